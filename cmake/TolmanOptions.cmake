@@ -1,0 +1,32 @@
+# Options of the whole build: warnings, sanitizers, instruction set, tests.
+option(TOLMAN_BUILD_TESTS "Build the tests" ON)
+option(TOLMAN_MARCH_V3 "Build for x86-64-v3 (AVX2); plugins must then be built so too" OFF)
+option(TOLMAN_ASAN "Address and undefined-behaviour sanitizers" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+if(TOLMAN_MARCH_V3)
+  add_compile_options(-march=x86-64-v3)
+endif()
+if(TOLMAN_ASAN)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined
+                      -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+
+find_program(TOLMAN_CCACHE ccache)
+if(TOLMAN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${TOLMAN_CCACHE})
+endif()
+
+# The house's warnings; for our own targets only, never for a third party's plugin.
+function(tolman_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Werror)
+endfunction()

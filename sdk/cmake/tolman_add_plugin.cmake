@@ -1,0 +1,35 @@
+# tolman_add_plugin(<name> ROLE <role> SOURCES <file>... [LIBRARIES <target>...] [OPENCV])
+#
+# Builds the plugin library tolman_<role>_<name>.so, as the host wants it: hidden visibility, no
+# undefined symbols, C++20. Target names: tolman_<role>_<name>, and tolman_<role>_<name>_objects
+# for tests that call the algorithm directly. OPENCV links OpenCV's core and writes its version into
+# the manifest; further OpenCV modules go to LIBRARIES.
+function(tolman_add_plugin name)
+  cmake_parse_arguments(ARG "OPENCV" "ROLE" "SOURCES;LIBRARIES" ${ARGN})
+  set(roles source odometry place cells map observer)
+  if(NOT ARG_ROLE IN_LIST roles)
+    message(FATAL_ERROR "tolman_add_plugin(${name}): ROLE must be one of: ${roles}")
+  endif()
+  if(NOT ARG_SOURCES OR ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "tolman_add_plugin(${name}): give SOURCES; unknown: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  set(target tolman_${ARG_ROLE}_${name})
+
+  add_library(${target}_objects OBJECT ${ARG_SOURCES})
+  target_include_directories(${target}_objects PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${target}_objects PUBLIC tolman::sdk ${ARG_LIBRARIES})
+  set_target_properties(${target}_objects PROPERTIES POSITION_INDEPENDENT_CODE ON
+                        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  if(ARG_OPENCV)
+    find_package(OpenCV REQUIRED COMPONENTS core)
+    target_compile_definitions(${target}_objects PRIVATE TOLMAN_USES_OPENCV)
+    target_link_libraries(${target}_objects PUBLIC opencv_core)
+  endif()
+
+  add_library(${target} MODULE)
+  target_link_libraries(${target} PRIVATE ${target}_objects)
+  set_target_properties(${target} PROPERTIES PREFIX "" LINKER_LANGUAGE CXX)
+  if(NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize" AND NOT TOLMAN_ASAN)
+    target_link_options(${target} PRIVATE -Wl,-z,defs) # a sanitizer's symbols come from the host
+  endif()
+endfunction()

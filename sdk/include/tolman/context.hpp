@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the host hands to a plugin instead of globals: logger, random stream, artefact writer,
+// cancellation, clock and parameters.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tolman/parameters.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman {
+
+enum class LogLevel : std::uint8_t { Debug, Info, Warning, Error };
+
+/// Writes to the log of the run, marked with the plugin's name. Callable from any thread.
+class Logger {
+ public:
+  virtual ~Logger() = default;
+  virtual void write(LogLevel level, std::string_view message) = 0;
+
+  void debug(std::string_view message) { write(LogLevel::Debug, message); }
+  void info(std::string_view message) { write(LogLevel::Info, message); }
+  void warning(std::string_view message) { write(LogLevel::Warning, message); }
+  void error(std::string_view message) { write(LogLevel::Error, message); }
+};
+
+/// Says that the run is to stop (an interrupt). Long loops should look at it. Any thread.
+class Cancellation {
+ public:
+  virtual ~Cancellation() = default;
+  virtual bool requested() const = 0;
+};
+
+/// Time for showing progress and measuring speed; never for deciding a result. Any thread.
+class Clock {
+ public:
+  virtual ~Clock() = default;
+  virtual std::int64_t steadyNs() const = 0;
+};
+
+/// Puts files of the plugin's own into the run directory. Any thread.
+class ArtefactWriter {
+ public:
+  virtual ~ArtefactWriter() = default;
+  /// Writes `bytes` to artefacts/<instance>/<name>, under a temporary name first and then renamed.
+  /// `name` is relative, without "..". An existing file is replaced.
+  virtual Status write(std::string_view name, std::span<const std::byte> bytes) = 0;
+};
+
+/// A seeded random stream with the same numbers on every machine (xoshiro256**, seeded by
+/// splitmix64; Blackman and Vigna). Its seed comes from the run's seed and the instance's name, so
+/// adding a plugin does not disturb another. Not thread-safe: one stream, one thread; fork() more.
+class RandomStream {
+ public:
+  explicit RandomStream(std::uint64_t seed) {
+    for (std::uint64_t& word : state_) {
+      seed += 0x9e3779b97f4a7c15ULL;
+      std::uint64_t z = seed;
+      z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+      z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+      word = z ^ (z >> 31U);
+    }
+  }
+
+  /// 64 uniform bits.
+  std::uint64_t bits() {
+    const std::uint64_t result = rotate(state_[1] * 5, 7) * 9;
+    const std::uint64_t t = state_[1] << 17U;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= t;
+    state_[3] = rotate(state_[3], 45);
+    return result;
+  }
+  /// Uniform in [0, 1).
+  double uniform() { return static_cast<double>(bits() >> 11U) * 0x1.0p-53; }
+  double uniform(double low, double high) { return low + (high - low) * uniform(); }
+  /// Uniform in 0 ... count - 1; count > 0.
+  std::uint64_t below(std::uint64_t count) {
+    const std::uint64_t limit = -count % count;  // reject the uneven remainder
+    std::uint64_t draw = bits();
+    while (draw < limit) draw = bits();
+    return draw % count;
+  }
+  /// Standard normal (Box-Muller, one of the pair).
+  double normal() {
+    const double radius = std::sqrt(-2 * std::log(1 - uniform()));
+    return radius * std::cos(2 * std::numbers::pi * uniform());
+  }
+  /// An independent stream.
+  RandomStream fork() { return RandomStream(bits()); }
+
+ private:
+  static std::uint64_t rotate(std::uint64_t x, unsigned k) { return (x << k) | (x >> (64 - k)); }
+  std::uint64_t state_[4];
+};
+
+/// Given to configure(). Every reference outlives the plugin instance.
+struct Context {
+  const ParameterValues& parameters;  ///< complete and checked; see bindParameters()
+  Logger& log;
+  ArtefactWriter& artefacts;
+  const Cancellation& cancellation;
+  const Clock& clock;
+  std::uint64_t seed;    ///< for RandomStream; the same after reset()
+  std::string instance;  ///< the name of this stage in the configuration, e.g. "odometry"
+  bool interactive;      ///< a person watches the terminal: progress bars and colours are welcome
+};
+
+}  // namespace tolman

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Optional: the same pixels as a cv::Mat, without a copy. The only SDK header that sees OpenCV;
+// a plugin that includes it says so with `tolman_add_plugin(... OPENCV)`.
+#pragma once
+
+#include <memory>
+#include <opencv2/core/mat.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "tolman/image.hpp"
+
+namespace tolman {
+
+/// Views `image` as a cv::Mat. Valid while `image` or a copy of it lives: cv::Mat cannot own
+/// foreign memory. Read only: OpenCV has no const Mat, so writing to it is on your honour.
+inline cv::Mat asMat(const Image& image) {
+  if (image.empty()) return {};
+  const int type = image.format() == PixelFormat::Gray8 ? CV_8UC1 : CV_8UC3;
+  return {image.height(), image.width(), type, const_cast<std::uint8_t*>(image.data()),
+          static_cast<std::size_t>(image.stride())};
+}
+
+/// Wraps `mat` (CV_8UC1 or CV_8UC3) without copying; the image keeps the Mat's buffer alive.
+/// The caller must not write to the buffer afterwards. Any other type throws.
+inline Image asImage(const cv::Mat& mat) {
+  if (mat.empty()) return {};
+  if (mat.type() != CV_8UC1 && mat.type() != CV_8UC3) {
+    throw std::invalid_argument("asImage takes CV_8UC1 or CV_8UC3");
+  }
+  auto owner = std::make_shared<const cv::Mat>(mat);
+  const auto format = mat.type() == CV_8UC1 ? PixelFormat::Gray8 : PixelFormat::Bgr8;
+  const std::uint8_t* const data = owner->data;
+  return {data,   mat.cols,        mat.rows, static_cast<std::ptrdiff_t>(mat.step[0]),
+          format, std::move(owner)};
+}
+
+}  // namespace tolman

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Registration: the one macro that makes a class a plugin. Include it in plugin.cpp only.
+//
+//   TOLMAN_PLUGIN(view_templates, ViewTemplates, "0.1.0", "Local view cells by template matching.")
+//
+// The class derives from one role, has a default constructor and a nested `Parameters` struct (see
+// parameters.hpp). One library may register several plugins. The macro writes a manifest, JSON in
+// the ELF section "tolman_manifest", which the host reads without executing anything, and an entry
+// function `tolman_plugin_<id>`, the only symbol that the host looks up.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "tolman/extras.hpp"
+#include "tolman/parameters.hpp"
+#include "tolman/roles.hpp"
+#include "tolman/version.hpp"
+
+namespace tolman {
+
+/// One living plugin, with the interfaces that it implements. All pointers are to one object.
+struct PluginObject {
+  Plugin* plugin = nullptr;
+  ArraySource* arrays = nullptr;
+  StateKeeper* state = nullptr;
+};
+
+/// What the entry function returns: a constant with static storage.
+struct PluginDescriptor {
+  std::uint32_t sdk_major;
+  std::uint32_t sdk_minor;
+  const char* id;
+  Role role;
+  std::uint64_t schema_hash;
+  Schema (*schema)();
+  PluginObject (*create)();  ///< may throw
+  void (*destroy)(Plugin*);  ///< runs in the plugin, which allocated
+};
+
+namespace detail {
+
+template <class C>
+constexpr Role roleOf() {
+  if constexpr (std::derived_from<C, Source>) return Role::Source;
+  if constexpr (std::derived_from<C, Odometry>) return Role::Odometry;
+  if constexpr (std::derived_from<C, Place>) return Role::Place;
+  if constexpr (std::derived_from<C, Cells>) return Role::Cells;
+  if constexpr (std::derived_from<C, Map>) return Role::Map;
+  if constexpr (std::derived_from<C, Observer>) return Role::Observer;
+}
+
+template <class C>
+PluginObject createPlugin() {
+  auto instance = std::make_unique<C>();
+  PluginObject object;
+  if constexpr (std::derived_from<C, ArraySource>) object.arrays = instance.get();
+  if constexpr (std::derived_from<C, StateKeeper>) object.state = instance.get();
+  object.plugin = instance.release();
+  return object;
+}
+
+/// JSON text of fixed size, filled at compile time.
+struct Manifest {
+  std::array<char, 1024> text{};
+  std::size_t size = 0;
+
+  constexpr void append(std::string_view part) {
+    for (const char c : part) text.at(size++) = c;  // too long: a compile-time error
+  }
+  constexpr void member(std::string_view key, std::string_view value) {
+    append(size == 0 ? "{\"" : ",\"");
+    append(key);
+    append("\":\"");
+    for (const char c : value) {
+      if (c == '"' || c == '\\') append("\\");
+      append(std::string_view(&c, 1));
+    }
+    append("\"");
+  }
+  constexpr void hexadecimal(std::string_view key, std::uint64_t value) {
+    std::array<char, 16> digits{};
+    for (std::size_t i = 16; i-- > 0; value >>= 4U) digits[i] = "0123456789abcdef"[value & 15U];
+    member(key, std::string_view(digits.data(), digits.size()));
+  }
+};
+
+template <class C>
+consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_view version,
+                                              std::string_view summary) {
+  Manifest manifest;
+  manifest.member("id", id);
+  manifest.member("role", enumName(roleOf<C>()));
+  manifest.member("version", version);
+  manifest.member("sdk", TOLMAN_SDK_VERSION);
+  manifest.member("fingerprint", TOLMAN_FINGERPRINT);
+  manifest.member("opencv", TOLMAN_OPENCV_VERSION);
+  manifest.hexadecimal("schema", schemaHash<typename C::Parameters>());
+  manifest.member("summary", summary);
+  manifest.append("}");
+  return manifest.text;
+}
+
+}  // namespace detail
+}  // namespace tolman
+
+#define TOLMAN_PLUGIN(ID, CLASS, VERSION, SUMMARY)                                         \
+  namespace {                                                                              \
+  [[gnu::used, gnu::section("tolman_manifest")]] constexpr std::array<char, 1024>          \
+      tolman_manifest_##ID = ::tolman::detail::makeManifest<CLASS>(#ID, VERSION, SUMMARY); \
+  }                                                                                        \
+  extern "C" __attribute__((visibility("default")))                                        \
+  const ::tolman::PluginDescriptor* tolman_plugin_##ID() {                                 \
+    static constexpr ::tolman::PluginDescriptor kDescriptor = {                            \
+        TOLMAN_SDK_MAJOR,                                                                  \
+        TOLMAN_SDK_MINOR,                                                                  \
+        #ID,                                                                               \
+        ::tolman::detail::roleOf<CLASS>(),                                                 \
+        ::tolman::schemaHash<CLASS::Parameters>(),                                         \
+        &::tolman::schemaOf<CLASS::Parameters>,                                            \
+        &::tolman::detail::createPlugin<CLASS>,                                            \
+        [](::tolman::Plugin* plugin) { delete plugin; }};                                  \
+    return &kDescriptor;                                                                   \
+  }                                                                                        \
+  static_assert(true, "ask for a semicolon")

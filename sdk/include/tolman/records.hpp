@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The records that flow from stage to stage. Plain data, immutable once published.
+//
+// Time is data time in integer nanoseconds; no wall clock decides a result. Frames have an index
+// that grows by one from 0. Every stage answers every frame exactly once, so records of one frame
+// are joined by index, never by time. World frame: the left camera at frame 0 (x right, y down,
+// z forward). 6x6 covariances have the order (translation m, rotation rad) and live in the tangent
+// space of the arriving frame: T = T_estimate * expSe3(noise).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tolman/camera.hpp"
+#include "tolman/fields.hpp"
+#include "tolman/geometry.hpp"
+#include "tolman/image.hpp"
+
+namespace tolman {
+
+/// One exposure of the rig, from a source.
+struct Frame {
+  static constexpr const char* kRecord = "frame";
+  std::int64_t frame = -1;    ///< index in this run, dense from 0
+  std::int64_t stamp_ns = 0;  ///< strictly increasing
+  std::int64_t source_index = -1;
+  Image left;   ///< empty: no image source, or an image that could not be read (see `defect`)
+  Image right;  ///< empty for a single camera
+  bool has_truth = false;
+  Eigen::Isometry3d T_world_camera_truth = Eigen::Isometry3d::Identity();
+  std::string defect;               ///< why an image is missing; empty for a sound frame
+  std::vector<NamedArray> sensors;  ///< what else was measured, e.g. "gyroscope.yaw_rate" (rad/s)
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "index in the run, dense from 0");
+    TOLMAN_FIELD(stamp_ns, "ns", "data time of the exposure");
+    TOLMAN_FIELD(source_index, "", "index in the data set, before first, step and order");
+    TOLMAN_FIELD(left, "", "image of the left (or only) camera");
+    TOLMAN_FIELD(right, "", "image of the right camera");
+    TOLMAN_FIELD(has_truth, "", "whether the true pose is known");
+    TOLMAN_FIELD(T_world_camera_truth, "m", "true pose, camera to world");
+    TOLMAN_FIELD(defect, "", "why an image is missing");
+    TOLMAN_FIELD(sensors, "", "measurements beside the images");
+  }
+};
+
+enum class TrackingState : std::uint8_t {
+  Initialising,  ///< no motion known yet; T_previous_current is the identity
+  Tracking,      ///< measured
+  Lost,          ///< T_previous_current is a prediction, with a covariance that says so
+};
+inline constexpr std::array<std::string_view, 3> kTrackingStateNames = {"initialising", "tracking",
+                                                                        "lost"};
+constexpr std::span<const std::string_view> enumNames(TrackingState) { return kTrackingStateNames; }
+
+/// A better value for the motion that arrived at an earlier frame; replaces what was said before.
+struct MotionRevision {
+  static constexpr const char* kRecord = "motion_revision";
+  std::int64_t frame = -1;  ///< the frame whose Motion is replaced
+  Eigen::Isometry3d T_previous_current = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame whose motion is replaced");
+    TOLMAN_FIELD(T_previous_current, "m", "motion from the frame before");
+    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+  }
+};
+
+/// What odometry says of one frame: the motion since the frame before.
+struct Motion {
+  static constexpr const char* kRecord = "motion";
+  std::int64_t frame = -1;
+  std::int64_t stamp_ns = 0;
+  TrackingState state = TrackingState::Initialising;
+  double dt = 0;  ///< s since the previous frame; 0 at frame 0
+  Eigen::Isometry3d T_previous_current = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+  double v = 0;              ///< m/s along the plane, negative when reversing
+  double omega = 0;          ///< rad/s about the upward axis, positive to the left
+  bool scale_known = true;   ///< false for a single camera: lengths are in arbitrary units
+  std::int64_t tracked = 0;  ///< how many measurements carried the estimate
+  bool is_keyframe = false;
+  std::int64_t points_frame = -1;  ///< the frame that `points` belong to; -1 for none
+  /// One column a point of frame points_frame: u, v (px), inverse depth (1/m), its variance.
+  Eigen::Matrix<float, 4, Eigen::Dynamic> points;
+  std::vector<MotionRevision> revisions;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame that the motion arrives at");
+    TOLMAN_FIELD(stamp_ns, "ns", "its data time");
+    TOLMAN_FIELD(state, "", "tracking state");
+    TOLMAN_FIELD(dt, "s", "time since the frame before");
+    TOLMAN_FIELD(T_previous_current, "m", "motion from the frame before");
+    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(v, "m/s", "speed in the plane, negative when reversing");
+    TOLMAN_FIELD(omega, "rad/s", "turning rate, positive to the left");
+    TOLMAN_FIELD(scale_known, "", "whether lengths are metres");
+    TOLMAN_FIELD(tracked, "", "measurements that carried the estimate");
+    TOLMAN_FIELD(is_keyframe, "", "whether the odometry made this frame a keyframe");
+    TOLMAN_FIELD(points_frame, "", "the frame that the points belong to, -1 for none");
+    TOLMAN_FIELD(points, "px, 1/m", "columns of u, v, inverse depth, its variance");
+    TOLMAN_FIELD(revisions, "", "better values for earlier motions");
+  }
+};
+
+/// Fills v, omega and dt of a motion from T_previous_current (paper, velocity calculation, with the
+/// sign of v kept when reversing).
+inline void setPlanarVelocity(Motion& motion, double dt) {
+  motion.dt = dt;
+  if (!(dt > 0)) {
+    motion.v = motion.omega = 0;
+    return;
+  }
+  const Eigen::Vector3d t = motion.T_previous_current.translation();
+  const double distance = std::hypot(t.x(), t.z());
+  motion.v = (t.z() < 0 ? -distance : distance) / dt;
+  motion.omega = toPlanar(motion.T_previous_current).theta / dt;
+}
+
+enum class Recognition : std::uint8_t {
+  None,      ///< nothing to say: no image, or skipped
+  Novel,     ///< a new template was made of this view
+  Familiar,  ///< the view matches an earlier template
+};
+inline constexpr std::array<std::string_view, 3> kRecognitionNames = {"none", "novel", "familiar"};
+constexpr std::span<const std::string_view> enumNames(Recognition) { return kRecognitionNames; }
+
+/// What place recognition says of one frame.
+struct PlaceObservation {
+  static constexpr const char* kRecord = "place";
+  std::int64_t frame = -1;
+  std::int64_t stamp_ns = 0;
+  Recognition recognition = Recognition::None;
+  std::int64_t template_id = -1;  ///< dense from 0 in the order of making; -1 with None
+  double score = 0;  ///< the plugin's own distance to the best template; smaller is more alike
+  double relative_yaw = 0;  ///< rad, heading now minus heading when the template was made
+  bool has_relative_pose = false;
+  Eigen::Isometry3d T_template_current = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame that was looked at");
+    TOLMAN_FIELD(stamp_ns, "ns", "its data time");
+    TOLMAN_FIELD(recognition, "", "none, novel or familiar");
+    TOLMAN_FIELD(template_id, "", "local view template, dense from 0, -1 for none");
+    TOLMAN_FIELD(score, "", "distance to the best template, smaller is more alike");
+    TOLMAN_FIELD(relative_yaw, "rad", "heading now minus heading of the template");
+    TOLMAN_FIELD(has_relative_pose, "", "whether T_template_current was measured");
+    TOLMAN_FIELD(T_template_current, "m", "pose now in the camera frame of the template");
+    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+  }
+};
+
+enum class Action : std::uint8_t {
+  Stay,              ///< still at `experience`
+  CreateExperience,  ///< `experience` is new, and the robot is at it
+  CloseLoop,         ///< the robot is back at the earlier `experience`
+};
+inline constexpr std::array<std::string_view, 3> kActionNames = {"stay", "create_experience",
+                                                                 "close_loop"};
+constexpr std::span<const std::string_view> enumNames(Action) { return kActionNames; }
+
+/// What the spatial cells decide for one frame.
+struct Decision {
+  static constexpr const char* kRecord = "decision";
+  std::int64_t frame = -1;
+  std::int64_t stamp_ns = 0;
+  Action action = Action::Stay;
+  std::int64_t experience = -1;   ///< dense from 0 in the order of making; -1 before the first
+  std::int64_t template_id = -1;  ///< the view that led to the decision; -1 for none
+  double relative_yaw = 0;        ///< rad, heading now minus heading at `experience`
+  bool has_relative_pose = false;
+  Eigen::Isometry3d T_experience_current = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+  double heading = 0;     ///< rad in [0, 2 pi): the head direction estimate
+  double confidence = 1;  ///< in [0, 1]
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame that was decided on");
+    TOLMAN_FIELD(stamp_ns, "ns", "its data time");
+    TOLMAN_FIELD(action, "", "stay, create_experience or close_loop");
+    TOLMAN_FIELD(experience, "", "the experience that the robot is at, -1 before the first");
+    TOLMAN_FIELD(template_id, "", "the view that led to the decision, -1 for none");
+    TOLMAN_FIELD(relative_yaw, "rad", "heading now minus heading at the experience");
+    TOLMAN_FIELD(has_relative_pose, "", "whether T_experience_current was measured");
+    TOLMAN_FIELD(T_experience_current, "m", "pose now in the frame of the experience");
+    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(heading, "rad", "head direction estimate");
+    TOLMAN_FIELD(confidence, "", "of the decision, 0 to 1");
+  }
+};
+
+/// A node of the experience map.
+struct Experience {
+  static constexpr const char* kRecord = "experience";
+  std::int64_t id = -1;
+  std::int64_t frame = -1;  ///< where it was made
+  std::int64_t template_id = -1;
+  Eigen::Isometry3d T_world_experience = Eigen::Isometry3d::Identity();
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(id, "", "dense from 0 in the order of making");
+    TOLMAN_FIELD(frame, "", "the frame that it was made at");
+    TOLMAN_FIELD(template_id, "", "its local view template, -1 for none");
+    TOLMAN_FIELD(T_world_experience, "m", "corrected pose, camera axes");
+  }
+};
+
+enum class LinkKind : std::uint8_t { Odometry, Loop };
+inline constexpr std::array<std::string_view, 2> kLinkKindNames = {"odometry", "loop"};
+constexpr std::span<const std::string_view> enumNames(LinkKind) { return kLinkKindNames; }
+
+/// A spatial constraint between two experiences.
+struct Link {
+  static constexpr const char* kRecord = "link";
+  std::int64_t id = -1;
+  std::int64_t from = -1;
+  std::int64_t to = -1;
+  LinkKind kind = LinkKind::Odometry;
+  std::int64_t frame = -1;  ///< where it was made
+  Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+  double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
+  double weight = 1;    ///< in [0, 1]: the trust that the optimiser has left in it
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(id, "", "dense from 0 in the order of making");
+    TOLMAN_FIELD(from, "", "experience");
+    TOLMAN_FIELD(to, "", "experience");
+    TOLMAN_FIELD(kind, "", "odometry or loop");
+    TOLMAN_FIELD(frame, "", "the frame that it was made at");
+    TOLMAN_FIELD(T_from_to, "m", "pose of `to` in the frame of `from`");
+    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(duration, "s", "data time between the ends");
+    TOLMAN_FIELD(weight, "", "trust that the optimiser has left in it");
+  }
+};
+
+/// What the map says of one frame.
+struct MapUpdate {
+  static constexpr const char* kRecord = "map_update";
+  std::int64_t frame = -1;
+  std::int64_t stamp_ns = 0;
+  std::int64_t experience = -1;  ///< the experience that this frame hangs on, for good
+  Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< as known now
+  std::int64_t version = 0;  ///< grows with every correction of earlier poses
+  std::int64_t experiences = 0;
+  std::int64_t links = 0;
+  std::int64_t loops = 0;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame that was placed");
+    TOLMAN_FIELD(stamp_ns, "ns", "its data time");
+    TOLMAN_FIELD(experience, "", "the experience that the frame hangs on");
+    TOLMAN_FIELD(T_experience_camera, "m", "pose in the frame of that experience");
+    TOLMAN_FIELD(T_world_camera, "m", "pose in the world, as known at this frame");
+    TOLMAN_FIELD(version, "", "number of the last correction of the map");
+    TOLMAN_FIELD(experiences, "", "nodes so far");
+    TOLMAN_FIELD(links, "", "links so far");
+    TOLMAN_FIELD(loops, "", "loop links so far");
+  }
+};
+
+/// The whole experience graph at one version.
+struct MapGraph {
+  std::int64_t version = 0;
+  std::vector<Experience> experiences;  ///< experiences[i].id == i
+  std::vector<Link> links;              ///< links[i].id == i
+};
+
+}  // namespace tolman

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The six roles. A plugin implements one of these classes; the host calls it.
+//
+// Life:     construct (cheap: no files, no threads) -> configure -> work ... -> finish -> destroy.
+//           reset() may come after configure at any time; the instance is then as if it had just
+//           been configured: the same frames give the same answers, bit by bit.
+// Threads:  one call at a time per instance, but not always from the same thread. A plugin may use
+//           threads of its own (oneTBB) inside a call; none may run on after finish().
+// Order:    frames come in order, frame.frame = 0, 1, 2 ...; under `realtime` some may be left out.
+// Answers:  outputs are default-constructed records made by the host. Exactly one answer a frame:
+//           copy frame and stamp_ns from the input, fill what you know.
+// Failure:  return a Status, or throw std::exception; both stop the run or skip the frame, as the
+//           configuration's `on_failure` says. After a skipped frame the next call comes as usual.
+//           The host refuses answers with NaN, infinity, or another frame's index.
+// Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tolman/context.hpp"
+#include "tolman/records.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman {
+
+enum class Role : std::uint8_t { Source, Odometry, Place, Cells, Map, Observer };
+inline constexpr std::array<std::string_view, 6> kRoleNames = {"source", "odometry", "place",
+                                                               "cells",  "map",      "observer"};
+constexpr std::span<const std::string_view> enumNames(Role) { return kRoleNames; }
+
+/// What every plugin has.
+class Plugin {
+ public:
+  virtual ~Plugin() = default;
+  /// Takes parameters and services, once. May open files and allocate. A failure names the remedy.
+  virtual Status configure(const Context& context) = 0;
+  /// Back to the state right after configure().
+  virtual Status reset() = 0;
+};
+
+/// One result of looking at a data set before it is used.
+struct Finding {
+  enum class Severity : std::uint8_t { Note, Warning, Error };
+  Severity severity = Severity::Note;
+  std::string where;    ///< file, with :line where there is one
+  std::string message;  ///< what was found, and for problems what to do
+};
+
+/// What a source tells before its first frame.
+struct SourceInfo {
+  std::string description;  ///< one line for people: "KITTI odometry, 51 stereo pairs, ..."
+  CameraRig rig;
+  std::int64_t frames = -1;  ///< how many will come; -1 when not known
+  bool has_truth = false;
+};
+
+/// Gives calibrated frames in time order. configure() checks the data as far as is possible without
+/// decoding them, so that errors come before frame 0.
+class Source : public Plugin {
+ public:
+  virtual Status info(SourceInfo& info) = 0;
+  /// Fills the next frame; Status::endOfStream() after the last. An image that cannot be read is
+  /// InvalidInput with file and remedy, or, where the source's parameters allow it, a frame with an
+  /// empty image and `defect` set. stamp_ns grows strictly; images keep one size.
+  virtual Status next(Frame& frame) = 0;
+  /// Appends what can be said about the data: counts, calibration, times, truth. Also callable
+  /// after a failed configure(), and then explains the failure.
+  virtual Status inspect(std::vector<Finding>& findings) = 0;
+};
+
+/// Estimates motion from images (or replays it).
+class Odometry : public Plugin {
+ public:
+  /// The motion from the frame before to this one. At frame 0: Initialising and the identity.
+  /// Empty images are legal: answer Lost with a prediction. Revisions of earlier motions may ride
+  /// along; each frame's last revision counts.
+  virtual Status track(const Frame& frame, Motion& motion) = 0;
+  /// After the last frame: the revisions still owed.
+  virtual Status finish(std::vector<MotionRevision>& revisions) = 0;
+};
+
+/// What a place recogniser reads besides the frame.
+enum class PlaceInput : std::uint8_t {
+  Frame,           ///< nothing more: runs beside odometry
+  FrameAndMotion,  ///< the motion of the same frame, with its points: runs after odometry
+};
+
+/// Recognises places by their looks.
+class Place : public Plugin {
+ public:
+  /// Constant after configure().
+  virtual PlaceInput input() const { return PlaceInput::Frame; }
+  /// `motion` is null exactly when input() is Frame. An empty image is legal: answer None.
+  virtual Status observe(const Frame& frame, const Motion* motion,
+                         PlaceObservation& observation) = 0;
+  virtual Status finish() { return Status::ok(); }
+};
+
+/// A model of head direction cells, grid cells or place cells. Owns the decision where the robot
+/// is; never sees images.
+class Cells : public Plugin {
+ public:
+  virtual Status step(const Motion& motion, const PlaceObservation& observation,
+                      Decision& decision) = 0;
+  virtual Status finish() { return Status::ok(); }
+};
+
+/// Keeps the experience graph, obeying the decisions of the cells.
+class Map : public Plugin {
+ public:
+  /// Applies the motion's revisions, then its motion, then the decision; hangs the frame on an
+  /// experience and places it. Before the first experience exists the map makes its origin the
+  /// first camera pose.
+  virtual Status update(const Motion& motion, const Decision& decision, MapUpdate& update) = 0;
+  /// Where frame `frame` was, by all that is known now. InvalidParameter for a frame not seen.
+  virtual Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const = 0;
+  /// The whole graph as known now.
+  virtual Status graph(MapGraph& graph) const = 0;
+  /// After the last frame: applies the last revisions and optimises once more.
+  virtual Status finish(const std::vector<MotionRevision>& revisions) = 0;
+};
+
+/// Everything about one frame, for observers. Pointers are valid during the call only; copy what
+/// you keep. Records can be copied cheaply (images are shared).
+struct Snapshot {
+  const Frame* frame = nullptr;
+  const Motion* motion = nullptr;
+  const PlaceObservation* place = nullptr;
+  const Decision* decision = nullptr;
+  const MapUpdate* map = nullptr;
+  const std::vector<NamedArray>* cells = nullptr;  ///< the state of the neural populations
+  const MapGraph* graph = nullptr;  ///< null unless the map changed since the last snapshot
+};
+
+/// What an observer learns before the first frame.
+struct RunInfo {
+  std::string name;
+  std::string directory;  ///< absolute path of the run directory; empty when nothing is recorded
+  SourceInfo source;
+};
+
+/// Watches a run. It cannot change it: the host ignores everything but failures.
+class Observer : public Plugin {
+ public:
+  virtual Status begin(const RunInfo& run) = 0;
+  virtual Status observe(const Snapshot& snapshot) = 0;
+  /// After the last frame; `graph` is the final map.
+  virtual Status finish(const MapGraph& graph) = 0;
+};
+
+}  // namespace tolman
