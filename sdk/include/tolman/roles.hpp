@@ -15,8 +15,11 @@
 // Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tolman/context.hpp"
@@ -33,7 +36,9 @@ constexpr std::span<const std::string_view> enumNames(Role) { return kRoleNames;
 /// What every plugin has.
 class Plugin {
  public:
-  virtual ~Plugin() = default;
+  /// Destructors may not throw in good style; noexcept(false) lets the host's guard contain one
+  /// that does, instead of ending the process.
+  virtual ~Plugin() noexcept(false) {}
   /// Takes parameters and services, once. May open files and allocate. A failure names the remedy.
   virtual Status configure(const Context& context) = 0;
   /// Back to the state right after configure().

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/assembly.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "config/loader.hpp"
+#include "config/problem.hpp"
+
+namespace tolman::app {
+namespace {
+
+/// Each instance has its own stream, whatever other plugins there are.
+std::uint64_t seedOf(std::int64_t run_seed, const std::string& instance) {
+  const auto start = static_cast<std::uint64_t>(run_seed) ^ 0xcbf29ce484222325ULL;
+  return RandomStream(detail::fnv1a(start, instance)).bits();
+}
+
+/// A stage that cannot be configured: whose fault is it?
+ExitCode configureFailure(Role role, const Status& status) {
+  if (role == Role::Source && status.code() != StatusCode::InvalidParameter) {
+    return ExitCode::Dataset;
+  }
+  return status.code() == StatusCode::InvalidParameter ? ExitCode::Configuration : ExitCode::Plugin;
+}
+
+}  // namespace
+
+plugins::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
+  std::error_code ignored;
+  const auto executable = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return plugins::Catalogue(
+      plugins::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
+}
+
+plugins::OrRefusal<plugins::LoadedPlugin> loadFrom(const plugins::Catalogue& catalogue,
+                                                   const std::string& id, Role role) {
+  auto manifest = catalogue.find(id, role);
+  if (auto* refusal = std::get_if<plugins::Refusal>(&manifest)) return *refusal;
+  return plugins::loadPlugin(std::get<plugins::Manifest>(manifest),
+                             plugins::HostIdentity::ofThisBuild());
+}
+
+std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options) {
+  const config::Loaded loaded =
+      config::load(options.config, options.overrides, config::processEnvironment());
+  config::Problems problems = loaded.problems;
+  CheckedSystem checked;
+  checked.config = config::parse(loaded, problems);
+  const plugins::Catalogue catalogue = openCatalogue(options.plugin_paths);
+  bool refused = false;
+  for (const config::StageConfig& stage : checked.config.stages) {
+    if (stage.plugin.empty()) continue;  // already a problem
+    auto found = loadFrom(catalogue, stage.plugin, stage.role);
+    if (auto* refusal = std::get_if<plugins::Refusal>(&found)) {
+      problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", refusal->text()});
+      refused = true;
+      continue;
+    }
+    auto& plugin = std::get<plugins::LoadedPlugin>(found);
+    checked.values[stage.instance] =
+        config::check(stage, plugin.schema, checked.config.places, problems);
+    checked.plugins.push_back(std::move(plugin));
+  }
+  if (problems.empty()) return checked;
+  const bool only_plugins = refused && std::all_of(problems.begin(), problems.end(), [](auto& p) {
+                              return p.message.starts_with("[plugin/");
+                            });
+  return Failure{only_plugins ? ExitCode::Plugin : ExitCode::Configuration,
+                 config::format(problems)};
+}
+
+std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem checked,
+                                                                  RunLog& log, const Clock& clock,
+                                                                  const Cancellation& cancellation,
+                                                                  bool interactive) {
+  std::unique_ptr<Assembly> assembly(new Assembly(std::move(checked)));
+  const CheckedSystem& system = assembly->checked_;
+  for (std::size_t i = 0; i < system.config.stages.size(); ++i) {
+    const config::StageConfig& stage = system.config.stages[i];
+    auto created = plugins::Instance::create(system.plugins[i], stage.instance);
+    if (auto* refusal = std::get_if<plugins::Refusal>(&created)) {
+      return Failure{ExitCode::Plugin, refusal->text()};
+    }
+    auto instance = std::move(std::get<std::unique_ptr<plugins::Instance>>(created));
+    auto services = std::make_unique<Services>(log, stage.instance);
+    const Context context{system.values.find(stage.instance)->second,
+                          services->log,
+                          services->artefacts,
+                          cancellation,
+                          clock,
+                          seedOf(system.config.general.seed, stage.instance),
+                          stage.instance,
+                          interactive};
+    assembly->services_.push_back(std::move(services));
+    const Status status = instance->configure(context);
+    if (!status.isOk()) return Failure{configureFailure(stage.role, status), status.message()};
+    assembly->place(std::move(instance), stage);
+  }
+  return assembly;
+}
+
+void Assembly::place(std::unique_ptr<plugins::Instance> instance,
+                     const config::StageConfig& stage) {
+  switch (stage.role) {
+    case Role::Source:
+      source_ = std::make_unique<plugins::SourceStage>(std::move(instance));
+      break;
+    case Role::Odometry:
+      odometry_ = std::make_unique<plugins::OdometryStage>(std::move(instance));
+      break;
+    case Role::Place:
+      place_ = std::make_unique<plugins::PlaceStage>(std::move(instance));
+      break;
+    case Role::Cells:
+      cells_ = std::make_unique<plugins::CellsStage>(std::move(instance));
+      break;
+    case Role::Map:
+      map_ = std::make_unique<plugins::MapStage>(std::move(instance));
+      break;
+    case Role::Observer:
+      observers_.push_back({plugins::ObserverStage(std::move(instance)), stage.on_failure});
+      break;
+  }
+}
+
+void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
+  for (const auto& services : services_) services->artefacts.open(run_directory);
+}
+
+std::vector<plugins::Instance*> Assembly::instances() {
+  std::vector<plugins::Instance*> all = {&source_->instance(), &odometry_->instance(),
+                                         &place_->instance(), &cells_->instance(),
+                                         &map_->instance()};
+  for (Observer& observer : observers_) all.push_back(&observer.stage.instance());
+  return all;
+}
+
+std::vector<Status> Assembly::teardown() {
+  std::vector<Status> failures;
+  auto all = instances();
+  for (auto it = all.rbegin(); it != all.rend(); ++it) {
+    Status status = (*it)->destroy();
+    if (!status.isOk()) failures.push_back(std::move(status));
+  }
+  return failures;
+}
+
+config::FailurePolicy Assembly::policy(Role role) const {
+  const auto& stages = checked_.config.stages;
+  const auto found = std::find_if(stages.begin(), stages.end(),
+                                  [&](const config::StageConfig& s) { return s.role == role; });
+  return found == stages.end() ? config::FailurePolicy::Stop : found->on_failure;
+}
+
+}  // namespace tolman::app

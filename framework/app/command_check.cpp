@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman check: is a configuration sound? Needs no data.
+#include <iostream>
+
+#include "app/system_options.hpp"
+#include "config/resolved.hpp"
+
+namespace tolman::app {
+
+void addCheckCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand("check", "Check a configuration without running it");
+  auto options = std::make_shared<SystemOptionsReader>(*command);
+  auto explain = std::make_shared<bool>(false);
+  command->add_flag("--explain", *explain, "Print every value with its origin");
+  command->callback([options, explain, &invocation] {
+    const auto result = checkSystem(options->read(invocation));
+    if (const auto* failure = std::get_if<Failure>(&result)) {
+      std::cerr << failure->message;
+      invocation.exit_code = static_cast<int>(failure->code);
+      return;
+    }
+    const auto& checked = std::get<CheckedSystem>(result);
+    if (*explain) {
+      std::cout << config::explain(checked.config, checked.values);
+    } else if (!invocation.quiet) {
+      std::cout << "sound: " << checked.config.stages.size() << " stages\n";
+    }
+  });
+}
+
+}  // namespace tolman::app

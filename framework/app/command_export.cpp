@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman export: result files from run.sqlite, also of a killed run; tolman schema.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/exit_code.hpp"
+#include "app/program.hpp"
+#include "record/export.hpp"
+#include "record/reference.hpp"
+
+namespace tolman::app {
+namespace {
+
+void exportFiles(const std::string& run, const std::string& out, Invocation& invocation) {
+  const std::filesystem::path folder = out.empty() ? run : out;
+  std::error_code ignored;
+  std::filesystem::create_directories(folder, ignored);
+  const auto written = record::exportRun(run, folder);
+  if (!written.isOk()) {
+    std::cerr << written.status().message() << "\n";
+    invocation.exit_code = static_cast<int>(ExitCode::Dataset);
+    return;
+  }
+  if (invocation.quiet) return;
+  for (const auto& file : written.value()) std::cout << file.string() << "\n";
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(
+      "export", "Write trajectories and map of a run (finished, running or killed)");
+  auto run = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>();
+  command->add_option("run", *run, "Run directory")->required();
+  command->add_option("--out", *out, "Folder to write to (default: the run directory)");
+  command->callback([run, out, &invocation] { exportFiles(*run, *out, invocation); });
+
+  CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");
+  schema->callback([] { std::cout << record::recordsMarkdown(); });
+}
+
+}  // namespace tolman::app

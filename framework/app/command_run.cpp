@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman run: a whole run, recorded.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <iostream>
+
+#include "app/provenance.hpp"
+#include "app/results.hpp"
+#include "app/run_listener.hpp"
+#include "app/summary.hpp"
+#include "app/system_options.hpp"
+#include "record/atomic_file.hpp"
+#include "record/run_directory.hpp"
+
+namespace tolman::app {
+namespace {
+
+/// One run from its parts; each step may end it.
+class Run {
+ public:
+  Run(Invocation& invocation, std::string out)
+      : invocation_(invocation), out_(std::move(out)), log_(invocation.quiet) {}
+
+  ExitCode execute(const SystemOptions& options) {
+    auto checked = checkSystem(options);
+    if (auto* failure = std::get_if<Failure>(&checked)) return report(*failure);
+    const bool interactive = isatty(STDERR_FILENO) == 1 && !invocation_.quiet;
+    auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_,
+                                      interrupts_, interactive);
+    if (auto* failure = std::get_if<Failure>(&assembled)) return report(*failure);
+    assembly_ = std::move(std::get<std::unique_ptr<Assembly>>(assembled));
+    Status status = assembly_->source().info(info_);
+    if (!status.isOk()) return report({ExitCode::Dataset, status.message()});
+    status = openRecord();
+    if (!status.isOk()) return report({ExitCode::Record, status.message()});
+    return drive();
+  }
+
+ private:
+  ExitCode report(const Failure& failure) const {
+    std::cerr << failure.message << (failure.message.ends_with('\n') ? "" : "\n");
+    return failure.code;
+  }
+
+  const config::SystemConfig& config() const { return assembly_->system().config; }
+
+  /// The run directory comes last, so that a failing start leaves an earlier run alone.
+  Status openRecord() {
+    record::RunDirectoryOptions options;
+    options.name = config().general.name;
+    options.utc_seconds = utcSeconds();
+    if (!out_.empty()) options.out = out_;
+    auto directory = record::RunDirectory::create(options);
+    if (!directory.isOk()) return directory.status();
+    directory_ = std::make_unique<record::RunDirectory>(std::move(directory).value());
+    log_.openFile(directory_->path() / "log.txt");
+    assembly_->openArtefacts(directory_->path());
+    provenance_ =
+        provenance(assembly_->system(), info_, invocation_.command_line, config().general.threads);
+    Status status =
+        record::writeAtomically(directory_->path() / "config.resolved.yaml",
+                                config::resolvedYaml(config(), assembly_->system().values));
+    if (status.isOk()) {
+      status = directory_->writeRunFile(provenance_, record::RunState::Running);
+    }
+    if (!status.isOk()) return status;
+    auto recorder = record::Recorder::open(directory_->path());
+    if (!recorder.isOk()) return recorder.status();
+    recorder_ = std::move(recorder).value();
+    return recorder_->meta("name", config().general.name);
+  }
+
+  ExitCode drive() {
+    const auto start = std::chrono::steady_clock::now();
+    RunListener listener(*recorder_, assembly_->observers(), log_, config().record.arrays_every);
+    const pipeline::Policies policies{assembly_->policy(Role::Odometry),
+                                      assembly_->policy(Role::Place),
+                                      assembly_->policy(Role::Cells), assembly_->policy(Role::Map)};
+    pipeline::Chain chain({assembly_->source(), assembly_->odometry(), assembly_->place(),
+                           assembly_->cells(), assembly_->map()},
+                          policies, listener);
+    const Status begun =
+        listener.begin({config().general.name, directory_->path().string(), info_});
+    if (!begun.isOk()) chain.fail(begun);
+    const pipeline::Outcome outcome =
+        pipeline::run(chain, config().pipeline, config().general.threads, interrupts_);
+    for (const Status& status : assembly_->teardown()) {
+      listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
+    }
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+    return conclude(outcome, listener.recordStatus(), wall.count());
+  }
+
+  ExitCode codeOf(const pipeline::Outcome& outcome, const Status& record_status) const {
+    if (!record_status.isOk()) return ExitCode::Record;
+    if (!outcome.status.isOk()) {
+      const bool data = outcome.status.message().starts_with(
+          assembly_->system().config.stages.front().instance + " (");
+      return data ? ExitCode::Dataset : ExitCode::PluginFailed;
+    }
+    if (outcome.interrupted) return ExitCode::Interrupted;
+    return outcome.counters.lost_at_end ? ExitCode::TrackingLost : ExitCode::Ok;
+  }
+
+  ExitCode conclude(const pipeline::Outcome& outcome, const Status& record_status, double wall) {
+    const Status closed = recorder_->close();
+    const ExitCode code = codeOf(outcome, record_status.isOk() ? closed : record_status);
+    addOutcome(provenance_, outcome, code);
+    const auto state = code == ExitCode::Ok || code == ExitCode::TrackingLost
+                           ? record::RunState::Finished
+                       : code == ExitCode::Interrupted ? record::RunState::Interrupted
+                                                       : record::RunState::Failed;
+    const auto metrics = writeResults(directory_->path(), config().evaluation);
+    const Status written = directory_->writeRunFile(provenance_, state);
+    if (!written.isOk()) std::cerr << written.message() << "\n";
+    if (!metrics.isOk()) std::cerr << metrics.status().message() << "\n";
+    show(outcome, metrics, wall);
+    return code;
+  }
+
+  void show(const pipeline::Outcome& outcome, const Result<evaluation::Metrics>& metrics,
+            double wall) const {
+    if (!outcome.status.isOk()) std::cerr << outcome.status.message() << "\n";
+    if (invocation_.json) {
+      nlohmann::ordered_json json = provenance_;
+      json["directory"] = directory_->path().string();
+      if (metrics.isOk()) json["metrics"] = evaluation::toJson(metrics.value());
+      std::cout << json.dump(2) << "\n";
+    } else if (!invocation_.quiet) {
+      std::cout << fmt::format("{:<10}{}\n", "run", directory_->path().string())
+                << healthText(outcome, wall);
+      if (metrics.isOk()) std::cout << figuresText(metrics.value());
+    }
+  }
+
+  Invocation& invocation_;
+  std::string out_;
+  Interrupts interrupts_;  // before anything that starts threads
+  RunLog log_;
+  SteadyClock clock_;
+  std::unique_ptr<Assembly> assembly_;
+  SourceInfo info_;
+  std::unique_ptr<record::RunDirectory> directory_;
+  nlohmann::ordered_json provenance_;
+  std::unique_ptr<record::Recorder> recorder_;
+};
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand("run", "Run a configuration and record everything");
+  auto options = std::make_shared<SystemOptionsReader>(*command);
+  auto out = std::make_shared<std::string>();
+  command->add_option("--out", *out, "Run directory (default: runs/NAME-TIME)");
+  command->callback([options, out, &invocation] {
+    Run run(invocation, *out);
+    invocation.exit_code = static_cast<int>(run.execute(options->read(invocation)));
+  });
+}
+
+}  // namespace tolman::app

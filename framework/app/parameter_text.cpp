@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/parameter_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace tolman::app {
+namespace {
+
+constexpr std::array<std::string_view, 7> kTypeNames = {"bool", "integer", "real",        "text",
+                                                        "path", "choice",  "list of real"};
+
+std::string_view typeName(const ParameterInfo& info) {
+  return kTypeNames.at(static_cast<std::size_t>(info.type));
+}
+
+nlohmann::ordered_json toJson(const ParameterValue& value) {
+  return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
+}
+
+std::string defaultText(const ParameterInfo& info) {
+  return info.required ? "required" : toJson(info.default_value).dump();
+}
+
+/// "1 to 512", ">= 0", "forward, backward", or nothing.
+std::string limitsText(const ParameterInfo& info) {
+  std::string text;
+  for (const std::string& choice : info.choices) text += (text.empty() ? "" : ", ") + choice;
+  const bool low = std::isfinite(info.min);
+  const bool high = std::isfinite(info.max);
+  if (low && high) return fmt::format("{} to {}", info.min, info.max);
+  if (low) return fmt::format(">= {}", info.min);
+  if (high) return fmt::format("<= {}", info.max);
+  return text;
+}
+
+std::string headline(const plugins::LoadedPlugin& plugin) {
+  const auto& m = plugin.manifest;
+  return fmt::format("{} {} ({}): {}", m.id, m.version, enumName(m.role), m.summary);
+}
+
+}  // namespace
+
+std::string parametersText(const plugins::LoadedPlugin& plugin) {
+  std::string text = headline(plugin) + "\n";
+  for (const ParameterInfo& p : plugin.schema) {
+    text += fmt::format("  {:<26} {:<13} default {}", p.name, typeName(p), defaultText(p));
+    if (!p.unit.empty()) text += " " + p.unit;
+    const std::string limits = limitsText(p);
+    if (!limits.empty()) text += "  [" + limits + "]";
+    text += "\n      " + p.doc + "\n";
+  }
+  return text;
+}
+
+std::string parametersMarkdown(const plugins::LoadedPlugin& plugin) {
+  const auto& m = plugin.manifest;
+  std::string text = fmt::format("## `{}` ({})\n\n{}\n\n", m.id, enumName(m.role), m.summary);
+  if (plugin.schema.empty()) return text + "No parameters.\n";
+  text += "| parameter | type | default | unit | range | meaning |\n|---|---|---|---|---|---|\n";
+  for (const ParameterInfo& p : plugin.schema) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", p.name, typeName(p), defaultText(p),
+                        p.unit, limitsText(p), p.doc);
+  }
+  return text;
+}
+
+nlohmann::ordered_json parametersJson(const plugins::LoadedPlugin& plugin) {
+  const auto& m = plugin.manifest;
+  nlohmann::ordered_json json = {{"id", m.id},
+                                 {"role", enumName(m.role)},
+                                 {"version", m.version},
+                                 {"summary", m.summary},
+                                 {"file", m.file.string()}};
+  json["parameters"] = nlohmann::ordered_json::array();
+  for (const ParameterInfo& p : plugin.schema) {
+    nlohmann::ordered_json one = {
+        {"name", p.name},         {"type", typeName(p)}, {"default", toJson(p.default_value)},
+        {"required", p.required}, {"unit", p.unit},      {"doc", p.doc}};
+    if (std::isfinite(p.min)) one["min"] = p.min;
+    if (std::isfinite(p.max)) one["max"] = p.max;
+    if (!p.choices.empty()) one["choices"] = p.choices;
+    json["parameters"].push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/provenance.hpp"
+
+#include <sys/utsname.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "app/build_info.hpp"
+#include "record/digest.hpp"
+#include "tolman/version.hpp"
+
+namespace tolman::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+Json machine() {
+  utsname system{};
+  ::uname(&system);
+  return {{"host", system.nodename},
+          {"system", std::string(system.sysname) + " " + system.release},
+          {"processor", processorName()},
+          {"cores", std::thread::hardware_concurrency()}};
+}
+
+Json pluginList(const CheckedSystem& system) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
+    const plugins::Manifest& manifest = system.plugins[i].manifest;
+    const auto digest = record::fileDigest(manifest.file);
+    list.push_back({{"stage", system.config.stages[i].instance},
+                    {"id", manifest.id},
+                    {"role", enumName(manifest.role)},
+                    {"version", manifest.version},
+                    {"file", manifest.file.string()},
+                    {"sha256", digest.isOk() ? digest.value() : "unreadable"}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::int64_t utcSeconds() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::seconds>(now).count();
+}
+
+std::string utcText(std::int64_t seconds) {
+  const std::time_t time = seconds;
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  std::string text(20, '\0');
+  std::strftime(text.data(), text.size() + 1, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+Json provenance(const CheckedSystem& system, const SourceInfo& source,
+                const std::vector<std::string>& command_line, int threads) {
+  Json json;
+  json["name"] = system.config.general.name;
+  json["started"] = utcText(utcSeconds());
+  json["command_line"] = command_line;
+  json["seed"] = system.config.general.seed;
+  json["threads"] = threads;
+  json["tolman"] = {{"version", kVersion},       {"revision", kRevision},
+                    {"compiler", kCompiler},     {"build_type", kBuildType},
+                    {"sdk", TOLMAN_SDK_VERSION}, {"fingerprint", TOLMAN_FINGERPRINT}};
+  json["machine"] = machine();
+  json["source"] = {{"description", source.description}, {"frames", source.frames},
+                    {"has_truth", source.has_truth},     {"width", source.rig.width},
+                    {"height", source.rig.height},       {"baseline_m", source.rig.baseline}};
+  json["plugins"] = pluginList(system);
+  return json;
+}
+
+void addOutcome(Json& json, const pipeline::Outcome& outcome, ExitCode code) {
+  const pipeline::Counters& n = outcome.counters;
+  json["ended"] = utcText(utcSeconds());
+  json["exit_code"] = static_cast<int>(code);
+  json["message"] = outcome.status.message();
+  json["counters"] = {{"frames", n.frames},       {"dropped", n.dropped},
+                      {"skipped", n.skipped},     {"defects", n.defects},
+                      {"lost", n.lost},           {"place_left_out", n.place_left_out},
+                      {"templates", n.templates}, {"experiences", n.experiences},
+                      {"links", n.links},         {"loops", n.loops}};
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/run_listener.hpp"
+
+namespace tolman::app {
+
+template <class Call>
+Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
+  for (Assembly::Observer& observer : observers_) {
+    const Status status = call(observer.stage);
+    if (status.isOk()) continue;
+    if (observer.policy == config::FailurePolicy::Stop) return status;
+    onEvent({frame, LogLevel::Warning, observer.stage.instance().name(), status.message()});
+  }
+  return Status::ok();
+}
+
+Status RunListener::begin(const RunInfo& run) {
+  record_status_ = recorder_.camera(run.source.rig);
+  if (!record_status_.isOk()) return record_status_;
+  return tellObservers(-1, [&](plugins::ObserverStage& o) { return o.begin(run); });
+}
+
+Status RunListener::record(const Snapshot& snapshot, const pipeline::StageTimes& times) {
+  Snapshot told = snapshot;
+  const std::int64_t frame = snapshot.frame->frame;
+  if (arrays_every_ == 0 || frame % arrays_every_ != 0) told.cells = nullptr;
+  Status status = recorder_.snapshot(told);
+  for (std::size_t role = 0; role < times.size() && status.isOk(); ++role) {
+    if (times[role] > 0) status = recorder_.timing(frame, kRoleNames[role], times[role]);
+  }
+  return status;
+}
+
+Status RunListener::onFrame(const Snapshot& snapshot, const pipeline::StageTimes& times) {
+  record_status_ = record(snapshot, times);
+  if (!record_status_.isOk()) return record_status_;
+  return tellObservers(snapshot.frame->frame,
+                       [&](plugins::ObserverStage& o) { return o.observe(snapshot); });
+}
+
+void RunListener::onEvent(const pipeline::Event& event) {
+  log_.write(event.level, event.source, event.message);
+  (void)recorder_.event(event.frame, event.level, event.source, event.message);
+}
+
+Status RunListener::onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) {
+  if (!record_status_.isOk()) return record_status_;
+  record_status_ = recorder_.revisions(revisions);
+  if (record_status_.isOk()) record_status_ = recorder_.graph(graph);
+  if (!record_status_.isOk()) return record_status_;
+  return tellObservers(-1, [&](plugins::ObserverStage& o) { return o.finish(graph); });
+}
+
+}  // namespace tolman::app

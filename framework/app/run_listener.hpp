@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What happens in a run goes to the record, the log and the observers.
+#pragma once
+
+#include <vector>
+
+#include "app/assembly.hpp"
+#include "pipeline/listener.hpp"
+#include "record/recorder.hpp"
+
+namespace tolman::app {
+
+class RunListener : public pipeline::Listener {
+ public:
+  RunListener(record::Recorder& recorder, std::vector<Assembly::Observer>& observers, RunLog& log,
+              int arrays_every)
+      : recorder_(recorder), observers_(observers), log_(log), arrays_every_(arrays_every) {}
+
+  Status begin(const RunInfo& run);
+  Status onFrame(const Snapshot& snapshot, const pipeline::StageTimes& times) override;
+  void onEvent(const pipeline::Event& event) override;
+  Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
+
+  /// The first failure of the record itself, e.g. a full disk.
+  const Status& recordStatus() const { return record_status_; }
+
+ private:
+  Status record(const Snapshot& snapshot, const pipeline::StageTimes& times);
+  /// Runs `call` for each observer; failures follow the observer's policy.
+  template <class Call>
+  Status tellObservers(std::int64_t frame, Call&& call);
+
+  record::Recorder& recorder_;
+  std::vector<Assembly::Observer>& observers_;
+  RunLog& log_;
+  int arrays_every_;
+  Status record_status_;
+};
+
+}  // namespace tolman::app

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/chain.hpp"
+
+#include <algorithm>
+
+namespace tolman::pipeline {
+namespace {
+
+/// The stand-in answer of a skipped odometry: motion goes on as before, and nobody believes it.
+Motion predictedMotion(const Frame& frame, const Motion& last) {
+  Motion motion;
+  motion.frame = frame.frame;
+  motion.stamp_ns = frame.stamp_ns;
+  if (frame.frame == 0) return motion;
+  motion.state = TrackingState::Lost;
+  motion.T_previous_current = last.T_previous_current;
+  motion.covariance = Matrix6d::Identity();
+  motion.scale_known = last.scale_known;
+  setPlanarVelocity(motion, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
+  return motion;
+}
+
+}  // namespace
+
+std::optional<Status> Chain::failure() const {
+  const std::lock_guard lock(failure_mutex_);
+  return failure_;
+}
+
+void Chain::fail(const Status& status) {
+  const std::lock_guard lock(failure_mutex_);
+  if (!failure_) failure_ = status;
+}
+
+void Chain::failInput(const Status& status) {
+  listener_.onEvent({-1, LogLevel::Error, "source", status.message()});
+  const std::lock_guard lock(failure_mutex_);
+  input_failure_ = status;
+}
+
+Status Chain::result() const {
+  const std::lock_guard lock(failure_mutex_);
+  return failure_.value_or(input_failure_.value_or(Status::ok()));
+}
+
+bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int64_t frame,
+                    std::string_view role) {
+  if (status.isOk()) return true;
+  const bool stop = policy == config::FailurePolicy::Stop;
+  listener_.onEvent({frame, stop ? LogLevel::Error : LogLevel::Warning, std::string(role),
+                     status.message() + (stop ? "" : "; frame skipped")});
+  if (stop) {
+    fail(status);
+  } else {
+    ++counters_.skipped;
+  }
+  return !stop;
+}
+
+void Chain::odometry(Packet& packet) {
+  if (failed()) return;
+  const StageTimer timer(packet.times, Role::Odometry);
+  packet.odometry_status = stages_.odometry.track(packet.frame, packet.motion);
+}
+
+void Chain::place(Packet& packet) {
+  --place_backlog_;
+  if (failed()) return;
+  packet.place.frame = packet.frame.frame;
+  packet.place.stamp_ns = packet.frame.stamp_ns;
+  if (packet.leave_out_place) return;
+  const StageTimer timer(packet.times, Role::Place);
+  const bool with_motion = stages_.place.input() == PlaceInput::FrameAndMotion;
+  packet.place_status =
+      stages_.place.observe(packet.frame, with_motion ? &packet.motion : nullptr, packet.place);
+}
+
+bool Chain::takeOdometry(Packet& packet) {
+  const Status& status = packet.odometry_status;
+  if (!resolve(status, policies_.odometry, packet.frame.frame, "odometry")) return false;
+  if (!status.isOk()) packet.motion = predictedMotion(packet.frame, last_motion_);
+  last_motion_ = packet.motion;
+  return true;
+}
+
+bool Chain::takePlace(Packet& packet) {
+  const Status& status = packet.place_status;
+  if (!resolve(status, policies_.place, packet.frame.frame, "place")) return false;
+  if (status.isOk()) return true;
+  packet.place = PlaceObservation{};
+  packet.place.frame = packet.frame.frame;
+  packet.place.stamp_ns = packet.frame.stamp_ns;
+  return true;
+}
+
+bool Chain::decide(Packet& packet) {
+  Status status;
+  {
+    const StageTimer timer(packet.times, Role::Cells);
+    status = stages_.cells.step(packet.motion, packet.place, packet.decision);
+    if (status.isOk()) {
+      status = stages_.cells.instance().arrays(packet.frame.frame, packet.cells);
+    }
+  }
+  if (!resolve(status, policies_.cells, packet.frame.frame, "cells")) return false;
+  if (!status.isOk()) {
+    packet.decision = Decision{};
+    packet.decision.frame = packet.frame.frame;
+    packet.decision.stamp_ns = packet.frame.stamp_ns;
+    packet.decision.experience = last_decision_.experience;
+    packet.decision.heading = last_decision_.heading;
+  }
+  last_decision_ = packet.decision;
+  return true;
+}
+
+bool Chain::map(Packet& packet) {
+  Status status;
+  {
+    const StageTimer timer(packet.times, Role::Map);
+    status = stages_.map.update(packet.motion, packet.decision, packet.map);
+  }
+  if (!resolve(status, policies_.map, packet.frame.frame, "map")) return false;
+  if (!status.isOk()) {  // hang the frame where the last one hung, moved by the motion
+    const Eigen::Isometry3d& step = packet.motion.T_previous_current;
+    packet.map = last_map_;
+    packet.map.frame = packet.frame.frame;
+    packet.map.stamp_ns = packet.frame.stamp_ns;
+    packet.map.T_experience_camera = last_map_.T_experience_camera * step;
+    packet.map.T_world_camera = last_map_.T_world_camera * step;
+  }
+  publishGraph(packet);
+  last_map_ = packet.map;
+  return true;
+}
+
+void Chain::publishGraph(Packet& packet) {
+  const MapUpdate& now = packet.map;
+  packet.graph_changed = packet.frame.frame == 0 || now.version != last_map_.version ||
+                         now.experiences != last_map_.experiences || now.links != last_map_.links;
+  if (!packet.graph_changed) return;
+  const Status status = stages_.map.graph(packet.graph);
+  if (status.isOk()) return;
+  packet.graph_changed = false;
+  (void)resolve(status, policies_.map, packet.frame.frame, "map");
+}
+
+void Chain::think(Packet& packet) {
+  if (failed()) return;
+  packet.answered =
+      takeOdometry(packet) && takePlace(packet) && decide(packet) && map(packet) && !failed();
+  if (packet.answered) count(packet);
+}
+
+void Chain::count(const Packet& packet) {
+  ++counters_.frames;
+  if (!packet.frame.defect.empty()) ++counters_.defects;
+  const bool lost = packet.motion.state == TrackingState::Lost;
+  if (lost) ++counters_.lost;
+  if (lost != counters_.lost_at_end) {
+    listener_.onEvent({packet.frame.frame, lost ? LogLevel::Warning : LogLevel::Info, "odometry",
+                       lost ? "tracking lost; motion is predicted" : "tracking again"});
+  }
+  counters_.lost_at_end = lost;
+  if (packet.leave_out_place) ++counters_.place_left_out;
+  if (packet.place.recognition == Recognition::Novel) ++counters_.templates;
+  counters_.experiences = packet.map.experiences;
+  counters_.links = packet.map.links;
+  counters_.loops = packet.map.loops;
+}
+
+void Chain::tell(const Packet& packet) {
+  if (!packet.answered || !telling_) return;
+  const Status status = listener_.onFrame(packet.snapshot(), packet.times);
+  if (status.isOk()) return;
+  telling_ = false;
+  fail(status);
+}
+
+void Chain::finish() {
+  std::vector<MotionRevision> revisions;
+  MapGraph graph;
+  const auto step = [&](const Status& status, config::FailurePolicy policy, std::string_view role) {
+    (void)resolve(status, policy, -1, role);
+  };
+  step(stages_.odometry.finish(revisions), policies_.odometry, "odometry");
+  step(stages_.place.finish(), policies_.place, "place");
+  step(stages_.cells.finish(), policies_.cells, "cells");
+  std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
+  step(stages_.map.finish(revisions), policies_.map, "map");
+  const Status status = stages_.map.graph(graph);
+  step(status, policies_.map, "map");
+  if (!status.isOk()) return;
+  const Status told = listener_.onFinish(revisions, graph);
+  if (!told.isOk()) fail(told);
+}
+
+}  // namespace tolman::pipeline

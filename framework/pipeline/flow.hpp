@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages as a oneTBB flow graph. Each node takes one packet at a time in the order of arrival,
+// so every stage sees frames in order, whatever the number of threads.
+#pragma once
+
+#include <oneapi/tbb/flow_graph.h>
+
+#include <functional>
+#include <memory>
+
+#include "pipeline/chain.hpp"
+
+namespace tolman::pipeline {
+
+/// Odometry and place recognition side by side (or one after the other, where place recognition
+/// needs the motion), then cells and map, then recorder and observers.
+class Flow {
+ public:
+  /// `on_done` is called in order, once for each packet that went in.
+  Flow(tbb::flow::graph& graph, Chain& chain, bool place_needs_motion,
+       std::function<void(const Packet&)> on_done);
+
+  tbb::flow::receiver<PacketPtr>& entry() { return entry_; }
+
+ private:
+  using Node = tbb::flow::function_node<PacketPtr, PacketPtr>;
+  using Pair = std::tuple<PacketPtr, PacketPtr>;
+
+  void connect(bool place_needs_motion);
+
+  tbb::flow::broadcast_node<PacketPtr> entry_;
+  Node odometry_;
+  Node place_;
+  tbb::flow::join_node<Pair, tbb::flow::queueing> join_;
+  tbb::flow::function_node<Pair, PacketPtr> pair_;
+  Node think_;
+  Node tell_;
+};
+
+}  // namespace tolman::pipeline

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Who is told what happens in a run: recorder and observers, behind one small interface.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pipeline/packet.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::pipeline {
+
+/// Something worth remembering that is not an answer: a skipped frame, a drop, a lost track.
+struct Event {
+  std::int64_t frame = -1;
+  LogLevel level = LogLevel::Info;
+  std::string source;  ///< the stage
+  std::string message;
+};
+
+/// Frames come in order, one call at a time, not always from the same thread; events may come from
+/// any thread at any time.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  /// A failure stops the run.
+  virtual Status onFrame(const Snapshot& snapshot, const StageTimes& times) = 0;
+  virtual void onEvent(const Event& event) = 0;
+  /// After the last frame, with the final map.
+  virtual Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) = 0;
+};
+
+}  // namespace tolman::pipeline

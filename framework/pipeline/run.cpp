@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/run.hpp"
+
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace tolman::pipeline {
+
+Outcome run(Chain& chain, const config::PipelineSettings& options, int threads,
+            const Cancellation& cancellation) {
+  const int concurrency = threads > 0 ? threads : tbb::info::default_concurrency();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                  static_cast<std::size_t>(concurrency));
+  tbb::task_arena arena(concurrency);
+  arena.execute([&] {
+    if (options.mode == config::PipelineMode::Lossless) {
+      runLossless(chain, options, cancellation);
+    } else {
+      runRealtime(chain, options, cancellation);
+    }
+    chain.finish();
+  });
+  return {chain.result(), cancellation.requested(), chain.counters()};
+}
+
+}  // namespace tolman::pipeline

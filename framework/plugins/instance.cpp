@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/instance.hpp"
+
+#include <utility>
+
+namespace tolman::plugins {
+
+OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin,
+                                                      std::string name) {
+  PluginObject object;
+  const Status status = guarded({name, plugin.manifest.id, "construct", -1}, [&] {
+    object = plugin.descriptor->create();
+    return Status::ok();
+  });
+  if (!status.isOk()) {
+    return Refusal{"plugin/create-failed", status.message(),
+                   "a constructor must be cheap and must not throw: move work to configure()"};
+  }
+  if (object.plugin == nullptr) {
+    return Refusal{"plugin/null-instance", "plugin '" + plugin.manifest.id + "' created nothing",
+                   "let TOLMAN_PLUGIN write the factory"};
+  }
+  return std::unique_ptr<Instance>(new Instance(plugin, std::move(name), object));
+}
+
+Instance::Instance(const LoadedPlugin& plugin, std::string name, PluginObject object)
+    : manifest_(plugin.manifest),
+      descriptor_(plugin.descriptor),
+      name_(std::move(name)),
+      object_(object) {}
+
+Instance::~Instance() { (void)destroy(); }
+
+Status Instance::configure(const Context& context) {
+  return call<Plugin>("configure", -1, [&](Plugin& p) { return p.configure(context); });
+}
+
+Status Instance::reset() {
+  return call<Plugin>("reset", -1, [](Plugin& p) { return p.reset(); });
+}
+
+Status Instance::destroy() {
+  Plugin* doomed = std::exchange(object_, PluginObject{}).plugin;
+  if (doomed == nullptr) return Status::ok();
+  return guarded({name_, manifest_.id, "destroy", -1}, [&] {
+    descriptor_->destroy(doomed);
+    return Status::ok();
+  });
+}
+
+Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
+  arrays.clear();
+  if (object_.arrays == nullptr) return Status::ok();
+  return guarded({name_, manifest_.id, "arrays", frame}, [&] {
+    object_.arrays->arrays(arrays);
+    for (const NamedArray& array : arrays) {
+      std::size_t size = 1;
+      for (const int side : array.shape) size *= static_cast<std::size_t>(side);
+      if (size != array.values.size()) {
+        return Status::failed("array '" + array.name + "' has another size than its shape");
+      }
+    }
+    return Status::ok();
+  });
+}
+
+}  // namespace tolman::plugins

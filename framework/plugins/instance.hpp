@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One living plugin behind the guard.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "plugins/guard.hpp"
+#include "plugins/library.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::plugins {
+
+class Instance {
+ public:
+  /// Constructs the plugin's object. `name` is the stage in the configuration. Refusals:
+  /// plugin/create-failed, plugin/null-instance.
+  static OrRefusal<std::unique_ptr<Instance>> create(const LoadedPlugin& plugin, std::string name);
+
+  /// Destroys the object under the guard; a throwing destructor is dropped. Call destroy() to learn
+  /// of it.
+  ~Instance();
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  Status configure(const Context& context);
+  Status reset();
+  Status destroy();
+
+  const std::string& name() const { return name_; }
+  const Manifest& manifest() const { return manifest_; }
+
+  /// Replaces `arrays` by the plugin's state; leaves it empty when it offers none.
+  Status arrays(std::int64_t frame, std::vector<NamedArray>& arrays);
+  /// Null when the plugin keeps no state for others.
+  StateKeeper* state() { return object_.state; }
+
+  /// Calls `work(role)` under the guard, with the object as its role.
+  template <class RoleType, class Work>
+  Status call(std::string_view what, std::int64_t frame, Work&& work) {
+    return guarded({name_, manifest_.id, what, frame},
+                   [&]() -> Status { return work(static_cast<RoleType&>(*object_.plugin)); });
+  }
+
+ private:
+  Instance(const LoadedPlugin& plugin, std::string name, PluginObject object);
+
+  Manifest manifest_;
+  const PluginDescriptor* descriptor_;
+  std::string name_;
+  PluginObject object_;
+};
+
+}  // namespace tolman::plugins

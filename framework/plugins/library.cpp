@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/library.hpp"
+
+#include <boost/dll/shared_library.hpp>
+#include <exception>
+#include <memory>
+
+namespace tolman::plugins {
+namespace {
+
+using Entry = const PluginDescriptor*();
+
+OrRefusal<boost::dll::shared_library*> openPinned(const Manifest& manifest) {
+  namespace dll = boost::dll;
+  try {
+    // Leaked on purpose: see the header. Opening a library twice only counts a reference.
+    auto library = std::make_unique<dll::shared_library>(
+        manifest.file.string(), dll::load_mode::rtld_now | dll::load_mode::rtld_local);
+    return library.release();
+  } catch (const std::exception& error) {
+    return Refusal{"plugin/load-failed", manifest.file.string() + ": " + error.what(),
+                   "link the plugin with -Wl,-z,defs (tolman_add_plugin() does) to find missing "
+                   "symbols at build time; `ldd` shows missing libraries"};
+  }
+}
+
+OrRefusal<const PluginDescriptor*> callEntry(const boost::dll::shared_library& library,
+                                             const Manifest& manifest) {
+  const std::string symbol = "tolman_plugin_" + manifest.id;
+  if (!library.has(symbol)) {
+    return Refusal{"plugin/entry-missing",
+                   manifest.file.string() + " has a manifest for '" + manifest.id +
+                       "' but no function " + symbol,
+                   "register the class with TOLMAN_PLUGIN, and keep the symbol visible"};
+  }
+  try {
+    const PluginDescriptor* descriptor = library.get<Entry>(symbol)();
+    if (descriptor != nullptr && descriptor->schema != nullptr && descriptor->create != nullptr &&
+        descriptor->destroy != nullptr) {
+      return descriptor;
+    }
+  } catch (...) {  // falls through to the refusal
+  }
+  return Refusal{"plugin/entry-failed", manifest.file.string() + ": " + symbol + "() failed",
+                 "let TOLMAN_PLUGIN write the entry function"};
+}
+
+OrRefusal<LoadedPlugin> describe(const Manifest& manifest, const PluginDescriptor& descriptor) {
+  if (descriptor.id != manifest.id || descriptor.role != manifest.role ||
+      descriptor.schema_hash != manifest.schema_hash) {
+    return Refusal{
+        "plugin/stale-manifest",
+        manifest.file.string() + ": the manifest says other than the code of '" + manifest.id + "'",
+        "the library was assembled from two builds: build it again from clean"};
+  }
+  try {
+    return LoadedPlugin{manifest, &descriptor, descriptor.schema()};
+  } catch (const std::exception& error) {
+    return Refusal{"plugin/entry-failed",
+                   manifest.file.string() + ": the parameters of '" + manifest.id +
+                       "' cannot be listed: " + error.what(),
+                   "the constructor of its Parameters must not throw"};
+  }
+}
+
+}  // namespace
+
+OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host) {
+  if (auto refusal = checkGate(manifest, host)) return *refusal;
+  auto opened = openPinned(manifest);
+  if (auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
+  auto entry = callEntry(*std::get<boost::dll::shared_library*>(opened), manifest);
+  if (auto* refusal = std::get_if<Refusal>(&entry)) return *refusal;
+  return describe(manifest, *std::get<const PluginDescriptor*>(entry));
+}
+
+}  // namespace tolman::plugins

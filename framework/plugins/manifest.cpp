@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/manifest.hpp"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "plugins/elf_section.hpp"
+
+namespace tolman::plugins {
+namespace {
+
+int number(std::string_view text) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < 0) {
+    throw std::runtime_error("'" + std::string(text) + "' is not a number");
+  }
+  return value;
+}
+
+std::uint64_t hexadecimal(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  if (error != std::errc() || end != text.data() + text.size()) {
+    throw std::runtime_error("'" + text + "' is not a hash");
+  }
+  return value;
+}
+
+Role roleNamed(const std::string& name) {
+  for (std::size_t i = 0; i < kRoleNames.size(); ++i) {
+    if (kRoleNames[i] == name) return static_cast<Role>(i);
+  }
+  throw std::runtime_error("'" + name + "' is not a role");
+}
+
+void checkIdentifier(const std::string& id) {
+  const bool plain = !id.empty() && id.find_first_not_of(
+                                        "abcdefghijklmnopqrstuvwxyz"
+                                        "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                        "0123456789_") == std::string::npos;
+  if (!plain) throw std::runtime_error("'" + id + "' is not an identifier");
+}
+
+Manifest fromJson(const nlohmann::json& json, const std::filesystem::path& file) {
+  const auto text = [&](const char* key) { return json.at(key).get<std::string>(); };
+  Manifest manifest;
+  manifest.file = file;
+  manifest.id = text("id");
+  checkIdentifier(manifest.id);
+  manifest.role = roleNamed(text("role"));
+  manifest.version = text("version");
+  const std::string sdk = text("sdk");
+  const auto dot = sdk.find('.');
+  manifest.sdk_major = number(std::string_view(sdk).substr(0, dot));
+  manifest.sdk_minor = dot == std::string::npos ? 0 : number(std::string_view(sdk).substr(dot + 1));
+  manifest.fingerprint = text("fingerprint");
+  manifest.opencv = text("opencv");
+  manifest.schema_hash = hexadecimal(text("schema"));
+  manifest.summary = text("summary");
+  return manifest;
+}
+
+}  // namespace
+
+OrRefusal<Manifest> parseManifest(const std::string& text, const std::filesystem::path& file) {
+  try {
+    return fromJson(nlohmann::json::parse(text), file);
+  } catch (const std::exception& error) {
+    return Refusal{"plugin/bad-manifest",
+                   file.string() + ": the manifest cannot be understood: " + error.what(),
+                   "let TOLMAN_PLUGIN write the manifest; do not write it by hand"};
+  }
+}
+
+OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file) {
+  auto section = readElfSection(file, "tolman_manifest");
+  if (auto* refusal = std::get_if<Refusal>(&section)) return *refusal;
+  const std::string& bytes = std::get<std::string>(section);
+
+  std::vector<Manifest> manifests;
+  for (std::size_t begin = 0; begin < bytes.size();) {  // texts are padded with zeros
+    const std::string text = bytes.c_str() + begin;
+    begin += text.size() + 1;
+    if (text.empty()) continue;
+    auto manifest = parseManifest(text, file);
+    if (auto* refusal = std::get_if<Refusal>(&manifest)) return *refusal;
+    manifests.push_back(std::get<Manifest>(manifest));
+  }
+  if (manifests.empty()) {
+    return Refusal{"plugin/no-manifest", file.string() + ": the manifest section is empty",
+                   "register the class with TOLMAN_PLUGIN in plugin.cpp"};
+  }
+  return manifests;
+}
+
+}  // namespace tolman::plugins

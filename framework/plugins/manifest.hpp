@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a plugin library says of itself, read without executing anything.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "plugins/refusal.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::plugins {
+
+struct Manifest {
+  std::filesystem::path file;
+  std::string id;
+  Role role = Role::Source;
+  std::string version;
+  int sdk_major = 0;
+  int sdk_minor = 0;
+  std::string fingerprint;
+  std::string opencv;  ///< empty when the plugin does not use OpenCV
+  std::uint64_t schema_hash = 0;
+  std::string summary;
+};
+
+/// All manifests of one library. Besides the refusals of readElfSection(): plugin/bad-manifest.
+OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file);
+
+/// Parses one JSON manifest; `file` is for messages.
+OrRefusal<Manifest> parseManifest(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace tolman::plugins

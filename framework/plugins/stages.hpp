@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The roles as the host calls them: guarded, and with every answer checked against the contract
+// (right frame, right stamp, no NaN, order in time).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "plugins/instance.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::plugins {
+
+/// Holds the instance; the rest is per role.
+class Stage {
+ public:
+  explicit Stage(std::unique_ptr<Instance> instance) : instance_(std::move(instance)) {}
+  Instance& instance() { return *instance_; }
+  const Instance& instance() const { return *instance_; }
+
+ protected:
+  std::unique_ptr<Instance> instance_;
+};
+
+class SourceStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status info(SourceInfo& info);
+  /// Checks that frames are dense from 0, stamps increase and images keep their size.
+  Status next(Frame& frame);
+  Status inspect(std::vector<Finding>& findings);
+
+ private:
+  Status check(const Frame& frame) const;
+  SourceInfo info_;
+  std::int64_t next_frame_ = 0;
+  std::int64_t last_stamp_ns_ = 0;
+};
+
+class OdometryStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status track(const Frame& frame, Motion& motion);
+  Status finish(std::vector<MotionRevision>& revisions);
+};
+
+class PlaceStage : public Stage {
+ public:
+  using Stage::Stage;
+  /// Constant after configure(); a throwing plugin counts as PlaceInput::Frame.
+  PlaceInput input();
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
+  Status finish();
+};
+
+class CellsStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
+  Status finish();
+};
+
+class MapStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status update(const Motion& motion, const Decision& decision, MapUpdate& update);
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera);
+  Status graph(MapGraph& graph);
+  Status finish(const std::vector<MotionRevision>& revisions);
+};
+
+class ObserverStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status begin(const RunInfo& run);
+  Status observe(const Snapshot& snapshot);
+  Status finish(const MapGraph& graph);
+};
+
+}  // namespace tolman::plugins

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The commands beside `run`, as a person meets them.
+#include <catch2/catch.hpp>
+
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+
+namespace {
+const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+}
+
+TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
+  const Finished help = tolman::test::tolman({"--help"});
+  CHECK(help.exit_code == 0);
+  for (const char* part :
+       {"run", "check", "plugins", "dataset", "eval", "export", "Examples:", "Exit codes:"}) {
+    CHECK(contains(help.out, part));
+  }
+  CHECK(tolman::test::tolman({}).exit_code == 2);
+  CHECK(tolman::test::tolman({"fly"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"run"}).exit_code == 2);
+  CHECK(contains(tolman::test::tolman({"--version"}).out, "tolman 0.1.0"));
+}
+
+TEST_CASE("plugins list shows all of ours, and broken ones with their refusal") {
+  const Finished list = tolman::test::tolman({"plugins", "list"});
+  CHECK(list.exit_code == 0);
+  for (const char* id : {"kitti", "images", "feature_stereo", "view_templates",
+                         "bayesian_attractor", "experience_map", "progress"}) {
+    CHECK(contains(list.out, id));
+  }
+  const Finished broken =
+      tolman::test::tolman({"plugins", "list", "--plugin-path", kFixtures + "bad_json",
+                            "--plugin-path", kFixtures + "wrong_major"});
+  CHECK(broken.exit_code == 0);
+  CHECK(contains(broken.out, "refused: plugin/bad-manifest"));
+  CHECK(contains(broken.out, "refused: plugin/sdk-major"));
+}
+
+TEST_CASE("plugins describe shows parameters as text, Markdown and JSON") {
+  const std::vector<std::string> base = {"plugins", "describe", "steady", "--plugin-path",
+                                         kFixtures + "steady"};
+  const auto with = [&](const char* flag) {
+    auto words = base;
+    words.emplace_back(flag);
+    return tolman::test::tolman(words).out;
+  };
+  CHECK(tolman::test::tolman(base).out ==
+        "steady 0.1.0 (odometry): Straight ahead, for tests.\n"
+        "  speed                      real          default 10.0 m/s  [-50 to 50]\n"
+        "      Speed straight ahead.\n");
+  CHECK(contains(with("--markdown"), "| `speed` | real | 10.0 | m/s | -50 to 50 |"));
+  CHECK(nlohmann::json::parse(with("--json"))["parameters"][0]["max"] == 50);
+  const Finished unknown = tolman::test::tolman({"plugins", "describe", "expirience_map"});
+  CHECK(unknown.exit_code == 4);
+  CHECK(contains(unknown.err, "did you mean 'experience_map'?"));
+}
+
+TEST_CASE("plugins doctor goes step by step") {
+  const auto doctor = [](const std::string& name) {
+    return tolman::test::tolman(
+        {"plugins", "doctor", kFixtures + name + "/tolman_odometry_" + name + ".so"});
+  };
+  const Finished sound = doctor("steady");
+  CHECK(sound.exit_code == 0);
+  CHECK(contains(sound.out, "construct  made and destroyed"));
+  const Finished symbol = doctor("missing_symbol");
+  CHECK(symbol.exit_code == 4);
+  CHECK(contains(symbol.out, "gate       passed"));
+  CHECK(contains(symbol.err, "plugin/load-failed"));
+}
+
+TEST_CASE("check --explain tells every value's origin") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 2);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const Finished explained =
+      tolman::test::tolman({"check", config.string(), "--explain", "--set", "seed=9",
+                            "--plugin-path", kFixtures + "steady"});
+  INFO(explained.err);
+  REQUIRE(explained.exit_code == 0);
+  CHECK(contains(explained.out, "--set seed=9"));
+  CHECK(contains(explained.out, "tiny.yaml:3:"));
+  CHECK(contains(explained.out, "default"));
+}
+
+TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
+  TemporaryFolder folder;
+  const auto sequence = folder.path() / "sequence";
+  writeTinyKitti(sequence, 4);
+  const Finished sound = tolman::test::tolman({"dataset", "check", sequence.string(), "--decode"});
+  INFO(sound.out << sound.err);
+  CHECK(sound.exit_code == 0);
+  CHECK(contains(sound.out, "4 frames decode"));
+  CHECK(contains(sound.out, "0.5"));  // the baseline in metres
+  std::filesystem::remove(sequence / "image_1/000002.png");
+  std::filesystem::resize_file(sequence / "times.txt", 4);
+  const Finished broken = tolman::test::tolman({"dataset", "check", sequence.string()});
+  CHECK(broken.exit_code == 5);
+  CHECK(contains(broken.out + broken.err, "image_1"));
+  CHECK(contains(broken.out + broken.err, "times.txt"));
+}
+
+TEST_CASE("eval gives the published figures of two systems on KITTI 00") {
+  const auto data = dataOrSkip("evo_reference");
+  if (!data) return;
+  const auto score = [&](const char* estimate) {
+    const Finished finished =
+        tolman::test::tolman({"eval", (*data / "kitti_00_ground_truth.txt").string(),
+                              (*data / estimate).string(), "--align", "se3", "--json"});
+    REQUIRE(finished.exit_code == 0);
+    return nlohmann::json::parse(finished.out)["ate"]["rmse_m"].get<double>();
+  };
+  CHECK(score("kitti_00_orb_slam2_stereo.txt") == Approx(1.303).margin(0.0005));
+  CHECK(score("kitti_00_sptam.txt") == Approx(3.738).margin(0.0005));
+}
+
+TEST_CASE("export of what is no run is one clear error") {
+  TemporaryFolder folder;
+  const Finished finished = tolman::test::tolman({"export", folder.path().string()});
+  CHECK(finished.exit_code == 5);
+  CHECK(contains(finished.err, folder.path().string()));
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Interrupted and killed runs: what was recorded is readable and exports.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
+#include <memory>
+#include <thread>
+
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+#include "tolman/context.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A realtime run of 8 s of data that a test may disturb.
+struct LongRun {
+  TemporaryFolder folder;
+  fs::path out = folder.path() / "run";
+  std::unique_ptr<Process> process;
+
+  LongRun() {
+    writeTinyKitti(folder.path() / "sequence", 80);
+    const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+    auto arguments = tinyRun(config, out);
+    arguments.insert(arguments.begin(), tolmanProgram().string());
+    for (const char* word : {"--set", "pipeline.mode=realtime"}) arguments.emplace_back(word);
+    process = std::make_unique<Process>(arguments, folder.path());
+  }
+  /// Waits until the record is there, then `more`.
+  void waitInside(std::chrono::milliseconds more) const {
+    for (int i = 0; i < 2000 && !fs::exists(out / "run.sqlite"); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    std::this_thread::sleep_for(more);
+  }
+};
+
+int lines(const fs::path& file) {
+  const std::string text = readText(file);
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+}  // namespace
+
+TEST_CASE("SIGINT finishes the files and exits with 130") {
+  const LongRun run;
+  run.waitInside(std::chrono::milliseconds(1000));
+  run.process->signal(SIGINT);
+  const Finished finished = run.process->wait();
+  INFO(finished.err);
+  CHECK(finished.exit_code == 130);
+  const auto provenance = readJson(run.out / "run.json");
+  CHECK(provenance["status"] == "interrupted");
+  const int frames = provenance["counters"]["frames"];
+  CHECK(frames > 0);
+  CHECK(frames < 80);
+  CHECK(lines(run.out / "trajectory.tum") == frames);
+  CHECK(readJson(run.out / "metrics.json")["odometry"]["poses"] == frames);
+}
+
+TEST_CASE("SIGKILL at a random moment loses at most the last second") {
+  const auto seed =
+      static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
+  INFO("seed " << seed);
+  const auto delay = std::chrono::milliseconds(1200 + tolman::RandomStream(seed).below(3000));
+  const LongRun run;
+  run.waitInside(delay);
+  run.process->signal(SIGKILL);
+  CHECK(run.process->wait().exit_code == 128 + SIGKILL);
+  CHECK(readJson(run.out / "run.json")["status"] == "running");
+
+  const Finished exported = tolman::test::tolman({"export", run.out.string()});
+  INFO(exported.err);
+  REQUIRE(exported.exit_code == 0);
+  const int frames = lines(run.out / "trajectory.tum");
+  CHECK(frames > 0);
+  CHECK(lines(run.out / "odometry.tum") == frames);
+  CHECK(contains(readText(run.out / "map.g2o"), "VERTEX_SE3:QUAT 0"));
+}

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/catalogue.hpp"
+
+#include <fstream>
+
+#include "host/fixture_plugins.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::plugins;
+using tolman::test::fixtureFile;
+using tolman::test::fixtureFolder;
+using tolman::test::refusalOf;
+namespace fs = std::filesystem;
+
+TEST_CASE("the search path is command line, environment, own tree") {
+  const test::TemporaryFolder tree;
+  fs::create_directories(tree.path() / "lib/tolman/plugins");
+  const auto path = searchPath({"/a"}, "/b::/c", tree.path() / "bin/tolman");
+  CHECK(path == std::vector<fs::path>{"/a", "/b", "/c", tree.path() / "lib/tolman/plugins"});
+  CHECK(searchPath({}, nullptr, "/nowhere/bin/tolman").empty());
+}
+
+TEST_CASE("a plugin is found by id and role; a broken neighbour does not matter") {
+  const test::TemporaryFolder folder;
+  fs::copy(fixtureFile("steady"), folder.path());
+  std::ofstream(folder.path() / "junk.so") << "junk";
+  const Catalogue catalogue({folder.path(), "/does/not/exist"});
+  const auto found = catalogue.find("steady", Role::Odometry);
+  REQUIRE(std::holds_alternative<Manifest>(found));
+  CHECK(catalogue.manifests().size() == 1);
+  REQUIRE(catalogue.broken().size() == 1);
+  CHECK(catalogue.broken()[0].refusal.id == "plugin/not-elf");
+}
+
+TEST_CASE("the search path may name a library file") {
+  const Catalogue catalogue({fixtureFile("steady")});
+  CHECK(std::holds_alternative<Manifest>(catalogue.find("steady")));
+}
+
+TEST_CASE("an earlier folder shadows a later one; two in one folder are ambiguous") {
+  const test::TemporaryFolder first;
+  const test::TemporaryFolder second;
+  fs::copy(fixtureFile("steady"), first.path());
+  fs::copy(fixtureFile("steady"), second.path());
+  const Catalogue shadowed({second.path(), first.path()});
+  CHECK(std::get<Manifest>(shadowed.find("steady")).file.parent_path() == second.path());
+
+  fs::copy(fixtureFile("steady"), first.path() / "copy.so");
+  CHECK(refusalOf(Catalogue({first.path()}).find("steady")).id == "plugin/ambiguous");
+}
+
+TEST_CASE("what is not found is said with places and the nearest name") {
+  const Catalogue catalogue({fixtureFolder("steady")});
+  const auto typo = catalogue.find("stedy", Role::Odometry);
+  CHECK(refusalOf(typo).message ==
+        "no odometry plugin 'stedy' in " + fixtureFolder("steady").string());
+  CHECK(refusalOf(typo).remedy ==
+        "did you mean 'steady'? `tolman plugins list` shows what there is; --plugin-path adds a "
+        "folder");
+  CHECK(refusalOf(catalogue.find("steady", Role::Map)).id == "plugin/wrong-role");
+  CHECK(refusalOf(Catalogue({}).find("x")).message ==
+        "no plugin 'x' in any folder: the search path is empty");
+}
+
+TEST_CASE("a library of the wanted name that is broken is named with its fault") {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "tolman_cells_mine.so") << "junk";
+  const Catalogue catalogue({folder.path()});
+  const auto refusal = refusalOf(catalogue.find("mine", Role::Cells));
+  CHECK(refusal.id == "plugin/not-found");
+  CHECK(refusal.message.find("looks like it, but: [plugin/not-elf]") != std::string::npos);
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plugins/manifest.hpp"
+
+#include "fixtures/plugins/steady.hpp"
+#include "host/fixture_plugins.hpp"
+
+using namespace tolman;
+using namespace tolman::plugins;
+using tolman::test::refusalOf;
+
+namespace {
+
+const std::string kGood =
+    R"({"id":"x","role":"map","version":"1.2","sdk":"0.1","fingerprint":"f","opencv":"",)"
+    R"("schema":"00000000000000ff","summary":"s"})";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  return text.replace(text.find(from), from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("a manifest tells all that the gate needs") {
+  const auto result = parseManifest(kGood, "file.so");
+  REQUIRE(std::holds_alternative<Manifest>(result));
+  const auto& manifest = std::get<Manifest>(result);
+  CHECK(manifest.id == "x");
+  CHECK(manifest.role == Role::Map);
+  CHECK(manifest.sdk_major == 0);
+  CHECK(manifest.sdk_minor == 1);
+  CHECK(manifest.schema_hash == 255);
+}
+
+TEST_CASE("one library may hold several plugins") {
+  const auto result = readManifests(test::fixtureFile("misbehaving"));
+  REQUIRE(std::holds_alternative<std::vector<Manifest>>(result));
+  CHECK(std::get<std::vector<Manifest>>(result).size() == 11);
+}
+
+TEST_CASE("the schema hash of the manifest is that of the declaration") {
+  const auto result = readManifests(test::fixtureFile("steady"));
+  REQUIRE(std::holds_alternative<std::vector<Manifest>>(result));
+  const auto manifests = std::get<std::vector<Manifest>>(result);
+  CHECK(manifests.at(0).schema_hash == schemaHash<fixture::Steady::Parameters>());
+}
+
+TEST_CASE("a manifest that cannot be understood says where it stumbles") {
+  CHECK(refusalOf(readManifests(test::fixtureFile("bad_json"))).id == "plugin/bad-manifest");
+  const auto message = [](const std::string& text) {
+    return refusalOf(parseManifest(text, "file.so")).message;
+  };
+  CHECK(message(with("\"map\"", "\"chef\"")) ==
+        "file.so: the manifest cannot be understood: 'chef' is not a role");
+  CHECK(message(with("\"0.1\"", "\"0.x\"")) ==
+        "file.so: the manifest cannot be understood: 'x' is not a number");
+  CHECK(message(with("\"x\"", "\"../x\"")) ==
+        "file.so: the manifest cannot be understood: '../x' is not an identifier");
+  CHECK(message(with("\"id\"", "\"jd\"")).find("'id' not found") != std::string::npos);
+  CHECK(message("[]").find("cannot be understood") != std::string::npos);
+  CHECK(message(std::string(100000, '[')).find("cannot be understood") != std::string::npos);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contracts at the plugin boundary, with plugins that break them.
+#include "plugins/stages.hpp"
+
+#include "host/fixture_plugins.hpp"
+#include "support/context.hpp"
+
+using namespace tolman;
+using namespace tolman::plugins;
+using tolman::test::load;
+
+namespace {
+
+std::unique_ptr<Instance> instanceOf(const std::string& library, const std::string& id) {
+  auto loaded = load(library, id);
+  REQUIRE(std::holds_alternative<LoadedPlugin>(loaded));
+  auto created = Instance::create(std::get<LoadedPlugin>(loaded), "odometry");
+  REQUIRE(std::holds_alternative<std::unique_ptr<Instance>>(created));
+  return std::move(std::get<std::unique_ptr<Instance>>(created));
+}
+
+Frame frameAt(std::int64_t index) {
+  Frame frame;
+  frame.frame = index;
+  frame.stamp_ns = index * 100'000'000;
+  return frame;
+}
+
+/// Tracks frames 0 ... 4 and returns the first failure.
+Status drive(const std::string& id) {
+  OdometryStage odometry(instanceOf("misbehaving", id));
+  test::TestContext context;
+  Status status = odometry.instance().configure(context);
+  for (std::int64_t k = 0; k < 5 && status.isOk(); ++k) {
+    Motion motion;
+    status = odometry.track(frameAt(k), motion);
+  }
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("a sound plugin answers and takes its parameters") {
+  OdometryStage odometry(instanceOf("steady", "steady"));
+  test::TestContext context({{"speed", 20.0}});
+  REQUIRE(odometry.instance().configure(context).isOk());
+  Motion motion;
+  REQUIRE(odometry.track(frameAt(0), motion).isOk());
+  REQUIRE(odometry.track(frameAt(1), motion = Motion{}).isOk());
+  CHECK(motion.v == Approx(20));
+}
+
+TEST_CASE("each broken contract has its own message with plugin, call and frame") {
+  CHECK(drive("throws_in_configure").message() ==
+        "odometry (throws_in_configure), configure: threw: configure gives up");
+  CHECK(drive("fails_in_configure").message() ==
+        "odometry (fails_in_configure), configure: speed and direction exclude each other; give "
+        "one");
+  CHECK(drive("fails_in_configure").code() == StatusCode::InvalidParameter);
+  CHECK(drive("throws_in_track").message() ==
+        "odometry (throws_in_track), track, frame 3: threw: track gives up");
+  CHECK(drive("throws_an_integer").message() ==
+        "odometry (throws_an_integer), track, frame 3: threw something that is no std::exception");
+  CHECK(drive("returns_nan").message() ==
+        "odometry (returns_nan), track, frame 3: the answer has NaN, infinity or an impossible "
+        "value in 'T_previous_current'");
+  CHECK(drive("goes_back_in_time").message() ==
+        "odometry (goes_back_in_time), track, frame 3: answered with time -700000000 ns, asked "
+        "300000000 ns; copy `stamp_ns` from the input");
+  CHECK(drive("answers_another_frame").message() ==
+        "odometry (answers_another_frame), track, frame 3: answered for frame 2; copy `frame` from "
+        "the input");
+  CHECK(drive("revises_the_future").message() ==
+        "odometry (revises_the_future), track, frame 3: revised frame 7, which is not one of the "
+        "past");
+}
+
+TEST_CASE("a finish that throws is contained") {
+  OdometryStage odometry(instanceOf("misbehaving", "throws_in_finish"));
+  std::vector<MotionRevision> revisions;
+  CHECK(odometry.finish(revisions).message() ==
+        "odometry (throws_in_finish), finish: threw: finish gives up");
+}

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <thread>
+
+#include "pipeline/toy_stages.hpp"
+
+using namespace tolman;
+using tolman::test::Hooks;
+using tolman::test::ToySystem;
+
+namespace {
+
+/// Sleeps a little, differently for each stage and frame, to shake the order of things.
+auto shaken(std::uint64_t salt) {
+  return [salt](std::int64_t frame) {
+    const auto draw = RandomStream(salt * 1000 + static_cast<std::uint64_t>(frame)).below(800);
+    std::this_thread::sleep_for(std::chrono::microseconds(draw));
+    return Status::ok();
+  };
+}
+
+std::vector<test::Diary::Entry> drive(int threads, bool place_needs_motion) {
+  Hooks hooks;
+  hooks.frames = 60;
+  hooks.place_needs_motion = place_needs_motion;
+  hooks.source = shaken(1);
+  hooks.odometry = shaken(2);
+  hooks.place = shaken(3);
+  hooks.cells = shaken(4);
+  ToySystem system(hooks);
+  const auto outcome = system.run({}, threads);
+  CHECK(outcome.status.isOk());
+  CHECK(outcome.counters.frames == 60);
+  CHECK(outcome.counters.templates == 60);
+  CHECK(hooks.finished == 4);
+  CHECK(system.diary.revisions == 1);
+  return system.diary.entries;
+}
+
+}  // namespace
+
+TEST_CASE("every frame is told once, in order, the same for any number of threads") {
+  for (const bool place_needs_motion : {false, true}) {
+    const auto one = drive(1, place_needs_motion);
+    REQUIRE(one.size() == 60);
+    double state = 0;
+    double z = 0;
+    for (std::size_t k = 0; k < one.size(); ++k) {  // the oracle: a plain loop
+      state = 0.9 * state + static_cast<double>(k);
+      z += state;
+      CHECK(one[k].frame == static_cast<std::int64_t>(k));
+      CHECK(one[k].v == state);
+      CHECK(one[k].z == z);
+      CHECK(one[k].score == (place_needs_motion ? state : 0));
+    }
+    CHECK(drive(2, place_needs_motion) == one);
+    CHECK(drive(4, place_needs_motion) == one);
+  }
+}
+
+TEST_CASE("odometry and place recognition of one frame run side by side") {
+  Hooks hooks;
+  hooks.frames = 1;
+  std::atomic<int> inside = 0;
+  const auto meet = [&](std::int64_t) {  // each waits for the other; gives up after 20 s
+    ++inside;
+    for (int i = 0; i < 20000 && inside < 2; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    return inside == 2 ? Status::ok() : Status::failed("alone");
+  };
+  hooks.odometry = meet;
+  hooks.place = meet;
+  ToySystem system(hooks);
+  CHECK(system.run({}, 2).status.isOk());
+}
+
+TEST_CASE("no more frames are in flight than the queue allows") {
+  Hooks hooks;
+  hooks.frames = 200;
+  std::atomic<std::int64_t> given = 0;
+  std::atomic<std::int64_t> most = 0;
+  hooks.source = [&](std::int64_t) {
+    ++given;
+    return Status::ok();
+  };
+  hooks.map = [&](std::int64_t frame) {
+    most = std::max<std::int64_t>(most, given - frame);
+    return Status::ok();
+  };
+  ToySystem system(hooks);
+  config::PipelineSettings settings;
+  settings.queue = 4;
+  CHECK(system.run(settings, 4).status.isOk());
+  CHECK(most <= 6);  // four in flight, one waiting before them, one being made
+}
+
+TEST_CASE("cancellation ends the run early, and what was done is finished") {
+  Hooks hooks;
+  hooks.frames = 1'000'000;
+  ToySystem system(hooks);
+  hooks.map = [&](std::int64_t frame) {
+    if (frame == 10) system.flag.set = true;
+    return Status::ok();
+  };
+  const auto outcome = system.run({}, 2);
+  CHECK(outcome.interrupted);
+  CHECK(outcome.status.isOk());
+  CHECK(outcome.counters.frames >= 11);
+  CHECK(static_cast<std::int64_t>(system.diary.entries.size()) == outcome.counters.frames);
+  CHECK(hooks.finished == 4);
+}

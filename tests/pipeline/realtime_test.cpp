@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Drop policies, made repeatable: odometry waits in frame 0 until the source has given everything.
+#include <chrono>
+#include <thread>
+
+#include "pipeline/toy_stages.hpp"
+
+using namespace tolman;
+using config::PipelineMode;
+using config::PlacePolicy;
+using config::QueuePolicy;
+using tolman::test::Hooks;
+using tolman::test::ToySystem;
+
+namespace {
+
+config::PipelineSettings realtime(QueuePolicy policy) {
+  config::PipelineSettings settings;
+  settings.mode = PipelineMode::Realtime;
+  settings.queue = 2;
+  settings.input_policy = policy;
+  settings.speed = 1000;
+  return settings;
+}
+
+/// Runs 20 frames into a jam; the frames that came through.
+std::vector<std::int64_t> jam(QueuePolicy policy, pipeline::Outcome& outcome) {
+  Hooks hooks;
+  hooks.frames = 20;
+  std::atomic<std::int64_t> given = -1;
+  hooks.source = [&](std::int64_t frame) {
+    given = frame;
+    return Status::ok();
+  };
+  hooks.odometry = [&](std::int64_t frame) {
+    while (frame == 0 && given < 19) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    // The last frame was given; let the feeder put it into the queue as well.
+    if (frame == 0) std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return Status::ok();
+  };
+  ToySystem system(hooks);
+  outcome = system.run(realtime(policy), 2);
+  std::vector<std::int64_t> frames;
+  for (const auto& entry : system.diary.entries) frames.push_back(entry.frame);
+  CHECK(outcome.status.isOk());
+  CHECK(outcome.counters.frames + outcome.counters.dropped == 20);
+  CHECK(static_cast<std::int64_t>(system.diary.events.size()) == outcome.counters.dropped);
+  return frames;
+}
+
+}  // namespace
+
+TEST_CASE("drop_oldest keeps the newest frames, drop_newest the oldest") {
+  pipeline::Outcome outcome;
+  CHECK(jam(QueuePolicy::DropOldest, outcome) == std::vector<std::int64_t>{0, 1, 18, 19});
+  CHECK(outcome.counters.dropped == 16);
+  CHECK(jam(QueuePolicy::DropNewest, outcome) == std::vector<std::int64_t>{0, 1, 2, 3});
+  CHECK(outcome.counters.dropped == 16);
+}
+
+TEST_CASE("block drops nothing") {
+  Hooks hooks;
+  hooks.frames = 40;
+  hooks.odometry = [](std::int64_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return Status::ok();
+  };
+  ToySystem system(hooks);
+  const auto outcome = system.run(realtime(QueuePolicy::Block), 2);
+  CHECK(outcome.counters.frames == 40);
+  CHECK(outcome.counters.dropped == 0);
+}
+
+TEST_CASE("place recognition that is late leaves frames out, and they are counted") {
+  Hooks hooks;
+  hooks.frames = 40;
+  hooks.place = [](std::int64_t) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return Status::ok();
+  };
+  ToySystem system(hooks);
+  auto settings = realtime(QueuePolicy::Block);
+  settings.queue = 8;
+  settings.place_policy = PlacePolicy::DropNewest;
+  const auto outcome = system.run(settings, 4);
+  CHECK(outcome.counters.frames == 40);
+  CHECK(outcome.counters.templates + outcome.counters.place_left_out == 40);
+}

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Five tiny stages in memory, a listener that remembers, and a way to run them.
+#pragma once
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+#include "pipeline/run.hpp"
+#include "support/context.hpp"
+#include "tolman/plugin.hpp"
+
+namespace tolman::test {
+
+/// What a test may change in the toys: called inside the stage, with the frame.
+struct Hooks {
+  std::int64_t frames = 30;
+  std::function<Status(std::int64_t)> source, odometry, place, cells, map;
+  bool place_needs_motion = false;
+  std::atomic<int> finished = 0;
+
+  static Status call(const std::function<Status(std::int64_t)>& hook, std::int64_t frame) {
+    return hook ? hook(frame) : Status::ok();
+  }
+};
+
+struct ToySource : Source {
+  explicit ToySource(Hooks& h) : hooks(h) {}
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status info(SourceInfo&) override { return Status::ok(); }
+  Status inspect(std::vector<Finding>&) override { return Status::ok(); }
+  Status next(Frame& frame) override {
+    if (index == hooks.frames) return Status::endOfStream();
+    frame.frame = index++;
+    frame.stamp_ns = frame.frame * 1'000'000;
+    return Hooks::call(hooks.source, frame.frame);
+  }
+  Hooks& hooks;
+  std::int64_t index = 0;
+};
+
+/// State that depends on the order of frames: any disorder changes all later answers.
+struct ToyOdometry : Odometry {
+  explicit ToyOdometry(Hooks& h) : hooks(h) {}
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status track(const Frame& frame, Motion& motion) override {
+    motion.frame = frame.frame;
+    motion.stamp_ns = frame.stamp_ns;
+    motion.state = TrackingState::Tracking;
+    state = 0.9 * state + static_cast<double>(frame.frame);
+    motion.v = state;
+    return Hooks::call(hooks.odometry, frame.frame);
+  }
+  Status finish(std::vector<MotionRevision>& revisions) override {
+    ++hooks.finished;
+    revisions.emplace_back().frame = 0;
+    return Status::ok();
+  }
+  Hooks& hooks;
+  double state = 0;
+};
+
+struct ToyPlace : Place {
+  explicit ToyPlace(Hooks& h) : hooks(h) {}
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  PlaceInput input() const override {
+    return hooks.place_needs_motion ? PlaceInput::FrameAndMotion : PlaceInput::Frame;
+  }
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& place) override {
+    place.frame = frame.frame;
+    place.stamp_ns = frame.stamp_ns;
+    place.recognition = Recognition::Novel;
+    place.template_id = count++;
+    if (motion != nullptr) place.score = motion->v;
+    return Hooks::call(hooks.place, frame.frame);
+  }
+  Status finish() override {
+    ++hooks.finished;
+    return Status::ok();
+  }
+  Hooks& hooks;
+  std::int64_t count = 0;
+};
+
+struct ToyCells : Cells {
+  explicit ToyCells(Hooks& h) : hooks(h) {}
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status step(const Motion& motion, const PlaceObservation& place, Decision& decision) override {
+    decision.frame = motion.frame;
+    decision.stamp_ns = motion.stamp_ns;
+    decision.template_id = place.template_id;
+    decision.experience = 0;
+    decision.action = motion.frame == 0 ? Action::CreateExperience : Action::Stay;
+    return Hooks::call(hooks.cells, motion.frame);
+  }
+  Status finish() override {
+    ++hooks.finished;
+    return Status::ok();
+  }
+  Hooks& hooks;
+};
+
+struct ToyMap : Map {
+  explicit ToyMap(Hooks& h) : hooks(h) {}
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status update(const Motion& motion, const Decision& decision, MapUpdate& update) override {
+    update.frame = motion.frame;
+    update.stamp_ns = motion.stamp_ns;
+    update.experience = decision.experience;
+    distance += motion.v;
+    update.T_world_camera.translation().z() = distance;
+    update.experiences = 1;
+    return Hooks::call(hooks.map, motion.frame);
+  }
+  Status poseOf(std::int64_t, Eigen::Isometry3d&) const override { return Status::ok(); }
+  Status graph(MapGraph& graph) const override {
+    graph.experiences.resize(1);
+    graph.experiences[0].id = 0;
+    return Status::ok();
+  }
+  Status finish(const std::vector<MotionRevision>&) override {
+    ++hooks.finished;
+    return Status::ok();
+  }
+  Hooks& hooks;
+  double distance = 0;
+};
+
+/// Remembers what was told, for comparison.
+struct Diary : pipeline::Listener {
+  struct Entry {
+    std::int64_t frame;
+    double v;
+    std::int64_t template_id;
+    double score;
+    double z;
+    bool lost;
+    bool operator==(const Entry&) const = default;
+  };
+  Status onFrame(const Snapshot& s, const pipeline::StageTimes&) override {
+    entries.push_back({s.frame->frame, s.motion->v, s.place->template_id, s.place->score,
+                       s.map->T_world_camera.translation().z(),
+                       s.motion->state == TrackingState::Lost});
+    return on_frame ? on_frame(s.frame->frame) : Status::ok();
+  }
+  void onEvent(const pipeline::Event& event) override {
+    const std::lock_guard lock(mutex);
+    events.push_back(event);
+  }
+  Status onFinish(const std::vector<MotionRevision>& r, const MapGraph&) override {
+    revisions = r.size();
+    return Status::ok();
+  }
+  std::function<Status(std::int64_t)> on_frame;
+  std::vector<Entry> entries;
+  std::vector<pipeline::Event> events;
+  std::size_t revisions = 0;
+  std::mutex mutex;
+};
+
+struct Flag : Cancellation {
+  bool requested() const override { return set; }
+  std::atomic<bool> set = false;
+};
+
+/// A guarded instance around an object that the test made.
+template <class Toy>
+std::unique_ptr<plugins::Instance> guardedToy(Hooks& hooks, const char* name) {
+  static thread_local Hooks* current = nullptr;
+  current = &hooks;
+  static constexpr PluginDescriptor kDescriptor = {TOLMAN_SDK_MAJOR,
+                                                   TOLMAN_SDK_MINOR,
+                                                   "toy",
+                                                   detail::roleOf<Toy>(),
+                                                   0,
+                                                   &schemaOf<NoParameters>,
+                                                   [] { return PluginObject{new Toy(*current)}; },
+                                                   [](Plugin* plugin) { delete plugin; }};
+  plugins::LoadedPlugin loaded;
+  loaded.manifest.id = "toy";
+  loaded.descriptor = &kDescriptor;
+  auto created = plugins::Instance::create(loaded, name);
+  REQUIRE(std::holds_alternative<std::unique_ptr<plugins::Instance>>(created));
+  return std::move(std::get<std::unique_ptr<plugins::Instance>>(created));
+}
+
+/// Five toys, wired up.
+struct ToySystem {
+  explicit ToySystem(Hooks& hooks)
+      : source(guardedToy<ToySource>(hooks, "source")),
+        odometry(guardedToy<ToyOdometry>(hooks, "odometry")),
+        place(guardedToy<ToyPlace>(hooks, "place")),
+        cells(guardedToy<ToyCells>(hooks, "cells")),
+        map(guardedToy<ToyMap>(hooks, "map")) {}
+
+  pipeline::Outcome run(const config::PipelineSettings& settings, int threads,
+                        const pipeline::Policies& policies = {}) {
+    pipeline::Chain chain({source, odometry, place, cells, map}, policies, diary);
+    return pipeline::run(chain, settings, threads, flag);
+  }
+
+  plugins::SourceStage source;
+  plugins::OdometryStage odometry;
+  plugins::PlaceStage place;
+  plugins::CellsStage cells;
+  plugins::MapStage map;
+  Diary diary;
+  Flag flag;
+};
+
+}  // namespace tolman::test
