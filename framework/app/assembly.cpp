@@ -21,7 +21,9 @@ ExitCode configureFailure(Role role, const Status& status) {
   if (role == Role::Source && status.code() != StatusCode::InvalidParameter) {
     return ExitCode::Dataset;
   }
-  return status.code() == StatusCode::InvalidParameter ? ExitCode::Configuration : ExitCode::Plugin;
+  const bool choice =
+      status.code() == StatusCode::InvalidParameter || status.code() == StatusCode::Unsupported;
+  return choice ? ExitCode::Configuration : ExitCode::Plugin;
 }
 
 }  // namespace
@@ -76,6 +78,7 @@ std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem 
                                                                   bool interactive) {
   std::unique_ptr<Assembly> assembly(new Assembly(std::move(checked)));
   const CheckedSystem& system = assembly->checked_;
+  SourceInfo source;  // stages are in the order of the flow: the source is the first
   for (std::size_t i = 0; i < system.config.stages.size(); ++i) {
     const config::StageConfig& stage = system.config.stages[i];
     auto created = plugins::Instance::create(system.plugins[i], stage.instance);
@@ -89,6 +92,7 @@ std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem 
                           services->artefacts,
                           cancellation,
                           clock,
+                          source.rig,
                           seedOf(system.config.general.seed, stage.instance),
                           stage.instance,
                           interactive};
@@ -96,6 +100,9 @@ std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem 
     const Status status = instance->configure(context);
     if (!status.isOk()) return Failure{configureFailure(stage.role, status), status.message()};
     assembly->place(std::move(instance), stage);
+    if (stage.role != Role::Source) continue;
+    const Status informed = assembly->source().info(source);
+    if (!informed.isOk()) return Failure{ExitCode::Dataset, informed.message()};
   }
   return assembly;
 }

@@ -32,10 +32,9 @@ void evaluate(const EvalOptions& options, Invocation& invocation) {
   if (!truth.isOk()) return fail(invocation, truth.status());
   const auto estimate = evaluation::readTrajectory(options.estimate);
   if (!estimate.isOk()) return fail(invocation, estimate.status());
-  const auto lengths = evaluation::lengthsFor(evaluation::pathLength(truth.value()));
   const auto difference_ns = static_cast<std::int64_t>(options.max_difference * 1e9);
   const auto metrics = evaluation::scoreTrajectory(truth.value(), estimate.value(),
-                                                   options.alignment, lengths, difference_ns);
+                                                   options.alignment, std::nullopt, difference_ns);
   if (!metrics.scores) return fail(invocation, Status::invalidInput(metrics.reason));
   if (invocation.json) {
     std::cout << evaluation::toJson(metrics).dump(2) << "\n";

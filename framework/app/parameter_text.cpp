@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 namespace tolman::app {
 namespace {
@@ -27,8 +29,9 @@ std::string defaultText(const ParameterInfo& info) {
 std::string limitsText(const ParameterInfo& info) {
   std::string text;
   for (const std::string& choice : info.choices) text += (text.empty() ? "" : ", ") + choice;
-  const bool low = std::isfinite(info.min);
-  const bool high = std::isfinite(info.max);
+  constexpr double kInt = std::numeric_limits<int>::max();  // that of the type, not of the author
+  const bool low = info.min > -kInt;
+  const bool high = info.max < kInt;
   if (low && high) return fmt::format("{} to {}", info.min, info.max);
   if (low) return fmt::format(">= {}", info.min);
   if (high) return fmt::format("<= {}", info.max);

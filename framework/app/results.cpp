@@ -47,12 +47,14 @@ Alignment resolve(config::Alignment asked, const record::RunReader& reader) {
   return metric ? Alignment::Se3 : Alignment::Sim3;
 }
 
-evaluation::SegmentLengths lengthsOf(const config::EvaluationSettings& settings,
-                                     double path_length) {
-  if (!settings.segment_lengths.empty()) return {"custom", settings.segment_lengths};
+/// Nothing: by the length of the truth.
+std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSettings& settings) {
+  if (!settings.segment_lengths.empty()) {
+    return evaluation::SegmentLengths{"custom", settings.segment_lengths};
+  }
   if (settings.segments == config::Segments::Kitti) return evaluation::kittiLengths();
   if (settings.segments == config::Segments::Short) return evaluation::shortLengths();
-  return evaluation::lengthsFor(path_length);
+  return std::nullopt;
 }
 
 template <class T>
@@ -64,7 +66,7 @@ const T& must(const Result<T>& result) {
 evaluation::Metrics measureOpened(const record::RunReader& reader,
                                   const config::EvaluationSettings& settings) {
   const auto truth = toTrajectory(must(reader.truth()));
-  const auto lengths = lengthsOf(settings, evaluation::pathLength(truth));
+  const auto lengths = lengthsOf(settings);
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
   metrics.odometry = evaluation::scoreTrajectory(truth, toTrajectory(must(reader.odometry())),

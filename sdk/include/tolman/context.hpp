@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "tolman/camera.hpp"
 #include "tolman/parameters.hpp"
 #include "tolman/status.hpp"
 
@@ -110,6 +111,7 @@ struct Context {
   ArtefactWriter& artefacts;
   const Cancellation& cancellation;
   const Clock& clock;
+  CameraRig rig;         ///< of the source; empty for the source itself
   std::uint64_t seed;    ///< for RandomStream; the same after reset()
   std::string instance;  ///< the name of this stage in the configuration, e.g. "odometry"
   bool interactive;      ///< a person watches the terminal: progress bars and colours are welcome

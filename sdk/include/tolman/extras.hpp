@@ -16,7 +16,7 @@ namespace tolman {
 /// same rules of threading as the role itself.
 class ArraySource {
  public:
-  virtual ~ArraySource() = default;
+  virtual ~ArraySource() noexcept(false) {}  // as Plugin's, so that one class can be both
   /// Appends arrays. Names and shapes stay the same over a run.
   virtual void arrays(std::vector<NamedArray>& arrays) const = 0;
 };
@@ -26,7 +26,7 @@ class ArraySource {
 /// with InvalidInput and leaves the instance as after reset().
 class StateKeeper {
  public:
-  virtual ~StateKeeper() = default;
+  virtual ~StateKeeper() noexcept(false) {}
   virtual Status save(std::ostream& stream) const = 0;
   virtual Status load(std::istream& stream) = 0;
 };

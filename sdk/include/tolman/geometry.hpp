@@ -4,6 +4,9 @@
 // Camera axes: x right, y down, z forward. Planar poses: x forward at the start, y left, theta
 // counter-clockwise seen from above, in metres and radians. So x_plane = z, y_plane = -x, and a
 // turn to the left is positive.
+//
+// Functions that use much of Eigen are templates without a parameter, so that only files that call
+// them pay for them: as plain inline functions they tripled the compile time of every plugin.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,21 +33,24 @@ inline double wrapPeriod(double value, double period) {
 }
 
 /// The cross-product matrix: skew(a) * b == a x b.
-inline Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
+template <class = void>
+Eigen::Matrix3d skew(const Eigen::Vector3d& a) {
   Eigen::Matrix3d m;
   m << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
   return m;
 }
 
 /// Rotation vector (axis times angle, rad) to rotation matrix.
-inline Eigen::Matrix3d expSo3(const Eigen::Vector3d& rotation) {
+template <class = void>
+Eigen::Matrix3d expSo3(const Eigen::Vector3d& rotation) {
   const double angle = rotation.norm();
   if (angle < 1e-10) return Eigen::Matrix3d::Identity() + skew(rotation);
   return Eigen::AngleAxisd(angle, rotation / angle).toRotationMatrix();
 }
 
 /// Rotation matrix to rotation vector, angle in [0, pi].
-inline Eigen::Vector3d logSo3(const Eigen::Matrix3d& R) {
+template <class = void>
+Eigen::Vector3d logSo3(const Eigen::Matrix3d& R) {
   Eigen::Quaterniond q(R);
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   const double sine = q.vec().norm();
@@ -53,7 +59,8 @@ inline Eigen::Vector3d logSo3(const Eigen::Matrix3d& R) {
 }
 
 /// Matrix V of the SE(3) exponential: translation = V(rotation) * rho.
-inline Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& rotation) {
+template <class = void>
+Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& rotation) {
   const double angle = rotation.norm();
   const Eigen::Matrix3d W = skew(rotation);
   if (angle < 1e-5) return Eigen::Matrix3d::Identity() + 0.5 * W + W * W / 6.0;
@@ -64,7 +71,8 @@ inline Eigen::Matrix3d leftJacobianSo3(const Eigen::Vector3d& rotation) {
 
 /// Twist (rho, rotation) to rigid motion. The order (translation, rotation) holds for every
 /// 6-vector and 6x6 covariance of this SDK.
-inline Eigen::Isometry3d expSe3(const Vector6d& twist) {
+template <class = void>
+Eigen::Isometry3d expSe3(const Vector6d& twist) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = expSo3(twist.tail<3>());
   T.translation() = leftJacobianSo3(twist.tail<3>()) * twist.head<3>();
@@ -72,7 +80,8 @@ inline Eigen::Isometry3d expSe3(const Vector6d& twist) {
 }
 
 /// Rigid motion to twist (rho, rotation); inverse of expSe3 for angles below pi.
-inline Vector6d logSe3(const Eigen::Isometry3d& T) {
+template <class = void>
+Vector6d logSe3(const Eigen::Isometry3d& T) {
   Vector6d twist;
   twist.tail<3>() = logSo3(T.linear());
   twist.head<3>() = leftJacobianSo3(twist.tail<3>()).partialPivLu().solve(T.translation());
@@ -80,7 +89,8 @@ inline Vector6d logSe3(const Eigen::Isometry3d& T) {
 }
 
 /// The nearest rotation (by quaternion normalisation): keeps long products of poses rigid.
-inline Eigen::Isometry3d normalised(const Eigen::Isometry3d& T) {
+template <class = void>
+Eigen::Isometry3d normalised(const Eigen::Isometry3d& T) {
   Eigen::Isometry3d rigid = T;
   rigid.linear() = Eigen::Quaterniond(T.linear()).normalized().toRotationMatrix();
   return rigid;
@@ -111,14 +121,16 @@ inline PlanarPose between(const PlanarPose& a, const PlanarPose& b) {
 
 /// Projects a camera pose (or motion) onto the plane spanned by the reference camera's x and z
 /// axes; theta is the direction of the optical axis in that plane.
-inline PlanarPose toPlanar(const Eigen::Isometry3d& T_reference_camera) {
+template <class = void>
+PlanarPose toPlanar(const Eigen::Isometry3d& T_reference_camera) {
   const Eigen::Vector3d t = T_reference_camera.translation();
   const Eigen::Vector3d axis = T_reference_camera.linear().col(2);
   return {t.z(), -t.x(), std::atan2(-axis.x(), axis.z())};
 }
 
 /// Lifts a planar pose to camera axes: no height, no pitch, no roll. toPlanar inverts it.
-inline Eigen::Isometry3d fromPlanar(const PlanarPose& pose) {
+template <class = void>
+Eigen::Isometry3d fromPlanar(const PlanarPose& pose) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translation() << -pose.y, 0, pose.x;
   T.linear() = Eigen::AngleAxisd(-pose.theta, Eigen::Vector3d::UnitY()).toRotationMatrix();

@@ -13,7 +13,8 @@
 //     }
 //   };
 //
-// The member's initialiser is the default. Member types: bool, int, std::int64_t, double,
+// The names `plugin`, `name`, `on_failure` and `isolation` are the host's. The member's initialiser
+// is the default. Member types: bool, int, std::int64_t, double,
 // std::string, std::vector<double>, and enumerations with enumNames(). From the declaration come
 // validation with line and column, `tolman plugins describe`, and the reference pages.
 #pragma once
@@ -114,7 +115,12 @@ constexpr Parameter<P, T> parameter(std::string_view name, T P::*member) {
                     std::is_same_v<T, std::int64_t> || std::is_same_v<T, double> || NamedEnum<T> ||
                     std::is_same_v<T, std::string> || std::is_same_v<T, std::vector<double>>,
                 "a parameter is bool, int, int64, double, a named enum, string or list of double");
-  return {name, member};
+  Parameter<P, T> declared{name, member};
+  if constexpr (std::is_same_v<T, int>) {  // what fits into the member
+    declared.min = std::numeric_limits<int>::min();
+    declared.max = std::numeric_limits<int>::max();
+  }
+  return declared;
 }
 
 template <class... Declared>
@@ -129,8 +135,9 @@ struct NoParameters {
 
 namespace detail {
 
+// Inlined, g++ 12 at -O3 takes the end of a std::string in the variant for a wrong delete.
 template <class T>
-ParameterValue toValue(const T& member) {
+[[gnu::noinline]] ParameterValue toValue(const T& member) {
   if constexpr (std::is_enum_v<T>) {
     return std::string(enumName(member));
   } else if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>) {
@@ -205,14 +212,14 @@ Schema schemaOf() {
   Schema schema;
   const auto add = [&]<class T>(const Parameter<P, T>& p) {
     ParameterInfo info;
-    info.name = p.name;
+    info.name = std::string(p.name);
     info.type = p.type();
     info.default_value = detail::toValue(defaults.*p.member);
     info.required = p.is_required;
     info.min = p.min;
     info.max = p.max;
-    info.unit = p.unit_text;
-    info.doc = p.doc_text;
+    info.unit = std::string(p.unit_text);
+    info.doc = std::string(p.doc_text);
     if constexpr (std::is_enum_v<T>) {
       for (const std::string_view choice : enumNames(T{})) info.choices.emplace_back(choice);
     }

@@ -30,7 +30,7 @@ struct Frame {
   std::int64_t stamp_ns = 0;  ///< strictly increasing
   std::int64_t source_index = -1;
   Image left;   ///< empty: no image source, or an image that could not be read (see `defect`)
-  Image right;  ///< empty for a single camera
+  Image right;  ///< empty for a single camera; of a pair, both are there or none
   bool has_truth = false;
   Eigen::Isometry3d T_world_camera_truth = Eigen::Isometry3d::Identity();
   std::string defect;               ///< why an image is missing; empty for a sound frame
@@ -114,7 +114,8 @@ struct Motion {
 
 /// Fills v, omega and dt of a motion from T_previous_current (paper, velocity calculation, with the
 /// sign of v kept when reversing).
-inline void setPlanarVelocity(Motion& motion, double dt) {
+template <class = void>
+void setPlanarVelocity(Motion& motion, double dt) {
   motion.dt = dt;
   if (!(dt > 0)) {
     motion.v = motion.omega = 0;

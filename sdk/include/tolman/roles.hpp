@@ -115,7 +115,8 @@ class Cells : public Plugin {
 /// Keeps the experience graph, obeying the decisions of the cells.
 class Map : public Plugin {
  public:
-  /// Applies the motion's revisions, then its motion, then the decision; hangs the frame on an
+  /// Applies the motion's revisions (ignoring those of frames it never saw), then its motion, then
+  /// the decision; hangs the frame on an
   /// experience and places it. Before the first experience exists the map makes its origin the
   /// first camera pose.
   virtual Status update(const Motion& motion, const Decision& decision, MapUpdate& update) = 0;

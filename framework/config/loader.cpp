@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading files and following `extends`.
+#include "config/loader.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "config/overrides.hpp"
+#include "config/yaml_reader.hpp"
+
+namespace tolman::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMaxBytes = 1U << 20U;
+constexpr int kMaxFiles = 64;  // diamonds of `extends` read a file many times
+
+Result<std::string> readText(const fs::path& file) {
+  std::error_code error;
+  if (!fs::exists(file, error)) return Status::invalidInput("no such file");
+  if (!fs::is_regular_file(file, error)) return Status::invalidInput("this is no file");
+  if (fs::file_size(file, error) > kMaxBytes) {
+    return Status::invalidInput("larger than 1 MiB; is this a configuration?");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) return Status::invalidInput("cannot be read; look at its permissions");
+  return text;
+}
+
+/// Follows `extends` from the first file. Paths are shown relative to the working directory where
+/// the user gave them so.
+class Loader {
+ public:
+  Loader(const Environment& environment, Loaded& loaded)
+      : environment_(environment), loaded_(loaded) {}
+
+  /// The merged tree of a file. `asked` is who wants it, for messages.
+  Node merged(const fs::path& file, const Origin& asked) {
+    const std::string circle = circleTo(file);
+    if (!circle.empty()) return lost(asked, "extends", "goes in a circle: " + circle);
+    if (++files_ > kMaxFiles) return lost(asked, "extends", "more than 64 files are read");
+    chain_.push_back(file);
+    Node tree = read(file, asked);
+    Node base = bases(tree);
+    tree.erase("extends");
+    merge(base, tree);
+    chain_.pop_back();
+    return base;
+  }
+
+ private:
+  /// Notes the problem and stands in for the tree that could not be had.
+  Node lost(const Origin& where, const std::string& path, const std::string& message) {
+    loaded_.complete = false;
+    loaded_.problems.push_back({where, path, message});
+    return emptyMap(where);
+  }
+
+  static Node emptyMap(const Origin& origin) {
+    Node map;
+    map.kind = Node::Kind::Map;
+    map.origin = origin;
+    return map;
+  }
+
+  /// "a.yaml -> b.yaml -> a.yaml" when the file is already being read, or nothing.
+  std::string circleTo(const fs::path& file) const {
+    std::string shown;
+    for (const fs::path& earlier : chain_) {
+      std::error_code error;
+      const bool starts = fs::equivalent(earlier, file, error);
+      if (starts || !shown.empty()) shown += earlier.string() + " -> ";
+    }
+    return shown.empty() ? shown : shown + file.string();
+  }
+
+  /// The file's own tree, variables expanded.
+  Node read(const fs::path& file, const Origin& asked) {
+    const Result<std::string> text = readText(file);
+    if (!text.isOk()) {
+      const bool is_first = chain_.size() == 1;
+      return lost(asked, is_first ? "" : "extends",
+                  (is_first ? "" : file.string() + ": ") + text.status().message());
+    }
+    const Origin origin = Origin::ofFile(file.string());
+    std::optional<Node> tree = readYaml(text.value(), origin, loaded_.problems);
+    if (!tree) {  // the reader said why
+      loaded_.complete = false;
+      return emptyMap(origin);
+    }
+    if (tree->kind == Node::Kind::Null) return lost(origin, "", "the file is empty");
+    if (!tree->isMap()) {
+      return lost(tree->origin, "", "a configuration is a map of keys, not " + describe(*tree));
+    }
+    expandVariables(*tree, "", environment_, loaded_.problems);
+    return std::move(*tree);
+  }
+
+  /// What `extends` of this tree names, merged.
+  Node bases(const Node& tree) {
+    Node all = emptyMap(tree.origin);
+    const Node* extends = tree.find("extends");
+    if (extends == nullptr) return all;
+    if (extends->isScalar()) {
+      merge(all, base(*extends));
+    } else if (extends->isSequence()) {
+      for (const Node& item : extends->children) merge(all, base(item));
+    } else {
+      lost(extends->origin, "extends",
+           "expects a file or a list of files, not " + describe(*extends));
+    }
+    return all;
+  }
+
+  Node base(const Node& name) {
+    if (!name.isScalar() || name.text.empty()) {
+      return lost(name.origin, "extends", "expects a file, not " + describe(name));
+    }
+    fs::path file = fs::path(name.origin.file).parent_path() / name.text;
+    if (name.text.starts_with('~')) {
+      const Result<std::string> path = resolvePath(name.text, name.origin, loaded_.places);
+      if (!path.isOk()) return lost(name.origin, "extends", path.status().message());
+      file = path.value();
+    }
+    return merged(file.lexically_normal(), name.origin);
+  }
+
+  const Environment& environment_;
+  Loaded& loaded_;
+  std::vector<fs::path> chain_;
+  int files_ = 0;
+};
+
+}  // namespace
+
+Loaded load(const fs::path& file, const std::vector<std::string>& overrides,
+            const Environment& environment) {
+  Loaded loaded;
+  std::error_code error;
+  loaded.places = {fs::current_path(error), environment("HOME").value_or("")};
+  loaded.file = file.string();
+  loaded.tree = Loader(environment, loaded).merged(file, Origin::ofFile(loaded.file));
+  applyOverrides(loaded.tree, overrides, environment, loaded.problems);
+  return loaded;
+}
+
+}  // namespace tolman::config

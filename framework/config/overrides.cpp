@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading and applying --set.
+#include "config/overrides.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <sstream>
+
+#include "config/yaml_reader.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::config {
+namespace {
+
+bool isIndex(const std::string& part) {
+  return part.size() <= 4 && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+std::vector<std::string> split(const std::string& path) {
+  std::vector<std::string> parts;
+  std::istringstream stream(path + '.');
+  for (std::string part; std::getline(stream, part, '.');) parts.push_back(part);
+  return parts;
+}
+
+Result<std::vector<std::string>> readPath(const std::string& argument) {
+  const std::size_t equals = argument.find('=');
+  if (equals == std::string::npos) {
+    return Status::invalidParameter("write --set key.path=value");
+  }
+  std::vector<std::string> path = split(argument.substr(0, equals));
+  if (std::ranges::find(path, "") != path.end()) {
+    return Status::invalidParameter("the key path has an empty part");
+  }
+  if (path.front() == "extends") {
+    return Status::invalidParameter("'extends' works in files only");
+  }
+  return path;
+}
+
+/// The child `part` of `parent`, made if need be.
+Result<Node*> step(Node& parent, const std::string& part, const Origin& origin) {
+  if (parent.kind == Node::Kind::Null) {
+    parent.kind = isIndex(part) ? Node::Kind::Sequence : Node::Kind::Map;
+    parent.origin = origin;
+  }
+  if (parent.isScalar()) {
+    return Status::invalidParameter("'" + part + "' has no place: its parent is the single value " +
+                                    describe(parent));
+  }
+  if (Node* child = parent.find(part)) return child;
+  if (parent.isSequence() && part != std::to_string(parent.children.size())) {
+    return Status::invalidParameter("no item '" + part + "' in a list of " +
+                                    std::to_string(parent.children.size()) +
+                                    "; items count from 0");
+  }
+  Node child;
+  child.key = part;
+  child.key_origin = origin;
+  child.origin = origin;
+  parent.children.push_back(child);
+  return &parent.children.back();
+}
+
+Status assign(Node& tree, const std::vector<std::string>& path, Node value, const Origin& origin) {
+  Node* node = &tree;
+  for (const std::string& part : path) {
+    const bool is_plugin = part == "plugin" && &part == &path.back();
+    if (is_plugin && namesOtherPlugin(*node, value)) node->children.clear();
+    const Result<Node*> child = step(*node, part, origin);
+    if (!child.isOk()) return child.status();
+    node = child.value();
+  }
+  value.key = node->key;
+  value.key_origin = origin;
+  *node = std::move(value);
+  return Status::ok();
+}
+
+}  // namespace
+
+void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
+                    const Environment& environment, Problems& problems) {
+  std::vector<std::string> ordered = overrides;
+  std::ranges::stable_partition(ordered, [](const std::string& argument) {
+    return argument.substr(0, argument.find('=')).ends_with(".plugin");
+  });
+  for (const std::string& argument : ordered) {
+    const Origin origin{Origin::Kind::CommandLine, "--set " + argument, 0, 0, {}};
+    const auto path = readPath(argument);
+    if (!path.isOk()) {
+      problems.push_back({origin, "", path.status().message()});
+      continue;
+    }
+    const std::size_t equals = argument.find('=');
+    std::optional<Node> value = readYaml(argument.substr(equals + 1), origin, problems);
+    if (!value) continue;  // the reader said why
+    expandVariables(*value, argument.substr(0, equals), environment, problems);
+    const Status done = assign(tree, path.value(), std::move(*value), origin);
+    if (!done.isOk()) problems.push_back({origin, "", done.message()});
+  }
+}
+
+}  // namespace tolman::config

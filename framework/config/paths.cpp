@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Making paths absolute.
+#include "config/paths.hpp"
+
+namespace tolman::config {
+
+Result<std::string> resolvePath(const std::string& path, const Origin& origin,
+                                const Places& places) {
+  if (path.empty()) return path;
+  std::filesystem::path absolute = path;
+  if (path == "~" || path.starts_with("~/")) {
+    if (places.home.empty()) return Status::invalidParameter("'~' needs HOME, which is not set");
+    absolute = places.home + path.substr(1);
+  } else if (path.starts_with('~')) {
+    return Status::invalidParameter("'" + path + "': only '~/' is understood, not other homes");
+  }
+  std::filesystem::path base = places.working_directory;
+  if (origin.kind == Origin::Kind::File) {
+    base /= std::filesystem::path(origin.file).parent_path();
+  }
+  std::string normal = (base / absolute).lexically_normal().string();
+  while (normal.size() > 1 && normal.ends_with('/')) normal.pop_back();
+  return normal;
+}
+
+}  // namespace tolman::config

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How places and problems read.
+#include "config/problem.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace tolman::config {
+
+std::string text(const Origin& origin) {
+  if (origin.kind == Origin::Kind::Default) return "default";
+  if (origin.line == 0) return origin.file;
+  return origin.file + ':' + std::to_string(origin.line) + ':' + std::to_string(origin.column);
+}
+
+std::string format(const Problem& problem) {
+  std::string line = text(problem.where) + ": ";
+  if (!problem.key_path.empty()) line += problem.key_path + ": ";
+  return line + problem.message;
+}
+
+std::string format(Problems problems) {
+  const auto position = [](const Problem& p) {
+    return std::tie(p.where.kind, p.where.file, p.where.line, p.where.column);
+  };
+  std::ranges::stable_sort(problems, {}, position);
+  std::string lines;
+  for (const Problem& problem : problems) lines += format(problem) + '\n';
+  return lines;
+}
+
+}  // namespace tolman::config

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading scalars strictly.
+#include "config/scalars.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+#include "config/nearest_name.hpp"
+
+namespace tolman::config {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// 010 is eight to YAML 1.1 and C, ten to people.
+bool hasLeadingZero(std::string_view text) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
+}
+
+/// Parses all of the text (from_chars knows no plus sign).
+template <class T>
+std::errc parseAll(std::string_view text, T& value) {
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{}) return error;
+  return stop == end ? std::errc{} : std::errc::invalid_argument;
+}
+
+/// nan and inf, with or without the dot of YAML.
+bool isNotFinite(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of("+-."), text.size()));
+  double value = 0;
+  return parseAll(text, value) == std::errc{} && !std::isfinite(value);
+}
+
+Status refused(const std::string& expected, const std::string& text, const std::string& remedy) {
+  return Status::invalidParameter("expects " + expected + ", not '" + text + "'" + remedy);
+}
+
+}  // namespace
+
+Result<std::int64_t> readInteger(const std::string& text) {
+  if (hasLeadingZero(text)) return refused("an integer", text, "; write it without leading zeros");
+  std::int64_t value = 0;
+  const std::errc error = parseAll(text, value);
+  if (error == std::errc{}) return value;
+  if (error == std::errc::result_out_of_range) {
+    return refused("an integer of at most 64 bits", text, "");
+  }
+  double real = 0;
+  const bool integral =
+      parseAll(text, real) == std::errc{} && std::abs(real) < 1e15 && real == std::floor(real);
+  const std::string digits = integral ? std::to_string(static_cast<std::int64_t>(real)) : "";
+  return refused("an integer", text, integral ? "; write " + digits : "");
+}
+
+Result<double> readReal(const std::string& text) {
+  if (hasLeadingZero(text)) return refused("a number", text, "; write it without leading zeros");
+  double value = 0;
+  const std::errc error = parseAll(text, value);
+  if (error == std::errc::result_out_of_range || isNotFinite(text)) {
+    return refused("a finite number", text, "");
+  }
+  if (error != std::errc{}) return refused("a number", text, "");
+  return value;
+}
+
+Result<bool> readBool(const std::string& text) {
+  if (text == "true") return true;
+  if (text == "false") return false;
+  static const std::array<std::string, 5> kTrue = {"yes", "on", "1", "y", "true"};
+  static const std::array<std::string, 5> kFalse = {"no", "off", "0", "n", "false"};
+  const auto means = [&](const std::string& word) { return editDistance(text, word) == 0; };
+  std::string remedy;
+  if (std::ranges::any_of(kTrue, means)) remedy = "; write true";
+  if (std::ranges::any_of(kFalse, means)) remedy = "; write false";
+  return refused("true or false", text, remedy);
+}
+
+std::string writeReal(double value) {
+  const bool is_short_integer = value == std::floor(value) && std::abs(value) < 1e15 && value != 0;
+  if (is_short_integer) return std::to_string(static_cast<std::int64_t>(value));
+  std::array<char, 32> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  return {digits.data(), end};
+}
+
+}  // namespace tolman::config

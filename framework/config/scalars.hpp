@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers and truth values as a configuration may write them.
+//
+// YAML 1.1 reads 010 as eight, 0x10 as sixteen, `on` as true and `.nan` as a number. Here nothing
+// is guessed: a spelling that another reader could take otherwise is refused, with the right one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tolman/status.hpp"
+
+namespace tolman::config {
+
+/// Decimal digits with an optional sign. Not 010, 0x10, 1e3, 2.0.
+Result<std::int64_t> readInteger(const std::string& text);
+
+/// A finite decimal number, 1e-3 included. Not 010, 0x10, .nan, .inf.
+Result<double> readReal(const std::string& text);
+
+/// `true` or `false` only.
+Result<bool> readBool(const std::string& text);
+
+/// The shortest text that readReal() takes back to the same number.
+std::string writeReal(double value);
+
+}  // namespace tolman::config

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The host's own keys, declared as plugins declare theirs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tolman/parameters.hpp"
+
+namespace tolman::config {
+
+inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+/// Keys at the top of a file.
+struct GeneralSettings {
+  std::string name;  ///< empty: the file's name
+  std::int64_t seed = 1;
+  int threads = 0;
+  static constexpr auto declaration() {
+    return parameters(
+        parameter("name", &GeneralSettings::name).doc("Name of the run; else that of the file."),
+        parameter("seed", &GeneralSettings::seed)
+            .range(0, kNoLimit)
+            .doc("Seed of all random streams."),
+        parameter("threads", &GeneralSettings::threads)
+            .range(0, 1024)
+            .doc("Worker threads; 0 for all of the machine."));
+  }
+};
+
+enum class PipelineMode : std::uint8_t { Lossless, Realtime };
+inline constexpr std::array<std::string_view, 2> kPipelineModeNames = {"lossless", "realtime"};
+constexpr std::span<const std::string_view> enumNames(PipelineMode) { return kPipelineModeNames; }
+
+/// What a full queue does with one more frame.
+enum class QueuePolicy : std::uint8_t { DropOldest, DropNewest, Block };
+inline constexpr std::array<std::string_view, 3> kQueuePolicyNames = {"drop_oldest", "drop_newest",
+                                                                      "block"};
+constexpr std::span<const std::string_view> enumNames(QueuePolicy) { return kQueuePolicyNames; }
+
+enum class PlacePolicy : std::uint8_t { Block, DropNewest };
+inline constexpr std::array<std::string_view, 2> kPlacePolicyNames = {"block", "drop_newest"};
+constexpr std::span<const std::string_view> enumNames(PlacePolicy) { return kPlacePolicyNames; }
+
+/// Keys below `pipeline`.
+struct PipelineSettings {
+  PipelineMode mode = PipelineMode::Lossless;
+  int queue = 8;  ///< frames
+  QueuePolicy input_policy = QueuePolicy::DropOldest;
+  PlacePolicy place_policy = PlacePolicy::Block;
+  double speed = 1;  ///< times data time
+  static constexpr auto declaration() {
+    using S = PipelineSettings;
+    return parameters(
+        parameter("mode", &S::mode).doc("Every frame, or paced by stamps with drops counted."),
+        parameter("queue", &S::queue).range(1, 1024).unit("frames").doc("Length of each queue."),
+        parameter("input_policy", &S::input_policy)
+            .doc("realtime: what the full input queue does."),
+        parameter("place_policy", &S::place_policy)
+            .doc("realtime: what the full queue of place recognition does."),
+        parameter("speed", &S::speed)
+            .range(0.01, 1000)
+            .doc("realtime: seconds of data per second of clock."));
+  }
+};
+
+enum class Alignment : std::uint8_t { Auto, Se3, Se2, Sim3, None };
+inline constexpr std::array<std::string_view, 5> kAlignmentNames = {"auto", "se3", "se2", "sim3",
+                                                                    "none"};
+constexpr std::span<const std::string_view> enumNames(Alignment) { return kAlignmentNames; }
+
+enum class Segments : std::uint8_t { Auto, Kitti, Short };
+inline constexpr std::array<std::string_view, 3> kSegmentsNames = {"auto", "kitti", "short"};
+constexpr std::span<const std::string_view> enumNames(Segments) { return kSegmentsNames; }
+
+/// Keys below `evaluation`. A list under `segments` is taken as `segment_lengths`.
+struct EvaluationSettings {
+  Alignment alignment = Alignment::Auto;
+  Segments segments = Segments::Auto;
+  std::vector<double> segment_lengths;  ///< m; empty: as `segments` says
+  static constexpr auto declaration() {
+    using S = EvaluationSettings;
+    return parameters(
+        parameter("alignment", &S::alignment).doc("Motion that lays the estimate on the truth."),
+        parameter("segments", &S::segments)
+            .doc("Path lengths of the drift figures: KITTI's 100 to 800 m, short ones, or by the "
+                 "truth."),
+        parameter("segment_lengths", &S::segment_lengths)
+            .range(0.1, 1e6)
+            .unit("m")
+            .doc("Own path lengths instead."));
+  }
+};
+
+/// Keys below `record`.
+struct RecordSettings {
+  int arrays_every = 1;  ///< frames
+  static constexpr auto declaration() {
+    return parameters(parameter("arrays_every", &RecordSettings::arrays_every)
+                          .range(0, 1e6)
+                          .unit("frames")
+                          .doc("Named arrays are written every so many frames; 0 for never."));
+  }
+};
+
+enum class FailurePolicy : std::uint8_t { Stop, Skip };
+inline constexpr std::array<std::string_view, 2> kFailurePolicyNames = {"stop", "skip"};
+constexpr std::span<const std::string_view> enumNames(FailurePolicy) { return kFailurePolicyNames; }
+
+/// Where a stage runs; a child process is to come.
+enum class Isolation : std::uint8_t { None };
+inline constexpr std::array<std::string_view, 1> kIsolationNames = {"none"};
+constexpr std::span<const std::string_view> enumNames(Isolation) { return kIsolationNames; }
+
+/// Keys of every stage that are the host's, not the plugin's.
+struct StageSettings {
+  std::string plugin;
+  std::string name;  ///< empty: the role, or for an observer the plugin
+  FailurePolicy on_failure = FailurePolicy::Stop;
+  Isolation isolation = Isolation::None;
+  static constexpr auto declaration() {
+    using S = StageSettings;
+    return parameters(
+        parameter("plugin", &S::plugin).required().doc("Id of the plugin that does the work."),
+        parameter("name", &S::name).doc("Name of this stage in records and logs."),
+        parameter("on_failure", &S::on_failure).doc("Stop the run, or skip the frame."),
+        parameter("isolation", &S::isolation).doc("Where the stage runs: in the host."));
+  }
+};
+
+}  // namespace tolman::config

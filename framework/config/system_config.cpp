@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From the tree to settings and stages.
+#include "config/system_config.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "config/nearest_name.hpp"
+
+namespace tolman::config {
+namespace {
+
+constexpr std::array kChain = {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map};
+constexpr const char* kObservers = "observers";
+
+const std::vector<std::string>& reservedKeys() {
+  static const std::vector<std::string> kKeys = {"plugin", "name", "on_failure", "isolation"};
+  return kKeys;
+}
+
+bool isReserved(const std::string& key) {
+  return std::ranges::find(reservedKeys(), key) != reservedKeys().end();
+}
+
+bool isInstanceName(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  });
+}
+
+/// Turns the tree into a SystemConfig, piece by piece.
+class Parser {
+ public:
+  Parser(const Loaded& loaded, Problems& problems)
+      : loaded_(loaded), tree_(loaded.tree), problems_(problems) {
+    config_.places = loaded.places;
+  }
+
+  SystemConfig run() {
+    general();
+    config_.pipeline = section<PipelineSettings>("pipeline");
+    evaluation();
+    config_.record = section<RecordSettings>("record");
+    for (const Role role : kChain) chainStage(role);
+    observers();
+    refuseSharedNames();
+    return std::move(config_);
+  }
+
+ private:
+  /// Checks a map against the declaration of S and keeps it for the resolved configuration.
+  template <class S>
+  S checked(Section section, const Node& map, const std::vector<std::string>& also_known) {
+    const Subject subject{section.key, "", also_known};
+    section.values = check(map, schemaOf<S>(), subject, loaded_.places, problems_);
+    config_.sections.push_back(section);
+    return bindParameters<S>(section.values).value();
+  }
+
+  template <class S>
+  S section(const std::string& key) {
+    const Node* given = tree_.find(key);
+    Node empty;
+    empty.kind = Node::Kind::Map;
+    if (given == nullptr) return checked<S>({key, {}, {}}, empty, {});
+    return checked<S>({key, {}, *given}, *given, {});
+  }
+
+  void general() {
+    std::vector<std::string> others;
+    for (const Role role : kChain) others.emplace_back(enumName(role));
+    others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "extends"});
+    config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
+    if (!config_.general.name.empty()) return;
+    config_.general.name = std::filesystem::path(loaded_.file).stem().string();
+    config_.sections.back().values["name"] = config_.general.name;
+  }
+
+  /// A list under `segments` says the lengths themselves.
+  void evaluation() {
+    Node* segments = nullptr;
+    if (Node* map = tree_.find("evaluation")) segments = map->find("segments");
+    if (segments != nullptr && segments->isSequence()) segments->key = "segment_lengths";
+    config_.evaluation = section<EvaluationSettings>("evaluation");
+  }
+
+  void chainStage(Role role) {
+    const std::string name(enumName(role));
+    if (const Node* given = tree_.find(name)) {
+      stage(role, name, *given);
+    } else if (loaded_.complete) {
+      problems_.push_back({tree_.origin, name,
+                           "the stage is missing; add '" + name +
+                               ": {plugin: ...}' ('tolman plugins list' shows what there is)"});
+    }
+  }
+
+  void observers() {
+    const Node* given = tree_.find(kObservers);
+    if (given == nullptr) return;
+    if (!given->isSequence()) {
+      problems_.push_back({given->origin, kObservers,
+                           "expects a list such as [{plugin: progress}], not " + describe(*given)});
+    }
+    if (!given->isSequence()) return;
+    for (const Node& item : given->children) {
+      stage(Role::Observer, joinPath(kObservers, item.key), item);
+    }
+  }
+
+  void stage(Role role, const std::string& path, const Node& given) {
+    if (!given.isMap()) {
+      problems_.push_back(
+          {given.origin, path, "expects a map such as {plugin: ...}, not " + describe(given)});
+      return;
+    }
+    const StageSettings settings = stageSettings(path, given);
+    StageConfig stage{role, path, settings.plugin, settings.name, settings.on_failure, given};
+    if (stage.instance.empty()) {
+      stage.instance = role == Role::Observer ? settings.plugin : std::string(enumName(role));
+    } else if (!isInstanceName(stage.instance)) {
+      problems_.push_back({given.find("name")->origin, joinPath(path, "name"),
+                           "use letters, digits, '_' and '-': it becomes a folder's name"});
+    }
+    config_.stages.push_back(std::move(stage));
+  }
+
+  /// The host's keys of a stage. Without a plugin nobody will look at the others: a key that is
+  /// nearly one of ours is reported here.
+  StageSettings stageSettings(const std::string& path, const Node& given) {
+    Node own = given;
+    const bool has_plugin = given.find("plugin") != nullptr;
+    std::erase_if(own.children, [&](const Node& child) {
+      return !isReserved(child.key) && (has_plugin || !nearestName(child.key, reservedKeys()));
+    });
+    const ParameterValues values =
+        check(own, schemaOf<StageSettings>(), {path, "", {}}, loaded_.places, problems_);
+    const Node* plugin = given.find("plugin");
+    if (plugin != nullptr && plugin->isScalar() && plugin->text.empty()) {
+      problems_.push_back({plugin->origin, joinPath(path, "plugin"), "names no plugin"});
+    }
+    return bindParameters<StageSettings>(values).value();
+  }
+
+  void refuseSharedNames() {
+    for (auto stage = config_.stages.begin(); stage != config_.stages.end(); ++stage) {
+      const auto twin = std::find_if(config_.stages.begin(), stage, [&](const StageConfig& other) {
+        return other.instance == stage->instance && !other.instance.empty();
+      });
+      if (twin == stage) continue;
+      problems_.push_back({stage->given.origin, stage->path,
+                           "is called '" + stage->instance + "' like " + twin->path +
+                               "; give one of them another 'name'"});
+    }
+  }
+
+  const Loaded& loaded_;
+  Node tree_;
+  Problems& problems_;
+  SystemConfig config_;
+};
+
+}  // namespace
+
+Origin StageConfig::pluginOrigin() const {
+  const Node* named = given.find("plugin");
+  return named != nullptr ? named->origin : given.origin;
+}
+
+SystemConfig parse(const Loaded& loaded, Problems& problems) {
+  return Parser(loaded, problems).run();
+}
+
+ParameterValues check(const StageConfig& stage, const Schema& schema, const Places& places,
+                      Problems& problems) {
+  for (const ParameterInfo& info : schema) {
+    if (!isReserved(info.name)) continue;
+    problems.push_back({stage.pluginOrigin(), stage.path,
+                        "plugin " + stage.plugin + " declares the parameter '" + info.name +
+                            "', a word that the host keeps for itself; rename it in the plugin"});
+  }
+  const Subject subject{stage.path, "plugin " + stage.plugin, reservedKeys()};
+  return check(stage.given, schema, subject, places, problems);
+}
+
+}  // namespace tolman::config

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Expansion of environment variables.
+#include "config/variables.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tolman/status.hpp"
+
+namespace tolman::config {
+namespace {
+
+bool isName(std::string_view name) {
+  const auto letter = [](char c) {
+    return c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+  };
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !name.empty() && !digit(name.front()) &&
+         std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
+}
+
+/// The value of what stands between the braces. Adds the variable's name to `used`.
+Result<std::string> lookUp(const std::string& inside, const Environment& environment,
+                           std::string& used) {
+  const std::size_t split = inside.find(":-");
+  const bool has_default = split != std::string::npos;
+  const std::string name = inside.substr(0, split);
+  if (!isName(name)) {
+    return Status::invalidParameter("'${" + inside +
+                                    "}' names no variable; write ${NAME} or "
+                                    "${NAME:-default}, and $${ for the characters themselves");
+  }
+  if (inside.find("${") != std::string::npos) {
+    return Status::invalidParameter("${" + name + ":-...} cannot hold another ${...}");
+  }
+  used += (used.empty() ? "" : ", ") + name;
+  const std::optional<std::string> value = environment(name);
+  if (value && !(value->empty() && has_default)) return *value;
+  if (has_default) return inside.substr(split + 2);
+  return Status::invalidParameter("the environment variable " + name +
+                                  " is not set; set it or write ${" + name + ":-default}");
+}
+
+Result<std::string> expand(const std::string& text, const Environment& environment,
+                           std::string& used) {
+  std::string expanded;
+  std::size_t done = 0;
+  for (std::size_t start = text.find("${"); start != std::string::npos;
+       start = text.find("${", done)) {
+    expanded.append(text, done, start - done);
+    if (start > done && text[start - 1] == '$') {  // escaped; one '$' is already there
+      expanded += '{';
+      done = start + 2;
+      continue;
+    }
+    const std::size_t end = text.find('}', start);
+    if (end == std::string::npos) return Status::invalidParameter("'${' without '}'");
+    const auto value = lookUp(text.substr(start + 2, end - start - 2), environment, used);
+    if (!value.isOk()) return value.status();
+    expanded += value.value();
+    done = end + 1;
+  }
+  return expanded + text.substr(done);
+}
+
+}  // namespace
+
+Environment processEnvironment() {
+  return [](const std::string& name) -> std::optional<std::string> {
+    const char* value = std::getenv(name.c_str());
+    return value != nullptr ? std::optional<std::string>(value) : std::nullopt;
+  };
+}
+
+void expandVariables(Node& node, const std::string& path, const Environment& environment,
+                     Problems& problems) {
+  for (Node& child : node.children) {
+    expandVariables(child, joinPath(path, child.key), environment, problems);
+  }
+  if (!node.isScalar() || node.text.find("${") == std::string::npos) return;
+  std::string used;
+  const Result<std::string> expanded = expand(node.text, environment, used);
+  if (!expanded.isOk()) {
+    problems.push_back({node.origin, path, expanded.status().message()});
+    return;
+  }
+  node.text = expanded.value();
+  if (used.empty()) return;  // only escapes
+  node.origin.variables = used;
+  node.quoted = false;
+}
+
+}  // namespace tolman::config

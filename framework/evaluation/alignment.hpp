@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bringing an estimate into the frame of the truth (S. Umeyama, "Least-squares estimation of
+// transformation parameters between two point patterns", PAMI 13(4), 1991).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "evaluation/association.hpp"
+
+namespace tolman::evaluation {
+
+enum class Alignment : std::uint8_t {
+  None,  ///< both start in the same frame
+  Se2,   ///< turn about the vertical axis and shift in the x-z plane: for planar maps
+  Se3,   ///< rigid motion, no scale: for stereo
+  Sim3,  ///< rigid motion and scale: for a single camera
+};
+inline constexpr std::array<std::string_view, 4> kAlignmentNames = {"none", "se2", "se3", "sim3"};
+constexpr std::span<const std::string_view> enumNames(Alignment) { return kAlignmentNames; }
+
+/// x_truth = scale * R * x_estimate + t.
+struct Similarity {
+  double scale = 1;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d t = Eigen::Vector3d::Zero();
+
+  Eigen::Isometry3d apply(const Eigen::Isometry3d& T_world_camera) const;
+};
+
+/// The similarity of the asked kind that brings the positions of the estimate nearest to those of
+/// the truth. R is always a proper rotation. Where positions leave it open (one pose, a straight
+/// line) the orientations of the first pair, or the smallest turn, decide. InvalidInput where no
+/// scale can be found because one side does not move.
+Result<Similarity> align(const Matches& matches, Alignment alignment);
+
+/// The matches with the estimate brought into the frame of the truth.
+Matches aligned(const Matches& matches, const Similarity& similarity);
+
+}  // namespace tolman::evaluation

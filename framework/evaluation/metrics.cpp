@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/metrics.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "tolman/fields.hpp"
+
+namespace tolman::evaluation {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Keys with a unit: {"rmse_m": ..., "mean_m": ...}; nulls where nothing was measured.
+Json statisticsJson(const Statistics& s, const std::string& unit) {
+  Json json;
+  for (const auto& [key, value] :
+       {std::pair("rmse", s.rmse), std::pair("mean", s.mean), std::pair("median", s.median),
+        std::pair("min", s.min), std::pair("max", s.max)}) {
+    json[std::string(key) + "_" + unit] = s.count > 0 ? Json(value) : Json();
+  }
+  return json;
+}
+
+Json relativeJson(const RelativeError& error, const std::string& translation_unit,
+                  const std::string& rotation_unit) {
+  return {{"translation", statisticsJson(error.translation_m, translation_unit)},
+          {"rotation", statisticsJson(error.rotation_deg, rotation_unit)},
+          {"pairs", error.translation_m.count}};
+}
+
+Json segmentsJson(const SegmentErrors& errors) {
+  const bool known = errors.segments > 0;
+  const bool asked = !errors.lengths.lengths_m.empty();
+  return {{"t_rel_percent", known ? Json(errors.t_rel_percent) : Json()},
+          {"r_rel_deg_per_100m", known ? Json(errors.r_rel_deg_per_100m) : Json()},
+          {"lengths", asked ? Json(errors.lengths.name) : Json()},
+          {"lengths_m", asked ? Json(errors.lengths.lengths_m) : Json()},
+          {"segments", errors.segments},
+          {"reason", known || !asked ? Json() : Json("the path is shorter than any segment")}};
+}
+
+Json timingJson(const std::map<std::string, StageTiming>& timing) {
+  Json json = Json::object();
+  for (const auto& [stage, t] : timing) {
+    json[stage] = {{"frames", t.frames},
+                   {"mean_ms", t.mean_ms},
+                   {"median_ms", t.median_ms},
+                   {"p95_ms", t.p95_ms},
+                   {"max_ms", t.max_ms}};
+  }
+  return json;
+}
+
+Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
+                          std::int64_t max_difference_ns) {
+  if (truth.empty()) return Status::invalidInput("there is no ground truth");
+  if (estimate.empty()) return Status::invalidInput("there is no estimate");
+  return max_difference_ns < 0 ? associateByFrame(truth, estimate)
+                               : associateByStamp(truth, estimate, max_difference_ns);
+}
+
+}  // namespace
+
+TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& estimate,
+                                  Alignment alignment, const std::optional<SegmentLengths>& lengths,
+                                  std::int64_t max_difference_ns) {
+  TrajectoryMetrics metrics;
+  metrics.path_length_m = pathLength(estimate);
+  metrics.poses = estimate.size();
+  const Result<Matches> matches = associate(truth, estimate, max_difference_ns);
+  if (!matches.isOk()) {
+    metrics.reason = matches.status().message();
+    return metrics;
+  }
+  metrics.matched = matches.value().size();
+  const Result<Similarity> similarity = align(matches.value(), alignment);
+  if (!similarity.isOk()) {
+    metrics.reason = similarity.status().message();
+    return metrics;
+  }
+  const Matches pairs = aligned(matches.value(), similarity.value());
+  Scores& scores = metrics.scores.emplace();
+  scores.ate_m = absoluteError(pairs, alignment == Alignment::Se2);
+  scores.rpe_frame = relativeErrorOverFrames(pairs);
+  scores.rpe_metre = relativeErrorOverDistance(pairs);
+  scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));
+  scores.scale = similarity.value().scale;
+  scores.coverage = pairs.coverage();
+  return metrics;
+}
+
+StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
+  std::vector<double> ms;
+  for (const std::int64_t ns : durations_ns) ms.push_back(static_cast<double>(ns) * 1e-6);
+  std::sort(ms.begin(), ms.end());
+  const Statistics s = statistics(ms);
+  const double p95 = ms.empty() ? 0 : ms[(ms.size() - 1) * 95 / 100];
+  return {s.count, s.mean, s.median, p95, s.max};
+}
+
+Json toJson(const TrajectoryMetrics& metrics) {
+  const bool known = metrics.scores.has_value();
+  const Scores scores = metrics.scores.value_or(Scores{});
+  return {{"ate", statisticsJson(scores.ate_m, "m")},
+          {"rpe",
+           {{"frame", relativeJson(scores.rpe_frame, "m", "deg")},
+            {"metre", relativeJson(scores.rpe_metre, "m_per_m", "deg_per_m")}}},
+          {"kitti", segmentsJson(scores.kitti)},
+          {"path_length_m", metrics.path_length_m},
+          {"poses", metrics.poses},
+          {"matched", metrics.matched},
+          {"coverage", known ? Json(scores.coverage) : Json()},
+          {"scale", known ? Json(scores.scale) : Json()},
+          {"reason", known ? Json() : Json(metrics.reason)}};
+}
+
+Json toJson(const Metrics& metrics) {
+  const bool known = metrics.odometry.scores && metrics.map.scores;
+  Json coverage;
+  if (known) coverage = std::min(metrics.odometry.scores->coverage, metrics.map.scores->coverage);
+  return {{"alignment", enumName(metrics.alignment)},
+          {"odometry", toJson(metrics.odometry)},
+          {"map", toJson(metrics.map)},
+          {"coverage", coverage},
+          {"frames", metrics.frames},
+          {"templates", metrics.templates},
+          {"experiences", metrics.experiences},
+          {"loops", metrics.loops},
+          {"timing", timingJson(metrics.timing)}};
+}
+
+}  // namespace tolman::evaluation

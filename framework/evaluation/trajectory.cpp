@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/trajectory.hpp"
+
+namespace tolman::evaluation {
+
+std::vector<double> distances(const Trajectory& trajectory) {
+  std::vector<double> result;
+  result.reserve(trajectory.size());
+  double distance = 0;
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (i > 0) {
+      distance += (trajectory[i].T_world_camera.translation() -
+                   trajectory[i - 1].T_world_camera.translation())
+                      .norm();
+    }
+    result.push_back(distance);
+  }
+  return result;
+}
+
+double pathLength(const Trajectory& trajectory) {
+  return trajectory.empty() ? 0 : distances(trajectory).back();
+}
+
+}  // namespace tolman::evaluation

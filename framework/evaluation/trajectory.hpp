@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A trajectory: camera poses in the order of time.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+namespace tolman::evaluation {
+
+/// One pose. Frames grow strictly within a trajectory, and stamps too where they are known.
+struct TrajectoryPose {
+  std::int64_t frame = 0;
+  std::int64_t stamp_ns = 0;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+using Trajectory = std::vector<TrajectoryPose>;
+
+/// Distance travelled up to each pose, m: as long as the trajectory, starting with 0.
+std::vector<double> distances(const Trajectory& trajectory);
+
+/// Length of the whole path, m; 0 for fewer than two poses.
+double pathLength(const Trajectory& trajectory);
+
+}  // namespace tolman::evaluation

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/trajectory_files.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace tolman::evaluation {
+namespace {
+
+// Written rotations are rounded; what is farther off than this is no rotation.
+constexpr double kRotationTolerance = 1e-2;
+
+/// What is wrong with a line; the reader adds file and line.
+struct LineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The word as it can be shown: short, printable.
+std::string shown(std::string_view word) {
+  std::string text = "'";
+  for (const char c : word.substr(0, 24)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > 24 ? "...'" : "'");
+}
+
+std::vector<std::string_view> words(std::string_view line) {
+  constexpr std::string_view kBlank = " \t\r,";
+  line = line.substr(0, line.find('#'));
+  std::vector<std::string_view> result;
+  for (std::size_t begin = line.find_first_not_of(kBlank); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(line.find_first_of(kBlank, begin), line.size());
+    result.push_back(line.substr(begin, end - begin));
+    begin = line.find_first_not_of(kBlank, end);
+  }
+  return result;
+}
+
+double number(std::string_view word) {
+  const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error == std::errc::result_out_of_range) {
+    throw LineError(shown(word) + " is out of the range of a double");
+  }
+  if (error != std::errc() || end != digits.data() + digits.size()) {
+    throw LineError(shown(word) + " is not a number");
+  }
+  if (!std::isfinite(value)) throw LineError(shown(word) + " is not finite");
+  return value;
+}
+
+/// Seconds to nanoseconds, without a detour over double where the word is plain decimal.
+std::int64_t stampNs(std::string_view word) {
+  const double seconds = number(word);
+  if (std::abs(seconds) > 9e9) {
+    throw LineError("stamp " + shown(word) + " is too large; stamps are seconds");
+  }
+  const std::size_t point = std::min(word.find('.'), word.size());
+  const bool plain = word.find_first_not_of("0123456789.") == std::string_view::npos;
+  if (!plain) return std::llround(seconds * 1e9);
+  std::string digits(word.substr(0, point));
+  std::string decimals(word.substr(std::min(point + 1, word.size())));
+  decimals.resize(9, '0');
+  digits += decimals;
+  std::int64_t stamp = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), stamp);
+  return stamp;
+}
+
+Eigen::Matrix3d checkedRotation(const Eigen::Matrix3d& R) {
+  const double error = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+  if (!(error < kRotationTolerance) || R.determinant() < 0) {
+    throw LineError("the rotation part is not a rotation matrix");
+  }
+  return Eigen::Quaterniond(R).normalized().toRotationMatrix();
+}
+
+TrajectoryPose tumPose(const std::vector<std::string_view>& entries) {
+  if (entries.size() != 8) {
+    throw LineError("expected 8 numbers (stamp tx ty tz qx qy qz qw), found " +
+                    std::to_string(entries.size()));
+  }
+  TrajectoryPose pose;
+  pose.stamp_ns = stampNs(entries[0]);
+  Eigen::Matrix<double, 7, 1> v;
+  for (int i = 0; i < 7; ++i) v[i] = number(entries[static_cast<std::size_t>(i) + 1]);
+  const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
+  if (std::abs(q.norm() - 1) > kRotationTolerance) {
+    throw LineError("the quaternion has length " + std::to_string(q.norm()) + " instead of 1");
+  }
+  pose.T_world_camera.translation() = v.head<3>();
+  pose.T_world_camera.linear() = q.normalized().toRotationMatrix();
+  return pose;
+}
+
+TrajectoryPose kittiPose(const std::vector<std::string_view>& entries) {
+  if (entries.size() != 12) {
+    throw LineError("expected 12 numbers (rows of a 3x4 pose), found " +
+                    std::to_string(entries.size()));
+  }
+  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> rows;
+  for (std::size_t i = 0; i < 12; ++i) rows.data()[i] = number(entries[i]);
+  TrajectoryPose pose;
+  pose.T_world_camera.linear() = checkedRotation(rows.leftCols<3>());
+  pose.T_world_camera.translation() = rows.col(3);
+  return pose;
+}
+
+using LineReader = std::function<TrajectoryPose(const std::vector<std::string_view>&)>;
+
+LineReader formatOf(const std::vector<std::string_view>& entries) {
+  if (entries.size() == 8) return tumPose;
+  if (entries.size() == 12) return kittiPose;
+  throw LineError("neither a TUM pose (8 numbers) nor a KITTI pose (12 numbers): found " +
+                  std::to_string(entries.size()) + " entries");
+}
+
+void append(Trajectory& trajectory, TrajectoryPose pose, bool has_stamps) {
+  if (has_stamps && !trajectory.empty() && pose.stamp_ns <= trajectory.back().stamp_ns) {
+    throw LineError("the stamp does not grow; sort the file and remove doubles");
+  }
+  pose.frame = static_cast<std::int64_t>(trajectory.size());
+  trajectory.push_back(pose);
+}
+
+/// `reader` empty: found out at the first pose.
+Result<Trajectory> readLines(const std::filesystem::path& file, LineReader reader) {
+  std::ifstream stream(file);
+  if (!stream || std::filesystem::is_directory(file)) {
+    return Status::invalidInput(file.string() + ": cannot be read; check the path");
+  }
+  Trajectory trajectory;
+  std::string line;
+  for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
+    try {
+      const std::vector<std::string_view> entries = words(line);
+      if (entries.empty()) continue;
+      if (!reader) reader = formatOf(entries);
+      append(trajectory, reader(entries), entries.size() == 8);
+    } catch (const LineError& error) {
+      return Status::invalidInput(file.string() + ":" + std::to_string(number_of_line) + ": " +
+                                  error.what());
+    }
+  }
+  if (trajectory.empty()) return Status::invalidInput(file.string() + ": holds no pose");
+  return trajectory;
+}
+
+}  // namespace
+
+Result<Trajectory> readTum(const std::filesystem::path& file) { return readLines(file, tumPose); }
+
+Result<Trajectory> readKitti(const std::filesystem::path& file) {
+  return readLines(file, kittiPose);
+}
+
+Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
+  return readLines(file, nullptr);
+}
+
+}  // namespace tolman::evaluation

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/atomic_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+
+namespace tolman::record {
+namespace {
+
+Status failure(const std::string& shown, const std::string& what) {
+  const std::string reason = std::generic_category().message(errno);
+  return Status::failed(shown + ": " + what + " (" + reason + ")");
+}
+
+bool writeAll(int file, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// A fresh file, whatever a killed program has left; `name` becomes its name.
+Descriptor createTemporary(const Descriptor& directory, std::string& name) {
+  constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    const std::string candidate = "." + name + ".partial" + std::to_string(attempt);
+    Descriptor file(::openat(directory.number(), candidate.c_str(), kFlags, 0644));
+    if (file.isOpen() || errno != EEXIST) {
+      name = candidate;
+      return file;
+    }
+  }
+  return Descriptor(-1);
+}
+
+}  // namespace
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  std::swap(number_, other.number_);
+  return *this;
+}
+
+Status writeAtomicallyAt(const Descriptor& directory, const std::string& name,
+                         std::span<const std::byte> bytes, const std::string& shown) {
+  std::string temporary = name;
+  const Descriptor file = createTemporary(directory, temporary);
+  if (!file.isOpen()) return failure(shown, "cannot be created; check folder and permissions");
+  Status status;
+  if (!writeAll(file.number(), bytes) || ::fsync(file.number()) != 0) {
+    status = failure(shown, "cannot be written; look for a full disk");
+  } else if (::renameat(directory.number(), temporary.c_str(), directory.number(), name.c_str()) !=
+             0) {
+    status = failure(shown, "cannot be replaced");
+  }
+  if (!status.isOk()) ::unlinkat(directory.number(), temporary.c_str(), 0);
+  return status;
+}
+
+Status writeAtomically(const std::filesystem::path& file, std::string_view text) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!directory.isOpen()) return failure(file.string(), "its folder cannot be opened");
+  return writeAtomicallyAt(directory, file.filename().string(),
+                           std::as_bytes(std::span(text.data(), text.size())), file.string());
+}
+
+}  // namespace tolman::record

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How a record's field list becomes columns: one Codec a type, with the column's name and type, the
+// way in (bind) and the way out (read).
+//
+// Isometry3d: seven REAL columns _x _y _z _qx _qy _qz _qw (w >= 0). Matrices: one BLOB, row-major,
+// little-endian; the column count of a dynamic one follows from the size. Enumerations: TEXT.
+// Images are not stored. Lists of arrays go to table `array`, lists of records to their own table.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstring>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "record/sqlite.hpp"
+#include "tolman/fields.hpp"
+
+namespace tolman::record {
+
+static_assert(std::endian::native == std::endian::little, "blobs are little-endian");
+
+struct Column {
+  std::string name;
+  std::string type;  ///< INTEGER, REAL, TEXT or BLOB
+  std::string unit;
+  std::string doc;
+};
+using Columns = std::vector<Column>;
+
+/// Column names have '_' where member names have '.'.
+inline std::string columnName(std::string_view field) {
+  std::string name(field);
+  for (char& c : name) c = c == '.' ? '_' : c;
+  return name;
+}
+
+template <class T>
+struct Codec;
+
+template <class T>
+inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
+
+template <std::integral T>
+struct Codec<T> {
+  static void describe(const Field& f, Columns& out) {
+    out.push_back({columnName(f.name), "INTEGER", std::string(f.unit), std::string(f.doc)});
+  }
+  static void bind(Statement& row, T value) { row.bind(static_cast<std::int64_t>(value)); }
+  static void read(Statement& row, T& value) { value = static_cast<T>(row.integer()); }
+};
+
+template <std::floating_point T>
+struct Codec<T> {
+  static void describe(const Field& f, Columns& out) {
+    out.push_back({columnName(f.name), "REAL", std::string(f.unit), std::string(f.doc)});
+  }
+  static void bind(Statement& row, T value) { row.bind(static_cast<double>(value)); }
+  static void read(Statement& row, T& value) { value = static_cast<T>(row.real()); }
+};
+
+template <>
+struct Codec<std::string> {
+  static void describe(const Field& f, Columns& out) {
+    out.push_back({columnName(f.name), "TEXT", std::string(f.unit), std::string(f.doc)});
+  }
+  static void bind(Statement& row, const std::string& value) { row.bind(std::string_view(value)); }
+  static void read(Statement& row, std::string& value) { value = row.text(); }
+};
+
+template <NamedEnum T>
+struct Codec<T> {
+  static void describe(const Field& f, Columns& out) { Codec<std::string>::describe(f, out); }
+  static void bind(Statement& row, T value) { row.bind(enumName(value)); }
+  static void read(Statement& row, T& value) {
+    const std::string name = row.text();
+    const std::span<const std::string_view> names = enumNames(value);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      if (names[i] == name) {
+        value = static_cast<T>(i);
+        return;
+      }
+    }
+    throw BadRow("'" + name.substr(0, 24) + "' is none of the values that this column has");
+  }
+};
+
+template <>
+struct Codec<Eigen::Isometry3d> {
+  static void describe(const Field& f, Columns& out) {
+    for (const char* part : {"_x", "_y", "_z", "_qx", "_qy", "_qz", "_qw"}) {
+      const std::string_view unit = part[1] == 'q' ? std::string_view() : f.unit;
+      out.push_back({columnName(f.name) + part, "REAL", std::string(unit), std::string(f.doc)});
+    }
+  }
+  static void bind(Statement& row, const Eigen::Isometry3d& T) {
+    Eigen::Quaterniond q(T.linear());
+    if (q.w() < 0) q.coeffs() = -q.coeffs();
+    for (int i = 0; i < 3; ++i) row.bind(T.translation()[i]);
+    for (int i = 0; i < 4; ++i) row.bind(q.coeffs()[i]);
+  }
+  static void read(Statement& row, Eigen::Isometry3d& T) {
+    Eigen::Quaterniond q;
+    for (int i = 0; i < 3; ++i) T.translation()[i] = row.real();
+    for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.real();
+    if (!(std::abs(q.norm() - 1) < 1e-3)) throw BadRow("a quaternion is not of unit length");
+    T.linear() = q.normalized().toRotationMatrix();
+  }
+};
+
+template <class T>
+requires kIsMatrix<T>
+struct Codec<T> {
+  using Scalar = typename T::Scalar;
+  static_assert(T::RowsAtCompileTime != Eigen::Dynamic, "only the column count may be dynamic");
+
+  static void describe(const Field& f, Columns& out) {
+    const int columns = T::ColsAtCompileTime;
+    const std::string shape = std::to_string(T::RowsAtCompileTime) + "x" +
+                              (columns == Eigen::Dynamic ? "n" : std::to_string(columns));
+    const std::string type = sizeof(Scalar) == 8 ? " float64" : " float32";
+    out.push_back({columnName(f.name), "BLOB", std::string(f.unit),
+                   std::string(f.doc) + "; " + shape + type + ", row-major"});
+  }
+  static void bind(Statement& row, const T& matrix) {
+    std::vector<Scalar> values;
+    values.reserve(static_cast<std::size_t>(matrix.size()));
+    for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
+      for (Eigen::Index c = 0; c < matrix.cols(); ++c) values.push_back(matrix(r, c));
+    }
+    row.bind(std::as_bytes(std::span(values)));
+  }
+  static void read(Statement& row, T& matrix) {
+    const std::vector<std::byte> bytes = row.blob();
+    const std::size_t line = sizeof(Scalar) * static_cast<std::size_t>(T::RowsAtCompileTime);
+    const auto columns = static_cast<Eigen::Index>(bytes.size() / line);
+    constexpr int kColumns = T::ColsAtCompileTime;
+    if (bytes.size() % line != 0 || (kColumns != Eigen::Dynamic && columns != kColumns)) {
+      throw BadRow("a matrix has " + std::to_string(bytes.size()) + " bytes, which do not fit");
+    }
+    if constexpr (kColumns == Eigen::Dynamic) matrix.resize(T::RowsAtCompileTime, columns);
+    const std::byte* next = bytes.data();
+    for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
+      for (Eigen::Index c = 0; c < matrix.cols(); ++c, next += sizeof(Scalar)) {
+        std::memcpy(&matrix(r, c), next, sizeof(Scalar));
+      }
+    }
+  }
+};
+
+/// What has no column in its record's own table.
+template <class T>
+concept StoredElsewhere = std::same_as<T, Image> || requires {
+  typename T::value_type;
+} && !kIsMatrix<T> && !std::same_as<T, std::string>;
+
+template <StoredElsewhere T>
+struct Codec<T> {
+  static void describe(const Field&, Columns&) {}
+  static void bind(Statement&, const T&) {}
+  static void read(Statement&, T&) {}
+};
+
+/// A record within a record: its columns, with the member's name before theirs.
+template <Record T>
+struct Codec<T> {
+  static void describe(const Field& f, Columns& out) {
+    T record;
+    visitFields(record, [&](const Field& inner, const auto& value) {
+      const std::string name = std::string(f.name) + "_" + std::string(inner.name);
+      Codec<std::remove_cvref_t<decltype(value)>>::describe({name, inner.unit, inner.doc}, out);
+    });
+  }
+  static void bind(Statement& row, const T& record) {
+    visitFields(record, [&](const Field&, const auto& value) {
+      Codec<std::remove_cvref_t<decltype(value)>>::bind(row, value);
+    });
+  }
+  static void read(Statement& row, T& record) {
+    visitFields(record, [&](const Field&, auto& value) {
+      Codec<std::remove_cvref_t<decltype(value)>>::read(row, value);
+    });
+  }
+};
+
+template <Record R>
+Columns columnsOf() {
+  Columns columns;
+  R record;
+  visitFields(record, [&](const Field& field, const auto& value) {
+    Codec<std::remove_cvref_t<decltype(value)>>::describe(field, columns);
+  });
+  return columns;
+}
+
+}  // namespace tolman::record

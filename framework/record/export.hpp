@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Result files from run.sqlite alone: the same code at the end of a run and after a kill.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "tolman/status.hpp"
+
+namespace tolman::record {
+
+/// All files that exportRun() can write, in this order.
+inline constexpr std::array<std::string_view, 5> kExportedFiles = {
+    "odometry.tum", "odometry.kitti", "trajectory.tum", "trajectory.kitti", "map.g2o"};
+
+/// Writes the named files (those of kExportedFiles) into `folder`, each atomically; the folder must
+/// exist. `trajectory` is the map's. Files that would be empty (a run without a map) are left out.
+/// Returns what was written; InvalidInput where the record has nothing to export.
+Result<std::vector<std::filesystem::path>> exportRun(
+    const std::filesystem::path& run_directory, const std::filesystem::path& folder,
+    const std::vector<std::string_view>& files = {kExportedFiles.begin(), kExportedFiles.end()});
+
+}  // namespace tolman::record

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The experience map as a g2o file, for other back ends and viewers.
+#pragma once
+
+#include <string>
+
+#include "tolman/records.hpp"
+
+namespace tolman::record {
+
+/// The information matrix of an EDGE_SE3:QUAT: g2o's error is (translation, vector part of the
+/// quaternion), and that vector is half the rotation vector. Variances below 1e-10 (10 um, 10 urad)
+/// are raised to it, so that a covariance of zero has an inverse; scaled by the link's weight.
+Matrix6d g2oInformation(const Link& link);
+
+/// VERTEX_SE3:QUAT, FIX 0, and EDGE_SE3:QUAT with the 21 values of the upper triangle.
+std::string g2oText(const MapGraph& graph);
+
+}  // namespace tolman::record

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/run_directory.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+#include <ctime>
+
+#include "record/export.hpp"
+
+namespace tolman::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A run's name as a folder's: no separators, not hidden.
+std::string folderName(const RunDirectoryOptions& options) {
+  std::string name;
+  for (const char c : options.name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    name += plain || c == '-' || c == '_' || (c == '.' && !name.empty()) ? c : '_';
+  }
+  if (name.empty()) name = "run";
+  const auto seconds = static_cast<std::time_t>(options.utc_seconds);
+  std::tm utc{};
+  gmtime_r(&seconds, &utc);
+  std::array<char, 32> stamp{};
+  const std::size_t size = std::strftime(stamp.data(), stamp.size(), "%Y%m%dT%H%M%SZ", &utc);
+  return name + "-" + std::string(stamp.data(), size);
+}
+
+/// A folder that did not exist before; two runs of one second get different ones.
+fs::path makeNamed(const RunDirectoryOptions& options) {
+  fs::create_directories(options.root);
+  const std::string name = folderName(options);
+  fs::path path = options.root / name;
+  for (int i = 2; !fs::create_directory(path); ++i) {
+    path = options.root / (name + "-" + std::to_string(i));
+  }
+  return path;
+}
+
+/// Replaces the link at once; what is no link stays.
+void pointLatestAt(const fs::path& path) {
+  const fs::path link = path.parent_path() / "latest";
+  const fs::path temporary = path.parent_path() / (".latest-" + path.filename().string());
+  std::error_code ignored;  // a convenience: a run does not fail for it
+  if (fs::exists(fs::symlink_status(link, ignored)) && !fs::is_symlink(link, ignored)) return;
+  fs::remove(temporary, ignored);
+  fs::create_directory_symlink(path.filename(), temporary, ignored);
+  fs::rename(temporary, link, ignored);
+}
+
+}  // namespace
+
+Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
+  try {
+    if (options.out) {
+      fs::create_directories(*options.out);
+      Result<RunDirectory> directory = lock(fs::canonical(*options.out));
+      if (!directory.isOk()) return directory;
+      const Status cleared = directory.value().clear();
+      if (!cleared.isOk()) return cleared;
+      return directory;
+    }
+    const fs::path path = fs::canonical(makeNamed(options));
+    pointLatestAt(path);
+    return lock(path);
+  } catch (const fs::filesystem_error& error) {
+    return Status::failed(error.path1().string() + ": cannot be made a run directory (" +
+                          error.code().message() + "); choose another with --out");
+  }
+}
+
+Result<RunDirectory> RunDirectory::lock(const fs::path& path) {
+  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!descriptor.isOpen() || ::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
+    return Status::failed(path.string() + ": another run is writing here; choose another --out");
+  }
+  return RunDirectory(path, std::move(descriptor));
+}
+
+/// Removes what an earlier run has left, by name: never what we do not know.
+Status RunDirectory::clear() const {
+  if (fs::is_empty(path_)) return Status::ok();
+  if (!fs::exists(path_ / "run.sqlite") && !fs::exists(path_ / "run.json")) {
+    return Status::failed(path_.string() +
+                          ": is not empty and holds no run; choose an empty or new directory");
+  }
+  for (const char* file :
+       {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm", "run.sqlite-journal", "run.json",
+        "config.resolved.yaml", "metrics.json", "log.txt", "report.html", "results.sha256"}) {
+    fs::remove(path_ / file);
+  }
+  for (const std::string_view file : kExportedFiles) fs::remove(path_ / file);
+  fs::remove_all(path_ / "artefacts");
+  return Status::ok();
+}
+
+Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState state) const {
+  provenance["status"] = enumName(state);
+  const std::string text =
+      provenance.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return writeAtomically(path_ / "run.json", text + "\n");
+}
+
+}  // namespace tolman::record

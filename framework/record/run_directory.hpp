@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folder of one run: making it, `latest`, run.json.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "record/atomic_file.hpp"
+#include "tolman/fields.hpp"
+
+namespace tolman::record {
+
+enum class RunState : std::uint8_t { Running, Finished, Failed, Interrupted };
+inline constexpr std::array<std::string_view, 4> kRunStateNames = {"running", "finished", "failed",
+                                                                   "interrupted"};
+constexpr std::span<const std::string_view> enumNames(RunState) { return kRunStateNames; }
+
+struct RunDirectoryOptions {
+  std::filesystem::path root = "runs";  ///< of named directories
+  std::string name = "run";
+  std::int64_t utc_seconds = 0;              ///< since 1970, for the name
+  std::optional<std::filesystem::path> out;  ///< this very directory instead of a named one
+};
+
+/// Holds a lock on the folder while it lives, so that no two runs write one.
+class RunDirectory {
+ public:
+  /// Makes <root>/<name>-<UTC time> and points <root>/latest at it, or takes `out`: a new or empty
+  /// folder, or that of an earlier run, whose files are removed. Any other is refused.
+  static Result<RunDirectory> create(const RunDirectoryOptions& options);
+
+  const std::filesystem::path& path() const { return path_; }  ///< absolute
+
+  /// Writes run.json: `provenance`, an object, and "status".
+  Status writeRunFile(nlohmann::ordered_json provenance, RunState state) const;
+
+ private:
+  RunDirectory(std::filesystem::path path, Descriptor lock)
+      : path_(std::move(path)), lock_(std::move(lock)) {}
+  static Result<RunDirectory> lock(const std::filesystem::path& path);
+  Status clear() const;
+
+  std::filesystem::path path_;
+  Descriptor lock_;
+};
+
+}  // namespace tolman::record

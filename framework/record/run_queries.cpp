@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a recorded run means: trajectories, graph, counters.
+#include <unordered_map>
+
+#include "record/run_reader.hpp"
+
+namespace tolman::record {
+namespace {
+
+/// Ids must be dense from 0, as the records promise.
+template <Record R>
+std::vector<R> denseRows(const Database& database) {
+  std::vector<R> rows;
+  forEachRow<R>(database, "", [&](const R& row) {
+    if (row.id != static_cast<std::int64_t>(rows.size())) {
+      throw BadRow(std::string(R::kRecord) + " " + std::to_string(rows.size()) + " is missing");
+    }
+    rows.push_back(row);
+  });
+  return rows;
+}
+
+using Revisions = std::unordered_map<std::int64_t, Eigen::Isometry3d>;
+
+Revisions lastRevisions(const Database& database) {
+  Revisions revisions;
+  forEachRow<MotionRevision>(database, "", [&](const MotionRevision& revision) {
+    revisions[revision.frame] = revision.T_previous_current;
+  });
+  return revisions;
+}
+
+std::int64_t count(const Database& database, const std::string& table_and_condition) {
+  Statement row(database, "SELECT count(*) FROM " + table_and_condition);
+  row.step();
+  return row.integer();
+}
+
+}  // namespace
+
+Result<std::vector<StampedPose>> RunReader::odometry() const {
+  std::vector<StampedPose> poses;
+  const Status status = guarded(name_, [&] {
+    const Revisions revisions = lastRevisions(database_);
+    Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+    forEachRow<Motion>(database_, "", [&](const Motion& motion) {
+      const auto revised = revisions.find(motion.frame);
+      const Eigen::Isometry3d& T_previous_current =
+          revised != revisions.end() ? revised->second : motion.T_previous_current;
+      if (!poses.empty()) T_world_camera = normalised(T_world_camera * T_previous_current);
+      poses.push_back({motion.frame, motion.stamp_ns, T_world_camera});
+    });
+  });
+  if (!status.isOk()) return status;
+  return poses;
+}
+
+Result<std::vector<StampedPose>> RunReader::map() const {
+  std::vector<StampedPose> poses;
+  const Status status = guarded(name_, [&] {
+    const auto experiences = denseRows<Experience>(database_);
+    const auto known = static_cast<std::int64_t>(experiences.size());
+    forEachRow<MapUpdate>(database_, "", [&](const MapUpdate& update) {
+      Eigen::Isometry3d T_world_camera = update.T_world_camera;
+      if (update.experience >= 0 && update.experience < known) {
+        const auto& experience = experiences[static_cast<std::size_t>(update.experience)];
+        T_world_camera = experience.T_world_experience * update.T_experience_camera;
+      }
+      poses.push_back({update.frame, update.stamp_ns, T_world_camera});
+    });
+  });
+  if (!status.isOk()) return status;
+  return poses;
+}
+
+Result<std::vector<StampedPose>> RunReader::truth() const {
+  std::vector<StampedPose> poses;
+  const Status status = guarded(name_, [&] {
+    forEachRow<Frame>(database_, "WHERE \"has_truth\" <> 0", [&](const Frame& frame) {
+      poses.push_back({frame.frame, frame.stamp_ns, frame.T_world_camera_truth});
+    });
+  });
+  if (!status.isOk()) return status;
+  return poses;
+}
+
+Result<MapGraph> RunReader::graph() const {
+  MapGraph graph;
+  const Status status = guarded(name_, [&] {
+    graph.experiences = denseRows<Experience>(database_);
+    graph.links = denseRows<Link>(database_);
+    Statement version(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
+    version.step();
+    graph.version = version.integer();
+  });
+  if (!status.isOk()) return status;
+  return graph;
+}
+
+Result<Counters> RunReader::counters() const {
+  Counters counters;
+  const Status status = guarded(name_, [&] {
+    counters.frames = count(database_, "\"frame\"");
+    counters.lost = count(database_, "\"motion\" WHERE \"state\" = 'lost'");
+    counters.templates = count(database_, "\"place\" WHERE \"recognition\" = 'novel'");
+    counters.experiences = count(database_, "\"experience\"");
+    counters.links = count(database_, "\"link\"");
+    counters.loops = count(database_, "\"link\" WHERE \"kind\" = 'loop'");
+    Statement stamps(database_,
+                     "SELECT coalesce(min(\"stamp_ns\"), 0), coalesce(max(\"stamp_ns\"), 0)"
+                     " FROM \"frame\"");
+    stamps.step();
+    counters.first_stamp_ns = stamps.integer();
+    counters.last_stamp_ns = stamps.integer();
+  });
+  if (!status.isOk()) return status;
+  return counters;
+}
+
+}  // namespace tolman::record

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/run_reader.hpp"
+
+namespace tolman::record {
+
+Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "run.sqlite";
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    return Status::invalidInput(directory.string() +
+                                ": is no run directory, it holds no run.sqlite; give the folder "
+                                "that a run has written");
+  }
+  std::unique_ptr<RunReader> reader;
+  const Status status = guarded(file.string(), [&] { reader.reset(new RunReader(file)); });
+  if (!status.isOk()) return Status::invalidInput(status.message());
+  return reader;
+}
+
+RunReader::RunReader(const std::filesystem::path& file)
+    : name_(file.string()), database_(file, Database::Mode::ReadOnly) {
+  database_.execute("BEGIN");  // all reads see one state
+  checkVersion();
+}
+
+void RunReader::checkVersion() const {
+  Statement tables(database_, "SELECT count(*) FROM sqlite_schema WHERE name = 'run'");
+  tables.step();
+  if (tables.integer() != 1) throw BadRow("is no run database; it has no table `run`");
+  Statement row(database_, "SELECT \"value\" FROM \"run\" WHERE \"key\" = 'schema_version'");
+  const std::string version = row.step() ? row.text() : "none";
+  if (version != std::to_string(kSchemaVersion)) {
+    throw BadRow("has schema version " + version + ", this program reads " +
+                 std::to_string(kSchemaVersion) + "; use the version that wrote it");
+  }
+}
+
+Result<std::vector<NamedArray>> RunReader::arrays(std::int64_t frame,
+                                                  std::string_view source) const {
+  std::vector<NamedArray> arrays;
+  const Status status = guarded(name_, [&] { arrays = readArrays(database_, frame, source); });
+  if (!status.isOk()) return status;
+  return arrays;
+}
+
+Result<std::map<std::string, std::string>> RunReader::meta() const {
+  std::map<std::string, std::string> facts;
+  const Status status = guarded(name_, [&] {
+    Statement rows(database_, "SELECT \"key\", \"value\" FROM \"run\"");
+    while (rows.step()) {
+      const std::string key = rows.text();
+      facts[key] = rows.text();
+    }
+  });
+  if (!status.isOk()) return status;
+  return facts;
+}
+
+Result<std::map<std::string, std::vector<std::int64_t>>> RunReader::timing() const {
+  std::map<std::string, std::vector<std::int64_t>> durations;
+  const Status status = guarded(name_, [&] {
+    Statement rows(database_, "SELECT \"stage\", \"duration_ns\" FROM \"timing\" ORDER BY rowid");
+    while (rows.step()) {
+      const std::string stage = rows.text();
+      durations[stage].push_back(rows.integer());
+    }
+  });
+  if (!status.isOk()) return status;
+  return durations;
+}
+
+}  // namespace tolman::record

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads run.sqlite of a finished, a running or a killed run; never changes it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "record/pose_files.hpp"
+#include "record/store.hpp"
+
+namespace tolman::record {
+
+/// What a run has come to.
+struct Counters {
+  std::int64_t frames = 0;
+  std::int64_t lost = 0;       ///< frames with tracking lost
+  std::int64_t templates = 0;  ///< novel views
+  std::int64_t experiences = 0;
+  std::int64_t links = 0;
+  std::int64_t loops = 0;
+  std::int64_t first_stamp_ns = 0;
+  std::int64_t last_stamp_ns = 0;
+};
+
+/// Sees the state at the time of opening, even while the run goes on. Not for two threads at once.
+/// A damaged database gives a failure, never wrong rows of the wrong shape.
+class RunReader {
+ public:
+  static Result<std::unique_ptr<RunReader>> open(const std::filesystem::path& directory);
+
+  /// All records of a kind, by frame or id, nested lists included.
+  template <Record R>
+  Result<std::vector<R>> records() const {
+    std::vector<R> rows;
+    const Status status = guarded(
+        name_, [&] { forEachRow<R>(database_, "", [&](const R& row) { rows.push_back(row); }); });
+    if (!status.isOk()) return status;
+    return rows;
+  }
+  /// The named arrays of a frame: source "sensors" or "cells".
+  Result<std::vector<NamedArray>> arrays(std::int64_t frame, std::string_view source) const;
+
+  /// The motions with their last revisions, composed; starts with the identity.
+  Result<std::vector<StampedPose>> odometry() const;
+  /// Each frame on its experience, by the experiences as last known.
+  Result<std::vector<StampedPose>> map() const;
+  /// The true poses of the frames that have one.
+  Result<std::vector<StampedPose>> truth() const;
+  Result<MapGraph> graph() const;
+  Result<Counters> counters() const;
+  Result<std::map<std::string, std::string>> meta() const;
+  /// Durations by stage, ns.
+  Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;
+
+  const Database& database() const { return database_; }
+
+ private:
+  explicit RunReader(const std::filesystem::path& file);
+  void checkVersion() const;
+
+  std::string name_;
+  Database database_;
+};
+
+}  // namespace tolman::record

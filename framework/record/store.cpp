@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/store.hpp"
+
+#include <charconv>
+#include <cstring>
+
+namespace tolman::record {
+namespace {
+
+std::string shapeText(const std::vector<int>& shape) {
+  std::string text;
+  for (const int size : shape) {
+    if (!text.empty()) text += 'x';
+    text += std::to_string(size);
+  }
+  return text;
+}
+
+std::vector<int> shapeOf(const std::string& text) {
+  std::vector<int> shape;
+  const char* next = text.data();
+  const char* const end = next + text.size();
+  while (next < end) {
+    int size = 0;
+    const auto [after, error] = std::from_chars(next, end, size);
+    if (error != std::errc() || (after < end && *after != 'x')) {
+      throw BadRow("'" + text.substr(0, 24) + "' is no shape of an array");
+    }
+    shape.push_back(size);
+    next = after < end ? after + 1 : end;
+  }
+  return shape;
+}
+
+}  // namespace
+
+std::string StoreWriter::upsertSql(const std::string& table, const Columns& columns) {
+  std::string sql = insertSql(table, columns) + " ON CONFLICT (\"id\") DO UPDATE SET ";
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const std::string quoted = "\"" + columns[i].name + "\"";
+    sql += (i == 0 ? "" : ", ") + quoted + " = excluded." + quoted;
+  }
+  return sql;
+}
+
+void StoreWriter::insertArrays(std::int64_t frame, std::string_view source,
+                               const std::vector<NamedArray>& arrays) {
+  Statement& row = statement("array", [] {
+    for (const Table& table : schema()) {
+      if (table.name == "array") return insertSql(table.name, table.columns);
+    }
+    throw std::logic_error("the schema has no table of arrays");
+  });
+  for (const NamedArray& array : arrays) {
+    row.bind(frame);
+    row.bind(source);
+    row.bind(std::string_view(array.name));
+    row.bind(std::string_view(shapeText(array.shape)));
+    row.bind(std::as_bytes(std::span(array.values)));
+    row.run();
+  }
+}
+
+std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
+                                   std::string_view source) {
+  Statement rows(database,
+                 "SELECT \"name\", \"shape\", \"values\" FROM \"array\""
+                 " WHERE \"frame\" = ? AND \"source\" = ? ORDER BY rowid");
+  rows.bind(frame);
+  rows.bind(source);
+  std::vector<NamedArray> arrays;
+  while (rows.step()) {
+    NamedArray& array = arrays.emplace_back();
+    array.name = rows.text();
+    array.shape = shapeOf(rows.text());
+    const std::vector<std::byte> bytes = rows.blob();
+    if (bytes.size() % sizeof(float) != 0) throw BadRow("an array has a broken number of bytes");
+    array.values.resize(bytes.size() / sizeof(float));
+    if (!bytes.empty()) std::memcpy(array.values.data(), bytes.data(), bytes.size());
+  }
+  return arrays;
+}
+
+}  // namespace tolman::record

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Records into tables and out of them, nested lists included. Throws; knows no transactions.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/schema.hpp"
+
+namespace tolman::record {
+
+template <class T>
+inline constexpr bool kIsRecordList = false;
+template <Record R>
+inline constexpr bool kIsRecordList<std::vector<R>> = true;
+
+/// Writes, with each statement prepared once.
+class StoreWriter {
+ public:
+  explicit StoreWriter(Database& database) : database_(database) {}
+
+  template <Record R>
+  void insert(const R& record) {
+    Statement& row = statement(R::kRecord, [] { return insertSql(R::kRecord, columnsOf<R>()); });
+    Codec<R>::bind(row, record);
+    row.run();
+    insertLists(record);
+  }
+
+  /// Inserts, or replaces all columns of the row with the same id.
+  template <Record R>
+  void upsert(const R& record) {
+    Statement& row = statement(R::kRecord, [] { return upsertSql(R::kRecord, columnsOf<R>()); });
+    Codec<R>::bind(row, record);
+    row.run();
+  }
+
+  /// A row of a nested list; no frame: it came after the last one.
+  template <Record R>
+  void insertAnnounced(std::optional<std::int64_t> frame, const R& record) {
+    Statement& row = statement(R::kRecord, [] {
+      Columns columns = columnsOf<R>();
+      columns.insert(columns.begin(), announcedAt());
+      return insertSql(R::kRecord, columns);
+    });
+    frame ? row.bind(*frame) : row.bindNull();
+    Codec<R>::bind(row, record);
+    row.run();
+  }
+
+  void insertArrays(std::int64_t frame, std::string_view source,
+                    const std::vector<NamedArray>& arrays);
+
+ private:
+  template <Record R>
+  void insertLists(const R& record) {
+    visitFields(record, [&](const Field& field, const auto& value) {
+      using T = std::remove_cvref_t<decltype(value)>;
+      if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
+        insertArrays(record.frame, field.name, value);
+      } else if constexpr (kIsRecordList<T>) {
+        for (const auto& item : value) insertAnnounced(record.frame, item);
+      }
+    });
+  }
+
+  template <class MakeSql>
+  Statement& statement(std::string_view table, MakeSql&& make_sql) {
+    const auto found = statements_.find(table);
+    if (found != statements_.end()) return found->second;
+    return statements_.emplace(table, Statement(database_, make_sql())).first->second;
+  }
+  static std::string upsertSql(const std::string& table, const Columns& columns);
+
+  Database& database_;
+  std::map<std::string, Statement, std::less<>> statements_;
+};
+
+/// The arrays of a frame, by name.
+std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
+                                   std::string_view source);
+
+template <Record R>
+void readLists(const Database& database, R& record);
+
+/// Calls visit(const R&) for each row, in the order of keys, with nested lists filled.
+template <Record R, class Visit>
+void forEachRow(const Database& database, const std::string& condition, Visit&& visit) {
+  Statement rows(database, "SELECT " + columnList(columnsOf<R>()) + " FROM \"" + R::kRecord +
+                               "\" " + condition + " ORDER BY rowid");
+  while (rows.step()) {
+    R record;
+    Codec<R>::read(rows, record);
+    readLists(database, record);
+    visit(record);
+  }
+}
+
+template <Record R>
+void readLists(const Database& database, R& record) {
+  visitFields(record, [&](const Field& field, auto& value) {
+    using T = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
+      value = readArrays(database, record.frame, field.name);
+    } else if constexpr (kIsRecordList<T>) {
+      forEachRow<typename T::value_type>(database,
+                                         "WHERE \"announced_at\" = " + std::to_string(record.frame),
+                                         [&](const auto& item) { value.push_back(item); });
+    }
+  });
+}
+
+}  // namespace tolman::record

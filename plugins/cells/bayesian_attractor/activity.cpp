@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "activity.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+/// Equation (1) along one axis at evenly spaced units, with its peak at 1.
+std::vector<float> axisActivity(double mean, double precision, double period, int units) {
+  std::vector<float> rates;
+  for (int unit = 0; unit < units; ++unit) {
+    const Phase<1> preferred(unit * period / units);
+    const double off = distance<1>(preferred, Phase<1>(mean), period);
+    rates.push_back(static_cast<float>(std::exp(-0.5 * precision * off * off)));
+  }
+  return rates;
+}
+
+template <int Axes>
+NamedArray bumpArray(std::string name, const PeriodicBump<Axes>& bump) {
+  NamedArray array{std::move(name), {Axes + 1}, {}};
+  for (int axis = 0; axis < Axes; ++axis) {
+    array.values.push_back(static_cast<float>(bump.mean(axis)));
+  }
+  array.values.push_back(static_cast<float>(bump.precision));
+  return array;
+}
+
+template <int Axes>
+void appendBumps(const std::string& prefix, const AttractorNetwork<Axes>& network,
+                 std::vector<NamedArray>& arrays) {
+  arrays.push_back(bumpArray<Axes>(prefix + ".integrator", network.integrator()));
+  arrays.push_back(bumpArray<Axes>(prefix + ".calibration", network.calibration()));
+  arrays.push_back(bumpArray<Axes>(prefix + ".estimate", network.estimated()));
+  arrays.push_back(bumpArray<Axes>(prefix + ".injected", network.injected()));
+}
+
+}  // namespace
+
+std::vector<float> ringActivity(const PeriodicBump<1>& bump, double period, int units) {
+  return axisActivity(bump.mean(0), bump.precision, period, units);
+}
+
+std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units) {
+  // Equation (7) is a product of its axes.
+  const std::vector<float> columns = axisActivity(bump.mean.x(), bump.precision, period, units);
+  const std::vector<float> rows = axisActivity(bump.mean.y(), bump.precision, period, units);
+  std::vector<float> rates;
+  rates.reserve(columns.size() * rows.size());
+  for (const float row : rows) {
+    for (const float column : columns) rates.push_back(row * column);
+  }
+  return rates;
+}
+
+void appendArrays(const SpatialCells& cells, int ring_units, int sheet_units,
+                  std::vector<NamedArray>& arrays) {
+  const HeadDirectionRing& ring = cells.ring();
+  const GridTorus& torus = cells.torus();
+  arrays.push_back(
+      {"hd.activity", {ring_units}, ringActivity(ring.estimated(), ring.period(), ring_units)});
+  appendBumps<1>("hd", ring, arrays);
+  arrays.push_back({"grid.activity",
+                    {sheet_units, sheet_units},
+                    torusActivity(torus.estimated(), torus.period(), sheet_units)});
+  appendBumps<2>("grid", torus, arrays);
+}
+
+}  // namespace tolman::bayesian_attractor

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bayesian_attractor.hpp"
+
+#include <string>
+#include <utility>
+
+#include "activity.hpp"
+#include "saved_state.hpp"
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+NetworkSettings networkSettings(const AttractorParameters& p, double energy) {
+  return {p.period,
+          energy,
+          p.initial_calibration,
+          p.floor,
+          p.inhibition_of_calibration,
+          p.inhibition_of_integrator};
+}
+
+Status check(const AttractorParameters& p) {
+  const double half_period = 0.5 * p.period * p.metres_per_cell;
+  if (p.experience_spacing < half_period && p.novel_spacing < half_period) return Status::ok();
+  return Status::invalidParameter(
+      "experience_spacing and novel_spacing must be less than half the period of the grid, " +
+      std::to_string(half_period) + " m (period * metres_per_cell / 2)");
+}
+
+}  // namespace
+
+Status BayesianAttractor::configure(const Context& context) {
+  Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = std::move(bound).value();
+  if (Status status = check(parameters_); !status.isOk()) return status;
+  return reset();
+}
+
+BayesianAttractor::State BayesianAttractor::freshState() const {
+  const Parameters& p = parameters_;
+  const DecisionSettings decision = {p.consistency_gate, p.gate_heading,      p.gate_position,
+                                     p.decision_heading, p.decision_position, p.decision_share,
+                                     p.patience};
+  const HabituationSettings habituation = {p.habituation_increment, p.habituation_recovery,
+                                           p.newest_ignored, p.first_views_ignored};
+  const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, p.novel_spacing,
+                                         p.loop_minimum_travel, p.loop_spacing};
+  return {
+      SpatialCells(HeadDirectionRing(networkSettings(p, p.energy_heading)),
+                   GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
+      ViewLinks(habituation), ExperienceLog(experience)};
+}
+
+Status BayesianAttractor::reset() {
+  state_.emplace(freshState());
+  return Status::ok();
+}
+
+/// The cycle. Frames arrive with the motion that leads to their view, so path integration comes
+/// before injection; the other order would inject one step behind.
+Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& observation,
+                               Decision& decision) {
+  const bool seen = observation.recognition != Recognition::None;
+  if (seen && observation.template_id < 0) {
+    return Status::invalidInput("a view was recognised, but its template_id is negative");
+  }
+  decision.frame = motion.frame;
+  decision.stamp_ns = motion.stamp_ns;
+  decision.template_id = seen ? observation.template_id : -1;
+
+  integrate(motion);
+  const bool injected = perceive(motion, observation);
+  const ViewLink* const link = seen ? state_->links.find(observation.template_id) : nullptr;
+  const bool familiar = injected && state_->cells.familiar();
+  if (familiar && state_->log.allowsLoopTo(link->experience)) {
+    closeLoop(observation, *link, decision);
+  } else if (state_->log.wantsNew(seen && link == nullptr)) {
+    decision.action = Action::CreateExperience;
+    state_->log.create();
+  }
+  if (familiar) state_->cells.adoptEstimate();
+  if (seen && link == nullptr) learn(observation.template_id);
+
+  decision.experience = state_->log.current();
+  decision.heading = state_->cells.estimate().heading;
+  if (decision.action != Action::CloseLoop) {
+    decision.relative_yaw = toPlanar(state_->log.fromCurrent()).theta;
+  }
+  return Status::ok();
+}
+
+void BayesianAttractor::integrate(const Motion& motion) {
+  state_->cells.integrate(toPlanar(motion.T_previous_current));
+  state_->log.advance(motion.T_previous_current);
+}
+
+/// Injection, then inhibition and estimation. True when the view injected.
+bool BayesianAttractor::perceive(const Motion& motion, const PlaceObservation& observation) {
+  const bool seen = observation.recognition != Recognition::None;
+  bool injected = false;
+  if (seen) {
+    state_->links.countView();
+    injected = observation.recognition == Recognition::Familiar && inject(observation);
+    if (!injected) state_->cells.noteUnsupportedView();
+  }
+  if (seen || parameters_.inhibition == Inhibition::EveryFrame) {
+    const bool lost = motion.state == TrackingState::Lost;
+    if (lost) state_->cells.weakenIntegrators(parameters_.lost_trust);
+    state_->cells.settle();
+  }
+  return injected;
+}
+
+bool BayesianAttractor::inject(const PlaceObservation& observation) {
+  if (!state_->links.activate(observation.template_id)) return false;
+  const CellPose& learned = state_->links.find(observation.template_id)->learned;
+  const bool metric = observation.has_relative_pose;
+  const PlanarPose step = metric ? toPlanar(observation.T_template_current)
+                                 : PlanarPose{0, 0, observation.relative_yaw};
+  const double strength = metric ? parameters_.metric_strength : parameters_.injected_strength;
+  if (!(strength > 0)) return false;
+  state_->cells.inject(state_->cells.displaced(learned, step), strength);
+  return true;
+}
+
+void BayesianAttractor::closeLoop(const PlaceObservation& observation, const ViewLink& link,
+                                  Decision& decision) {
+  decision.action = Action::CloseLoop;
+  decision.has_relative_pose = observation.has_relative_pose;
+  // Without a measured pose: where the template was made, turned by the relative yaw.
+  const Eigen::Isometry3d T_template_current = observation.has_relative_pose
+                                                   ? observation.T_template_current
+                                                   : fromPlanar({0, 0, observation.relative_yaw});
+  decision.T_experience_current = normalised(link.T_experience_template * T_template_current);
+  if (observation.has_relative_pose) decision.covariance = observation.covariance;
+  decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
+  decision.confidence = state_->cells.calibrationShare();
+  state_->log.closeLoopTo(link.experience, decision.T_experience_current);
+}
+
+/// One-shot learning: the new local view cell is linked to the present firing pattern.
+void BayesianAttractor::learn(std::int64_t template_id) {
+  ViewLink link;
+  link.learned = state_->cells.estimate();
+  link.experience = state_->log.current();
+  link.T_experience_template = state_->log.fromCurrent();
+  state_->links.learn(template_id, link);
+}
+
+void BayesianAttractor::arrays(std::vector<NamedArray>& arrays) const {
+  appendArrays(state_->cells, parameters_.ring_units, parameters_.sheet_units, arrays);
+}
+
+Status BayesianAttractor::save(std::ostream& stream) const {
+  return saveState(parameters_, state_->cells, state_->links, state_->log, stream);
+}
+
+Status BayesianAttractor::load(std::istream& stream) {
+  State loaded = freshState();
+  if (Status status = loadState(parameters_, stream, loaded.cells, loaded.links, loaded.log);
+      !status.isOk()) {
+    state_.emplace(freshState());
+    return status;
+  }
+  state_.emplace(std::move(loaded));
+  return Status::ok();
+}
+
+}  // namespace tolman::bayesian_attractor

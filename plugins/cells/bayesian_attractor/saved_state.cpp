@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "saved_state.hpp"
+
+#include <map>
+#include <vector>
+
+#include "tolman/state_stream.hpp"
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+constexpr std::string_view kMagic = "TLMBAYES";
+constexpr std::uint64_t kStateVersion = 1;
+
+/// Phases are worthless on a manifold of another size.
+std::vector<double> manifold(const AttractorParameters& p) {
+  return {p.period, p.metres_per_cell, p.energy_heading, p.energy_position};
+}
+
+template <int Axes>
+void put(StateWriter& writer, const PeriodicBump<Axes>& bump) {
+  for (int axis = 0; axis < Axes; ++axis) writer.put(bump.mean(axis));
+  writer.put(bump.precision);
+}
+
+template <int Axes>
+PeriodicBump<Axes> getBump(StateReader& reader) {
+  PeriodicBump<Axes> bump;
+  for (int axis = 0; axis < Axes; ++axis) bump.mean(axis) = reader.get<double>();
+  bump.precision = reader.get<double>();
+  return bump;
+}
+
+template <int Axes>
+void put(StateWriter& writer, const AttractorNetwork<Axes>& network) {
+  put<Axes>(writer, network.integrator());
+  put<Axes>(writer, network.calibration());
+  put<Axes>(writer, network.injected());
+}
+
+template <int Axes>
+void get(StateReader& reader, AttractorNetwork<Axes>& network) {
+  const auto integrator = getBump<Axes>(reader);
+  const auto calibration = getBump<Axes>(reader);
+  const auto injected = getBump<Axes>(reader);
+  network.restore(integrator, calibration, injected);
+}
+
+void put(StateWriter& writer, const Eigen::Isometry3d& T) {
+  writer.putAll(std::span<const double>(T.data(), 16));
+}
+
+Eigen::Isometry3d getPose(StateReader& reader) {
+  Eigen::Isometry3d T;
+  reader.getAll(std::span<double>(T.data(), 16));
+  return T;
+}
+
+void put(StateWriter& writer, const ViewLinks& links) {
+  writer.put(links.views());
+  writer.put(links.previous());
+  writer.put(static_cast<std::int64_t>(links.links().size()));
+  for (const auto& [id, link] : links.links()) {
+    writer.put(id);
+    writer.put(link.learned.heading);
+    writer.put(link.learned.position.x());
+    writer.put(link.learned.position.y());
+    writer.put(link.order);
+    writer.put(link.experience);
+    put(writer, link.T_experience_template);
+    writer.put(link.decay);
+    writer.put(link.last_view);
+  }
+}
+
+void get(StateReader& reader, ViewLinks& links) {
+  const auto views = reader.get<std::int64_t>();
+  const auto previous = reader.get<std::int64_t>();
+  const auto count = reader.get<std::int64_t>();
+  std::map<std::int64_t, ViewLink> read;
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
+    ViewLink& link = read[reader.get<std::int64_t>()];
+    link.learned.heading = reader.get<double>();
+    link.learned.position.x() = reader.get<double>();
+    link.learned.position.y() = reader.get<double>();
+    link.order = reader.get<std::int64_t>();
+    link.experience = reader.get<std::int64_t>();
+    link.T_experience_template = getPose(reader);
+    link.decay = reader.get<double>();
+    link.last_view = reader.get<std::int64_t>();
+  }
+  links.restore(views, previous, read);
+}
+
+void put(StateWriter& writer, const ExperienceLog::State& log) {
+  writer.put(log.current);
+  put(writer, log.T_experience_current);
+  writer.put(log.travel);
+  writer.put(log.travel_at_loop);
+  writer.put(static_cast<std::int64_t>(log.travel_when_left.size()));
+  writer.putAll(std::span<const double>(log.travel_when_left));
+}
+
+ExperienceLog::State getLog(StateReader& reader) {
+  ExperienceLog::State log;
+  log.current = reader.get<std::int64_t>();
+  log.T_experience_current = getPose(reader);
+  log.travel = reader.get<double>();
+  log.travel_at_loop = reader.get<double>();
+  const auto count = static_cast<std::size_t>(reader.get<std::int64_t>());
+  if (count != reader.remaining() / sizeof(double)) return log;  // complete() will tell
+  log.travel_when_left.resize(count);
+  reader.getAll(std::span<double>(log.travel_when_left));
+  return log;
+}
+
+}  // namespace
+
+Status saveState(const AttractorParameters& parameters, const SpatialCells& cells,
+                 const ViewLinks& links, const ExperienceLog& log, std::ostream& stream) {
+  StateWriter writer;
+  writer.putAll(std::span<const double>(manifold(parameters)));
+  put<1>(writer, cells.ring());
+  put<2>(writer, cells.torus());
+  writer.put(static_cast<std::int64_t>(cells.unsupportedViews()));
+  put(writer, links);
+  put(writer, log.state());
+  return writer.write(stream, kMagic, kStateVersion);
+}
+
+Status loadState(const AttractorParameters& parameters, std::istream& stream, SpatialCells& cells,
+                 ViewLinks& links, ExperienceLog& log) {
+  Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
+  if (!opened.isOk()) return opened.status();
+  StateReader& reader = opened.value();
+  std::vector<double> saved = manifold(parameters);
+  reader.getAll(std::span<double>(saved));
+  if (saved != manifold(parameters)) {
+    return Status::invalidInput(
+        "the saved cells have another period, metres_per_cell or energy than configured");
+  }
+  get<1>(reader, cells.ring());
+  get<2>(reader, cells.torus());
+  cells.setUnsupportedViews(static_cast<int>(reader.get<std::int64_t>()));
+  get(reader, links);
+  log.restore(getLog(reader));
+  if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
+  return Status::ok();
+}
+
+}  // namespace tolman::bayesian_attractor

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Ring and torus together: path integration, calibration by views behind the consistency gate, and
+// the decision that a place is familiar.
+#pragma once
+
+#include "grid_torus.hpp"
+#include "head_direction_ring.hpp"
+
+namespace tolman::bayesian_attractor {
+
+/// A firing pattern of the two networks: what a local view cell is linked to.
+struct CellPose {
+  double heading = 0;                    ///< rad in [0, 2 pi)
+  Phase<2> position = Phase<2>::Zero();  ///< cells in [0, period)
+};
+
+struct DecisionSettings {
+  bool consistency_gate = true;
+  double gate_heading = 0.1;       ///< rad
+  double gate_position = 0.3;      ///< cells
+  double decision_heading = 0.2;   ///< rad
+  double decision_position = 1.0;  ///< cells
+  double decision_share = 0.5;     ///< of the calibration in the energy
+  int patience = 10;               ///< views that a calibration outlives without support
+};
+
+class SpatialCells {
+ public:
+  SpatialCells(const HeadDirectionRing& ring, const GridTorus& torus,
+               const DecisionSettings& settings)
+      : ring_(ring), torus_(torus), settings_(settings) {}
+
+  /// Path integration of one planar motion (m, rad).
+  void integrate(const PlanarPose& motion);
+  /// One familiar view: energy for the calibration cells at `pose`. Behind the gate: a view that
+  /// contradicts the present calibration does not average with it but starts a new one, as distant
+  /// bumps of a real attractor compete.
+  void inject(const CellPose& pose, double strength);
+  /// One cycle of inhibition and estimation.
+  void settle();
+  void weakenIntegrators(double factor);
+
+  /// Both networks hold the calibration to be true: it has won more than its share, and the
+  /// estimate is near it.
+  bool familiar() const;
+  /// The familiar place becomes the integrators' place.
+  void adoptEstimate();
+  /// A view without injection: an unsupported calibration ends after `patience` of them.
+  void noteUnsupportedView();
+
+  CellPose estimate() const;
+  /// `pose` followed by a planar step (m, rad) in its own frame.
+  CellPose displaced(const CellPose& pose, const PlanarPose& step) const;
+  double calibrationShare() const;
+
+  const HeadDirectionRing& ring() const { return ring_; }
+  const GridTorus& torus() const { return torus_; }
+  HeadDirectionRing& ring() { return ring_; }
+  GridTorus& torus() { return torus_; }
+  int unsupportedViews() const { return unsupported_views_; }
+  void setUnsupportedViews(int count) { unsupported_views_ = count; }
+
+ private:
+  bool contradictsCalibration(const CellPose& pose) const;
+
+  HeadDirectionRing ring_;
+  GridTorus torus_;
+  DecisionSettings settings_;
+  int unsupported_views_ = 0;
+};
+
+}  // namespace tolman::bayesian_attractor

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Growth, revision and correction of the chain.
+#include "experience_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::experience_map {
+
+Anchor& ExperienceChain::append(const MotionLog& log) {
+  const Anchor& before = anchors_.back();
+  Anchor anchor;
+  anchor.slot = log.last();
+  anchor.way = log.between(before.slot, anchor.slot);
+  anchor.correction = before.correction;  // no jump: the robot stays where it believes to be
+  anchors_.push_back(anchor);
+  return anchors_.back();
+}
+
+void ExperienceChain::addExperience(const MotionLog& log, std::int64_t template_id) {
+  const bool at_start = log.last() == 0 && anchors_.front().experience < 0;
+  Anchor& anchor = at_start ? anchors_.front() : append(log);
+  anchor.experience = experiences();
+  anchor.template_id = template_id;
+  if (anchor.experience > 0) ++links_;
+  of_experience_.push_back(static_cast<std::size_t>(current()));
+}
+
+void ExperienceChain::addVisit(const MotionLog& log, std::int64_t experience,
+                               const UncertainPose& measured) {
+  const Matrix6d model =
+      isotropic(parameters_.measured_sigma_translation, parameters_.measured_sigma_rotation);
+  addVisit(log, experience, {measured.T, measured.covariance + model}, false);
+}
+
+void ExperienceChain::addVisit(const MotionLog& log, std::int64_t experience, double relative_yaw) {
+  // The unknown offset is alike for all visits of one traversal (a match always comes 2 m early,
+  // say). Were they independent, many of them would outvote good odometry: hence the factor.
+  int run = 1;
+  for (std::size_t i = anchors_.size(); i-- > 0 && anchors_[i].assumed; ++run) {
+    if (run == parameters_.assumed_run) break;
+  }
+  const Matrix6d covariance =
+      run * isotropic(parameters_.assumed_sigma_translation, parameters_.assumed_sigma_rotation);
+  addVisit(log, experience, {fromPlanar({0, 0, relative_yaw}), covariance}, true);
+}
+
+void ExperienceChain::addVisit(const MotionLog& log, std::int64_t experience,
+                               const UncertainPose& offset, bool assumed) {
+  const bool folded = anchors_.back().experience != experience;  // no link from a node to itself
+  Anchor& anchor = append(log);
+  anchor.experience = experience;
+  anchor.visit = true;
+  anchor.assumed = assumed;
+  anchor.offset = offset;
+  if (folded) ++links_, ++loops_;
+  last_visit_ = static_cast<std::size_t>(current());
+  pending_ = true;
+}
+
+void ExperienceChain::refresh(const MotionLog& log, std::size_t first) {
+  for (std::size_t i = anchors_.size(); i-- > 1 && anchors_[i].slot >= first;) {
+    anchors_[i].way = log.between(anchors_[i - 1].slot, anchors_[i].slot);
+  }
+  // Behind the last visit the chain is free: no loop strains it, whatever its motions are.
+  if (last_visit_ > 0 && first <= anchors_[last_visit_].slot) pending_ = true;
+}
+
+Status ExperienceChain::correct(const MotionLog& log, int iterations, double tolerance) {
+  pending_ = false;
+  if (last_visit_ == 0) return Status::ok();
+  std::vector<PlanarPose> nodes;
+  nodes.reserve(anchors_.size());
+  for (const Anchor& anchor : anchors_) {
+    nodes.push_back(compose(anchor.correction, toPlanar(log[anchor.slot].T_start_camera)));
+  }
+  std::vector<PlanarLink> links;
+  for (std::size_t i = 1; i < anchors_.size(); ++i) links.push_back(wayLink(log, i));
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    if (anchors_[i].visit) links.push_back(loopLink(log, i));
+  }
+  OptimiserOptions options;
+  options.iterations = iterations;
+  options.tolerance = tolerance;
+  options.huber_delta = parameters_.huber_delta;
+  const Result<bool> converged = optimise(options, nodes, links);
+  if (!converged.isOk()) return converged.status();
+  pending_ = !converged.value();
+  apply(log, nodes, links);
+  return Status::ok();
+}
+
+void ExperienceChain::apply(const MotionLog& log, const std::vector<PlanarPose>& nodes,
+                            const std::vector<PlanarLink>& links) {
+  std::size_t loop = anchors_.size() - 1;  // loops come after all ways
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    Anchor& anchor = anchors_[i];
+    const PlanarPose reckoned = toPlanar(log[anchor.slot].T_start_camera);
+    anchor.correction = compose(nodes[i], tolman::between(reckoned, PlanarPose{}));
+    anchor.way_weight = links[i - 1].weight;
+    if (anchor.visit) anchor.offset_weight = links[loop++].weight;
+  }
+}
+
+PlanarLink ExperienceChain::wayLink(const MotionLog& log, std::size_t i) const {
+  // Seen in the plane of the world, not of the leaning camera: dead reckoning then has no residual.
+  const PlanarPose from = toPlanar(log[anchors_[i - 1].slot].T_start_camera);
+  const Eigen::Isometry3d& T_start_to = log[anchors_[i].slot].T_start_camera;
+  return {
+      .from = i - 1,
+      .to = i,
+      .pose = tolman::between(from, toPlanar(T_start_to)),
+      .covariance = planarCovariance(anchors_[i].way.covariance, T_start_to.linear(), from.theta),
+      .robust = parameters_.huber_odometry};
+}
+
+PlanarLink ExperienceChain::loopLink(const MotionLog& log, std::size_t i) const {
+  const Anchor& visit = anchors_[i];
+  const Eigen::Isometry3d& T_start_home = log[home(visit.experience).slot].T_start_camera;
+  const Eigen::Isometry3d T_start_visit = T_start_home * visit.offset.T;
+  const PlanarPose from = toPlanar(T_start_home);
+  return {
+      .from = of_experience_[static_cast<std::size_t>(visit.experience)],
+      .to = i,
+      .pose = tolman::between(from, toPlanar(T_start_visit)),
+      .covariance = planarCovariance(visit.offset.covariance, T_start_visit.linear(), from.theta)};
+}
+
+const Anchor& ExperienceChain::home(std::int64_t experience) const {
+  return anchors_[of_experience_[static_cast<std::size_t>(experience)]];
+}
+
+Eigen::Isometry3d ExperienceChain::T_world_camera(const MotionLog& log, std::size_t slot) const {
+  return fromPlanar((*this)[log[slot].anchor].correction) * log[slot].T_start_camera;
+}
+
+Eigen::Isometry3d ExperienceChain::T_world_experience(const MotionLog& log,
+                                                      std::int64_t experience) const {
+  const Anchor& anchor = home(experience);
+  return fromPlanar(anchor.correction) * log[anchor.slot].T_start_camera;
+}
+
+Link ExperienceChain::foldedLink(const MotionLog& log, std::size_t i) const {
+  const Anchor& from = anchors_[i - 1];
+  const Anchor& to = anchors_[i];
+  UncertainPose pose;
+  if (from.visit) {  // where the visit really was, as far as is known now
+    pose.T = T_world_experience(log, from.experience).inverse() * T_world_camera(log, from.slot);
+    pose.covariance = from.offset.covariance / from.offset_weight;
+  }
+  pose = compose(pose, to.way);
+  if (to.visit) pose = compose(pose, inverse(to.offset));
+  Link link;
+  link.from = from.experience;
+  link.to = to.experience;
+  link.kind = to.visit ? LinkKind::Loop : LinkKind::Odometry;
+  link.frame = log[to.slot].frame;
+  link.T_from_to = pose.T;
+  link.covariance = 0.5 * (pose.covariance + pose.covariance.transpose());
+  link.duration = to.visit ? 0 : log.seconds(from.slot, to.slot);
+  link.weight = to.visit ? to.offset_weight : to.way_weight;
+  return link;
+}
+
+void ExperienceChain::graph(const MotionLog& log, MapGraph& graph) const {
+  graph.experiences.clear();
+  graph.links.clear();
+  for (const std::size_t i : of_experience_) {
+    const Anchor& anchor = anchors_[i];
+    graph.experiences.push_back({anchor.experience, log[anchor.slot].frame, anchor.template_id,
+                                 T_world_experience(log, anchor.experience)});
+  }
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    const std::int64_t from = anchors_[i - 1].experience;
+    if (from < 0 || from == anchors_[i].experience) continue;
+    Link link = foldedLink(log, i);
+    link.id = static_cast<std::int64_t>(graph.links.size());
+    graph.links.push_back(link);
+  }
+}
+
+}  // namespace tolman::experience_map

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The order of one update: check everything, then revise, move, obey, correct, report.
+#include "experience_map.hpp"
+
+#include <string>
+
+namespace tolman::experience_map {
+namespace {
+
+// Relative change of the energy that ends a search.
+constexpr double kRoughly = 1e-6;
+constexpr double kFully = 1e-10;
+
+}  // namespace
+
+Status ExperienceMap::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  log_ = &context.log;
+  return reset();
+}
+
+Status ExperienceMap::reset() {
+  motions_ = MotionLog(parameters_);
+  chain_ = ExperienceChain(parameters_);
+  version_ = 0;
+  next_correction_ = 0;
+  return Status::ok();
+}
+
+Status ExperienceMap::update(const Motion& motion, const Decision& decision, MapUpdate& update) {
+  if (Status status = check(motion, decision); !status.isOk()) return status;
+  revise(motion.revisions);
+  if (motions_.size() == 0) chain_.start();
+  motions_.append(motion, chain_.current());
+  obey(decision);
+  if (correctionDue()) correct(parameters_.online_iterations, kRoughly);
+  report(update);
+  return Status::ok();
+}
+
+Status ExperienceMap::check(const Motion& motion, const Decision& decision) const {
+  if (Status status = motions_.check(motion); !status.isOk()) return status;
+  const std::int64_t known = chain_.experiences();
+  const std::string id = std::to_string(decision.experience);
+  if (decision.frame != motion.frame) {
+    return Status::invalidInput("the decision is of frame " + std::to_string(decision.frame) +
+                                ", but the motion of frame " + std::to_string(motion.frame));
+  }
+  if (decision.action == Action::CreateExperience && decision.experience != known) {
+    return Status::invalidInput("the decision creates experience " + id + ", but the next is " +
+                                std::to_string(known) + "; ids must be dense from 0");
+  }
+  const std::int64_t least = decision.action == Action::CloseLoop ? 0 : -1;
+  const bool unknown = decision.experience < least || decision.experience >= known;
+  if (decision.action != Action::CreateExperience && unknown) {
+    return Status::invalidInput("the decision (" + std::string(enumName(decision.action)) +
+                                ") names experience " + id + ", but there are only " +
+                                std::to_string(known));
+  }
+  return Status::ok();
+}
+
+void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {
+  if (revisions.empty()) return;
+  std::size_t unknown = 0;
+  const std::size_t first = motions_.revise(revisions, unknown);
+  if (unknown > 0) {
+    log_->warning("ignored " + std::to_string(unknown) +
+                  " revisions of motions that the map has not seen");
+  }
+  if (first == motions_.size()) return;
+  chain_.refresh(motions_, first);
+  ++version_;
+}
+
+void ExperienceMap::obey(const Decision& decision) {
+  const bool at_home = chain_[chain_.current()].experience == decision.experience;
+  if (decision.action == Action::CreateExperience) {
+    chain_.addExperience(motions_, decision.template_id);
+  } else if (decision.action == Action::CloseLoop && decision.has_relative_pose) {
+    chain_.addVisit(motions_, decision.experience,
+                    {decision.T_experience_current, decision.covariance});
+  } else if (decision.action == Action::CloseLoop && !at_home) {
+    chain_.addVisit(motions_, decision.experience, decision.relative_yaw);
+  }  // "near where it is already", said again, is no news
+  motions_.moveTo(motions_.last(), chain_.current());
+}
+
+bool ExperienceMap::correctionDue() const {
+  return parameters_.optimise && chain_.pending() && motions_.last() >= next_correction_;
+}
+
+void ExperienceMap::correct(int iterations, double tolerance) {
+  if (Status status = chain_.correct(motions_, iterations, tolerance); !status.isOk()) {
+    log_->warning("the map stays as it is, for the optimiser failed: " + status.message());
+  } else {
+    ++version_;
+  }
+  // A correction costs time in proportion to the nodes. Waiting in proportion, too, bounds the cost
+  // of a frame however long the run.
+  const auto growth = parameters_.interval_growth * static_cast<double>(chain_.current());
+  next_correction_ = motions_.last() + static_cast<std::size_t>(parameters_.interval) +
+                     static_cast<std::size_t>(growth);
+}
+
+void ExperienceMap::report(MapUpdate& update) const {
+  const LoggedFrame& logged = motions_[motions_.last()];
+  update.frame = logged.frame;
+  update.stamp_ns = logged.stamp_ns;
+  update.experience = chain_[logged.anchor].experience;
+  update.T_world_camera = chain_.T_world_camera(motions_, motions_.last());
+  update.T_experience_camera = update.T_world_camera;
+  if (update.experience >= 0) {
+    update.T_experience_camera =
+        chain_.T_world_experience(motions_, update.experience).inverse() * update.T_world_camera;
+  }
+  update.version = version_;
+  update.experiences = chain_.experiences();
+  update.links = chain_.links();
+  update.loops = chain_.loops();
+}
+
+Status ExperienceMap::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const {
+  const std::optional<std::size_t> slot = motions_.slotOf(frame);
+  if (!slot) {
+    return Status::invalidParameter("the map has not seen frame " + std::to_string(frame));
+  }
+  T_world_camera = chain_.T_world_camera(motions_, *slot);
+  return Status::ok();
+}
+
+Status ExperienceMap::graph(MapGraph& graph) const {
+  graph.version = version_;
+  chain_.graph(motions_, graph);
+  return Status::ok();
+}
+
+Status ExperienceMap::finish(const std::vector<MotionRevision>& revisions) {
+  revise(revisions);
+  if (parameters_.optimise && chain_.visited()) correct(parameters_.final_iterations, kFully);
+  return Status::ok();
+}
+
+}  // namespace tolman::experience_map

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters of the experience map, with their defaults.
+#pragma once
+
+#include <tolman/parameters.hpp>
+
+namespace tolman::experience_map {
+
+struct Parameters {
+  bool optimise = true;
+  int online_iterations = 5;
+  int final_iterations = 100;
+  int interval = 10;
+  double interval_growth = 0.02;
+  double huber_delta = 1.0;
+  bool huber_odometry = false;
+  double drift_translation = 0.01;
+  double drift_rotation = 0.0005;
+  double lost_sigma_translation = 1.0;
+  double lost_sigma_rotation = 0.1;
+  double assumed_sigma_translation = 3.0;
+  double assumed_sigma_rotation = 0.15;
+  int assumed_run = 3;
+  double measured_sigma_translation = 0.1;
+  double measured_sigma_rotation = 0.01;
+
+  static constexpr auto declaration() {
+    using P = Parameters;
+    return parameters(
+        parameter("optimise", &P::optimise).doc("Correct the map when loops close."),
+        parameter("online_iterations", &P::online_iterations)
+            .range(1, 100)
+            .doc("Most iterations of one correction while running."),
+        parameter("final_iterations", &P::final_iterations)
+            .range(1, 10000)
+            .doc("Most iterations of the correction after the last frame."),
+        parameter("interval", &P::interval)
+            .range(1, 1e6)
+            .unit("frames")
+            .doc("Least distance of two corrections while running."),
+        parameter("interval_growth", &P::interval_growth)
+            .range(0, 100)
+            .unit("frames")
+            .doc("What each node adds to the interval, so that the cost of a frame stays bounded."),
+        parameter("huber_delta", &P::huber_delta)
+            .range(1e-6, 1e9)
+            .doc("Whitened residual (in standard deviations) from which a link loses trust."),
+        parameter("huber_odometry", &P::huber_odometry)
+            .doc("Whether odometry links may lose trust too, as in the paper."),
+        parameter("drift_translation", &P::drift_translation)
+            .range(1e-9, 1)
+            .doc("Standard deviation of a link, m per m travelled, added to what odometry says."),
+        parameter("drift_rotation", &P::drift_rotation)
+            .range(1e-9, 1)
+            .unit("rad/m")
+            .doc("The same for its rotation."),
+        parameter("lost_sigma_translation", &P::lost_sigma_translation)
+            .range(0, 1e6)
+            .unit("m")
+            .doc("Standard deviation that a frame without measured motion adds."),
+        parameter("lost_sigma_rotation", &P::lost_sigma_rotation)
+            .range(0, 10)
+            .unit("rad")
+            .doc("The same for its rotation."),
+        parameter("assumed_sigma_translation", &P::assumed_sigma_translation)
+            .range(1e-6, 1e6)
+            .unit("m")
+            .doc(
+                "How far off an old experience the robot may be when a loop has no measured pose."),
+        parameter("assumed_sigma_rotation", &P::assumed_sigma_rotation)
+            .range(1e-6, 10)
+            .unit("rad")
+            .doc("The same for its heading."),
+        parameter("assumed_run", &P::assumed_run)
+            .range(1, 1e6)
+            .doc("How many successive loops without measured pose share one error of the offset."),
+        parameter("measured_sigma_translation", &P::measured_sigma_translation)
+            .range(1e-9, 1e6)
+            .unit("m")
+            .doc("Standard deviation added to the measured pose of a loop."),
+        parameter("measured_sigma_rotation", &P::measured_sigma_rotation)
+            .range(1e-9, 10)
+            .unit("rad")
+            .doc("The same for its rotation."));
+  }
+};
+
+}  // namespace tolman::experience_map

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A relative pose with its 6x6 covariance, T = T_estimate * expSe3(noise), and how the covariance
+// travels along chains of poses and down to the plane.
+#pragma once
+
+#include <tolman/geometry.hpp>
+
+namespace tolman::experience_map {
+
+struct UncertainPose {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  Matrix6d covariance =
+      Matrix6d::Zero();  ///< m and rad, in the tangent space of the arriving frame
+};
+
+/// Adjoint of SE(3), translation before rotation: T * expSe3(n) == expSe3(adjoint(T) * n) * T.
+Matrix6d adjoint(const Eigen::Isometry3d& T);
+
+/// a followed by b, their noises independent; to first order.
+UncertainPose compose(const UncertainPose& a, const UncertainPose& b);
+
+/// The way back.
+UncertainPose inverse(const UncertainPose& a);
+
+/// Diagonal covariance of standard deviations in m and rad.
+Matrix6d isotropic(double sigma_translation, double sigma_rotation);
+
+/// The noise (forward, left, counter-clockwise) that a camera with attitude R_world_camera has in
+/// the plane, along the axes of a heading `theta` in that plane.
+Eigen::Matrix3d planarCovariance(const Matrix6d& covariance, const Eigen::Matrix3d& R_world_camera,
+                                 double theta);
+
+}  // namespace tolman::experience_map

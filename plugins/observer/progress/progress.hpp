@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Observer `progress`: one redrawn line on a terminal, a line now and then elsewhere.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <ostream>
+#include <string>
+
+#include "progress_text.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::progress {
+
+class Progress final : public Observer {
+ public:
+  struct Parameters {
+    double every_percent = 10;
+    double every_seconds = 5;
+
+    static constexpr auto declaration() {
+      return parameters(
+          parameter("every_percent", &Parameters::every_percent)
+              .range(0, 100)
+              .unit("%")
+              .doc("Without a terminal: a line each time so much more is done; 0 for never."),
+          parameter("every_seconds", &Parameters::every_seconds)
+              .range(0, 86400)
+              .unit("s")
+              .doc("Without a terminal: a line after so long without one; 0 for never."));
+    }
+  };
+
+  /// Writes to stderr, as wide as its terminal is.
+  Progress();
+  /// For tests. `out` must outlive the object; `width` is asked before each drawing.
+  Progress(std::ostream& out, std::function<int()> width);
+  ~Progress() override;
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status begin(const RunInfo& run) override;
+  Status observe(const Snapshot& snapshot) override;
+  Status finish(const MapGraph& graph) override;
+
+ private:
+  void count(const Snapshot& snapshot);
+  bool isLineDue() const;
+  void redraw(const std::string& line);
+
+  std::ostream& out_;
+  std::function<int()> width_;
+  Parameters parameters_;
+  const Clock* clock_ = nullptr;
+  bool interactive_ = false;
+  bool colour_ = false;
+
+  ProgressState state_;
+  std::int64_t begin_ns_ = 0;
+  std::int64_t shown_ns_ = 0;      ///< when something was last shown
+  std::int64_t shown_frames_ = 0;  ///< and at which count
+  std::size_t drawn_ = 0;          ///< characters of the line that stands on the terminal
+};
+
+}  // namespace tolman::progress

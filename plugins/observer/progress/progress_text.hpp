@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the progress display says: pure functions from counts to text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace tolman::progress {
+
+/// How far a run is.
+struct ProgressState {
+  std::int64_t frames = 0;  ///< done
+  std::int64_t total = -1;  ///< -1 when not known
+  double seconds = 0;       ///< since the run began
+  std::int64_t templates = 0;
+  std::int64_t experiences = 0;
+  std::int64_t loops = 0;
+};
+
+/// One line for a terminal of `width` columns, at most width - 1 of them used: what does not fit is
+/// left out, counts first.
+std::string barLine(const ProgressState& state, int width);
+
+/// The same line with a green bar.
+std::string coloured(std::string bar_line);
+
+/// One line for a log: "frame 20 of 51 (39 %), 9.8 frames/s, 0:03 left, 12 templates, ...".
+std::string plainLine(const ProgressState& state);
+
+/// The last line: "51 frames in 0:05, 9.8 frames/s, 12 templates, 8 experiences, 1 loop".
+std::string summaryLine(const ProgressState& state);
+
+}  // namespace tolman::progress

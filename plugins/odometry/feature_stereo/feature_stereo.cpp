@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One frame after the other: track, estimate, keep keyframes, answer.
+#include "feature_stereo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "tolman/image_cv.hpp"
+
+namespace tolman::feature_stereo {
+namespace {
+
+/// CV_8UC1, or empty for an image that shows nothing: missing, dark, saturated, covered.
+cv::Mat usableGray(const Image& image) {
+  cv::Mat gray = asMat(image);
+  if (gray.empty()) return {};
+  if (gray.channels() == 3) cv::cvtColor(asMat(image), gray, cv::COLOR_BGR2GRAY);
+  cv::Scalar mean;
+  cv::Scalar deviation;
+  cv::meanStdDev(gray, mean, deviation);
+  constexpr double kWeakestContrast = 3;  // grey levels
+  return deviation[0] < kWeakestContrast ? cv::Mat() : gray;
+}
+
+StereoPixel toStereoPixel(const cv::Point2f& pixel, float disparity, double offset = 0) {
+  return {pixel.x, pixel.y, std::isnan(disparity) ? 0.0 : disparity - offset};
+}
+
+/// Of a predicted motion: a tenth of a metre and some of the way, a degree or two, more with each
+/// frame without sight.
+Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) {
+  const double metres = lost_frames * (0.1 + 0.3 * motion.translation().norm());
+  const double radians = lost_frames * 0.03;
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(metres * metres),
+      Eigen::Vector3d::Constant(radians * radians);
+  return variances.asDiagonal();
+}
+
+}  // namespace
+
+Status FeatureStereo::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  if (parameters_.track_window % 2 == 0) {
+    return Status::invalidParameter("track_window is even; the patch needs a centre: give " +
+                                    std::to_string(parameters_.track_window + 1));
+  }
+  rig_ = context.rig;
+  if (Status status = checkRig(); !status.isOk()) return status;
+  log_ = &context.log;
+  seed_ = context.seed;
+  useSettings();
+  return reset();
+}
+
+void FeatureStereo::useSettings() {
+  const Parameters& p = parameters_;
+  corner_settings_ = {p.corners, p.corner_quality, p.track_window / 2 + 4};
+  track_settings_ = {p.track_window, p.track_levels, p.track_consistency};
+  stereo_settings_.track = {p.track_window, std::min(2, p.track_levels), p.stereo_consistency};
+  stereo_settings_.max_disparity = rig_.pinhole.fx * rig_.baseline / p.nearest;
+  const PixelNoise noise{p.sigma_track, p.sigma_disparity, p.sigma_doubling};
+  pnp_settings_ = {noise, p.ransac_iterations, p.min_inliers};
+  refinement_settings_ = {noise, p.refinement_iterations, p.offset_sigma};
+}
+
+Status FeatureStereo::reset() {
+  random_ = RandomStream(seed_);
+  window_ = Window();
+  trajectory_.clear();
+  reference_ = Pyramid();
+  tracks_.clear();
+  T_world_reference_.setIdentity();
+  velocity_.setZero();
+  last_stamp_ns_ = -1;
+  first_lost_ = -1;
+  lost_frames_ = 0;
+  keyframe_tracks_ = 0;
+  return Status::ok();
+}
+
+Status FeatureStereo::checkRig() const {
+  if (rig_.calibrated && rig_.isStereo()) return Status::ok();
+  return Status::unsupported(std::string("the cameras are ") +
+                             (rig_.calibrated ? "not a stereo pair" : "not calibrated") +
+                             "; use an odometry plugin for such cameras, or a source of "
+                             "calibrated, rectified stereo images");
+}
+
+Status FeatureStereo::checkFrame(const Frame& frame) const {
+  if (!frame.left.empty() && frame.right.empty() && frame.defect.empty()) {
+    return Status::unsupported(
+        "the frame has no right image; use a monocular odometry plugin, or a stereo source");
+  }
+  for (const Image* image : {&frame.left, &frame.right}) {
+    if (image->empty() || (image->width() == rig_.width && image->height() == rig_.height))
+      continue;
+    return Status::invalidInput("the image has " + std::to_string(image->width()) + "x" +
+                                std::to_string(image->height()) + " pixels, its calibration " +
+                                std::to_string(rig_.width) + "x" + std::to_string(rig_.height) +
+                                "; give images as they were calibrated");
+  }
+  return Status::ok();
+}
+
+Status FeatureStereo::track(const Frame& frame, Motion& motion) {
+  if (Status status = checkFrame(frame); !status.isOk()) return status;
+  motion.frame = frame.frame;
+  motion.stamp_ns = frame.stamp_ns;
+  motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * double(frame.stamp_ns - last_stamp_ns_);
+  last_stamp_ns_ = frame.stamp_ns;
+  const cv::Mat left = usableGray(frame.left);
+  const cv::Mat right = usableGray(frame.right);
+  std::optional<StereoPyramids> images;
+  if (!left.empty() && !right.empty()) {
+    images.emplace(Pyramid(left, track_settings_), Pyramid(right, track_settings_));
+  }
+  answer(images, motion);
+  setPlanarVelocity(motion, motion.dt);
+  return Status::ok();
+}
+
+void FeatureStereo::answer(const std::optional<StereoPyramids>& images, Motion& motion) {
+  const bool started = !trajectory_.empty();
+  constexpr int kLongestGap = 100;  // frames; after that the view back is not looked for
+  if (started && images && lost_frames_ <= kLongestGap) {
+    if (auto tracked = trackAny(*images, predictPose(motion.dt))) {
+      answerMeasured(*images, std::move(*tracked), motion);
+      return;
+    }
+  }
+  if (started) answerPredicted(motion);
+  if (images) restart(*images, motion);
+  if (!started) {
+    motion.state = TrackingState::Initialising;
+    if (motion.dt > 0) motion.covariance = predictionCovariance(motion.T_previous_current, 100);
+  }
+}
+
+Status FeatureStereo::finish(std::vector<MotionRevision>& revisions) {
+  std::vector<MotionRevision> owed = trajectory_.finish();
+  revisions.insert(revisions.end(), owed.begin(), owed.end());
+  return Status::ok();
+}
+
+Eigen::Isometry3d FeatureStereo::predictPose(double dt) const {
+  return trajectory_.lastPose() * expSe3(velocity_ * dt);
+}
+
+std::optional<FeatureStereo::Tracked> FeatureStereo::trackAny(const StereoPyramids& images,
+                                                              const Eigen::Isometry3d& predicted) {
+  std::optional<Tracked> best = trackFrom(images, predicted);
+  if (best && 2 * best->tracks.size() >= best->offered) return best;
+  // The camera did not go on as before: it may have stopped or turned round.
+  std::optional<Tracked> still = trackFrom(images, T_world_reference_);
+  const bool better = still && (!best || still->tracks.size() > best->tracks.size());
+  return better ? still : best;
+}
+
+std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyramids& images,
+                                                               const Eigen::Isometry3d& guess) {
+  const double offset = window_.disparityOffset();
+  std::vector<cv::Point2f> from;
+  std::vector<cv::Point2f> to;
+  std::vector<float> disparities;
+  for (const Track& track : tracks_) {
+    const auto pixel = project(rig_, guess, window_.find(track.landmark)->point);
+    from.push_back(track.pixel);
+    to.push_back(pixel ? cv::Point2f(float(pixel->x()), float(pixel->y())) : track.pixel);
+    disparities.push_back(pixel ? float(pixel->z() + offset) : kNoDisparity);
+  }
+  const std::vector<bool> found = trackCorners(reference_, images.left, from, to, track_settings_);
+  std::vector<Track> tracks;
+  std::vector<cv::Point2f> pixels;
+  std::vector<float> guesses;
+  for (std::size_t i = 0; i < tracks_.size(); ++i) {
+    if (!found[i]) continue;
+    tracks.push_back(tracks_[i]);
+    pixels.push_back(to[i]);
+    guesses.push_back(disparities[i]);
+  }
+  const std::vector<float> matched =
+      matchStereo(images.left, images.right, pixels, guesses, stereo_settings_);
+  std::vector<Sighting> sightings;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    tracks[i].pixel = pixels[i];
+    tracks[i].disparity = matched[i];
+    const Landmark& landmark = *window_.find(tracks[i].landmark);
+    sightings.push_back({landmark.point, landmark.covariance,
+                         toStereoPixel(pixels[i], matched[i], offset), !std::isnan(matched[i])});
+  }
+  auto pose = estimatePose(rig_, sightings, guess, pnp_settings_, random_);
+  if (!pose) return std::nullopt;
+  Tracked tracked{*pose, {}, tracks_.size()};
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if (pose->inlier[i]) tracked.tracks.push_back(tracks[i]);
+  }
+  return tracked;
+}
+
+std::vector<FeatureStereo::Candidate> FeatureStereo::findCandidates(
+    const StereoPyramids& images, const std::vector<Track>& tracks) const {
+  std::vector<cv::Point2f> occupied;
+  for (const Track& track : tracks) occupied.push_back(track.pixel);
+  const std::vector<cv::Point2f> corners =
+      detectCorners(images.left.level(0), occupied, corner_settings_);
+  const std::vector<float> guesses(corners.size(), kNoDisparity);
+  const std::vector<float> disparities =
+      matchStereo(images.left, images.right, corners, guesses, stereo_settings_);
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    if (!std::isnan(disparities[i])) candidates.push_back({corners[i], disparities[i]});
+  }
+  return candidates;
+}
+
+bool FeatureStereo::wantsKeyframe() const {
+  std::vector<double> flows;
+  for (const Track& track : tracks_) {
+    flows.push_back(cv::norm(track.pixel - track.keyframe_pixel));
+  }
+  const auto middle = flows.begin() + static_cast<std::ptrdiff_t>(flows.size() / 2);
+  std::nth_element(flows.begin(), middle, flows.end());
+  return *middle >= parameters_.keyframe_flow ||
+         double(tracks_.size()) < parameters_.keyframe_survival * double(keyframe_tracks_);
+}
+
+Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
+                                              const std::vector<Candidate>& candidates) {
+  window_.addKeyframe(keyframe);
+  for (Track& track : tracks_) {
+    track.keyframe_pixel = track.pixel;
+    Landmark& landmark = *window_.find(track.landmark);
+    Observation seen{keyframe.frame, toStereoPixel(track.pixel, track.disparity),
+                     !std::isnan(track.disparity)};
+    const auto predicted = project(rig_, keyframe.T_world_camera, landmark.point);
+    if (!seen.has_disparity && predicted) seen.pixel.z() = predicted->z();
+    landmark.observations.push_back(seen);
+  }
+  for (const Candidate& candidate : candidates) {
+    const StereoPixel pixel =
+        toStereoPixel(candidate.pixel, candidate.disparity, window_.disparityOffset());
+    Landmark landmark;
+    landmark.point = {keyframe.T_world_camera, triangulate(rig_, pixel)};
+    landmark.covariance = triangulationCovariance(rig_, pnp_settings_.noise.sigma(pixel.z()));
+    landmark.observations.push_back(
+        {keyframe.frame, toStereoPixel(candidate.pixel, candidate.disparity), true});
+    tracks_.push_back(
+        {window_.addLandmark(landmark), candidate.pixel, candidate.pixel, candidate.disparity});
+  }
+  if (static_cast<int>(window_.keyframes().size()) > parameters_.window) window_.dropOldest();
+  refineWindow(rig_, refinement_settings_, window_);
+  std::erase_if(tracks_, [this](const Track& t) { return window_.find(t.landmark) == nullptr; });
+  keyframe_tracks_ = tracks_.size();
+  return window_.keyframes().back().T_world_camera;
+}
+
+void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& tracked,
+                                   Motion& motion) {
+  Eigen::Isometry3d T_world_camera = tracked.pose.T_world_camera;
+  if (first_lost_ >= 0) trajectory_.bridge(first_lost_, T_world_camera);
+  tracks_ = std::move(tracked.tracks);
+  motion.tracked = tracked.pose.inliers;
+  motion.is_keyframe = wantsKeyframe();
+  if (motion.is_keyframe) {
+    T_world_camera = makeKeyframe({motion.frame, T_world_camera}, findCandidates(images, tracks_));
+    trajectory_.follow(window_);
+    motion.revisions = trajectory_.retire(window_);
+    publishPoints(motion);
+  }
+  const std::vector<MotionRevision> changed = trajectory_.revisions();
+  motion.revisions.insert(motion.revisions.end(), changed.begin(), changed.end());
+  motion.state = TrackingState::Tracking;
+  motion.covariance = tracked.pose.covariance;
+  motion.T_previous_current =
+      trajectory_.add(motion.frame, T_world_camera, window_.keyframes().back(), motion.covariance);
+  if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
+  reference_ = images.left;
+  T_world_reference_ = T_world_camera;
+  if (first_lost_ >= 0) log_->info("tracking again");
+  first_lost_ = -1;
+  lost_frames_ = 0;
+}
+
+void FeatureStereo::answerPredicted(Motion& motion) {
+  if (first_lost_ < 0) {
+    first_lost_ = motion.frame;
+    log_->warning("tracking lost; going on as before until the images are good again");
+  }
+  ++lost_frames_;
+  const Eigen::Isometry3d T_world_camera = predictPose(motion.dt);
+  motion.state = TrackingState::Lost;
+  motion.covariance = predictionCovariance(expSe3(velocity_ * motion.dt), lost_frames_);
+  motion.T_previous_current =
+      trajectory_.add(motion.frame, T_world_camera, window_.keyframes().back(), motion.covariance);
+}
+
+void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
+  const std::vector<Candidate> candidates = findCandidates(images, {});
+  if (static_cast<int>(candidates.size()) < parameters_.min_inliers) return;
+  const Keyframe keyframe{
+      motion.frame, trajectory_.empty() ? Eigen::Isometry3d::Identity() : trajectory_.lastPose()};
+  window_.clear();
+  tracks_.clear();
+  makeKeyframe(keyframe, candidates);
+  if (trajectory_.empty()) {
+    trajectory_.add(motion.frame, keyframe.T_world_camera, keyframe, motion.covariance);
+  }
+  motion.revisions = trajectory_.retire(window_);
+  motion.is_keyframe = true;
+  publishPoints(motion);
+  reference_ = images.left;
+  T_world_reference_ = keyframe.T_world_camera;
+  first_lost_ = -1;
+  lost_frames_ = 0;
+}
+
+void FeatureStereo::publishPoints(Motion& motion) {
+  constexpr double kFarthest = 1e-4;  // 1/m
+  const double fb = rig_.pinhole.fx * rig_.baseline;
+  std::vector<Eigen::Vector4f> points;
+  for (const Track& track : tracks_) {
+    const Landmark& landmark = *window_.find(track.landmark);
+    ProjectionJacobians J;
+    const auto pixel = project(rig_, window_.keyframes().back().T_world_camera, landmark.point, &J);
+    if (!pixel || pixel->z() < kFarthest * fb) continue;
+    const Eigen::RowVector3d by_point = J.point.row(2) / fb;
+    const double variance = by_point * landmark.covariance * by_point.transpose();
+    points.push_back(
+        Eigen::Vector4d(pixel->x(), pixel->y(), pixel->z() / fb, variance).cast<float>());
+  }
+  motion.points_frame = motion.frame;
+  motion.points.resize(4, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    motion.points.col(static_cast<Eigen::Index>(i)) = points[i];
+  }
+}
+
+}  // namespace tolman::feature_stereo

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a user can set about feature_stereo.
+#pragma once
+
+#include "tolman/parameters.hpp"
+
+namespace tolman::feature_stereo {
+
+struct Parameters {
+  int corners = 500;
+  double corner_quality = 0.003;
+  int track_window = 17;
+  int track_levels = 4;
+  double track_consistency = 0.7;
+  double stereo_consistency = 0.7;
+  double nearest = 2.5;
+  double sigma_track = 0.25;
+  double sigma_disparity = 0.15;
+  double sigma_doubling = 14;
+  int ransac_iterations = 100;
+  int min_inliers = 20;
+  int window = 7;
+  double keyframe_flow = 15;
+  double keyframe_survival = 0.75;
+  int refinement_iterations = 6;
+  double offset_sigma = 0.2;
+
+  static constexpr auto declaration() {
+    using P = Parameters;
+    return tolman::parameters(
+        parameter("corners", &P::corners)
+            .range(50, 5000)
+            .doc("How many corners are followed; each owns a cell of a grid over the image."),
+        parameter("corner_quality", &P::corner_quality)
+            .range(1e-6, 1)
+            .doc("Weakest corner, as a part of the strongest one of the image."),
+        parameter("track_window", &P::track_window)
+            .range(7, 61)
+            .unit("px")
+            .doc("Side of the patch that is tracked; odd."),
+        parameter("track_levels", &P::track_levels)
+            .range(1, 8)
+            .doc("Levels of the image pyramid, each half as wide as the one before."),
+        parameter("track_consistency", &P::track_consistency)
+            .range(0.05, 10)
+            .unit("px")
+            .doc("Largest miss of a corner tracked to the new image and back."),
+        parameter("stereo_consistency", &P::stereo_consistency)
+            .range(0.05, 10)
+            .unit("px")
+            .doc("Largest miss of a corner matched to the right image and back."),
+        parameter("nearest", &P::nearest)
+            .range(0.01, 1000)
+            .unit("m")
+            .doc("Nearest depth that is searched for; sets the largest disparity."),
+        parameter("sigma_track", &P::sigma_track)
+            .range(0.01, 10)
+            .unit("px")
+            .doc("Standard deviation of a tracked far corner, in each direction."),
+        parameter("sigma_disparity", &P::sigma_disparity)
+            .range(0.01, 10)
+            .unit("px")
+            .doc("Standard deviation of a far corner's disparity."),
+        parameter("sigma_doubling", &P::sigma_doubling)
+            .range(0.1, 1e6)
+            .unit("px")
+            .doc("Disparity from which the two standard deviations grow with the disparity."),
+        parameter("ransac_iterations", &P::ransac_iterations)
+            .range(1, 10000)
+            .doc("Most samples of three points that are tried for a pose."),
+        parameter("min_inliers", &P::min_inliers)
+            .range(6, 1000)
+            .doc("Fewest points that must agree on a pose; below, tracking is lost."),
+        parameter("window", &P::window)
+            .range(2, 30)
+            .unit("keyframes")
+            .doc("Keyframes that are refined together."),
+        parameter("keyframe_flow", &P::keyframe_flow)
+            .range(0.5, 1000)
+            .unit("px")
+            .doc("Median image motion since the last keyframe that calls for the next one."),
+        parameter("keyframe_survival", &P::keyframe_survival)
+            .range(0.05, 1)
+            .doc("A keyframe is made when fewer than this part of the corners is left."),
+        parameter("refinement_iterations", &P::refinement_iterations)
+            .range(0, 100)
+            .doc("Steps of the window refinement at a keyframe; 0 switches it off."),
+        parameter("offset_sigma", &P::offset_sigma)
+            .range(0, 5)
+            .unit("px")
+            .doc("How far all disparities may be off together; estimated; 0 trusts the source."));
+  }
+};
+
+}  // namespace tolman::feature_stereo

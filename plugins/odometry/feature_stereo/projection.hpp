@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Points in inverse depth, and where the rectified stereo pair sees them.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+
+#include "tolman/camera.hpp"
+#include "tolman/geometry.hpp"
+
+namespace tolman::feature_stereo {
+
+/// What one stereo frame measures of a point: u, v of the left image and the disparity, in px.
+/// The tracker displaces u of both images alike, so that (u, v, d) have independent errors where
+/// (u_left, v, u_right) have not.
+using StereoPixel = Eigen::Vector3d;
+
+/// How exact a StereoPixel is. Near points change their looks more from image to image and between
+/// the cameras than far ones, so that their errors grow with the disparity d:
+/// sigma(d) = sigma(0) sqrt(1 + (d / doubling)^2). On real road scenes one `doubling` fits the
+/// track and the disparity alike; a constant sigma would let the worst measurements decide the
+/// scale.
+struct PixelNoise {
+  double track = 0.25;      ///< px, of u and of v, for far points
+  double disparity = 0.15;  ///< px, for far points
+  double doubling = 14;     ///< px of disparity
+
+  /// Standard deviations of u, v and d at this disparity.
+  Eigen::Vector3d sigma(double at_disparity) const {
+    const double ratio = at_disparity / doubling;
+    return std::sqrt(1 + ratio * ratio) * Eigen::Vector3d(track, track, disparity);
+  }
+};
+
+/// A landmark. `coordinates` are (x/z, y/z, 1/z) in a reference camera that stays where it is:
+/// nothing is singular at infinity, so far points need no special care, and their depth keeps a
+/// symmetric error that does not bias the motion (as depth itself would).
+struct InverseDepthPoint {
+  Eigen::Isometry3d T_world_reference = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d coordinates = Eigen::Vector3d::Zero();
+};
+
+/// Derivatives of a StereoPixel.
+struct ProjectionJacobians {
+  Eigen::Matrix<double, 3, 6> pose;  ///< by noise in T_world_camera * expSe3(noise)
+  Eigen::Matrix3d point;             ///< by the point's coordinates
+};
+
+/// The point's position in the camera times its inverse depth in the reference.
+Eigen::Vector3d scaledCameraPoint(const Eigen::Isometry3d& T_world_camera,
+                                  const InverseDepthPoint& point);
+
+/// Nothing for a point that is not in front of the camera. `jacobians` may be null.
+std::optional<StereoPixel> project(const CameraRig& rig, const Eigen::Isometry3d& T_world_camera,
+                                   const InverseDepthPoint& point,
+                                   ProjectionJacobians* jacobians = nullptr);
+
+/// The inverse of project() at the reference itself.
+Eigen::Vector3d triangulate(const CameraRig& rig, const StereoPixel& pixel);
+
+/// Covariance of triangulate(): linear in inverse depth, hence exact.
+Eigen::Matrix3d triangulationCovariance(const CameraRig& rig, const Eigen::Vector3d& sigma);
+
+}  // namespace tolman::feature_stereo

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Disparities of corners: a search along the row, then sub-pixel tracking, checked by going back.
+#pragma once
+
+#include <limits>
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "tracking.hpp"
+
+namespace tolman::feature_stereo {
+
+struct StereoSettings {
+  TrackSettings track;         ///< `levels` is how far a guess may be refined
+  double max_disparity = 150;  ///< px
+  double min_disparity = -1;   ///< px; noise makes the far ones negative, and to drop these alone
+                               ///< would bring all far points nearer
+  double epipolar = 1;         ///< px, largest difference of rows
+};
+
+/// Stands for "no guess" and for "no match".
+constexpr float kNoDisparity = std::numeric_limits<float>::quiet_NaN();
+
+/// The disparity u_left - u_right of each corner, or kNoDisparity. `guesses` is as long as
+/// `corners`; a corner without a guess is searched for along its row.
+std::vector<float> matchStereo(const Pyramid& left, const Pyramid& right,
+                               const std::vector<cv::Point2f>& corners,
+                               const std::vector<float>& guesses, const StereoSettings& settings);
+
+/// The best whole-pixel disparity by sums of absolute differences, with the patches' means removed;
+/// kNoDisparity where the best is not clearly better than the second best.
+float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int max_disparity);
+
+}  // namespace tolman::feature_stereo

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Following corners from one image to another (pyramidal Lucas-Kanade), checked by going back.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace tolman::feature_stereo {
+
+struct TrackSettings {
+  int window = 17;           ///< px, side of the patch
+  int levels = 4;            ///< of the pyramid
+  double consistency = 0.7;  ///< px, largest miss there and back
+};
+
+/// An image with its smaller copies and derivatives, made once for many trackings.
+class Pyramid {
+ public:
+  Pyramid() = default;
+  /// `gray` is CV_8UC1; it is copied.
+  Pyramid(const cv::Mat& gray, const TrackSettings& settings);
+
+  bool empty() const { return images_.empty(); }
+  cv::Size size() const { return images_.front().size(); }
+  /// Level 0 is the image itself.
+  const cv::Mat& level(int index) const { return images_[static_cast<std::size_t>(2 * index)]; }
+  int levels() const { return static_cast<int>(images_.size()) / 2; }
+  const std::vector<cv::Mat>& images() const { return images_; }  ///< as OpenCV wants them
+
+ private:
+  std::vector<cv::Mat> images_;  ///< image and derivatives by turns
+};
+
+/// Where the corners `from` of one image are in another. `to` holds guesses and is overwritten.
+/// The answer tells which corners came back to within `consistency` of where they started.
+/// `levels` may be fewer than the pyramid has when the guesses are good.
+std::vector<bool> trackCorners(const Pyramid& from_image, const Pyramid& to_image,
+                               const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
+                               const TrackSettings& settings);
+
+}  // namespace tolman::feature_stereo

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The active window: the last keyframes, and the landmarks that they saw.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <vector>
+
+#include "projection.hpp"
+
+namespace tolman::feature_stereo {
+
+/// A landmark seen by a keyframe.
+struct Observation {
+  std::int64_t keyframe = -1;               ///< its frame index
+  StereoPixel pixel = StereoPixel::Zero();  ///< as measured, disparity offset and all
+  bool has_disparity = false;               ///< else pixel.z() is a prediction
+};
+
+struct Landmark {
+  InverseDepthPoint point;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the coordinates, poses held fixed
+  std::vector<Observation> observations;                 ///< by keyframes of the window alone
+};
+
+struct Keyframe {
+  std::int64_t frame = -1;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+
+class Window {
+ public:
+  /// Forgets keyframes and landmarks, not what was learnt of the cameras.
+  void clear();
+  void addKeyframe(const Keyframe& keyframe) { keyframes_.push_back(keyframe); }
+  /// Forgets the oldest keyframe, its observations, and landmarks that nobody else saw.
+  void dropOldest();
+  /// Forgets landmarks without observations; the caller has removed some.
+  void dropUnseen();
+
+  /// A new landmark, seen by the latest keyframe; returns its id.
+  std::int64_t addLandmark(const Landmark& landmark);
+  Landmark* find(std::int64_t id);
+
+  std::deque<Keyframe>& keyframes() { return keyframes_; }
+  const std::deque<Keyframe>& keyframes() const { return keyframes_; }
+  std::map<std::int64_t, Landmark>& landmarks() { return landmarks_; }
+  const std::map<std::int64_t, Landmark>& landmarks() const { return landmarks_; }
+  /// Measured minus true disparity, px: what the pair's rectification is off by.
+  double disparityOffset() const { return disparity_offset_; }
+  void setDisparityOffset(double offset) { disparity_offset_ = offset; }
+
+ private:
+  std::deque<Keyframe> keyframes_;              ///< oldest first
+  std::map<std::int64_t, Landmark> landmarks_;  ///< by id: an order that no address decides
+  std::int64_t next_id_ = 0;
+  double disparity_offset_ = 0;
+};
+
+}  // namespace tolman::feature_stereo

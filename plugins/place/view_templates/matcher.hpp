@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The nearest stored template of a view: exhaustive sum of absolute differences over horizontal
+// shifts, with a quick reject by the mean and rows abandoned early.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "template_bank.hpp"
+#include "view_maker.hpp"
+
+namespace tolman::view_templates {
+
+struct MatchSettings {
+  int shift = 5;             ///< largest horizontal shift, cells; not used by panoramas
+  int step = 1;              ///< between the shifts that are tried, cells
+  double threshold = 0.085;  ///< largest mean absolute difference of a match
+  bool panoramic = false;    ///< the view closes on itself: all cyclic shifts
+};
+
+struct Match {
+  std::int64_t id = -1;  ///< nearest template; -1 when every one was rejected by its mean
+  double distance = 1;   ///< mean absolute difference of the compared cells
+  /// How far the scene moved to the right in the image since the template was made, in cells.
+  /// Interpolated between the shifts that were tried.
+  double moved_right = 0;
+};
+
+class Matcher {
+ public:
+  /// settings.shift must leave at least one column of `columns` to compare.
+  Matcher(const MatchSettings& settings, int columns, int rows);
+
+  /// Ties go to the older template, then to the shift that was tried first.
+  Match nearest(const View& view, const TemplateBank& bank);
+
+ private:
+  /// One tried shift: the first compared column of view and of template.
+  struct Shift {
+    int view_column;
+    int template_column;
+  };
+
+  void setQuery(const View& view);
+  Shift shiftAt(int index) const;
+  std::int64_t difference(const FixedCell* stored, Shift shift, std::int64_t limit) const;
+  double interpolated(const FixedCell* stored, int best) const;
+
+  MatchSettings settings_;
+  int columns_;
+  int rows_;
+  int compared_columns_;
+  int shifts_;
+  int query_stride_;
+  std::vector<FixedCell> query_;  ///< rows of the view; twice side by side for panoramas
+};
+
+}  // namespace tolman::view_templates

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <string>
+
+namespace tolman::view_templates {
+namespace {
+
+double meanOf(const std::vector<float>& cells) {
+  return std::accumulate(cells.begin(), cells.end(), 0.0) / static_cast<double>(cells.size());
+}
+
+int pixelOf(double fraction, int size) { return static_cast<int>(std::lround(fraction * size)); }
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::int64_t sumOf(const std::uint8_t* bytes, int count) {
+  std::int64_t sum = 0;
+  for (int i = 0; i < count; ++i) sum += bytes[i];
+  return sum;
+}
+
+}  // namespace
+
+void averageBlocks(const Image& image, int x0, int y0, int block_width, int block_height,
+                   int columns, int rows, std::vector<float>& cells) {
+  const int bytes = bytesPerPixel(image.format());
+  const double scale = 1.0 / (255.0 * bytes * block_width * block_height);
+  std::vector<std::int64_t> sums(static_cast<std::size_t>(columns));
+  cells.clear();
+  for (int r = 0; r < rows; ++r) {
+    std::fill(sums.begin(), sums.end(), 0);
+    for (int y = 0; y < block_height; ++y) {
+      const std::uint8_t* pixel = image.row(y0 + r * block_height + y) + x0 * bytes;
+      for (std::int64_t& sum : sums) {
+        sum += sumOf(pixel, block_width * bytes);
+        pixel += block_width * bytes;
+      }
+    }
+    for (const std::int64_t sum : sums) {
+      cells.push_back(static_cast<float>(static_cast<double>(sum) * scale));
+    }
+  }
+}
+
+void normaliseMean(double target, std::vector<float>& cells) {
+  const double mean = meanOf(cells);
+  if (!(mean > 0)) return;
+  const double factor = target / mean;
+  for (float& cell : cells) cell = static_cast<float>(std::clamp(cell * factor, 0.0, 1.0));
+}
+
+namespace {
+
+struct Moments {
+  double mean = 0;
+  double deviation = 0;
+};
+
+Moments momentsOfWindow(const std::vector<float>& source, int columns, int column, int row,
+                        int radius) {
+  const int rows = static_cast<int>(source.size()) / columns;
+  double sum = 0;
+  double squares = 0;
+  for (int y = row - radius; y <= row + radius; ++y) {
+    const int start = std::clamp(y, 0, rows - 1) * columns;
+    for (int x = column - radius; x <= column + radius; ++x) {
+      const double value = source[static_cast<std::size_t>(start + std::clamp(x, 0, columns - 1))];
+      sum += value;
+      squares += value * value;
+    }
+  }
+  const double count = (2.0 * radius + 1) * (2.0 * radius + 1);
+  const double mean = sum / count;
+  return {mean, std::sqrt(std::max(0.0, squares / count - mean * mean))};
+}
+
+}  // namespace
+
+void normalisePatches(int columns, int radius, double minimum_std, const std::vector<float>& source,
+                      std::vector<float>& cells) {
+  // Below this, a window of equal cells shows only the rounding of its squares.
+  constexpr double kFlat = 1e-6;
+  cells.resize(source.size());
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    const int at = static_cast<int>(i);
+    const Moments window = momentsOfWindow(source, columns, at % columns, at / columns, radius);
+    const bool flat = window.deviation < std::max(minimum_std, kFlat);
+    const double z = flat ? 0 : (source[i] - window.mean) / window.deviation;
+    cells[i] = static_cast<float>(std::clamp((z + 3) / 6, 0.0, 1.0));
+  }
+}
+
+Status ViewMaker::make(const Image& image, View& view) {
+  const ViewSettings& s = settings_;
+  const int x0 = pixelOf(s.crop_x_min, image.width());
+  const int y0 = pixelOf(s.crop_y_min, image.height());
+  const int width = pixelOf(s.crop_x_max, image.width()) - x0;
+  const int height = pixelOf(s.crop_y_max, image.height()) - y0;
+  const int block_width = width / s.columns;  // the remainder on the right and below is ignored
+  const int block_height = height / s.rows;
+  if (block_width < 1 || block_height < 1) {
+    return Status::invalidParameter("the crop of the " + sizeText(image.width(), image.height()) +
+                                    " image has " + sizeText(width, height) +
+                                    " pixels, too few for a template of " +
+                                    sizeText(s.columns, s.rows) +
+                                    " cells; make `columns` and `rows` smaller or the crop larger");
+  }
+  averageBlocks(image, x0, y0, block_width, block_height, s.columns, s.rows, view.cells);
+  if (s.normalisation > 0) normaliseMean(s.normalisation, view.cells);
+  if (s.patch_radius > 0) {
+    before_patches_.swap(view.cells);
+    normalisePatches(s.columns, s.patch_radius, s.patch_minimum_std, before_patches_, view.cells);
+  }
+  view.mean = meanOf(view.cells);
+  view.block_width_px = block_width;
+  return Status::ok();
+}
+
+}  // namespace tolman::view_templates

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_templates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "tolman/state_stream.hpp"
+#include "yaw_of_shift.hpp"
+
+namespace tolman::view_templates {
+namespace {
+
+constexpr std::string_view kMagic = "TLMVIEWS";
+constexpr std::uint64_t kStateVersion = 1;
+
+ViewSettings viewSettings(const ViewTemplates::Parameters& p) {
+  return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,       p.crop_y_min,
+          p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std};
+}
+
+Status check(const ViewTemplates::Parameters& p) {
+  if (p.crop_x_min >= p.crop_x_max || p.crop_y_min >= p.crop_y_max) {
+    return Status::invalidParameter(
+        "the crop is empty: crop_x_min and crop_y_min must be less than crop_x_max and crop_y_max");
+  }
+  if (!p.panoramic && 2 * p.shift >= p.columns) {
+    return Status::invalidParameter(
+        "a shift of " + std::to_string(p.shift) + " cells to both sides leaves none of " +
+        std::to_string(p.columns) + " columns to compare; lower `shift`");
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+Status ViewTemplates::configure(const Context& context) {
+  Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = std::move(bound).value();
+  if (Status status = check(parameters_); !status.isOk()) return status;
+  rig_ = context.rig;
+  return reset();
+}
+
+Status ViewTemplates::reset() {
+  const Parameters& p = parameters_;
+  maker_ = std::make_unique<ViewMaker>(viewSettings(p));
+  matcher_ = std::make_unique<Matcher>(MatchSettings{p.shift, p.step, p.threshold, p.panoramic},
+                                       p.columns, p.rows);
+  bank_ = std::make_unique<TemplateBank>(p.columns, p.rows);
+  view_ = View{};
+  last_template_ = -1;
+  return Status::ok();
+}
+
+Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
+                              PlaceObservation& observation) {
+  observation.frame = frame.frame;
+  observation.stamp_ns = frame.stamp_ns;
+  if (frame.left.empty()) return Status::ok();
+  if (Status status = maker_->make(frame.left, view_); !status.isOk()) return status;
+
+  const Match match = matcher_->nearest(view_, *bank_);
+  observation.score = match.distance;
+  if (match.id >= 0 && match.distance <= parameters_.threshold) {
+    observation.recognition = Recognition::Familiar;
+    observation.template_id = match.id;
+    observation.relative_yaw = relativeYaw(match, frame.left.width());
+  } else {
+    observation.recognition = Recognition::Novel;
+    observation.template_id = bank_->add(view_);
+  }
+  last_template_ = observation.template_id;
+  return Status::ok();
+}
+
+double ViewTemplates::relativeYaw(const Match& match, int image_width) const {
+  const Parameters& p = parameters_;
+  if (p.panoramic) return yawOfPanoramicShift(match.moved_right, p.columns);
+  const double fov = p.field_of_view * std::numbers::pi / 180;
+  const double focal = rig_.calibrated ? rig_.pinhole.fx : focalOfFieldOfView(fov, image_width);
+  return yawOfPinholeShift(match.moved_right * view_.block_width_px, focal);
+}
+
+void ViewTemplates::arrays(std::vector<NamedArray>& arrays) const {
+  const std::vector<int> shape = {parameters_.rows, parameters_.columns};
+  std::vector<float> current(bank_->cellsPerTemplate());
+  std::vector<float> stored(bank_->cellsPerTemplate());
+  std::copy(view_.cells.begin(), view_.cells.end(), current.begin());
+  if (last_template_ >= 0) {
+    const auto cells = bank_->cells(last_template_);
+    std::transform(cells.begin(), cells.end(), stored.begin(),
+                   [](FixedCell cell) { return static_cast<float>(cell) / kOne; });
+  }
+  arrays.push_back({"view.current", shape, std::move(current)});
+  arrays.push_back({"view.template", shape, std::move(stored)});
+}
+
+/// All that decides how a view becomes a template: stored templates are worthless to another.
+std::vector<double> ViewTemplates::recipe() const {
+  const Parameters& p = parameters_;
+  return {static_cast<double>(p.columns),
+          static_cast<double>(p.rows),
+          p.crop_x_min,
+          p.crop_x_max,
+          p.crop_y_min,
+          p.crop_y_max,
+          p.normalisation,
+          static_cast<double>(p.patch_radius),
+          p.patch_minimum_std};
+}
+
+Status ViewTemplates::save(std::ostream& stream) const {
+  StateWriter writer;
+  writer.putAll<double>(recipe());
+  writer.put(last_template_);
+  writer.put(bank_->size());
+  writer.putAll(bank_->allMeans());
+  writer.putAll(bank_->allCells());
+  return writer.write(stream, kMagic, kStateVersion);
+}
+
+Status ViewTemplates::load(std::istream& stream) {
+  if (Status status = reset(); !status.isOk()) return status;
+  Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
+  if (!opened.isOk()) return opened.status();
+  StateReader& reader = opened.value();
+  std::vector<double> saved_recipe(recipe().size());
+  reader.getAll<double>(saved_recipe);
+  if (saved_recipe != recipe()) {
+    return Status::invalidInput(
+        "the saved templates were made with other parameters (columns, rows, crop, normalisation)");
+  }
+  const auto last = reader.get<std::int64_t>();
+  const auto count = reader.get<std::uint64_t>();
+  const std::size_t bytes_each = sizeof(double) + bank_->cellsPerTemplate() * sizeof(FixedCell);
+  if (count != reader.remaining() / bytes_each || last >= static_cast<std::int64_t>(count)) {
+    return Status::invalidInput("the saved state is damaged: wrong number of templates");
+  }
+  std::vector<double> means(count);
+  std::vector<FixedCell> cells(count * bank_->cellsPerTemplate());
+  reader.getAll<double>(means);
+  reader.getAll<FixedCell>(cells);
+  if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
+  bank_->restore(std::move(cells), std::move(means));
+  last_template_ = last;
+  return Status::ok();
+}
+
+}  // namespace tolman::view_templates

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Local view cells: each novel view becomes a template, each familiar one activates its template.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "matcher.hpp"
+#include "template_bank.hpp"
+#include "tolman/plugin.hpp"
+#include "view_maker.hpp"
+
+namespace tolman::view_templates {
+
+class ViewTemplates final : public Place, public ArraySource, public StateKeeper {
+ public:
+  struct Parameters {
+    int columns = 60;
+    int rows = 10;
+    // 100-1150 and 50-300 px of KITTI's 1241x376 images, as fractions: any image size works.
+    double crop_x_min = 100.0 / 1241;
+    double crop_x_max = 1150.0 / 1241;
+    double crop_y_min = 50.0 / 376;
+    double crop_y_max = 300.0 / 376;
+    double threshold = 0.085;
+    int shift = 5;
+    int step = 1;
+    double normalisation = 0.4;
+    int patch_radius = 0;
+    double patch_minimum_std = 0;
+    bool panoramic = false;
+    double field_of_view = 81.6;
+
+    static constexpr auto declaration() {
+      using P = Parameters;
+      return parameters(
+          parameter("columns", &P::columns).range(1, 512).unit("cells").doc("Template width."),
+          parameter("rows", &P::rows).range(1, 512).unit("cells").doc("Template height."),
+          parameter("crop_x_min", &P::crop_x_min)
+              .range(0, 1)
+              .doc("Left edge of the part of the image that is used, as a fraction of its width."),
+          parameter("crop_x_max", &P::crop_x_max)
+              .range(0, 1)
+              .doc("Right edge, as a fraction of the width; 1 is the full image."),
+          parameter("crop_y_min", &P::crop_y_min)
+              .range(0, 1)
+              .doc("Upper edge, as a fraction of the height."),
+          parameter("crop_y_max", &P::crop_y_max)
+              .range(0, 1)
+              .doc("Lower edge, as a fraction of the height; 1 is the full image."),
+          parameter("threshold", &P::threshold)
+              .range(0, 1)
+              .doc("Largest mean absolute difference between a view and its template."),
+          parameter("shift", &P::shift)
+              .range(0, 255)
+              .unit("cells")
+              .doc("Largest horizontal shift that is tried to either side."),
+          parameter("step", &P::step).range(1, 64).unit("cells").doc("Between tried shifts."),
+          parameter("normalisation", &P::normalisation)
+              .range(0, 1)
+              .doc("Mean that every view is scaled to; 0 turns it off."),
+          parameter("patch_radius", &P::patch_radius)
+              .range(0, 32)
+              .unit("cells")
+              .doc("Half width of the windows of patch normalisation; 0 turns it off."),
+          parameter("patch_minimum_std", &P::patch_minimum_std)
+              .range(0, 1)
+              .doc("Windows with less contrast than this become 0.5."),
+          parameter("panoramic", &P::panoramic)
+              .doc("The images are full turns: all cyclic shifts are tried."),
+          parameter("field_of_view", &P::field_of_view)
+              .range(1, 179)
+              .unit("deg")
+              .doc(
+                  "Horizontal field of view of the whole image, for cameras without calibration."));
+    }
+  };
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
+
+  /// "view.current" and "view.template" (the one of the last answer), rows x columns in [0, 1].
+  void arrays(std::vector<NamedArray>& arrays) const override;
+
+  Status save(std::ostream& stream) const override;
+  Status load(std::istream& stream) override;
+
+ private:
+  double relativeYaw(const Match& match, int image_width) const;
+  std::vector<double> recipe() const;
+
+  Parameters parameters_;
+  CameraRig rig_;
+  std::unique_ptr<ViewMaker> maker_;
+  std::unique_ptr<Matcher> matcher_;
+  std::unique_ptr<TemplateBank> bank_;
+  View view_;
+  std::int64_t last_template_ = -1;
+};
+
+}  // namespace tolman::view_templates

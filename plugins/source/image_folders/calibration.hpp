@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// KITTI's calib.txt: projection matrices of rectified cameras, P = K [I | t].
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <optional>
+
+#include "inspection.hpp"
+#include "tolman/camera.hpp"
+
+namespace tolman::image_folders {
+
+/// What the file says of one camera or one pair.
+struct Calibration {
+  Pinhole pinhole;
+  double baseline = 0;  ///< m; 0 for a single camera
+  /// Origin of camera 0, the one that KITTI's poses belong to, in the left camera's axes, m.
+  Eigen::Vector3d t_left_camera0 = Eigen::Vector3d::Zero();
+};
+
+/// Reads the matrices P<left> and, for a pair, P<left + 1>, and checks that they describe what the
+/// SDK calls a rectified rig with the right camera to the right. None when there is an error.
+std::optional<Calibration> readKittiCalibration(const std::filesystem::path& file, int left,
+                                                bool stereo, Inspection& inspection);
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "folder_source.hpp"
+
+#include <utility>
+
+namespace tolman::image_folders {
+
+Status FolderSource::configure(const Context& context) {
+  dataset_ = {};
+  inspection_ = {};
+  sequence_ = {};
+  next_frame_ = 0;
+  ready_ = load(context.parameters, parameters_, dataset_, inspection_);
+  if (ready_.isOk()) ready_ = inspection_.status();
+  if (!ready_.isOk()) return ready_;
+  Result<FrameSequence> sequence = FrameSequence::make(parameters_, dataset_.stamps_ns);
+  ready_ = sequence.status();
+  if (sequence.isOk()) sequence_ = std::move(sequence).value();
+  return ready_;
+}
+
+Status FolderSource::reset() {
+  next_frame_ = 0;
+  return ready_;
+}
+
+Status FolderSource::info(SourceInfo& info) {
+  if (!ready_.isOk()) return ready_;
+  info.description = describe(dataset_, sequence_.size());
+  info.rig = dataset_.rig;
+  info.frames = sequence_.size();
+  info.has_truth = !dataset_.T_world_left.empty();
+  return Status::ok();
+}
+
+Status FolderSource::next(Frame& frame) {
+  if (!ready_.isOk()) return ready_;
+  if (next_frame_ >= sequence_.size()) return Status::endOfStream();
+  frame.frame = next_frame_++;  // also when it cannot be read: a caller that skips gets the next
+  frame.stamp_ns = sequence_.stampNs(frame.frame);
+  frame.source_index = sequence_.sourceIndex(frame.frame);
+  const auto index = static_cast<std::size_t>(frame.source_index);
+  if (!dataset_.T_world_left.empty()) {
+    // The world is the left camera at frame 0 of this run, not of the data set.
+    const auto origin = static_cast<std::size_t>(sequence_.sourceIndex(0));
+    frame.has_truth = true;
+    frame.T_world_camera_truth =
+        dataset_.T_world_left[origin].inverse() * dataset_.T_world_left[index];
+  }
+  Status status = readImages(index, frame);
+  if (status.isOk() || parameters_.on_corrupt == OnCorrupt::Stop) return status;
+  frame.left = frame.right = {};
+  frame.defect = status.message();
+  return Status::ok();
+}
+
+Status FolderSource::readImages(std::size_t index, Frame& frame) const {
+  Result<Image> left = readImageFile(dataset_.left[index], parameters_.colour, dataset_.size());
+  if (!left.isOk()) return left.status();
+  frame.left = std::move(left).value();
+  if (dataset_.right.empty()) return Status::ok();
+  Result<Image> right = readImageFile(dataset_.right[index], parameters_.colour, dataset_.size());
+  if (!right.isOk()) return right.status();
+  frame.right = std::move(right).value();
+  return Status::ok();
+}
+
+Status FolderSource::inspect(std::vector<Finding>& findings) {
+  const std::vector<Finding>& problems = inspection_.findings();
+  findings.insert(findings.end(), problems.begin(), problems.end());
+  if (problems.empty() && !ready_.isOk()) {
+    findings.push_back({Finding::Severity::Error, "configuration", ready_.message()});
+  }
+  if (dataset_.rig.width > 0) checkImageFiles(dataset_, findings);
+  if (!dataset_.left.empty()) {
+    const auto all = static_cast<std::int64_t>(dataset_.left.size());
+    findings.push_back({Finding::Severity::Note, dataset_.left.front().parent_path().string(),
+                        describe(dataset_, ready_.isOk() ? sequence_.size() : all)});
+  }
+  return Status::ok();
+}
+
+}  // namespace tolman::image_folders

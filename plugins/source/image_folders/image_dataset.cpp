@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image_dataset.hpp"
+
+#include <cmath>
+
+#include "image_listing.hpp"
+#include "text_file.hpp"
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The size in the first sound header: damaged images are the business of on_corrupt.
+void findImageSize(ImageDataset& dataset, Inspection& inspection) {
+  for (const fs::path& file : dataset.left) {
+    const Result<ImageSize> size = checkImageFile(file);
+    if (!size.isOk()) continue;
+    dataset.rig.width = size.value().width;
+    dataset.rig.height = size.value().height;
+    return;
+  }
+  if (dataset.left.empty()) return;  // explained by listImages()
+  inspection.error(dataset.left.front().parent_path(), "has no readable image; restore them");
+}
+
+std::string pixels(ImageSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+void checkImage(const fs::path& file, ImageSize expected, std::vector<Finding>& findings) {
+  const Result<ImageSize> size = checkImageFile(file);
+  if (!size.isOk()) {
+    const std::string message = size.status().message().substr(file.string().size() + 2);
+    findings.push_back({Finding::Severity::Error, file.string(), message});
+  } else if (size.value() != expected) {
+    findings.push_back({Finding::Severity::Error, file.string(),
+                        "has " + pixels(size.value()) + " pixels, but the first image has " +
+                            pixels(expected) + "; all must be of one size"});
+  }
+}
+
+}  // namespace
+
+void readFolders(const fs::path& left_folder, const fs::path& right_folder, ImageDataset& dataset,
+                 Inspection& inspection) {
+  dataset.left = listImages(left_folder, inspection);
+  if (!right_folder.empty()) {
+    dataset.right = listImages(right_folder, inspection);
+    checkPairs(dataset.left, dataset.right, inspection);
+  }
+  findImageSize(dataset, inspection);
+}
+
+std::vector<std::int64_t> uniformStamps(std::size_t count, double rate) {
+  std::vector<std::int64_t> stamps(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    stamps[i] = std::llround(static_cast<double>(i) * 1e9 / rate);
+  }
+  return stamps;
+}
+
+void checkPrincipalPoint(const fs::path& file, const CameraRig& rig, Inspection& inspection) {
+  if (rig.width == 0) return;
+  const Pinhole& K = rig.pinhole;
+  if (K.cx > 0 && K.cx < rig.width && K.cy > 0 && K.cy < rig.height) return;
+  inspection.error(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
+                             ") is outside of the " + pixels({rig.width, rig.height}) +
+                             " image; give the calibration of these images");
+}
+
+std::string describe(const ImageDataset& dataset, std::int64_t frames) {
+  const bool stereo = dataset.rig.isStereo();
+  std::string text = dataset.layout + ", " + std::to_string(frames);
+  if (frames != static_cast<std::int64_t>(dataset.left.size())) {
+    text += " from " + std::to_string(dataset.left.size());
+  }
+  text += (stereo ? " stereo pairs of " : " images of one camera of ") + pixels(dataset.size());
+  const std::vector<std::int64_t>& stamps = dataset.stamps_ns;
+  if (stamps.size() > 1 && stamps.back() > stamps.front()) {
+    const double seconds = static_cast<double>(stamps.back() - stamps.front()) * 1e-9;
+    text += " px at " + fixed(static_cast<double>(stamps.size() - 1) / seconds, 1) + " Hz";
+  }
+  if (stereo) text += ", baseline " + fixed(dataset.rig.baseline, 4) + " m";
+  if (!dataset.rig.calibrated) text += ", uncalibrated";
+  return text + (dataset.T_world_left.empty() ? ", no truth" : ", with truth");
+}
+
+void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings) {
+  for (const fs::path& file : dataset.left) checkImage(file, dataset.size(), findings);
+  for (const fs::path& file : dataset.right) checkImage(file, dataset.size(), findings);
+}
+
+}  // namespace tolman::image_folders

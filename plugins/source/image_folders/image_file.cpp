@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image_file.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tolman/image_cv.hpp"
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kRemedy =
+    "; copy or record it again, or leave it out by on_corrupt: skip";
+using Bytes = std::span<const std::uint8_t>;
+
+Status problem(std::string_view what) { return Status::invalidInput(std::string(what)); }
+
+std::string_view asText(Bytes bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+/// Big-endian number of `count` bytes at `at`; the caller has checked that they exist.
+std::int64_t bigEndian(Bytes bytes, std::size_t at, std::size_t count) {
+  std::int64_t value = 0;
+  for (const std::uint8_t byte : bytes.subspan(at, count)) value = value * 256 + byte;
+  return value;
+}
+
+Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {
+  constexpr std::int64_t kMostPixels = 100'000'000;
+  if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels / width) {
+    return problem("claims an impossible size of " + std::to_string(width) + "x" +
+                   std::to_string(height) + " pixels");
+  }
+  return ImageSize{static_cast<int>(width), static_cast<int>(height)};
+}
+
+Result<ImageSize> checkPng(Bytes bytes) {
+  constexpr std::size_t kHeaderEnd = 33;  // signature, then IHDR with length, name, data and CRC
+  if (bytes.size() < kHeaderEnd || asText(bytes).substr(12, 4) != "IHDR") {
+    return problem("is a PNG file with a damaged header");
+  }
+  if (asText(bytes).rfind("IEND") == std::string_view::npos) {
+    return problem("is a truncated PNG file");
+  }
+  return plausibleSize(bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4));
+}
+
+/// Walks the segments to the frame header SOF, which has the size.
+Result<ImageSize> jpegSize(Bytes bytes) {
+  std::size_t at = 2;
+  while (at + 9 <= bytes.size() && bytes[at] == 0xff) {
+    const std::uint8_t marker = bytes[at + 1];
+    if (marker == 0xff) {  // fill byte
+      ++at;
+      continue;
+    }
+    const bool is_table = marker == 0xc4 || marker == 0xc8 || marker == 0xcc;
+    if (marker >= 0xc0 && marker <= 0xcf && !is_table) {
+      return plausibleSize(bigEndian(bytes, at + 7, 2), bigEndian(bytes, at + 5, 2));
+    }
+    at += 2 + static_cast<std::size_t>(bigEndian(bytes, at + 2, 2));
+  }
+  return problem("is a JPEG file with a damaged header");
+}
+
+Result<ImageSize> checkJpeg(Bytes bytes) {
+  using namespace std::string_view_literals;
+  Result<ImageSize> size = jpegSize(bytes);
+  if (!size.isOk()) return size;
+  // Neither marker can occur in compressed data. Padding after the end is harmless.
+  const std::size_t last_scan = asText(bytes).rfind("\xff\xda"sv);
+  const std::size_t end = asText(bytes).rfind("\xff\xd9"sv);
+  const bool complete =
+      last_scan != std::string_view::npos && end != std::string_view::npos && end > last_scan;
+  return complete ? size : problem("is a truncated JPEG file: its end marker is missing");
+}
+
+Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
+  constexpr std::uintmax_t kMostBytes = 512U << 20U;
+  std::error_code failure;
+  if (!fs::is_regular_file(file, failure)) return problem("is missing or no file");
+  const std::uintmax_t size = fs::file_size(file, failure);
+  if (failure || size > kMostBytes) return problem("is larger than 512 MiB");
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!stream) return problem("cannot be read");
+  return bytes;
+}
+
+Result<Image> decode(const std::vector<std::uint8_t>& bytes, bool colour, ImageSize size) {
+  const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
+  cv::Mat pixels;
+  try {
+    pixels = cv::imdecode(bytes, mode | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception&) {
+    pixels.release();
+  }
+  if (pixels.empty()) return problem("cannot be decoded, its data are damaged");
+  if (ImageSize{pixels.cols, pixels.rows} != size) return problem("has a damaged header");
+  return asImage(pixels);
+}
+
+Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected) {
+  Result<std::vector<std::uint8_t>> bytes = readBytes(file);
+  if (!bytes.isOk()) return bytes.status();
+  const Result<ImageSize> size = checkImageBytes(bytes.value());
+  if (!size.isOk()) return size.status();
+  if (size.value() != expected) {
+    return problem("has " + std::to_string(size.value().width) + "x" +
+                   std::to_string(size.value().height) + " pixels, but the first image has " +
+                   std::to_string(expected.width) + "x" + std::to_string(expected.height));
+  }
+  return decode(bytes.value(), colour, expected);
+}
+
+Status named(const fs::path& file, const Status& status) {
+  return problem(file.string() + ": " + status.message() + std::string(kRemedy));
+}
+
+}  // namespace
+
+Result<ImageSize> checkImageBytes(Bytes bytes) {
+  using namespace std::string_view_literals;
+  if (bytes.empty()) return problem("is empty");
+  if (asText(bytes).starts_with("\x89PNG\r\n\x1a\n"sv)) return checkPng(bytes);
+  if (asText(bytes).starts_with("\xff\xd8"sv)) return checkJpeg(bytes);
+  return problem("is neither a PNG nor a JPEG file");
+}
+
+Result<ImageSize> checkImageFile(const fs::path& file) {
+  const Result<std::vector<std::uint8_t>> bytes = readBytes(file);
+  if (!bytes.isOk()) return named(file, bytes.status());
+  Result<ImageSize> size = checkImageBytes(bytes.value());
+  return size.isOk() ? size : named(file, size.status());
+}
+
+Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected) {
+  Result<Image> image = checkAndDecode(file, colour, expected);
+  return image.isOk() ? image : named(file, image.status());
+}
+
+}  // namespace tolman::image_folders

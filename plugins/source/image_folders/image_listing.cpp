@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image_listing.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes the leading run of digits off `text`, without leading zeros.
+std::string_view takeNumber(std::string_view& text) {
+  const auto end = std::find_if_not(text.begin(), text.end(), isDigit);
+  std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+  text.remove_prefix(number.size());
+  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+  return number;
+}
+
+bool isImage(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+std::string shortName(const fs::path& file) {
+  return (file.parent_path().filename() / file.filename()).string();
+}
+
+void reportLonely(const fs::path& file, const fs::path& other_folder, Inspection& inspection) {
+  inspection.error(other_folder, "has no " + file.stem().string() + ", the partner of " +
+                                     shortName(file) + "; restore it, or remove the partner");
+}
+
+}  // namespace
+
+bool naturalLess(std::string_view a, std::string_view b) {
+  const std::string_view whole_a = a;
+  const std::string_view whole_b = b;
+  while (!a.empty() && !b.empty()) {
+    if (isDigit(a.front()) && isDigit(b.front())) {
+      const std::string_view number_a = takeNumber(a);
+      const std::string_view number_b = takeNumber(b);
+      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
+      if (number_a != number_b) return number_a < number_b;
+    } else {
+      if (a.front() != b.front()) return a.front() < b.front();
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+  }
+  if (a.empty() != b.empty()) return a.empty();
+  return whole_a < whole_b;  // differ in leading zeros only
+}
+
+std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection) {
+  std::vector<fs::path> images;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    if (isImage(entry->path())) images.push_back(entry->path());
+  }
+  if (failure) {
+    inspection.error(folder, "cannot be read (" + failure.message() + "); check the path");
+    return {};
+  }
+  if (images.empty()) inspection.error(folder, "has no .png or .jpg images; check the path");
+  std::sort(images.begin(), images.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string stem_a = a.stem().string();
+    const std::string stem_b = b.stem().string();
+    return stem_a != stem_b ? naturalLess(stem_a, stem_b) : a < b;
+  });
+  for (std::size_t i = 1; i < images.size(); ++i) {
+    if (images[i].stem() != images[i - 1].stem()) continue;
+    inspection.error(folder, "has both " + images[i - 1].filename().string() + " and " +
+                                 images[i].filename().string() + "; remove one of them");
+  }
+  return images;
+}
+
+void checkPairs(const std::vector<fs::path>& left, const std::vector<fs::path>& right,
+                Inspection& inspection) {
+  if (left.empty() || right.empty()) return;  // explained by listImages()
+  const fs::path left_folder = left.front().parent_path();
+  const fs::path right_folder = right.front().parent_path();
+  auto l = left.begin();
+  auto r = right.begin();
+  while (l != left.end() || r != right.end()) {
+    if (l != left.end() && r != right.end() && l->stem() == r->stem()) {
+      ++l;
+      ++r;
+    } else if (r == right.end() ||
+               (l != left.end() && naturalLess(l->stem().string(), r->stem().string()))) {
+      reportLonely(*l++, right_folder, inspection);
+    } else {
+      reportLonely(*r++, left_folder, inspection);
+    }
+  }
+}
+
+}  // namespace tolman::image_folders

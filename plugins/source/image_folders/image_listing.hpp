@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which images a folder holds, in the order that people count, and which of two folders belong
+// together.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "inspection.hpp"
+
+namespace tolman::image_folders {
+
+/// Runs of digits compare as numbers: "image2" < "image10". A total order.
+bool naturalLess(std::string_view a, std::string_view b);
+
+/// The PNG and JPEG files in `folder`, by naturalLess of their names without extension. None, with
+/// an error, when there are none; two of one name are an error too.
+std::vector<std::filesystem::path> listImages(const std::filesystem::path& folder,
+                                              Inspection& inspection);
+
+/// An error for each image whose name (without extension) is not in the other list.
+void checkPairs(const std::vector<std::filesystem::path>& left,
+                const std::vector<std::filesystem::path>& right, Inspection& inspection);
+
+}  // namespace tolman::image_folders

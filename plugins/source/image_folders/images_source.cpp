@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "images_source.hpp"
+
+#include <filesystem>
+
+#include "calibration.hpp"
+#include "times_and_poses.hpp"
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Parameters = ImagesSource::Parameters;
+
+fs::path leftFolder(const Parameters& p) {
+  const fs::path root = p.path;
+  if (!p.left.empty()) return root / p.left;
+  std::error_code ignored;
+  return fs::is_directory(root / "images", ignored) ? root / "images" : root;
+}
+
+/// Contradictions that the ranges of single parameters cannot say.
+Status checkCombination(const Parameters& p) {
+  if (!p.calibration.empty() && (p.fx > 0 || p.baseline > 0)) {
+    return Status::invalidParameter("calibration and fx or baseline are both given; keep one");
+  }
+  if (p.right.empty() && p.baseline > 0) {
+    return Status::invalidParameter("baseline is given without right; name the right folder");
+  }
+  if (!p.right.empty() && p.calibration.empty() && (p.fx == 0 || p.baseline == 0)) {
+    return Status::invalidParameter(
+        "two cameras need a calibration; give the file, or fx and baseline");
+  }
+  if (!p.stamps_column.empty() && p.stamps.empty()) {
+    return Status::invalidParameter("stamps_column is given without stamps; name the file");
+  }
+  return Status::ok();
+}
+
+void setRig(const Parameters& p, CameraRig& rig) {
+  if (p.fx == 0) return;
+  rig.calibrated = true;
+  rig.pinhole = {p.fx, p.fy > 0 ? p.fy : p.fx, p.cx > 0 ? p.cx : (rig.width - 1) / 2.0,
+                 p.cy > 0 ? p.cy : (rig.height - 1) / 2.0};
+  rig.baseline = p.baseline;
+}
+
+void readRig(const Parameters& p, CameraRig& rig, Inspection& inspection) {
+  if (p.calibration.empty()) {
+    setRig(p, rig);
+    if (rig.calibrated) checkPrincipalPoint("cx, cy", rig, inspection);
+    return;
+  }
+  const fs::path file = fs::path(p.path) / p.calibration;
+  const auto calibration = readKittiCalibration(file, 0, !p.right.empty(), inspection);
+  if (!calibration) return;
+  rig.calibrated = true;
+  rig.pinhole = calibration->pinhole;
+  rig.baseline = calibration->baseline;
+  checkPrincipalPoint(file, rig, inspection);
+}
+
+void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {
+  if (p.stamps.empty()) {
+    dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);
+    return;
+  }
+  const fs::path file = fs::path(p.path) / p.stamps;
+  dataset.stamps_ns = readTimes(file, p.stamps_column, inspection);
+  checkCount(file, dataset.stamps_ns.size(), dataset.left.size(), inspection);
+}
+
+}  // namespace
+
+Status ImagesSource::load(const ParameterValues& values, FolderParameters& shared,
+                          ImageDataset& dataset, Inspection& inspection) {
+  const Result<Parameters> bound = bindParameters<Parameters>(values);
+  if (!bound.isOk()) return bound.status();
+  const Parameters& p = bound.value();
+  shared = p;
+  if (Status status = checkCombination(p); !status.isOk()) return status;
+  dataset.layout = "images";
+  const fs::path right = p.right.empty() ? fs::path() : fs::path(p.path) / p.right;
+  readFolders(leftFolder(p), right, dataset, inspection);
+  readRig(p, dataset.rig, inspection);
+  readStamps(p, dataset, inspection);
+  return Status::ok();
+}
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source `images`: one or two folders of numbered images, calibrated or not.
+#pragma once
+
+#include <string>
+#include <tuple>
+
+#include "folder_source.hpp"
+
+namespace tolman::image_folders {
+
+class ImagesSource final : public FolderSource {
+ public:
+  struct Parameters : FolderParameters {
+    std::string path;
+    std::string left;
+    std::string right;
+    std::string calibration;
+    double fx = 0;
+    double fy = 0;
+    double cx = 0;
+    double cy = 0;
+    double baseline = 0;
+    double rate = 10;
+    std::string stamps;
+    std::string stamps_column;
+
+    static constexpr auto declaration() {
+      return std::tuple_cat(
+          parameters(
+              parameter("path", &Parameters::path)
+                  .path()
+                  .required()
+                  .doc("Folder of the data set; the other names are relative to it."),
+              parameter("left", &Parameters::left)
+                  .doc("Folder of the left (or only) camera; empty: images, or path itself."),
+              parameter("right", &Parameters::right)
+                  .doc("Folder of the right camera of a rectified pair; empty for one camera."),
+              parameter("calibration", &Parameters::calibration)
+                  .doc("Calibration in KITTI's format (P0, P1); empty: fx to baseline."),
+              parameter("fx", &Parameters::fx)
+                  .range(0, 1e6)
+                  .unit("px")
+                  .doc("Focal length; 0 for an uncalibrated camera."),
+              parameter("fy", &Parameters::fy)
+                  .range(0, 1e6)
+                  .unit("px")
+                  .doc("Vertical focal length; 0 for the same as fx."),
+              parameter("cx", &Parameters::cx)
+                  .range(0, 1e6)
+                  .unit("px")
+                  .doc("Principal point; 0 for the centre of the image."),
+              parameter("cy", &Parameters::cy)
+                  .range(0, 1e6)
+                  .unit("px")
+                  .doc("Principal point; 0 for the centre of the image."),
+              parameter("baseline", &Parameters::baseline)
+                  .range(0, 5)
+                  .unit("m")
+                  .doc("Distance of the right camera from the left one."),
+              parameter("rate", &Parameters::rate)
+                  .range(0.001, 1e6)
+                  .unit("Hz")
+                  .doc("Frame rate, where stamps names no file."),
+              parameter("stamps", &Parameters::stamps)
+                  .doc("File with the time of each image in seconds, one a line, or a table."),
+              parameter("stamps_column", &Parameters::stamps_column)
+                  .doc("Name of the table's column that holds the times.")),
+          folderParameters<Parameters>());
+    }
+  };
+
+ protected:
+  Status load(const ParameterValues& values, FolderParameters& shared, ImageDataset& dataset,
+              Inspection& inspection) override;
+};
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "inspection.hpp"
+
+#include <utility>
+
+namespace tolman::image_folders {
+
+void Inspection::error(const std::filesystem::path& file, std::string message) {
+  add(file.string(), file.string(), std::move(message));
+}
+
+void Inspection::error(const std::filesystem::path& file, int line, std::string message) {
+  add(file.string(), file.string() + ":" + std::to_string(line), std::move(message));
+}
+
+void Inspection::add(const std::string& file, std::string where, std::string message) {
+  constexpr int kMostErrors = 20;
+  const int errors = ++errors_of_file_[file];
+  if (errors > kMostErrors + 1) return;
+  if (errors == kMostErrors + 1) {
+    where = file;
+    message = "has more problems; they are not listed";
+  }
+  findings_.push_back({Finding::Severity::Error, std::move(where), std::move(message)});
+}
+
+Status Inspection::status() const {
+  if (findings_.empty()) return Status::ok();
+  std::string message = findings_.front().where + ": " + findings_.front().message;
+  const std::size_t more = findings_.size() - 1;
+  if (more > 0) {
+    message += " (and " + std::to_string(more) + (more == 1 ? " more problem" : " more problems") +
+               "; `tolman dataset check` lists all)";
+  }
+  return Status::invalidInput(message);
+}
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Problems of a data set, gathered while it is read, so that a user hears of all of them at once.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tolman/roles.hpp"
+
+namespace tolman::image_folders {
+
+/// Findings in the order of discovery. At most 20 errors a file: garbage has too many to be read.
+class Inspection {
+ public:
+  void error(const std::filesystem::path& file, std::string message);
+  void error(const std::filesystem::path& file, int line, std::string message);
+
+  bool hasErrors() const { return !findings_.empty(); }
+  const std::vector<Finding>& findings() const { return findings_; }
+  /// Ok, or the first error and how many more there are.
+  Status status() const;
+
+ private:
+  void add(const std::string& file, std::string where, std::string message);
+
+  std::vector<Finding> findings_;
+  std::map<std::string, int> errors_of_file_;
+};
+
+}  // namespace tolman::image_folders

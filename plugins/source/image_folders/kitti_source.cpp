@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "kitti_source.hpp"
+
+#include <filesystem>
+
+#include "calibration.hpp"
+#include "times_and_poses.hpp"
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+using Parameters = KittiSource::Parameters;
+
+fs::path imageFolder(const fs::path& root, int camera) {
+  return root / ("image_" + std::to_string(camera));
+}
+
+/// 0 for the grey pair, 2 for the colour pair, -1 when there is neither.
+int leftCamera(const Parameters& p) {
+  const fs::path root = p.path;
+  std::error_code ignored;
+  for (const int camera : {p.colour ? 2 : 0, p.colour ? 0 : 2}) {
+    if (fs::is_directory(imageFolder(root, camera), ignored)) return camera;
+  }
+  return -1;
+}
+
+void readCalibration(const fs::path& file, int left, bool stereo, ImageDataset& dataset,
+                     Eigen::Vector3d& t_left_camera0, Inspection& inspection) {
+  const auto calibration = readKittiCalibration(file, left, stereo, inspection);
+  if (!calibration) return;
+  dataset.rig.calibrated = true;
+  dataset.rig.pinhole = calibration->pinhole;
+  dataset.rig.baseline = calibration->baseline;
+  t_left_camera0 = calibration->t_left_camera0;
+  checkPrincipalPoint(file, dataset.rig, inspection);
+}
+
+void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {
+  const fs::path file = fs::path(p.path) / "times.txt";
+  if (!fs::exists(file)) {
+    if (p.rate > 0) {
+      dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);
+    } else {
+      inspection.error(file, "is missing; restore it, or set rate to the frames a second");
+    }
+    return;
+  }
+  dataset.stamps_ns = readTimes(file, "", inspection);
+  checkCount(file, dataset.stamps_ns.size(), dataset.left.size(), inspection);
+}
+
+/// The file named by the user, that in the sequence, or that of the benchmark's own tree.
+fs::path posesFile(const Parameters& p) {
+  if (!p.poses.empty()) return p.poses;
+  const fs::path root = fs::path(p.path) / "";
+  const fs::path sequence = root.parent_path();
+  const fs::path benchmark =
+      sequence.parent_path().parent_path() / "poses" / (sequence.filename().string() + ".txt");
+  for (const fs::path& file : {sequence / "poses.txt", benchmark}) {
+    if (fs::exists(file)) return file;
+  }
+  return {};
+}
+
+void readTruth(const Parameters& p, const Eigen::Vector3d& t_left_camera0, ImageDataset& dataset,
+               Inspection& inspection) {
+  const fs::path file = posesFile(p);
+  if (file.empty()) return;
+  dataset.T_world_left = readKittiPoses(file, inspection);
+  checkCount(file, dataset.T_world_left.size(), dataset.left.size(), inspection);
+  const Eigen::Translation3d T_camera0_left(-t_left_camera0);
+  for (Eigen::Isometry3d& T : dataset.T_world_left) T = T * T_camera0_left;
+}
+
+}  // namespace
+
+Status KittiSource::load(const ParameterValues& values, FolderParameters& shared,
+                         ImageDataset& dataset, Inspection& inspection) {
+  const Result<Parameters> bound = bindParameters<Parameters>(values);
+  if (!bound.isOk()) return bound.status();
+  const Parameters& p = bound.value();
+  shared = p;
+  dataset.layout = "KITTI odometry";
+  const fs::path root = p.path;
+  std::error_code ignored;
+  if (!fs::is_directory(root, ignored)) {
+    inspection.error(root, "is no folder; set path to a sequence, such as .../sequences/06");
+    return Status::ok();
+  }
+  const int left = leftCamera(p);
+  if (left < 0) {
+    inspection.error(root,
+                     "has neither image_0 nor image_2; set path to a sequence, such as "
+                     ".../sequences/06");
+    return Status::ok();
+  }
+  const fs::path right_folder = imageFolder(root, left + 1);
+  const bool stereo = !p.mono && fs::is_directory(right_folder, ignored);
+  readFolders(imageFolder(root, left), stereo ? right_folder : fs::path(), dataset, inspection);
+  Eigen::Vector3d t_left_camera0 = Eigen::Vector3d::Zero();
+  readCalibration(root / "calib.txt", left, stereo, dataset, t_left_camera0, inspection);
+  readStamps(p, dataset, inspection);
+  readTruth(p, t_left_camera0, dataset, inspection);
+  return Status::ok();
+}
+
+}  // namespace tolman::image_folders

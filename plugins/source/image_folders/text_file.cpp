@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kSeparators = " \t\r,;";
+
+/// Splits off an optional sign; true for minus.
+bool takeSign(std::string_view& text) {
+  if (text.empty() || (text.front() != '-' && text.front() != '+')) return false;
+  const bool minus = text.front() == '-';
+  text.remove_prefix(1);
+  return minus;
+}
+
+/// A decimal number as 0.DIGITS * 10^point.
+struct Decimal {
+  std::string digits;
+  int point = 0;
+};
+
+/// Reads unsigned "12.5e-3"; none unless all of `text` is that.
+std::optional<Decimal> parseDecimal(std::string_view text) {
+  Decimal decimal;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  bool after_point = false;
+  bool any = false;
+  for (; !text.empty() && (is_digit(text.front()) || (text.front() == '.' && !after_point));
+       text.remove_prefix(1)) {
+    if (text.front() == '.') {
+      after_point = true;
+      continue;
+    }
+    any = true;
+    if (decimal.digits.empty() && text.front() == '0') {
+      decimal.point -= after_point ? 1 : 0;  // leading zeros only move the point
+      continue;
+    }
+    decimal.digits += text.front();
+    decimal.point += after_point ? 0 : 1;
+  }
+  if (!any) return std::nullopt;
+  if (text.empty()) return decimal;
+  if (text.front() != 'e' && text.front() != 'E') return std::nullopt;
+  text.remove_prefix(1);
+  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
+  int exponent = 0;
+  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), exponent);
+  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  if (std::abs(exponent) > 1000) return std::nullopt;
+  decimal.point += exponent;
+  return decimal;
+}
+
+}  // namespace
+
+std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
+  constexpr std::uintmax_t kMostBytes = 256U << 20U;
+  std::error_code failure;
+  if (!fs::is_regular_file(file, failure)) {
+    inspection.error(file, "is missing; restore it, or correct the path");
+    return {};
+  }
+  if (fs::file_size(file, failure) > kMostBytes || failure) {
+    inspection.error(file, "is larger than 256 MiB; this is not the text file that is wanted");
+    return {};
+  }
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<TextLine> lines;
+  int number = 0;
+  for (std::string text; std::getline(stream, text);) {
+    ++number;
+    const std::size_t begin = text.find_first_not_of(kSeparators);
+    if (begin == std::string::npos || text[begin] == '#') continue;
+    if (text.back() == '\r') text.pop_back();
+    lines.push_back({number, std::move(text)});
+  }
+  if (!stream.eof()) inspection.error(file, "cannot be read; check its permissions");
+  if (stream.eof() && lines.empty()) inspection.error(file, "is empty; restore it");
+  return lines;
+}
+
+std::vector<std::string_view> splitFields(std::string_view line) {
+  std::vector<std::string_view> fields;
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) return fields;
+    line.remove_prefix(begin);
+    fields.push_back(line.substr(0, line.find_first_of(kSeparators)));
+    line.remove_prefix(fields.back().size());
+  }
+}
+
+std::string inQuotes(std::string_view field) {
+  constexpr std::size_t kMost = 24;
+  std::string text = "'";
+  for (const char c : field.substr(0, kMost)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (field.size() > kMost ? "...'" : "'");
+}
+
+std::optional<double> parseNumber(std::string_view field) {
+  double number = 0;
+  const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
+  const bool whole = failure == std::errc{} && end == field.data() + field.size();
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
+
+std::optional<std::int64_t> parseSeconds(std::string_view field) {
+  const bool negative = takeSign(field);
+  const std::optional<Decimal> seconds = parseDecimal(field);
+  if (!seconds) return std::nullopt;
+  const int length = seconds->point + 9;  // digits before the point, counted in nanoseconds
+  if (seconds->digits.empty() || length < 0) return 0;
+  if (length > 19) return std::nullopt;
+  std::string digits = seconds->digits;
+  digits.resize(std::max(digits.size(), static_cast<std::size_t>(length) + 1), '0');
+  std::uint64_t ns = 0;  // 19 digits fit
+  for (const char digit : digits.substr(0, static_cast<std::size_t>(length))) {
+    ns = ns * 10 + static_cast<std::uint64_t>(digit - '0');
+  }
+  if (digits[static_cast<std::size_t>(length)] >= '5') ++ns;
+  if (ns > std::uint64_t{1} << 62U) return std::nullopt;
+  return negative ? -static_cast<std::int64_t>(ns) : static_cast<std::int64_t>(ns);
+}
+
+std::string fixed(double value, int digits) {
+  char text[64];
+  const int size = std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return {text, static_cast<std::size_t>(std::clamp(size, 0, 63))};
+}
+
+}  // namespace tolman::image_folders

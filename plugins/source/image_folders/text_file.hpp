@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Small text files as numbered lines of fields, and the numbers in them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "inspection.hpp"
+
+namespace tolman::image_folders {
+
+struct TextLine {
+  int number = 0;  ///< from 1
+  std::string text;
+};
+
+/// All lines but blank ones and '#' comments, without line ends. A file that cannot be read or says
+/// nothing is an error in `inspection`, and gives no lines.
+std::vector<TextLine> readLines(const std::filesystem::path& file, Inspection& inspection);
+
+/// The fields between blanks, commas and semicolons.
+std::vector<std::string_view> splitFields(std::string_view line);
+
+/// A field as a message can show it: short, printable, in quotes.
+std::string inQuotes(std::string_view field);
+
+/// A finite number in C notation that fills the whole field.
+std::optional<double> parseNumber(std::string_view field);
+
+/// Decimal seconds, with or without an exponent, to nanoseconds: exact, then rounded half away from
+/// zero. (By way of a double, 1.6e9 s would lose 100 ns.) None beyond 2^62 ns, which is 146 years.
+std::optional<std::int64_t> parseSeconds(std::string_view field);
+
+/// A number for a message, with `digits` after the point.
+std::string fixed(double value, int digits);
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "times_and_poses.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "text_file.hpp"
+
+namespace tolman::image_folders {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The place of `column` among the names of the first line, which is then taken away.
+std::optional<std::size_t> takeHeader(const fs::path& file, const std::string& column,
+                                      std::vector<TextLine>& lines, Inspection& inspection) {
+  if (lines.empty()) return std::nullopt;
+  const std::string header = lines.front().text;
+  const auto names = splitFields(header);
+  const auto found = std::find(names.begin(), names.end(), column);
+  if (found == names.end()) {
+    inspection.error(file, lines.front().number,
+                     "names no column " + inQuotes(column) + "; correct stamps_column");
+    return std::nullopt;
+  }
+  lines.erase(lines.begin());
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+/// The time in a line, in ns.
+std::optional<std::int64_t> parseTime(const fs::path& file, const TextLine& line,
+                                      std::optional<std::size_t> column, Inspection& inspection) {
+  const auto fields = splitFields(line.text);
+  if (fields.size() <= column.value_or(0) || (!column && fields.size() > 1)) {
+    inspection.error(file, line.number,
+                     "has " + std::to_string(fields.size()) +
+                         (column ? " columns, fewer than the first line"
+                                 : " columns; write one time in seconds a line"));
+    return std::nullopt;
+  }
+  const std::string_view field = fields[column.value_or(0)];
+  const std::optional<std::int64_t> ns = parseSeconds(field);
+  if (!ns)
+    inspection.error(file, line.number, inQuotes(field) + " is no time in seconds; correct it");
+  return ns;
+}
+
+/// 12 numbers to a rigid motion; the identity after an error.
+Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspection& inspection) {
+  constexpr double kTolerance = 1e-3;  // KITTI prints seven digits
+  const auto fields = splitFields(line.text);
+  if (fields.size() != 12) {
+    inspection.error(
+        file, line.number,
+        "has " + std::to_string(fields.size()) + " numbers; a pose has 12, row by row");
+    return Eigen::Isometry3d::Identity();
+  }
+  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> M;
+  for (int i = 0; i < 12; ++i) {
+    const std::string_view field = fields[static_cast<std::size_t>(i)];
+    const std::optional<double> number = parseNumber(field);
+    if (!number) {
+      inspection.error(file, line.number,
+                       inQuotes(field) +
+                           " is no finite number; correct the pose, or remove the file "
+                           "to run without truth");
+      return Eigen::Isometry3d::Identity();
+    }
+    M(i / 4, i % 4) = *number;
+  }
+  const Eigen::Matrix3d R = M.leftCols<3>();
+  if (!(R.transpose() * R).isIdentity(kTolerance) || R.determinant() < 0) {
+    inspection.error(file, line.number,
+                     "its first three columns are no rotation; write camera-to-world poses");
+    return Eigen::Isometry3d::Identity();
+  }
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = Eigen::Quaterniond(R).normalized().toRotationMatrix();
+  T.translation() = M.col(3);
+  return T;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& column,
+                                    Inspection& inspection) {
+  std::vector<TextLine> lines = readLines(file, inspection);
+  std::optional<std::size_t> index;
+  if (!column.empty()) {
+    index = takeHeader(file, column, lines, inspection);
+    if (!index) return {};
+  }
+  std::vector<std::int64_t> times;
+  std::optional<std::int64_t> previous;
+  for (const TextLine& line : lines) {
+    const std::optional<std::int64_t> ns = parseTime(file, line, index, inspection);
+    times.push_back(ns.value_or(0));
+    if (ns && previous && *ns <= *previous) {
+      const double back = static_cast<double>(*previous - *ns) * 1e-9;
+      inspection.error(file, line.number,
+                       back > 0 ? "time goes back by " + fixed(back, 6) + " s; sort the data"
+                                : "has the time of the frame before; remove one of the two");
+    }
+    if (ns) previous = ns;
+  }
+  return times;
+}
+
+std::vector<Eigen::Isometry3d> readKittiPoses(const fs::path& file, Inspection& inspection) {
+  std::vector<Eigen::Isometry3d> poses;
+  for (const TextLine& line : readLines(file, inspection)) {
+    poses.push_back(parsePose(file, line, inspection));
+  }
+  return poses;
+}
+
+void checkCount(const fs::path& file, std::size_t entries, std::size_t images,
+                Inspection& inspection) {
+  if (entries == 0 || images == 0 || entries == images) return;
+  inspection.error(file, "has " + std::to_string(entries) + " entries, but there are " +
+                             std::to_string(images) + " images; one line per image is needed");
+}
+
+}  // namespace tolman::image_folders

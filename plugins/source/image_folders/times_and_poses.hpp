@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One line per frame: when it was taken (times.txt or a column of a table), and where (poses.txt).
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "inspection.hpp"
+
+namespace tolman::image_folders {
+
+/// Stamps in ns from seconds; they must increase strictly. `column` is a name of the table's first
+/// line, or empty for a file of one number a line. A line
+/// with an error is an error in `inspection`, and still counts as an entry.
+std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
+                                    Inspection& inspection);
+
+/// KITTI's poses: T_world_camera0 as 12 numbers a line, row by row.
+std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file,
+                                              Inspection& inspection);
+
+/// An error unless `file` has as many entries as there are images; no entries were explained.
+void checkCount(const std::filesystem::path& file, std::size_t entries, std::size_t images,
+                Inspection& inspection);
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// For StateKeeper: the envelope of a saved state. Magic, version, size, checksum, and a payload of
+// plain numbers in the machine's byte order; damage is found before any number is used.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <istream>
+#include <ostream>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "tolman/status.hpp"
+
+namespace tolman {
+
+namespace detail {
+
+struct StateHeader {
+  char magic[8];
+  std::uint64_t version;
+  std::uint64_t size;      ///< bytes of payload
+  std::uint64_t checksum;  ///< FNV-1a of the payload
+};
+
+inline std::uint64_t stateChecksum(std::string_view payload) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : payload) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return hash;
+}
+
+}  // namespace detail
+
+/// Collects numbers, then writes them in one envelope.
+class StateWriter {
+ public:
+  template <class T>
+  void put(const T& value) requires std::is_arithmetic_v<T> {
+    payload_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class T>
+  void putAll(std::span<const T> values) requires std::is_arithmetic_v<T> {
+    payload_.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+  }
+
+  /// `magic` has eight characters.
+  Status write(std::ostream& stream, std::string_view magic, std::uint64_t version) const {
+    detail::StateHeader header{{}, version, payload_.size(), detail::stateChecksum(payload_)};
+    std::memcpy(header.magic, magic.data(), sizeof header.magic);
+    stream.write(reinterpret_cast<const char*>(&header), sizeof header);
+    stream.write(payload_.data(), static_cast<std::streamsize>(payload_.size()));
+    return stream ? Status::ok() : Status::failed("the state could not be written");
+  }
+
+ private:
+  std::string payload_;
+};
+
+/// Reads one envelope; a get beyond its end gives zero and makes complete() false.
+class StateReader {
+ public:
+  static Result<StateReader> open(std::istream& stream, std::string_view magic,
+                                  std::uint64_t version) {
+    detail::StateHeader header{};
+    stream.read(reinterpret_cast<char*>(&header), sizeof header);
+    if (!stream || std::memcmp(header.magic, magic.data(), sizeof header.magic) != 0) {
+      return Status::invalidInput("this is not a saved state of '" + std::string(magic) + "'");
+    }
+    if (header.version != version) {
+      return Status::invalidInput("the saved state has version " + std::to_string(header.version) +
+                                  ", this plugin reads version " + std::to_string(version));
+    }
+    StateReader reader;
+    reader.readPayload(stream, header.size);
+    if (reader.payload_.size() != header.size ||
+        detail::stateChecksum(reader.payload_) != header.checksum) {
+      return Status::invalidInput("the saved state is damaged: its checksum does not agree");
+    }
+    return reader;
+  }
+
+  template <class T>
+  T get() requires std::is_arithmetic_v<T> {
+    T value{};
+    take(&value, sizeof value);
+    return value;
+  }
+  template <class T>
+  void getAll(std::span<T> values) requires std::is_arithmetic_v<T> {
+    take(values.data(), values.size_bytes());
+  }
+  std::size_t remaining() const { return payload_.size() - position_; }
+  /// Every byte was read, and none too many.
+  bool complete() const { return !overrun_ && remaining() == 0; }
+
+ private:
+  void take(void* destination, std::size_t bytes) {
+    overrun_ = overrun_ || bytes > remaining();
+    if (overrun_ || bytes == 0) return;
+    std::memcpy(destination, payload_.data() + position_, bytes);
+    position_ += bytes;
+  }
+  /// In pieces: a damaged size must not ask for all memory.
+  void readPayload(std::istream& stream, std::uint64_t size) {
+    constexpr std::uint64_t kPiece = 1U << 16U;
+    while (stream && payload_.size() < size) {
+      const std::size_t start = payload_.size();
+      payload_.resize(start + std::min(kPiece, size - start));
+      stream.read(payload_.data() + start, static_cast<std::streamsize>(payload_.size() - start));
+      payload_.resize(start + static_cast<std::size_t>(stream.gcount()));
+    }
+  }
+
+  std::string payload_;
+  std::size_t position_ = 0;
+  bool overrun_ = false;
+};
+
+}  // namespace tolman

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What paths in a configuration mean.
+#include "config/paths.hpp"
+
+#include <catch2/catch.hpp>
+
+namespace tolman {
+
+TEST_CASE("Paths become absolute and normal, from the place that says them") {
+  const config::Places places{"/start", "/home/ada"};
+  const config::Origin file = config::Origin::ofFile("configs/deep/a.yaml");
+  const config::Origin far = config::Origin::ofFile("/etc/tolman/a.yaml");
+  const config::Origin line{config::Origin::Kind::CommandLine, "--set x=y", 0, 0, {}};
+  const auto resolve = [&](const char* path, const config::Origin& origin) {
+    return config::resolvePath(path, origin, places).value();
+  };
+  CHECK(resolve("data", file) == "/start/configs/deep/data");
+  CHECK(resolve("../../data/./06/", file) == "/start/data/06");
+  CHECK(resolve("data", far) == "/etc/tolman/data");
+  CHECK(resolve("data", line) == "/start/data");
+  CHECK(resolve("/abs/../x", file) == "/x");
+  CHECK(resolve("~", line) == "/home/ada");
+  CHECK(resolve("~/kitti/06", file) == "/home/ada/kitti/06");
+  CHECK(resolve("a~/b", line) == "/start/a~/b");
+  CHECK(resolve("/", line) == "/");
+  CHECK(resolve("", file).empty());
+}
+
+TEST_CASE("Homes that are not known are refused") {
+  const auto unset = config::resolvePath("~/x", {}, {"/start", ""});
+  CHECK(unset.status().message() == "'~' needs HOME, which is not set");
+  const auto other = config::resolvePath("~bob/x", {}, {"/start", "/home/ada"});
+  CHECK(other.status().message() == "'~bob/x': only '~/' is understood, not other homes");
+}
+
+}  // namespace tolman

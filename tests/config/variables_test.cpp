@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Environment variables in values.
+#include "config/variables.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "config/toy_system.hpp"
+
+namespace tolman {
+namespace {
+
+/// The text after expansion, or the complaint.
+std::string expanded(const std::string& text) {
+  config::Node node;
+  node.kind = config::Node::Kind::Scalar;
+  node.text = text;
+  config::Problems problems;
+  const auto environment =
+      test::environmentOf({{"A", "one"}, {"EMPTY", ""}, {"TRICK", "${A} [x]"}, {"_x9", "9"}});
+  config::expandVariables(node, "key", environment, problems);
+  return problems.empty() ? node.text : problems[0].message;
+}
+
+}  // namespace
+
+TEST_CASE("Variables and defaults are put in place") {
+  CHECK(expanded("plain $A $ text") == "plain $A $ text");
+  CHECK(expanded("${A}") == "one");
+  CHECK(expanded("x${A}y${_x9}z") == "xoney9z");
+  CHECK(expanded("${A:-two}") == "one");
+  CHECK(expanded("${B:-two}") == "two");
+  CHECK(expanded("${B:-}") == "");
+  CHECK(expanded("${B:-a:-b}") == "a:-b");
+  CHECK(expanded("${EMPTY}") == "");
+  CHECK(expanded("${EMPTY:-two}") == "two");  // as in a shell
+}
+
+TEST_CASE("$${ stands for ${, and what a variable holds is not expanded again") {
+  CHECK(expanded("$${A}") == "${A}");
+  CHECK(expanded("$${A} ${A}") == "${A} one");
+  CHECK(expanded("$$${A}") == "$${A}");
+  CHECK(expanded("${TRICK}") == "${A} [x]");
+  CHECK(expanded("${A}${A}") == "oneone");
+}
+
+TEST_CASE("Wrong uses are refused with the remedy") {
+  CHECK(expanded("${B}") == "the environment variable B is not set; set it or write ${B:-default}");
+  CHECK(expanded("${A") == "'${' without '}'");
+  CHECK(expanded("${A:-${B}}") == "${A:-...} cannot hold another ${...}");
+  CHECK(expanded("${}").starts_with("'${}' names no variable"));
+  CHECK(expanded("${a b}").starts_with("'${a b}' names no variable"));
+  CHECK(expanded("${A-x}").starts_with("'${A-x}' names no variable"));
+}
+
+TEST_CASE("A quoted variable may be a number, and remembers its name") {
+  config::Node node;
+  node.kind = config::Node::Kind::Scalar;
+  node.text = "${A:-1}${B:-2}";
+  node.quoted = true;
+  config::Problems problems;
+  config::expandVariables(node, "key", test::environmentOf({}), problems);
+  CHECK(node.text == "12");
+  CHECK_FALSE(node.quoted);
+  CHECK(node.origin.variables == "A, B");
+}
+
+TEST_CASE("The process's environment is one of them") {
+  REQUIRE(setenv("TOLMAN_TEST_VARIABLE", "here", 1) == 0);
+  CHECK(config::processEnvironment()("TOLMAN_TEST_VARIABLE") == "here");
+  REQUIRE(unsetenv("TOLMAN_TEST_VARIABLE") == 0);
+  CHECK_FALSE(config::processEnvironment()("TOLMAN_TEST_VARIABLE"));
+}
+
+}  // namespace tolman

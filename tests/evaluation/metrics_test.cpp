@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/metrics.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "evaluation/paths.hpp"
+
+using namespace tolman;
+using namespace tolman::evaluation;
+
+TEST_CASE("metrics.json has the promised keys with the right figures") {
+  const Trajectory truth = test::straightPath(100);
+  Trajectory bent = truth;
+  for (auto& pose : bent) pose.T_world_camera.translation().x() += pose.frame % 2 == 0 ? 0.1 : -0.1;
+  Metrics metrics;
+  metrics.odometry = scoreTrajectory(truth, bent, Alignment::Se3);
+  bent.resize(80);
+  metrics.map = scoreTrajectory(truth, bent, Alignment::Se3);
+  metrics.frames = 100;
+  metrics.templates = 7;
+  metrics.experiences = 9;
+  metrics.loops = 2;
+  metrics.timing["odometry"] = stageTiming({1'000'000, 3'000'000});
+  const auto json = toJson(metrics);
+  CHECK(json["alignment"] == "se3");
+  CHECK(json["odometry"]["ate"]["rmse_m"].get<double>() == Approx(0.1).epsilon(1e-3));
+  for (const char* key : {"rmse_m", "mean_m", "median_m", "min_m", "max_m"}) {
+    CHECK(json["map"]["ate"][key].is_number());
+  }
+  CHECK(json["odometry"]["rpe"]["frame"]["translation"]["rmse_m"].get<double>() ==
+        Approx(0.2).epsilon(1e-3));
+  CHECK(json["odometry"]["rpe"]["metre"]["rotation"]["rmse_deg_per_m"].get<double>() < 1e-3);
+  CHECK(json["odometry"]["kitti"]["t_rel_percent"].is_number());
+  CHECK(json["odometry"]["kitti"]["r_rel_deg_per_100m"].is_number());
+  CHECK(json["odometry"]["kitti"]["lengths"] == "short");
+  CHECK(json["odometry"]["kitti"]["lengths_m"] == std::vector<double>{5, 10, 20, 30, 40, 50});
+  // Starts every 10 m of 99 m: 10 of 5 m, 9 of 10 m, 8 of 20 m, 7 of 30 m, 6 of 40 m, 5 of 50 m.
+  CHECK(json["odometry"]["kitti"]["segments"] == 45);
+  CHECK(json["odometry"]["matched"] == 100);
+  CHECK(json["odometry"]["coverage"] == 1.0);
+  CHECK(json["map"]["coverage"] == 0.8);
+  CHECK(json["coverage"] == 0.8);
+  CHECK(json["odometry"]["reason"].is_null());
+  CHECK(json["templates"] == 7);
+  CHECK(json["experiences"] == 9);
+  CHECK(json["loops"] == 2);
+  CHECK(json["timing"]["odometry"]["mean_ms"] == 2.0);
+}
+
+TEST_CASE("without truth the scores are null with a reason, the path length is not") {
+  Metrics metrics;
+  metrics.odometry = scoreTrajectory({}, test::straightPath(11), Alignment::Se3);
+  metrics.map = scoreTrajectory(test::straightPath(3), {}, Alignment::Se3);
+  const auto json = toJson(metrics);
+  CHECK(json["odometry"]["ate"]["rmse_m"].is_null());
+  CHECK(json["odometry"]["rpe"]["frame"]["translation"]["rmse_m"].is_null());
+  CHECK(json["odometry"]["kitti"]["t_rel_percent"].is_null());
+  CHECK(json["odometry"]["reason"] == "there is no ground truth");
+  CHECK(json["odometry"]["path_length_m"].get<double>() == Approx(10));
+  CHECK(json["odometry"]["matched"] == 0);
+  CHECK(json["map"]["reason"] == "there is no estimate");
+  CHECK(json["coverage"].is_null());
+}
+
+TEST_CASE("a path that is too short for segments says so") {
+  const auto metrics =
+      scoreTrajectory(test::straightPath(4), test::straightPath(4), Alignment::Se3);
+  const auto json = toJson(metrics);
+  CHECK(json["kitti"]["t_rel_percent"].is_null());
+  CHECK(json["kitti"]["reason"] == "the path is shorter than any segment");
+  CHECK(json["ate"]["rmse_m"].get<double>() < 1e-9);
+}
+
+TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
+  RandomStream random(4);
+  const Trajectory truth = test::wanderingPath(50, random);
+  Trajectory flat = truth;
+  for (auto& pose : flat) pose.T_world_camera.translation().y() = 0;
+  CHECK(scoreTrajectory(truth, flat, Alignment::Se2).scores->ate_m.max < 1e-9);
+  CHECK(scoreTrajectory(truth, flat, Alignment::None).scores->ate_m.max > 0.5);
+  const auto scaled = scoreTrajectory(truth, test::moved(truth, Eigen::Isometry3d::Identity(), 0.5),
+                                      Alignment::Sim3);
+  CHECK(scaled.scores->scale == Approx(2));
+  // Relative errors are measured with the scale applied.
+  CHECK(scaled.scores->rpe_frame.translation_m.max < 1e-9);
+}
+
+TEST_CASE("timing by hand") {
+  std::vector<std::int64_t> durations;
+  for (std::int64_t i = 100; i >= 1; --i) durations.push_back(i * 1'000'000);
+  const StageTiming timing = stageTiming(durations);
+  CHECK(timing.frames == 100);
+  CHECK(timing.mean_ms == Approx(50.5));
+  CHECK(timing.median_ms == Approx(50.5));
+  CHECK(timing.p95_ms == Approx(95));
+  CHECK(timing.max_ms == Approx(100));
+  CHECK(stageTiming({}).frames == 0);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A rendered street for tests: ground, two walls and an end, all with a smooth random texture.
+#pragma once
+
+#include "tolman/camera.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::test {
+
+/// 480 x 200 px, f = 300 px, baseline 0.5 m.
+CameraRig streetRig();
+
+/// What the rig sees at this pose; frame and stamp (10 Hz) are set from `index`.
+Frame streetFrame(std::int64_t index, const Eigen::Isometry3d& T_world_camera);
+
+}  // namespace tolman::test

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The order that people count in, and partners.
+#include "image_listing.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "data_folder.hpp"
+
+namespace tolman::image_folders {
+
+TEST_CASE("numbers in names count as numbers") {
+  CHECK(naturalLess("image2", "image10"));
+  CHECK_FALSE(naturalLess("image10", "image2"));
+  CHECK(naturalLess("a9b10", "a10b1"));
+  CHECK(naturalLess("07", "7"));  // equal numbers: any order, but always the same
+  CHECK_FALSE(naturalLess("7", "07"));
+  CHECK(naturalLess("a", "a1"));
+  CHECK_FALSE(naturalLess("a", "a"));
+  CHECK(naturalLess("99999999999999999999998", "99999999999999999999999"));  // no 64 bits
+}
+
+TEST_CASE("the order is total: sorting from any start gives one list") {
+  std::vector<std::string> names = {"0",   "00", "1",   "01", "2",  "10",  "a",   "a0",
+                                    "a00", "a1", "a1b", "b",  "b2", "b10", "b10a"};
+  const std::vector<std::string> sorted = names;
+  std::sort(names.begin(), names.end());
+  do {
+    std::vector<std::string> shuffled = names;
+    std::sort(shuffled.begin(), shuffled.end(), naturalLess);
+    REQUIRE(shuffled == std::vector<std::string>{"0", "00", "01", "1", "2", "10", "a", "a0", "a00",
+                                                 "a1", "a1b", "b", "b2", "b10", "b10a"});
+    std::rotate(names.begin(), names.begin() + 4, names.end());
+  } while (!std::is_sorted(names.begin(), names.end()));
+}
+
+TEST_CASE("a folder's images, and only they") {
+  const DataFolder data;
+  for (const char* name : {"x/10.png", "x/9.JPG", "x/8.jpeg", "x/notes.txt", "x/11.bmp"}) {
+    data.write(name, "");
+  }
+  Inspection inspection;
+  std::string names;
+  for (const auto& file : listImages(data.path("x"), inspection)) {
+    names += file.filename().string() + " ";
+  }
+  CHECK(names == "8.jpeg 9.JPG 10.png ");
+  CHECK_FALSE(inspection.hasErrors());
+}
+
+TEST_CASE("problems of a folder") {
+  const DataFolder data;
+  const auto failure = [&](const std::string& name) {
+    Inspection inspection;
+    listImages(data.path(name), inspection);
+    return data.anonymous(inspection.status().message());
+  };
+  CHECK(failure("nowhere") ==
+        "DATA/nowhere: cannot be read (No such file or directory); check the path");
+  data.write("empty/readme.txt", "");
+  CHECK(failure("empty") == "DATA/empty: has no .png or .jpg images; check the path");
+  data.write("twice/1.png", "");
+  data.write("twice/1.jpg", "");
+  CHECK(failure("twice") == "DATA/twice: has both 1.jpg and 1.png; remove one of them");
+}
+
+TEST_CASE("images without a partner are named, on either side") {
+  const DataFolder data;
+  Inspection inspection;
+  checkPairs({"d/image_0/1.png", "d/image_0/2.png", "d/image_0/10.png"},
+             {"d/image_1/2.jpg", "d/image_1/3.png", "d/image_1/10.png"}, inspection);
+  REQUIRE(inspection.findings().size() == 2);
+  CHECK(inspection.findings()[0].where == "d/image_1");
+  CHECK(inspection.findings()[0].message ==
+        "has no 1, the partner of image_0/1.png; restore it, or remove the partner");
+  CHECK(inspection.findings()[1].where == "d/image_0");
+  CHECK(inspection.findings()[1].message ==
+        "has no 3, the partner of image_1/3.png; restore it, or remove the partner");
+}
+
+}  // namespace tolman::image_folders

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The images source: one or two folders, with and without calibration.
+#include "images_source.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "data_folder.hpp"
+
+namespace tolman::image_folders {
+namespace {
+
+/// Configures with the folder as path; the failure's message goes to `message`.
+struct Opened {
+  Opened(const DataFolder& data, ParameterValues values) {
+    values["path"] = data.path().string();
+    message = data.anonymous(configure(source, std::move(values)));
+    if (!message.empty()) return;
+    REQUIRE(source.info(info).isOk());
+    std::string failure;
+    frames = readAll(source, failure);
+    REQUIRE(failure.empty());
+  }
+  ImagesSource source;
+  SourceInfo info;
+  std::string message;
+  std::vector<Frame> frames;
+};
+
+const ParameterValues kPair = {{"left", std::string("image_0")}, {"right", std::string("image_1")}};
+
+ParameterValues pairWith(ParameterValues more) {
+  more.insert(kPair.begin(), kPair.end());
+  return more;
+}
+
+}  // namespace
+
+TEST_CASE("one uncalibrated folder") {
+  const DataFolder data;
+  const Opened mono(data, {{"left", std::string("image_0")}});
+  CHECK(mono.message.empty());
+  CHECK(mono.info.description ==
+        "images, 4 images of one camera of 64x48 px at 10.0 Hz, uncalibrated, no truth");
+  CHECK_FALSE(mono.info.rig.calibrated);
+  REQUIRE(mono.frames.size() == 4);
+  CHECK(mono.frames[3].stamp_ns == 300'000'000);
+  CHECK(mono.frames[3].right.empty());
+}
+
+TEST_CASE("the left folder is found where none is named") {
+  const DataFolder data;
+  CHECK(Opened(data, {}).message == "DATA/: has no .png or .jpg images; check the path");
+  data.writeImage("top.png", 8, 8);
+  CHECK(Opened(data, {}).frames.size() == 1);
+  std::filesystem::rename(data.path("image_0"), data.path("images"));
+  CHECK(Opened(data, {}).frames.size() == 4);
+}
+
+TEST_CASE("a pair with a calibration file") {
+  const DataFolder data;
+  const Opened stereo(data, pairWith({{"calibration", std::string("calib.txt")}}));
+  CHECK(stereo.message.empty());
+  CHECK(stereo.info.rig.baseline == Approx(0.5));
+  CHECK_FALSE(stereo.frames[0].right.empty());
+}
+
+TEST_CASE("a pair with numbers: the centre of the image is the default centre") {
+  const DataFolder data;
+  const Opened stereo(data, pairWith({{"fx", 40.0}, {"baseline", 0.2}, {"cy", 20.0}}));
+  CHECK(stereo.message.empty());
+  const CameraRig& rig = stereo.info.rig;
+  CHECK(rig.calibrated);
+  CHECK(rig.pinhole.fx == 40);
+  CHECK(rig.pinhole.fy == 40);
+  CHECK(rig.pinhole.cx == 31.5);
+  CHECK(rig.pinhole.cy == 20);
+  CHECK(rig.baseline == 0.2);
+}
+
+TEST_CASE("stamps from a file") {
+  const DataFolder data;
+  ParameterValues values = {{"left", std::string("image_0")},
+                            {"stamps", std::string("frames.csv")},
+                            {"stamps_column", std::string("t")}};
+  data.write("frames.csv", "name,t\na,0.5\nb,0.75\nc,1\nd,2\n");
+  const Opened mono(data, values);
+  CHECK(mono.message.empty());
+  CHECK(mono.frames[1].stamp_ns == 750'000'000);
+  data.write("frames.csv", "name,t\na,0.5\nb,0.75\n");
+  CHECK(Opened(data, values).message ==
+        "DATA/frames.csv: has 2 entries, but there are 4 images; one line per image is needed");
+}
+
+TEST_CASE("contradictions are refused") {
+  const DataFolder data;
+  CHECK(Opened(data, kPair).message ==
+        "two cameras need a calibration; give the file, or fx and baseline");
+  CHECK(Opened(data, pairWith({{"fx", 40.0}})).message ==
+        "two cameras need a calibration; give the file, or fx and baseline");
+  CHECK(Opened(data, {{"baseline", 0.2}}).message ==
+        "baseline is given without right; name the right folder");
+  CHECK(Opened(data, pairWith({{"calibration", std::string("calib.txt")}, {"fx", 4.0}})).message ==
+        "calibration and fx or baseline are both given; keep one");
+  CHECK(Opened(data, {{"stamps_column", std::string("t")}}).message ==
+        "stamps_column is given without stamps; name the file");
+  CHECK(Opened(data, {{"left", std::string("image_0")}, {"fx", 40.0}, {"cx", 640.0}}).message ==
+        "cx, cy: principal point (640.0, 23.5) is outside of the 64x48 image; give the calibration "
+        "of these images");
+}
+
+TEST_CASE("folders of unequal counts") {
+  const DataFolder data;
+  data.remove("image_0/000000.png");
+  CHECK(Opened(data, pairWith({{"calibration", std::string("calib.txt")}})).message ==
+        "DATA/image_0: has no 000000, the partner of image_1/000000.png; restore it, or remove the "
+        "partner");
+}
+
+}  // namespace tolman::image_folders

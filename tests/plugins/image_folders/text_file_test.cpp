@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines, fields and numbers. The oracle for times is arithmetic by hand and integers printed back.
+#include "text_file.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "data_folder.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::image_folders {
+
+TEST_CASE("seconds become nanoseconds exactly") {
+  CHECK(parseSeconds("0.000000e+00") == 0);
+  CHECK(parseSeconds("1.044989e-01") == 104498900);
+  CHECK(parseSeconds("1.037875e-01") == 103787500);  // not "1.0", not 0.0037875
+  CHECK(parseSeconds("4.706365e+02") == 470636500000);
+  CHECK(parseSeconds("0.063") == 63000000);
+  CHECK(parseSeconds("-.5") == -500000000);
+  CHECK(parseSeconds("12.") == 12000000000);
+  CHECK(parseSeconds("1403636579.763555584") == 1403636579763555584);  // a double loses 256 ns
+  SECTION("rounded half away from zero at the tenth digit, however many follow") {
+    CHECK(parseSeconds("0.0000000004999999999999999999999") == 0);
+    CHECK(parseSeconds("0.0000000005") == 1);
+    CHECK(parseSeconds("-0.0000000005") == -1);
+    CHECK(parseSeconds("1.0000000015") == 1000000002);
+    CHECK(parseSeconds("5e-10") == 1);
+    CHECK(parseSeconds("5e-11") == 0);
+    CHECK(parseSeconds("1e-999") == 0);
+  }
+  SECTION("what is no time") {
+    for (const char* text : {"", "-", ".", "e5", "1e", "1e+-2", "1.2.3", "1,5", "nan", "inf", "0x1",
+                             "1s", "5e9", "1e999", "99999999999", "1e99999999999999999999"}) {
+      CAPTURE(text);
+      CHECK(parseSeconds(text) == std::nullopt);
+    }
+  }
+}
+
+TEST_CASE("any whole number of nanoseconds survives printing and reading") {
+  RandomStream random(7);
+  for (int i = 0; i < 2000; ++i) {
+    const auto ns = static_cast<std::int64_t>(random.below(std::uint64_t{1} << (1 + i % 62)));
+    const std::string fraction = std::to_string(1'000'000'000 + ns % 1'000'000'000).substr(1);
+    CAPTURE(ns);
+    REQUIRE(parseSeconds(std::to_string(ns / 1'000'000'000) + "." + fraction) == ns);
+    REQUIRE(parseSeconds(std::to_string(ns) + "e-9") == ns);
+  }
+}
+
+TEST_CASE("numbers fill their field and are finite") {
+  CHECK(parseNumber("-3.798145000000e+02") == -379.8145);
+  for (const char* text : {"", "nan", "inf", "-inf", "1e999", "1.0x", "+-1", "one"}) {
+    CAPTURE(text);
+    CHECK(parseNumber(text) == std::nullopt);
+  }
+}
+
+TEST_CASE("fields and what a message shows of them") {
+  CHECK(splitFields(" a, b;c\td\r") == std::vector<std::string_view>{"a", "b", "c", "d"});
+  CHECK(splitFields("  ").empty());
+  CHECK(inQuotes("abc") == "'abc'");
+  CHECK(inQuotes(std::string("a\0\x1b[31m", 7)) == "'a??[31m'");
+  CHECK(inQuotes(std::string(100, 'x')) == "'" + std::string(24, 'x') + "...'");
+}
+
+TEST_CASE("lines keep their numbers when blanks and comments are left out") {
+  const DataFolder data;
+  data.write("a.txt", "one\r\n\n# comment\n  \ntwo");
+  Inspection inspection;
+  const std::vector<TextLine> lines = readLines(data.path("a.txt"), inspection);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].text == "one");
+  CHECK(lines[1].number == 5);
+  CHECK_FALSE(inspection.hasErrors());
+}
+
+TEST_CASE("a file that says nothing is an error") {
+  const DataFolder data;
+  const auto failure = [&](const std::string& name) {
+    Inspection inspection;
+    CHECK(readLines(data.path(name), inspection).empty());
+    return data.anonymous(inspection.status().message());
+  };
+  data.write("blank.txt", "\n\n");
+  CHECK(failure("blank.txt") == "DATA/blank.txt: is empty; restore it");
+  CHECK(failure("none.txt") == "DATA/none.txt: is missing; restore it, or correct the path");
+  CHECK(failure("image_0") == "DATA/image_0: is missing; restore it, or correct the path");
+}
+
+TEST_CASE("garbage is not listed without end") {
+  Inspection inspection;
+  for (int line = 1; line <= 1000; ++line) inspection.error("a", line, "bad");
+  inspection.error("b", "bad");
+  REQUIRE(inspection.findings().size() == 22);
+  CHECK(inspection.findings()[19].where == "a:20");
+  CHECK(inspection.findings()[20].message == "has more problems; they are not listed");
+  CHECK(inspection.findings()[21].where == "b");
+  CHECK(inspection.status().message() ==
+        "a:1: bad (and 21 more problems; `tolman dataset check` lists all)");
+}
+
+}  // namespace tolman::image_folders

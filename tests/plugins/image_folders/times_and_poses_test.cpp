@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// times.txt, tables with a time column, and poses.txt, sound and broken.
+#include "times_and_poses.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "data_folder.hpp"
+#include "tolman/geometry.hpp"
+
+namespace tolman::image_folders {
+namespace {
+
+using List = std::vector<std::int64_t>;
+
+/// Writes a file, reads it back, and keeps the message.
+struct Reading {
+  explicit Reading(const std::string& text) { data.write("f.txt", text); }
+  List times(const std::string& column = "") {
+    const List list = readTimes(data.path("f.txt"), column, inspection);
+    message = data.anonymous(inspection.status().message());
+    return list;
+  }
+  std::vector<Eigen::Isometry3d> poses() {
+    const auto list = readKittiPoses(data.path("f.txt"), inspection);
+    message = data.anonymous(inspection.status().message());
+    return list;
+  }
+  DataFolder data;
+  Inspection inspection;
+  std::string message;
+};
+
+std::string timesFailure(const std::string& text, const std::string& column = "") {
+  Reading reading(text);
+  reading.times(column);
+  return reading.message;
+}
+
+std::string posesFailure(const std::string& text) {
+  Reading reading(text);
+  reading.poses();
+  return reading.message;
+}
+
+}  // namespace
+
+TEST_CASE("times as KITTI prints them") {
+  Reading reading("0.000000e+00\n1.044989e-01\n2.077935e-01\n");
+  CHECK(reading.times() == List{0, 104498900, 207793500});
+  CHECK(reading.message.empty());
+}
+
+TEST_CASE("a column of a table") {
+  Reading reading("file,time_s,gyro\nimages/0.jpg,0.000,-0.04\nimages/1.jpg,0.063,0.09\n");
+  CHECK(reading.times("time_s") == List{0, 63000000});
+  CHECK(timesFailure("file,time\na,0\n", "time_s") ==
+        "DATA/f.txt:1: names no column 'time_s'; correct stamps_column");
+  CHECK(timesFailure("file,time\na,0\nb\n", "time") ==
+        "DATA/f.txt:3: has 1 columns, fewer than the first line");
+}
+
+TEST_CASE("times that no run can have") {
+  CHECK(timesFailure("0.1\n0.3\n\n0.2\n") ==
+        "DATA/f.txt:4: time goes back by 0.100000 s; sort the data");
+  CHECK(timesFailure("0.1\n0.1\n") ==
+        "DATA/f.txt:2: has the time of the frame before; remove one of the two");
+  CHECK(timesFailure("0.1\nabc\n") == "DATA/f.txt:2: 'abc' is no time in seconds; correct it");
+  CHECK(timesFailure("0.1\nnan\n") == "DATA/f.txt:2: 'nan' is no time in seconds; correct it");
+  CHECK(timesFailure("0.1 0.2\n") ==
+        "DATA/f.txt:1: has 2 columns; write one time in seconds a line");
+  CHECK(timesFailure("# nothing\n") == "DATA/f.txt: is empty; restore it");
+  SECTION("a bad line still counts, so that counts are not reported too") {
+    Reading reading("0.1\nabc\n0.2\n");
+    CHECK(reading.times().size() == 3);
+    CHECK(reading.inspection.findings().size() == 1);
+  }
+}
+
+TEST_CASE("poses come as written, with clean rotations") {
+  const Eigen::Matrix3d R = expSo3({0.1, -0.5, 0.2});
+  char line[400];
+  std::snprintf(line, sizeof line, "%e %e %e 1.5 %e %e %e -2 %e %e %e 1e2\n", R(0, 0), R(0, 1),
+                R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1), R(2, 2));
+  Reading reading(line);
+  const auto poses = reading.poses();
+  REQUIRE(poses.size() == 1);
+  CHECK(poses[0].translation() == Eigen::Vector3d(1.5, -2, 100));
+  CHECK(poses[0].linear().isApprox(R, 1e-6));
+  CHECK((poses[0].linear() * poses[0].linear().transpose()).isIdentity(1e-15));
+}
+
+TEST_CASE("poses that are none") {
+  const std::string good = "1 0 0 0 0 1 0 0 0 0 1 0\n";
+  CHECK(posesFailure(good + "1 0 0 nan 0 1 0 0 0 0 1 0\n") ==
+        "DATA/f.txt:2: 'nan' is no finite number; correct the pose, or remove the file to run "
+        "without truth");
+  CHECK(posesFailure("1 0 0\n") == "DATA/f.txt:1: has 3 numbers; a pose has 12, row by row");
+  const std::string no_rotation =
+      "DATA/f.txt:1: its first three columns are no rotation; write camera-to-world poses";
+  CHECK(posesFailure("2 0 0 0 0 1 0 0 0 0 1 0\n") == no_rotation);
+  CHECK(posesFailure("-1 0 0 0 0 1 0 0 0 0 1 0\n") == no_rotation);  // a mirror
+  CHECK(posesFailure("0 0 0 0 0 0 0 0 0 0 0 0\n") == no_rotation);
+}
+
+TEST_CASE("one entry an image") {
+  Inspection inspection;
+  checkCount("t.txt", 4, 4, inspection);
+  checkCount("t.txt", 0, 4, inspection);  // unreadable: explained before
+  CHECK_FALSE(inspection.hasErrors());
+  checkCount("t.txt", 5, 4, inspection);
+  CHECK(inspection.status().message() ==
+        "t.txt: has 5 entries, but there are 4 images; one line per image is needed");
+}
+
+}  // namespace tolman::image_folders

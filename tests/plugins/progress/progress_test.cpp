@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When the display writes, with a clock that the test moves and a stream that it reads.
+#include "progress.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+
+#include "support/context.hpp"
+
+namespace tolman::progress {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+/// A run of which the test decides how fast it is.
+struct Run {
+  explicit Run(bool is_interactive, ParameterValues values = {}) : services(std::move(values)) {
+    Context context = services;
+    context.interactive = is_interactive;
+    REQUIRE(observer->configure(context).isOk());
+  }
+  void begin(std::int64_t frames) {
+    RunInfo info;
+    info.source.frames = frames;
+    REQUIRE(observer->begin(info).isOk());
+  }
+  /// What one more frame makes the display write.
+  std::string frame(std::int64_t ms) {
+    services.now_ns += ms * kMs;
+    out.str("");
+    Snapshot snapshot;
+    frame_record.frame++;
+    snapshot.frame = &frame_record;
+    snapshot.place = &place;
+    snapshot.map = &map;
+    REQUIRE(observer->observe(snapshot).isOk());
+    return out.str();
+  }
+  std::string finish(const MapGraph& graph = {}) {
+    out.str("");
+    REQUIRE(observer->finish(graph).isOk());
+    return out.str();
+  }
+
+  test::TestContext services;
+  std::ostringstream out;
+  Frame frame_record;
+  PlaceObservation place;
+  MapUpdate map;
+  int columns = 60;
+  std::unique_ptr<Progress> observer = std::make_unique<Progress>(out, [this] { return columns; });
+};
+
+struct NoColour {
+  NoColour() { setenv("NO_COLOR", "1", 1); }
+  ~NoColour() { unsetenv("NO_COLOR"); }
+};
+
+}  // namespace
+
+TEST_CASE("a log gets a line at round percentages and after a silence") {
+  Run run(false);
+  run.begin(20);
+  CHECK(run.out.str().empty());
+  CHECK(run.frame(100).empty());
+  run.place.template_id = 0;
+  run.map.experiences = 1;
+  CHECK(run.frame(100) ==
+        "frame 2 of 20 (10 %), 10.0 frames/s, 0:02 left, 1 template, 1 experience, 0 loops\n");
+  SECTION("slowly") {
+    CHECK(run.frame(4900).empty());  // 15 %, after 4.9 s
+    CHECK_FALSE(run.frame(100).empty());
+  }
+  SECTION("the next percentage") {
+    CHECK(run.frame(100).empty());
+    CHECK(run.frame(100).starts_with("frame 4 of 20 (20 %)"));
+  }
+}
+
+TEST_CASE("a log line after five seconds even when nothing is known of the end") {
+  Run run(false);
+  run.begin(-1);
+  CHECK(run.frame(4999).empty());
+  CHECK(run.frame(1) == "frame 2, 0.4 frames/s, 0 templates, 0 experiences, 0 loops\n");
+  CHECK(run.frame(4999).empty());
+}
+
+TEST_CASE("both kinds of line can be turned off") {
+  Run run(false, {{"every_percent", 0.0}, {"every_seconds", 0.0}});
+  run.begin(4);
+  for (int i = 0; i < 4; ++i) CHECK(run.frame(60'000).empty());
+  CHECK(run.finish() == "4 frames in 4:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loops\n");
+}
+
+TEST_CASE("a terminal's line is redrawn at most ten times a second") {
+  const NoColour plain;
+  Run run(true);
+  run.begin(100);
+  int drawn = 0;
+  for (int i = 0; i < 100; ++i) drawn += run.frame(20).empty() ? 0 : 1;  // 2 s
+  CHECK(drawn == 20);
+}
+
+TEST_CASE("the summary replaces the bar") {
+  const NoColour plain;
+  Run run(true);
+  run.begin(1000);
+  CHECK(run.out.str() == "\r[                  ] 0 %  0/1000  0.0 frames/s  0 templates");
+  run.columns = 40;  // the window was made smaller: blanks must not wrap either
+  CHECK(run.frame(100) == "\r[          ] 0 %  1/1000  10.0 frames/s");
+  CHECK(run.finish() == "\r" + std::string(39, ' ') +
+                            "\r1 frame in 0:00, 10.0 frames/s, 0 templates, 0 experiences, 0 "
+                            "loops\n");
+}
+
+TEST_CASE("colour is for terminals, and NO_COLOR turns it off") {
+  const auto half = [](bool interactive) {
+    Run run(interactive);
+    run.begin(2);
+    return run.frame(100);
+  };
+  unsetenv("NO_COLOR");
+  CHECK(half(true).find("\x1b[32m") != std::string::npos);
+  CHECK(half(false).find('\x1b') == std::string::npos);
+  const NoColour plain;
+  CHECK(half(true).find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("the summary counts the final map, and frames that were left out") {
+  Run run(false);
+  run.begin(50);
+  run.place.template_id = 11;
+  run.frame_record.frame = 38;
+  run.frame(4000);
+  MapGraph graph;
+  graph.experiences.resize(8);
+  graph.links.resize(9);
+  graph.links[3].kind = LinkKind::Loop;
+  CHECK(run.finish(graph) ==
+        "40 frames in 0:04, 10.0 frames/s, 12 templates, 8 experiences, 1 loop\n");
+}
+
+TEST_CASE("a run that fails leaves the terminal's cursor on a line of its own") {
+  const NoColour plain;
+  Run run(true);
+  run.begin(10);
+  run.out.str("");
+  run.observer.reset();
+  CHECK(run.out.str() == "\n");
+}
+
+TEST_CASE("after reset the counts begin again") {
+  Run run(false);
+  run.begin(4);
+  run.place.template_id = 7;
+  run.frame(1000);
+  REQUIRE(run.observer->reset().isOk());
+  run.begin(4);
+  run.frame_record.frame = -1;
+  run.place.template_id = -1;
+  CHECK(run.frame(1000) ==
+        "frame 1 of 4 (25 %), 1.0 frames/s, 0:03 left, 0 templates, 0 experiences, 0 loops\n");
+}
+
+}  // namespace tolman::progress

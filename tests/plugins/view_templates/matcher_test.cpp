@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The matcher against a brute-force search in floating point.
+#include "matcher.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "harness.hpp"
+
+using namespace tolman;
+using namespace tolman::view_templates;
+
+namespace {
+
+constexpr int kColumns = 30;
+constexpr int kRows = 6;
+
+View randomView(RandomStream& random) {
+  View view;
+  for (int i = 0; i < kColumns * kRows; ++i) {
+    view.cells.push_back(static_cast<float>(random.uniform()));
+    view.mean += view.cells.back() / static_cast<double>(kColumns * kRows);
+  }
+  return view;
+}
+
+/// The view as it looks when the scene has moved `cells` to the right; the edge is repeated.
+View moved(const View& view, int cells) {
+  View result = view;
+  for (int r = 0; r < kRows; ++r) {
+    for (int c = 0; c < kColumns; ++c) {
+      const int from = std::clamp(c - cells, 0, kColumns - 1);
+      result.cells[static_cast<std::size_t>(r * kColumns + c)] =
+          view.cells[static_cast<std::size_t>(r * kColumns + from)];
+    }
+  }
+  return result;
+}
+
+float at(const View& view, int row, int column) {
+  return view.cells[static_cast<std::size_t>(row * kColumns + column)];
+}
+
+/// Mean absolute difference at one offset, straight from the description.
+double naiveDistance(const View& now, const View& stored, int offset, const MatchSettings& s) {
+  const int first = s.panoramic ? 0 : s.shift;
+  const int last = s.panoramic ? kColumns : kColumns - s.shift;
+  double sum = 0;
+  for (int r = 0; r < kRows; ++r) {
+    for (int c = first; c < last; ++c) {
+      const int other = s.panoramic ? (c + offset) % kColumns : c - s.shift + offset;
+      sum += std::abs(at(now, r, c) - at(stored, r, other));
+    }
+  }
+  return sum / (kRows * (last - first));
+}
+
+Match naiveNearest(const View& now, const std::vector<View>& stored, const MatchSettings& s) {
+  Match best;
+  best.distance = 1e9;
+  for (std::size_t id = 0; id < stored.size(); ++id) {
+    if (std::abs(now.mean - stored[id].mean) > s.threshold + 0.005) continue;
+    for (int offset = 0; offset <= (s.panoramic ? kColumns - 1 : 2 * s.shift); offset += s.step) {
+      const double distance = naiveDistance(now, stored[id], offset, s);
+      if (distance < best.distance) best = {static_cast<std::int64_t>(id), distance, 0};
+    }
+  }
+  return best;
+}
+
+TemplateBank bankOf(const std::vector<View>& views) {
+  TemplateBank bank(kColumns, kRows);
+  for (const View& view : views) bank.add(view);
+  return bank;
+}
+
+}  // namespace
+
+TEST_CASE("the nearest template is the brute-force one") {
+  RandomStream random(11);
+  std::vector<View> stored;
+  for (int i = 0; i < 40; ++i) stored.push_back(randomView(random));
+  const TemplateBank bank = bankOf(stored);
+  const auto settings =
+      GENERATE(MatchSettings{4, 1, 0.02}, MatchSettings{5, 2, 0.5}, MatchSettings{0, 1, 0.5},
+               MatchSettings{0, 1, 0.5, true}, MatchSettings{0, 5, 0.01, true});
+  Matcher matcher(settings, kColumns, kRows);
+  for (int i = 0; i < 30; ++i) {
+    View now = randomView(random);
+    if (i % 3 == 0) now = moved(stored[static_cast<std::size_t>(i)], i % 4 - 2);
+    const Match expected = naiveNearest(now, stored, settings);
+    const Match match = matcher.nearest(now, bank);
+    CHECK(match.id == expected.id);
+    if (match.id < 0) continue;
+    CHECK(match.distance == Approx(expected.distance).margin(1.0 / kOne));  // fixed point
+  }
+}
+
+TEST_CASE("whole shifts are recovered with their sign") {
+  RandomStream random(12);
+  const std::vector<View> stored = {randomView(random), randomView(random), randomView(random)};
+  const TemplateBank bank = bankOf(stored);
+  Matcher matcher({4, 1, 0.5}, kColumns, kRows);
+  for (int cells = -4; cells <= 4; ++cells) {
+    const Match match = matcher.nearest(moved(stored[1], cells), bank);
+    CHECK(match.id == 1);
+    CHECK(match.distance == 0);
+    CHECK(match.moved_right == Approx(cells).margin(0.2));
+  }
+}
+
+TEST_CASE("a template with another mean is not looked at") {
+  View dark;
+  dark.cells.assign(kColumns * kRows, 0.2F);
+  dark.mean = 0.2;
+  View light;
+  light.cells.assign(kColumns * kRows, 0.3F);
+  light.mean = 0.3;
+  const TemplateBank bank = bankOf({dark});
+  CHECK(Matcher({4, 1, 0.094}, kColumns, kRows).nearest(light, bank).id == -1);  // 0.1 > 0.099
+  const Match match = Matcher({4, 1, 0.096}, kColumns, kRows).nearest(light, bank);
+  CHECK(match.id == 0);
+  CHECK(match.distance == Approx(0.1).margin(1e-4));
+}
+
+TEST_CASE("equal templates: the older one wins") {
+  RandomStream random(13);
+  const View view = randomView(random);
+  const TemplateBank bank = bankOf({view, view, view});
+  CHECK(Matcher({4, 1, 0.5}, kColumns, kRows).nearest(view, bank).id == 0);
+}
+
+TEST_CASE("an empty bank has no nearest template") {
+  RandomStream random(14);
+  const Match match = Matcher({4, 1, 0.5}, kColumns, kRows).nearest(randomView(random), bankOf({}));
+  CHECK(match.id == -1);
+  CHECK(match.distance == 1);
+}

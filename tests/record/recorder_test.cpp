@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/recorder.hpp"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+
+#include "record/run_reader.hpp"
+#include "record/sample_run.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::record;
+
+TEST_CASE("a whole snapshot is stored and read back, lists included") {
+  const test::TemporaryFolder folder;
+  RandomStream random(31);
+  const Frame first = test::frameAt(0);
+  Frame frame = test::frameAt(1);
+  frame.sensors = {{"gyroscope.yaw_rate", {1}, {0.5F}}, {"sonar", {2, 2}, {1, 2, 3, 4}}};
+  Motion motion = test::motionAt(1);
+  motion.revisions = {{0, test::randomPose(random), Matrix6d::Identity()},
+                      {1, test::randomPose(random), Matrix6d::Identity()}};
+  auto recorder = Recorder::open(folder.path()).value();
+  Snapshot snapshot;
+  snapshot.frame = &first;
+  REQUIRE(recorder->snapshot(snapshot).isOk());
+  snapshot.frame = &frame;
+  snapshot.motion = &motion;
+  const std::vector<NamedArray> cells = {{"hd", {3}, {1, 2, 3}}};
+  snapshot.cells = &cells;
+  REQUIRE(recorder->snapshot(snapshot).isOk());
+  REQUIRE(recorder->commit().isOk());  // and the run goes on
+
+  const auto reader = RunReader::open(folder.path()).value();
+  const auto frames = reader->records<Frame>().value();
+  REQUIRE(frames.size() == 2);
+  REQUIRE(frames[1].sensors.size() == 2);
+  CHECK(frames[1].sensors[1].name == "sonar");
+  CHECK(frames[1].sensors[1].shape == std::vector<int>{2, 2});
+  CHECK(frames[1].sensors[1].values == std::vector<float>{1, 2, 3, 4});
+  const auto motions = reader->records<Motion>().value();
+  REQUIRE(motions.size() == 1);
+  REQUIRE(motions[0].revisions.size() == 2);
+  CHECK(motions[0].revisions[1].frame == 1);
+  CHECK(reader->arrays(1, "cells").value().at(0).values == std::vector<float>{1, 2, 3});
+}
+
+TEST_CASE("points are stored once for each frame that they belong to") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 4; ++i) {
+    const Frame frame = test::frameAt(i);
+    Motion motion = test::motionAt(i);
+    motion.points_frame = i < 3 ? 0 : 3;
+    motion.points = Eigen::Matrix<float, 4, Eigen::Dynamic>::Constant(4, 6, 1.5F);
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.motion = &motion;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+  }
+  REQUIRE(recorder->close().isOk());
+  const auto motions = RunReader::open(folder.path()).value()->records<Motion>().value();
+  CHECK(motions[0].points.cols() == 6);
+  CHECK(motions[1].points.cols() == 0);
+  CHECK(motions[2].points.cols() == 0);
+  CHECK(motions[3].points.cols() == 6);
+  CHECK(motions[3].points(3, 5) == 1.5F);
+}
+
+TEST_CASE("a corrected map replaces what was known, and only that") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+  MapGraph graph{1,
+                 {test::experienceAt(0, 0, 0), test::experienceAt(1, 2, 2)},
+                 {test::linkBetween(0, 0, 1, 2)}};
+  REQUIRE(recorder->graph(graph).isOk());
+  graph.experiences[1].T_world_experience.translation().z() = 2.5;
+  graph.links[0].weight = 0.25;
+  REQUIRE(recorder->graph(graph).isOk());
+  REQUIRE(recorder->close().isOk());
+  const MapGraph read = RunReader::open(folder.path()).value()->graph().value();
+  REQUIRE(read.experiences.size() == 2);
+  CHECK(read.experiences[1].T_world_experience.translation().z() == 2.5);
+  REQUIRE(read.links.size() == 1);
+  CHECK(read.links[0].weight == 0.25);
+}
+
+TEST_CASE("a row that breaks a rule fails its call alone") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(test::recordFrame(*recorder, 0).isOk());
+  const Status twice = test::recordFrame(*recorder, 0);
+  CHECK(twice.message() ==
+        (folder.path() / "run.sqlite").string() + ": UNIQUE constraint failed: frame.frame");
+  const MapGraph orphan{1, {test::experienceAt(0, 0, 0)}, {test::linkBetween(0, 0, 7, 0)}};
+  CHECK(recorder->graph(orphan).message() ==
+        (folder.path() / "run.sqlite").string() + ": FOREIGN KEY constraint failed");
+  CHECK_FALSE(recorder->snapshot(Snapshot{}).isOk());
+  const Frame frame = test::frameAt(1);
+  const Motion of_no_frame = test::motionAt(5);
+  Snapshot snapshot;
+  snapshot.frame = &frame;
+  snapshot.motion = &of_no_frame;
+  CHECK_FALSE(recorder->snapshot(snapshot).isOk());
+  CHECK(test::recordFrame(*recorder, 1).isOk());  // frame 1 was rolled back with its motion
+  REQUIRE(recorder->close().isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK(reader->counters().value().frames == 2);
+  CHECK(reader->graph().value().links.empty());
+}
+
+TEST_CASE("timing, events and facts are kept; a closed recorder refuses") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(recorder->timing(0, "odometry", 5).isOk());
+  REQUIRE(recorder->timing(1, "odometry", 7).isOk());
+  REQUIRE(recorder->event(-1, LogLevel::Warning, "host", "careful").isOk());
+  REQUIRE(recorder->meta("name", "one").isOk());
+  REQUIRE(recorder->meta("name", "two").isOk());
+  REQUIRE(recorder->close().isOk());
+  CHECK(recorder->close().isOk());
+  CHECK_FALSE(recorder->meta("name", "three").isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK(reader->timing().value().at("odometry") == std::vector<std::int64_t>{5, 7});
+  CHECK(reader->meta().value().at("name") == "two");
+  CHECK(reader->meta().value().at("schema_version") == "1");
+  // A closed run is one plain file.
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "run.sqlite-wal"));
+}
+
+TEST_CASE("several threads write at once") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  {
+    std::vector<std::jthread> threads;
+    for (int t = 0; t < 4; ++t) {
+      threads.emplace_back([&recorder, t] {
+        for (int i = 0; i < 200; ++i) {
+          (void)recorder->timing(i, "stage" + std::to_string(t), i);
+        }
+      });
+    }
+  }
+  REQUIRE(recorder->close().isOk());
+  const auto timing = RunReader::open(folder.path()).value()->timing().value();
+  REQUIRE(timing.size() == 4);
+  for (const auto& [stage, durations] : timing) CHECK(durations.size() == 200);
+}
+
+TEST_CASE("no recording over a recording, nor where there is no folder") {
+  const test::TemporaryFolder folder;
+  REQUIRE(Recorder::open(folder.path()).isOk());
+  CHECK(Recorder::open(folder.path()).status().message() ==
+        (folder.path() / "run.sqlite").string() + ": exists; record into a fresh directory");
+  CHECK_FALSE(Recorder::open(folder.path() / "absent").isOk());
+}
+
+TEST_CASE("a full disk is a failure, not a crash, and stays one") {
+  const test::TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    // No file may grow beyond 1 MB: writes then fail as on a full disk.
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1 << 20, 1 << 20};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    auto recorder = Recorder::open(folder.path());
+    if (!recorder.isOk()) _exit(2);
+    Status status;
+    for (std::int64_t i = 0; i < 100'000 && status.isOk(); ++i) {
+      status = test::recordFrame(*recorder.value(), i);
+      if (status.isOk() && i % 100 == 0) status = recorder.value()->commit();
+    }
+    if (status.isOk()) _exit(3);
+    if (recorder.value()->close().message() != status.message()) _exit(4);
+    if (recorder.value()->meta("a", "b").isOk()) _exit(5);
+    _exit(status.message().find("look for a full disk") != std::string::npos ? 0 : 6);
+  }
+  int result = 0;
+  REQUIRE(waitpid(child, &result, 0) == child);
+  REQUIRE(WIFEXITED(result));
+  CHECK(WEXITSTATUS(result) == 0);
+  // What was committed before is still there.
+  const auto reader = RunReader::open(folder.path());
+  REQUIRE(reader.isOk());
+  CHECK(reader.value()->counters().value().frames > 100);
+}

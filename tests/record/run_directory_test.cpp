@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Run directories, run.json and artefacts.
+#include "record/run_directory.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "record/artefacts.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::record;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::int64_t kNoon = 1'767'268'800;  // 2026-01-01 12:00:00 UTC
+
+RunDirectoryOptions named(const fs::path& root, const std::string& name) {
+  return {root / "runs", name, kNoon, std::nullopt};
+}
+
+RunDirectoryOptions at(const fs::path& out) { return {"runs", "run", kNoon, out}; }
+
+std::span<const std::byte> bytes(std::string_view text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+std::string contentOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+TEST_CASE("runs get a folder with name and time, and `latest` points at the last") {
+  const test::TemporaryFolder folder;
+  const fs::path root = fs::canonical(folder.path());
+  const auto one = RunDirectory::create(named(root, "kitti-paper"));
+  REQUIRE(one.isOk());
+  CHECK(one.value().path() == root / "runs/kitti-paper-20260101T120000Z");
+  CHECK(fs::read_symlink(root / "runs/latest") == "kitti-paper-20260101T120000Z");
+  const auto two = RunDirectory::create(named(root, "kitti-paper"));  // in the same second
+  CHECK(two.value().path() == root / "runs/kitti-paper-20260101T120000Z-2");
+  CHECK(fs::read_symlink(root / "runs/latest") == "kitti-paper-20260101T120000Z-2");
+}
+
+TEST_CASE("a run's name cannot lead out of the root") {
+  const test::TemporaryFolder folder;
+  const auto run = RunDirectory::create(named(fs::canonical(folder.path()), "../../etc/x y"));
+  CHECK(run.value().path().filename() == "_._.._etc_x_y-20260101T120000Z");
+  CHECK(run.value().path().parent_path() == fs::canonical(folder.path()) / "runs");
+}
+
+TEST_CASE("a folder named `latest` is left alone") {
+  const test::TemporaryFolder folder;
+  fs::create_directories(folder.path() / "runs/latest/precious");
+  CHECK(RunDirectory::create(named(folder.path(), "a")).isOk());
+  CHECK(fs::is_directory(folder.path() / "runs/latest/precious"));
+}
+
+TEST_CASE("--out takes new, empty and old run folders, and nothing else") {
+  const test::TemporaryFolder folder;
+  const fs::path out = fs::canonical(folder.path()) / "deep/out";
+  {
+    const auto run = RunDirectory::create(at(out));
+    REQUIRE(run.isOk());
+    REQUIRE(run.value().writeRunFile({{"seed", 1}}, RunState::Finished).isOk());
+    std::ofstream(out / "notes.txt") << "mine";
+    std::ofstream(out / "run.sqlite-wal") << "of a killed run";
+    REQUIRE(ArtefactFolder(out, "map").write("a.txt", bytes("a")).isOk());
+  }
+  REQUIRE(RunDirectory::create(at(out)).isOk());
+  CHECK_FALSE(fs::exists(out / "run.json"));
+  CHECK_FALSE(fs::exists(out / "run.sqlite-wal"));
+  CHECK_FALSE(fs::exists(out / "artefacts"));
+  CHECK(contentOf(out / "notes.txt") == "mine");  // not ours to remove
+  // Now it holds a stranger's file and no run.
+  CHECK(RunDirectory::create(at(out)).status().message() ==
+        out.string() + ": is not empty and holds no run; choose an empty or new directory");
+  CHECK_FALSE(RunDirectory::create(at(out / "notes.txt")).isOk());
+}
+
+TEST_CASE("two runs cannot share a folder") {
+  const test::TemporaryFolder folder;
+  const fs::path out = fs::canonical(folder.path());
+  const auto first = RunDirectory::create(at(out));
+  REQUIRE(first.isOk());
+  CHECK(RunDirectory::create(at(out)).status().message() ==
+        out.string() + ": another run is writing here; choose another --out");
+}
+
+TEST_CASE("run.json carries provenance and status, even with broken text") {
+  const test::TemporaryFolder folder;
+  const auto run = RunDirectory::create(at(folder.path())).value();
+  REQUIRE(run.writeRunFile({{"seed", 7}}, RunState::Running).isOk());
+  REQUIRE(
+      run.writeRunFile({{"seed", 7}, {"error", "bad \xff byte"}}, RunState::Interrupted).isOk());
+  const auto json = nlohmann::json::parse(contentOf(folder.path() / "run.json"));
+  CHECK(json["seed"] == 7);
+  CHECK(json["status"] == "interrupted");
+}
+
+TEST_CASE("artefacts go where they belong, replacing older ones") {
+  const test::TemporaryFolder folder;
+  ArtefactFolder artefacts(folder.path(), "observers.0");
+  REQUIRE(artefacts.write("pictures/one.ppm", bytes("old")).isOk());
+  REQUIRE(artefacts.write("pictures/one.ppm", bytes("new")).isOk());
+  CHECK(contentOf(folder.path() / "artefacts/observers.0/pictures/one.ppm") == "new");
+}
+
+TEST_CASE("artefact names cannot leave the folder, nor links lead out of it") {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder outside;
+  ArtefactFolder artefacts(folder.path(), "map");
+  for (const std::string_view name :
+       std::initializer_list<std::string_view>{"", "../x", "a/../../x", "/etc/x", "a/", ".",
+                                               "a/./b", "..", std::string_view("a\0b", 3)}) {
+    INFO(name);
+    CHECK(artefacts.write(name, bytes("x")).code() == StatusCode::InvalidParameter);
+  }
+  CHECK(artefacts.write("../x", bytes("x")).message() ==
+        "artefact '../x': the name must be relative, without \"..\"");
+  REQUIRE(artefacts.write("fine", bytes("x")).isOk());
+  fs::create_directory_symlink(outside.path(), folder.path() / "artefacts/map/link");
+  CHECK_FALSE(artefacts.write("link/x", bytes("x")).isOk());
+  CHECK(fs::is_empty(outside.path()));
+  // A link in the place of the file is replaced, not followed.
+  std::ofstream(outside.path() / "victim") << "safe";
+  fs::create_symlink(outside.path() / "victim", folder.path() / "artefacts/map/victim");
+  REQUIRE(artefacts.write("victim", bytes("x")).isOk());
+  CHECK(contentOf(outside.path() / "victim") == "safe");
+}

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/run_reader.hpp"
+
+#include <sqlite3.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "record/sample_run.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::record;
+
+namespace {
+
+std::string refusal(const std::filesystem::path& folder) {
+  const auto reader = RunReader::open(folder);
+  REQUIRE_FALSE(reader.isOk());
+  CHECK(reader.status().code() == StatusCode::InvalidInput);
+  const std::string message = reader.status().message();
+  REQUIRE(message.find(folder.string()) == 0);
+  return message.substr(folder.string().size());
+}
+
+void recordFrames(const std::filesystem::path& folder, std::int64_t frames) {
+  auto recorder = Recorder::open(folder).value();
+  for (std::int64_t i = 0; i < frames; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+  REQUIRE(recorder->close().isOk());
+}
+
+void change(const std::filesystem::path& folder, const char* sql) {
+  sqlite3* handle = nullptr;
+  REQUIRE(sqlite3_open((folder / "run.sqlite").c_str(), &handle) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr) == SQLITE_OK);
+  sqlite3_close(handle);
+}
+
+}  // namespace
+
+TEST_CASE("odometry is composed from the last revisions") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  Eigen::Isometry3d two = Eigen::Isometry3d::Identity();
+  two.translation().z() = 2;
+  Eigen::Isometry3d three = Eigen::Isometry3d::Identity();
+  three.translation().z() = 3;
+  for (std::int64_t i = 0; i < 4; ++i) {
+    const Frame frame = test::frameAt(i);
+    Motion motion = test::motionAt(i);  // 1 m each
+    if (i == 3) motion.revisions = {{1, two, Matrix6d::Zero()}, {1, three, Matrix6d::Zero()}};
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.motion = &motion;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+  }
+  REQUIRE(recorder->revisions({{3, two, Matrix6d::Zero()}}).isOk());
+  REQUIRE(recorder->close().isOk());
+  const auto poses = RunReader::open(folder.path()).value()->odometry().value();
+  REQUIRE(poses.size() == 4);
+  CHECK(poses[0].T_world_camera.translation().z() == 0);
+  CHECK(poses[1].T_world_camera.translation().z() == 3);
+  CHECK(poses[2].T_world_camera.translation().z() == 4);
+  CHECK(poses[3].T_world_camera.translation().z() == 6);
+  CHECK(poses[3].stamp_ns == 1'300'000'000);
+}
+
+TEST_CASE("the map's trajectory moves with its experiences") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+  REQUIRE(recorder->graph({1, {test::experienceAt(0, 0, 10)}, {}}).isOk());
+  REQUIRE(recorder->close().isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  const auto poses = reader->map().value();
+  REQUIRE(poses.size() == 3);
+  CHECK(poses[2].T_world_camera.translation().z() == 12);
+  CHECK(reader->truth().value().empty());
+}
+
+TEST_CASE("counters count") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i : {0, 1, 4}) {  // realtime: frames 2 and 3 were dropped
+    const Frame frame = test::frameAt(i);
+    PlaceObservation place;
+    place.frame = i;
+    place.recognition = i == 1 ? Recognition::Familiar : Recognition::Novel;
+    Motion motion = test::motionAt(i);
+    if (i == 4) motion.state = TrackingState::Lost;
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.place = &place;
+    snapshot.motion = &motion;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+  }
+  MapGraph graph{1,
+                 {test::experienceAt(0, 0, 0), test::experienceAt(1, 1, 1)},
+                 {test::linkBetween(0, 0, 1, 1), test::linkBetween(1, 1, 0, 4)}};
+  graph.links[1].kind = LinkKind::Loop;
+  REQUIRE(recorder->graph(graph).isOk());
+  REQUIRE(recorder->commit().isOk());
+  const Counters counters = RunReader::open(folder.path()).value()->counters().value();
+  CHECK(counters.frames == 3);
+  CHECK(counters.lost == 1);
+  CHECK(counters.templates == 2);
+  CHECK(counters.experiences == 2);
+  CHECK(counters.links == 2);
+  CHECK(counters.loops == 1);
+  CHECK(counters.first_stamp_ns == 1'000'000'000);
+  CHECK(counters.last_stamp_ns == 1'400'000'000);
+}
+
+TEST_CASE("what is no run is refused by name") {
+  const test::TemporaryFolder folder;
+  CHECK(refusal(folder.path()) ==
+        ": is no run directory, it holds no run.sqlite; give the folder that a run has written");
+  std::ofstream(folder.path() / "run.sqlite")
+      << "this is a letter, not a database at all, and long "
+         "enough to have a header of its own";
+  CHECK(refusal(folder.path()) ==
+        "/run.sqlite: file is not a database; the file is damaged or is no run database");
+  std::ofstream(folder.path() / "run.sqlite", std::ios::trunc);
+  CHECK(refusal(folder.path()) == "/run.sqlite: is no run database; it has no table `run`");
+}
+
+TEST_CASE("another schema version is refused") {
+  const test::TemporaryFolder folder;
+  recordFrames(folder.path(), 2);
+  change(folder.path(), "UPDATE run SET value = '99' WHERE key = 'schema_version'");
+  CHECK(refusal(folder.path()) ==
+        "/run.sqlite: has schema version 99, this program reads 1; use the version that wrote it");
+}
+
+TEST_CASE("a graph with holes is refused, not read past its end") {
+  const test::TemporaryFolder folder;
+  recordFrames(folder.path(), 2);
+  change(folder.path(), "UPDATE experience SET id = 5");
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK(reader->graph().status().message() ==
+        (folder.path() / "run.sqlite").string() + ": experience 0 is missing");
+  CHECK_FALSE(reader->map().isOk());
+}
+
+TEST_CASE("a damaged database never crashes the reader") {
+  const test::TemporaryFolder folder;
+  recordFrames(folder.path(), 200);
+  std::ifstream stream(folder.path() / "run.sqlite", std::ios::binary);
+  const std::string sound((std::istreambuf_iterator<char>(stream)), {});
+  RandomStream random(51);
+  for (int round = 0; round < 60; ++round) {
+    std::string damaged = sound;
+    if (round % 3 == 0) damaged.resize(random.below(sound.size()));
+    for (int hit = 0; hit < 40 && !damaged.empty(); ++hit) {
+      const std::size_t from = round % 2 == 0 ? 0 : 100;  // with and without the header
+      damaged[from + random.below(damaged.size() - std::min(from, damaged.size() - 1)) - from] =
+          static_cast<char>(random.below(256));
+    }
+    std::ofstream(folder.path() / "run.sqlite", std::ios::binary | std::ios::trunc) << damaged;
+    const auto reader = RunReader::open(folder.path());
+    if (!reader.isOk()) continue;
+    (void)reader.value()->odometry().isOk();
+    (void)reader.value()->map().isOk();
+    (void)reader.value()->graph().isOk();
+    (void)reader.value()->counters().isOk();
+    (void)reader.value()->records<Frame>().isOk();
+  }
+  SUCCEED();
+}
