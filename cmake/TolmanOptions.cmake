@@ -32,10 +32,10 @@ endif()
 function(tolman_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # GCC 12's optimiser sees overflows in inlined std::string and std::variant that are not there
-    # (PR 105329, 105593, 105651). The sanitizer build and GCC 13 look for real ones.
+    # GCC 12's optimiser sees overflows in inlined std::string that are not there
+    # (PR 105329, 105651). The sanitizer build and GCC 13 look for real ones.
     target_compile_options(
-      ${target} PRIVATE -Wno-restrict -Wno-maybe-uninitialized -Wno-array-bounds
+      ${target} PRIVATE -Wno-restrict -Wno-array-bounds
                         -Wno-stringop-overflow -Wno-stringop-overread -Wno-free-nonheap-object)
   endif()
 endfunction()

@@ -75,7 +75,7 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options) {
 std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem checked,
                                                                   RunLog& log, const Clock& clock,
                                                                   const Cancellation& cancellation,
-                                                                  bool interactive) {
+                                                                  const Audience& audience) {
   std::unique_ptr<Assembly> assembly(new Assembly(std::move(checked)));
   const CheckedSystem& system = assembly->checked_;
   SourceInfo source;  // stages are in the order of the flow: the source is the first
@@ -95,7 +95,8 @@ std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem 
                           source.rig,
                           seedOf(system.config.general.seed, stage.instance),
                           stage.instance,
-                          interactive};
+                          audience.interactive,
+                          audience.quiet};
     assembly->services_.push_back(std::move(services));
     const Status status = instance->configure(context);
     if (!status.isOk()) return Failure{configureFailure(stage.role, status), status.message()};

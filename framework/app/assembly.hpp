@@ -41,6 +41,12 @@ struct CheckedSystem {
 /// All problems at once: those of files, values and plugins.
 std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options);
 
+/// Who listens at the terminal.
+struct Audience {
+  bool interactive = false;
+  bool quiet = false;
+};
+
 /// The stages of a run, alive and configured.
 class Assembly {
  public:
@@ -52,7 +58,7 @@ class Assembly {
   static std::variant<std::unique_ptr<Assembly>, Failure> create(CheckedSystem checked, RunLog& log,
                                                                  const Clock& clock,
                                                                  const Cancellation& cancellation,
-                                                                 bool interactive);
+                                                                 const Audience& audience);
 
   /// From now on artefacts can be written.
   void openArtefacts(const std::filesystem::path& run_directory);

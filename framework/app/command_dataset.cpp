@@ -94,7 +94,7 @@ void inspect(std::unique_ptr<plugins::Instance> instance, const ParameterValues&
   const SteadyClock clock;
   const Interrupts interrupts;
   const Status configured = source.instance().configure(
-      {values, logger, artefacts, interrupts, clock, {}, 1, "source", false});
+      {values, logger, artefacts, interrupts, clock, {}, 1, "source", false, true});
   Findings findings;
   const Status inspected = source.inspect(findings);
   if (configured.isOk() && options.decode) decodeAll(source, findings);

@@ -26,9 +26,9 @@ class Run {
   ExitCode execute(const SystemOptions& options) {
     auto checked = checkSystem(options);
     if (auto* failure = std::get_if<Failure>(&checked)) return report(*failure);
-    const bool interactive = isatty(STDERR_FILENO) == 1 && !invocation_.quiet;
+    const Audience audience{isatty(STDERR_FILENO) == 1 && !invocation_.quiet, invocation_.quiet};
     auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_,
-                                      interrupts_, interactive);
+                                      interrupts_, audience);
     if (auto* failure = std::get_if<Failure>(&assembled)) return report(*failure);
     assembly_ = std::move(std::get<std::unique_ptr<Assembly>>(assembled));
     Status status = assembly_->source().info(info_);
@@ -112,17 +112,20 @@ class Run {
                            ? record::RunState::Finished
                        : code == ExitCode::Interrupted ? record::RunState::Interrupted
                                                        : record::RunState::Failed;
-    const auto metrics = writeResults(directory_->path(), config().evaluation);
+    Result<evaluation::Metrics> metrics = Status::failed("no frame was processed");
+    if (outcome.counters.frames > 0) {
+      metrics = writeResults(directory_->path(), config().evaluation);
+      if (!metrics.isOk()) std::cerr << metrics.status().message() << "\n";
+    }
     const Status written = directory_->writeRunFile(provenance_, state);
     if (!written.isOk()) std::cerr << written.message() << "\n";
-    if (!metrics.isOk()) std::cerr << metrics.status().message() << "\n";
     show(outcome, metrics, wall);
+    if (!outcome.status.isOk()) return report({code, outcome.status.message()});
     return code;
   }
 
   void show(const pipeline::Outcome& outcome, const Result<evaluation::Metrics>& metrics,
             double wall) const {
-    if (!outcome.status.isOk()) std::cerr << outcome.status.message() << "\n";
     if (invocation_.json) {
       nlohmann::ordered_json json = provenance_;
       json["directory"] = directory_->path().string();

@@ -19,24 +19,31 @@ constexpr double kLongSide = 860;  // px
 constexpr double kMargin = 50;
 constexpr double kLegendHeight = 70;
 
-/// From metres in the plane (x right, z forward) to pixels.
+/// From metres in the plane to pixels. Forward at the start is up, or to the right where the path
+/// is much longer than wide.
 class Canvas {
  public:
   explicit Canvas(const MapPicture& picture) {
     for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
-      for (const auto& pose : *line) include(pose.T_world_camera.translation());
+      for (const auto& pose : *line) box_.extend(inPlane(pose.T_world_camera.translation()));
     }
-    if (low_x_ > high_x_) low_x_ = high_x_ = low_z_ = high_z_ = 0;
-    const double span = std::max({high_x_ - low_x_, high_z_ - low_z_, 1.0});
-    scale_ = kLongSide / span;
-    width = std::max((high_x_ - low_x_) * scale_, 420.0) + 2 * kMargin;
-    height = (high_z_ - low_z_) * scale_ + 2 * kMargin + kLegendHeight;
-    left_ = (width - (high_x_ - low_x_) * scale_) / 2;
+    if (box_.isEmpty()) box_.extend(Eigen::Vector2d::Zero());
+    lying_ = box_.sizes().y() > 2 * box_.sizes().x();
+    scale_ = kLongSide / std::max(box_.sizes().maxCoeff(), 1.0);
+    Eigen::Vector2d size = scale_ * box_.sizes();
+    if (lying_) std::swap(size.x(), size.y());
+    width = std::max(size.x(), 420.0) + 2 * kMargin;
+    height = size.y() + 2 * kMargin + kLegendHeight;
+    left_ = (width - size.x()) / 2;
   }
 
-  double x(const Eigen::Vector3d& p) const { return left_ + (p.x() - low_x_) * scale_; }
-  double y(const Eigen::Vector3d& p) const {
-    return kMargin + kLegendHeight + (high_z_ - p.z()) * scale_;
+  /// x to the right, y down, px.
+  Eigen::Vector2d at(const Eigen::Vector3d& p) const {
+    const Eigen::Vector2d right_forward = inPlane(p) - box_.min();
+    const double from_top = box_.sizes().y() - right_forward.y();
+    const Eigen::Vector2d metres = lying_ ? Eigen::Vector2d(right_forward.y(), right_forward.x())
+                                          : Eigen::Vector2d(right_forward.x(), from_top);
+    return scale_ * metres + Eigen::Vector2d(left_, kMargin + kLegendHeight);
   }
   double pixels(double metres) const { return metres * scale_; }
   double metres(double pixel_count) const { return pixel_count / scale_; }
@@ -45,13 +52,9 @@ class Canvas {
   double height = 0;
 
  private:
-  void include(const Eigen::Vector3d& p) {
-    low_x_ = std::min(low_x_, p.x());
-    high_x_ = std::max(high_x_, p.x());
-    low_z_ = std::min(low_z_, p.z());
-    high_z_ = std::max(high_z_, p.z());
-  }
-  double low_x_ = 1e300, high_x_ = -1e300, low_z_ = 1e300, high_z_ = -1e300;
+  static Eigen::Vector2d inPlane(const Eigen::Vector3d& p) { return {p.x(), p.z()}; }
+  Eigen::AlignedBox2d box_;
+  bool lying_ = false;
   double scale_ = 1;
   double left_ = 0;
 };
@@ -60,8 +63,8 @@ std::string polyline(const Canvas& canvas, const evaluation::Trajectory& line, c
                      double width) {
   std::string points;
   for (const auto& pose : line) {
-    const Eigen::Vector3d p = pose.T_world_camera.translation();
-    points += fmt::format("{:.1f},{:.1f} ", canvas.x(p), canvas.y(p));
+    const Eigen::Vector2d p = canvas.at(pose.T_world_camera.translation());
+    points += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
   }
   return fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" points=\"{}\"/>\n",
                      colour, width, points);
@@ -69,23 +72,24 @@ std::string polyline(const Canvas& canvas, const evaluation::Trajectory& line, c
 
 std::string graphText(const Canvas& canvas, const MapGraph& graph) {
   std::string text;
-  const auto at = [&](std::int64_t id) -> Eigen::Vector3d {
-    return graph.experiences[static_cast<std::size_t>(id)].T_world_experience.translation();
+  const auto at = [&](std::int64_t id) {
+    return canvas.at(
+        graph.experiences[static_cast<std::size_t>(id)].T_world_experience.translation());
   };
   for (const Link& link : graph.links) {
     if (link.kind != LinkKind::Loop) continue;
-    const Eigen::Vector3d a = at(link.from);
-    const Eigen::Vector3d b = at(link.to);
+    const Eigen::Vector2d a = at(link.from);
+    const Eigen::Vector2d b = at(link.to);
     text += fmt::format(
         "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
         "stroke-width=\"2\"/>\n",
-        canvas.x(a), canvas.y(a), canvas.x(b), canvas.y(b), kLoopColour);
+        a.x(), a.y(), b.x(), b.y(), kLoopColour);
   }
   for (const Experience& experience : graph.experiences) {
-    const Eigen::Vector3d p = experience.T_world_experience.translation();
+    const Eigen::Vector2d p = at(experience.id);
     text +=
         fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"none\" stroke=\"{}\"/>\n",
-                    canvas.x(p), canvas.y(p), kExperienceColour);
+                    p.x(), p.y(), kExperienceColour);
   }
   return text;
 }

@@ -18,7 +18,7 @@ struct MapPicture {
   MapGraph graph;
 };
 
-/// Seen from above, forward at the start is up; equal scales, a scale bar, a legend.
+/// Seen from above; equal scales, a scale bar, a legend.
 std::string svgText(const MapPicture& picture);
 
 }  // namespace tolman::app

@@ -58,9 +58,9 @@ std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSett
 }
 
 template <class T>
-const T& must(const Result<T>& result) {
+T must(Result<T> result) {
   if (!result.isOk()) throw std::runtime_error(result.status().message());
-  return result.value();
+  return std::move(result).value();
 }
 
 evaluation::Metrics measureOpened(const record::RunReader& reader,
@@ -101,7 +101,9 @@ Status drawMap(const std::filesystem::path& directory, Alignment alignment) {
   if (!opened.isOk()) return opened.status();
   const record::RunReader& reader = *opened.value();
   MapPicture picture;
-  picture.title = directory.filename().string();
+  const auto meta = must(reader.meta());
+  const auto name = meta.find("name");
+  picture.title = name == meta.end() ? "map" : name->second;
   picture.odometry = toTrajectory(must(reader.odometry()));
   picture.map = toTrajectory(must(reader.map()));
   picture.truth = truthOnMap(toTrajectory(must(reader.truth())), picture.map, alignment);

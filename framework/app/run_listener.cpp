@@ -39,7 +39,8 @@ Status RunListener::onFrame(const Snapshot& snapshot, const pipeline::StageTimes
 }
 
 void RunListener::onEvent(const pipeline::Event& event) {
-  log_.write(event.level, event.source, event.message);
+  // A failure that stops the run is what the program ends with: the terminal hears it then.
+  log_.write(event.level, event.source, event.message, event.level != LogLevel::Error);
   (void)recorder_.event(event.frame, event.level, event.source, event.message);
 }
 

@@ -49,10 +49,11 @@ RunLog::RunLog(bool quiet) : implementation_(std::make_unique<Implementation>())
 
 RunLog::~RunLog() = default;
 
-void RunLog::write(LogLevel level, std::string_view source, std::string_view message) {
+void RunLog::write(LogLevel level, std::string_view source, std::string_view message,
+                   bool on_terminal) {
   const std::lock_guard lock(implementation_->mutex);
   std::string text = std::string(source) + ": " + std::string(message);
-  implementation_->terminal.log(levelOf(level), text);
+  if (on_terminal) implementation_->terminal.log(levelOf(level), text);
   if (implementation_->file) {
     implementation_->file->log(levelOf(level), text);
   } else {

@@ -21,7 +21,8 @@ class RunLog {
   ~RunLog();
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;
-  void write(LogLevel level, std::string_view source, std::string_view message);
+  void write(LogLevel level, std::string_view source, std::string_view message,
+             bool on_terminal = true);
   void openFile(const std::filesystem::path& file);
 
  private:

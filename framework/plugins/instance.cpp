@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/instance.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tolman::plugins {
@@ -53,15 +55,27 @@ Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
   if (object_.arrays == nullptr) return Status::ok();
   return guarded({name_, manifest_.id, "arrays", frame}, [&] {
     object_.arrays->arrays(arrays);
-    for (const NamedArray& array : arrays) {
-      std::size_t size = 1;
-      for (const int side : array.shape) size *= static_cast<std::size_t>(side);
-      if (size != array.values.size()) {
-        return Status::failed("array '" + array.name + "' has another size than its shape");
-      }
-    }
-    return Status::ok();
+    return checkArrays(arrays);
   });
+}
+
+Status Instance::checkArrays(const std::vector<NamedArray>& arrays) {
+  for (const NamedArray& array : arrays) {
+    std::size_t size = 1;
+    for (const int side : array.shape) size *= static_cast<std::size_t>(std::max(side, 0));
+    if (size != array.values.size()) {
+      return Status::failed("array '" + array.name + "' has another size than its shape");
+    }
+    if (!std::all_of(array.values.begin(), array.values.end(),
+                     [](float value) { return std::isfinite(value); })) {
+      return Status::failed("array '" + array.name + "' has NaN or infinity");
+    }
+    const auto [known, is_new] = array_shapes_.try_emplace(array.name, array.shape);
+    if (!is_new && known->second != array.shape) {
+      return Status::failed("array '" + array.name + "' changed its shape");
+    }
+  }
+  return Status::ok();
 }
 
 }  // namespace tolman::plugins

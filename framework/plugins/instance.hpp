@@ -2,6 +2,7 @@
 // One living plugin behind the guard.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,11 +46,13 @@ class Instance {
 
  private:
   Instance(const LoadedPlugin& plugin, std::string name, PluginObject object);
+  Status checkArrays(const std::vector<NamedArray>& arrays);
 
   Manifest manifest_;
   const PluginDescriptor* descriptor_;
   std::string name_;
   PluginObject object_;
+  std::map<std::string, std::vector<int>> array_shapes_;  // constant over a run
 };
 
 }  // namespace tolman::plugins

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/stages.hpp"
 
+#include <numbers>
 #include <string>
 
 namespace tolman::plugins {
@@ -145,9 +146,33 @@ Status PlaceStage::finish() {
 Status CellsStage::step(const Motion& motion, const PlaceObservation& observation,
                         Decision& decision) {
   return instance_->call<Cells>("step", motion.frame, [&](Cells& cells) {
-    const Status status = cells.step(motion, observation, decision);
-    return status.isOk() ? checkAnswer(motion, decision) : status;
+    Status status = cells.step(motion, observation, decision);
+    if (status.isOk()) status = checkAnswer(motion, decision);
+    if (status.isOk()) status = check(decision);
+    if (status.isOk() && decision.action == Action::CreateExperience) ++experiences_;
+    return status;
   });
+}
+
+Status CellsStage::check(const Decision& decision) const {
+  const std::string id = std::to_string(decision.experience);
+  if (decision.action == Action::CreateExperience) {
+    if (decision.experience != experiences_) {
+      return Status::failed("created experience " + id + "; ids are dense, the next one is " +
+                            std::to_string(experiences_));
+    }
+  } else if (decision.experience < (decision.action == Action::Stay ? -1 : 0) ||
+             decision.experience >= experiences_) {
+    return Status::failed("decided for experience " + id + ", which does not exist");
+  }
+  if (decision.heading < 0 || decision.heading >= 2 * std::numbers::pi) {
+    return Status::failed("heading " + std::to_string(decision.heading) + " is not in [0, 2 pi)");
+  }
+  if (decision.confidence < 0 || decision.confidence > 1) {
+    return Status::failed("confidence " + std::to_string(decision.confidence) +
+                          " is not in [0, 1]");
+  }
+  return Status::ok();
 }
 
 Status CellsStage::finish() {

@@ -57,8 +57,13 @@ class PlaceStage : public Stage {
 class CellsStage : public Stage {
  public:
   using Stage::Stage;
+  /// Checks that experience ids are dense and known, heading and confidence in their ranges.
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish();
+
+ private:
+  Status check(const Decision& decision) const;
+  std::int64_t experiences_ = 0;
 };
 
 class MapStage : public Stage {

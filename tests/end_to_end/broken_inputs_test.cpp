@@ -116,7 +116,7 @@ TEST_CASE("configurations that are wrong end with exit code 3 and all problems a
   CHECK(contains(finished.err, ":2:"));
   CHECK(contains(finished.err, "did you mean 'first'?"));
   CHECK(contains(finished.err, "odometry.speed"));
-  CHECK(contains(finished.err, "duplicate"));
+  CHECK(contains(finished.err, "place.shift_step: given twice"));
   CHECK(contains(finished.err, "did you mean 'bayesian_attractor'?"));
   CHECK(contains(finished.err, "map.on_failure"));
   CHECK(contains(finished.err, "did you mean 'observers'?"));

@@ -55,7 +55,7 @@ TEST_CASE("the refusal names the line of the configuration that asked for it") {
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const auto finished = tolman::test::tolman({"run", config.string()});  // no fixture path
   CHECK(finished.exit_code == 4);
-  CHECK(contains(finished.err, config.string() + ":3:21: odometry.plugin: [plugin/not-found]"));
+  CHECK(contains(finished.err, config.string() + ":3:20: odometry.plugin: [plugin/not-found]"));
 }
 
 TEST_CASE("plugins that fail before frame 0 leave no run directory") {

@@ -2,6 +2,8 @@
 // Contracts at the plugin boundary, with plugins that break them.
 #include "plugins/stages.hpp"
 
+#include <cmath>
+
 #include "host/fixture_plugins.hpp"
 #include "support/context.hpp"
 
@@ -80,4 +82,83 @@ TEST_CASE("a finish that throws is contained") {
   std::vector<MotionRevision> revisions;
   CHECK(odometry.finish(revisions).message() ==
         "odometry (throws_in_finish), finish: threw: finish gives up");
+}
+
+namespace {
+
+/// Cells that say what the test tells them to.
+struct Puppet : Cells, ArraySource {
+  using Parameters = NoParameters;
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status step(const Motion& motion, const PlaceObservation&, Decision& decision) override {
+    decision = says;
+    decision.frame = motion.frame;
+    return Status::ok();
+  }
+  void arrays(std::vector<NamedArray>& arrays) const override { arrays = shows; }
+  static inline thread_local Decision says;
+  static inline thread_local std::vector<NamedArray> shows;
+};
+
+struct PuppetStage {
+  PuppetStage() : stage(create()) {}
+  static std::unique_ptr<Instance> create() {
+    static constexpr PluginDescriptor kDescriptor = {0,
+                                                     1,
+                                                     "puppet",
+                                                     Role::Cells,
+                                                     0,
+                                                     &schemaOf<NoParameters>,
+                                                     &detail::createPlugin<Puppet>,
+                                                     [](Plugin* plugin) { delete plugin; }};
+    LoadedPlugin loaded;
+    loaded.manifest.id = "puppet";
+    loaded.descriptor = &kDescriptor;
+    return std::move(std::get<std::unique_ptr<Instance>>(Instance::create(loaded, "cells")));
+  }
+  std::string say(Action action, std::int64_t experience, double heading = 0,
+                  double confidence = 1) {
+    Puppet::says = {};
+    Puppet::says.action = action;
+    Puppet::says.experience = experience;
+    Puppet::says.heading = heading;
+    Puppet::says.confidence = confidence;
+    Motion motion;
+    motion.frame = frame++;
+    Decision decision;
+    const std::string message = stage.step(motion, {}, decision).message();
+    return message.empty() ? message : message.substr(message.rfind(": ") + 2);
+  }
+  std::string show(const std::vector<NamedArray>& arrays) {
+    Puppet::shows = arrays;
+    std::vector<NamedArray> seen;
+    const std::string message = stage.instance().arrays(0, seen).message();
+    return message.empty() ? message : message.substr(message.rfind(": ") + 2);
+  }
+  CellsStage stage;
+  std::int64_t frame = 0;
+};
+
+}  // namespace
+
+TEST_CASE("decisions of cells are checked before the map sees them") {
+  PuppetStage cells;
+  CHECK(cells.say(Action::Stay, -1).empty());
+  CHECK(cells.say(Action::CloseLoop, 0) == "decided for experience 0, which does not exist");
+  CHECK(cells.say(Action::CreateExperience, 1) ==
+        "created experience 1; ids are dense, the next one is 0");
+  CHECK(cells.say(Action::CreateExperience, 0).empty());
+  CHECK(cells.say(Action::CloseLoop, 0).empty());
+  CHECK(cells.say(Action::Stay, 1) == "decided for experience 1, which does not exist");
+  CHECK(cells.say(Action::Stay, 0, -7) == "heading -7.000000 is not in [0, 2 pi)");
+  CHECK(cells.say(Action::Stay, 0, 0, 42) == "confidence 42.000000 is not in [0, 1]");
+}
+
+TEST_CASE("arrays hold finite numbers and keep their shapes") {
+  PuppetStage cells;
+  CHECK(cells.show({{"a", {2}, {1, 2}}, {"b", {}, {1}}}).empty());
+  CHECK(cells.show({{"a", {2}, {1}}}) == "array 'a' has another size than its shape");
+  CHECK(cells.show({{"a", {2}, {1, std::nanf("")}}}) == "array 'a' has NaN or infinity");
+  CHECK(cells.show({{"a", {1}, {1}}}) == "array 'a' changed its shape");
 }

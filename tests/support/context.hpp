@@ -17,13 +17,14 @@ class TestContext : Logger, ArtefactWriter, Cancellation, Clock {
       : parameters_(std::move(values)), seed_(seed) {}
 
   operator Context() {  // NOLINT: a test context is a context
-    return {parameters_, *this, *this, *this, *this, rig, seed_, "test", interactive};
+    return {parameters_, *this, *this, *this, *this, rig, seed_, "test", interactive, quiet};
   }
 
   std::vector<std::string> log;
   std::map<std::string, std::string> artefacts;
   CameraRig rig;
   bool interactive = false;
+  bool quiet = false;
   std::int64_t now_ns = 0;
   bool cancelled = false;
 

@@ -38,6 +38,7 @@ Status Progress::configure(const Context& context) {
   parameters_ = bound.value();
   clock_ = &context.clock;
   interactive_ = context.interactive;
+  quiet_ = context.quiet;
   const char* no_colour = std::getenv("NO_COLOR");  // no-color.org: set and not empty
   colour_ = interactive_ && (no_colour == nullptr || *no_colour == '\0');
   return reset();
@@ -65,6 +66,7 @@ Status Progress::observe(const Snapshot& snapshot) {
   const std::int64_t now = clock_->steadyNs();
   state_.seconds = static_cast<double>(now - begin_ns_) * kSecondsPerNs;
   constexpr std::int64_t kRedrawNs = 100'000'000;  // faster than that nobody reads
+  if (quiet_) return Status::ok();
   const bool due = interactive_ ? now - shown_ns_ >= kRedrawNs : isLineDue();
   if (!due) return Status::ok();
   if (interactive_) {
@@ -83,6 +85,7 @@ Status Progress::finish(const MapGraph& graph) {
   state_.loops = std::count_if(graph.links.begin(), graph.links.end(),
                                [](const Link& link) { return link.kind == LinkKind::Loop; });
   if (drawn_ > 0) redraw("");
+  if (quiet_) return Status::ok();
   out_ << summaryLine(state_) << '\n' << std::flush;
   return Status::ok();
 }

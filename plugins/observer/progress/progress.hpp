@@ -55,6 +55,7 @@ class Progress final : public Observer {
   Parameters parameters_;
   const Clock* clock_ = nullptr;
   bool interactive_ = false;
+  bool quiet_ = false;
   bool colour_ = false;
 
   ProgressState state_;

@@ -115,6 +115,7 @@ struct Context {
   std::uint64_t seed;    ///< for RandomStream; the same after reset()
   std::string instance;  ///< the name of this stage in the configuration, e.g. "odometry"
   bool interactive;      ///< a person watches the terminal: progress bars and colours are welcome
+  bool quiet;            ///< the user asked for silence: print nothing, log instead
 };
 
 }  // namespace tolman

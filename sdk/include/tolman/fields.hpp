@@ -55,8 +55,12 @@ struct NamedArray {
   std::vector<float> values;  ///< as many as the product of shape
 };
 
-/// An enumeration with names, listed in the order of its values from 0:
-/// `constexpr std::span<const std::string_view> enumNames(Colour)`, found beside the type.
+/// An enumeration with names, listed in the order of its values from 0, by a function in the
+/// namespace of the enumeration (for a nested one: a friend of the class):
+///
+///   enum class Colour : std::uint8_t { Red, Green };
+///   inline constexpr std::array<std::string_view, 2> kColourNames = {"red", "green"};
+///   constexpr std::span<const std::string_view> enumNames(Colour) { return kColourNames; }
 template <class E>
 concept NamedEnum = std::is_enum_v<E> && requires(E e) {
   { enumNames(e) } -> std::convertible_to<std::span<const std::string_view>>;

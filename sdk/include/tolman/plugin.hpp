@@ -46,6 +46,10 @@ namespace detail {
 
 template <class C>
 constexpr Role roleOf() {
+  constexpr int kRoles = std::derived_from<C, Source> + std::derived_from<C, Odometry> +
+                         std::derived_from<C, Place> + std::derived_from<C, Cells> +
+                         std::derived_from<C, Map> + std::derived_from<C, Observer>;
+  static_assert(kRoles == 1, "a plugin class derives from exactly one role of roles.hpp");
   if constexpr (std::derived_from<C, Source>) return Role::Source;
   if constexpr (std::derived_from<C, Odometry>) return Role::Odometry;
   if constexpr (std::derived_from<C, Place>) return Role::Place;

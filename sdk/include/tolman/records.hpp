@@ -141,7 +141,7 @@ struct PlaceObservation {
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
   Recognition recognition = Recognition::None;
-  std::int64_t template_id = -1;  ///< dense from 0 in the order of making; -1 with None
+  std::int64_t template_id = -1;  ///< dense from 0 in the order of making; -1 exactly with None
   double score = 0;  ///< the plugin's own distance to the best template; smaller is more alike
   double relative_yaw = 0;  ///< rad, heading now minus heading when the template was made
   bool has_relative_pose = false;
@@ -172,6 +172,14 @@ inline constexpr std::array<std::string_view, 3> kActionNames = {"stay", "create
 constexpr std::span<const std::string_view> enumNames(Action) { return kActionNames; }
 
 /// What the spatial cells decide for one frame.
+///
+/// - CreateExperience: `experience` is the next id; the first frame creates experience 0.
+/// - CloseLoop: `experience` is an earlier id, also the present one. With has_relative_pose the map
+///   takes T_experience_current and `covariance`; without, it assumes that the robot stands where
+///   the experience was made, turned by relative_yaw, and trusts that little.
+/// - Stay: `experience` is the one of the last decision; the relative fields are not read.
+/// relative_yaw and T_experience_current refer to the experience: compose what place recognition
+/// says of the template with where the template lies in the experience.
 struct Decision {
   static constexpr const char* kRecord = "decision";
   std::int64_t frame = -1;
@@ -183,7 +191,8 @@ struct Decision {
   bool has_relative_pose = false;
   Eigen::Isometry3d T_experience_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
-  double heading = 0;     ///< rad in [0, 2 pi): the head direction estimate
+  /// rad in [0, 2 pi), positive to the left, 0 at the first frame: the head direction estimate
+  double heading = 0;
   double confidence = 1;  ///< in [0, 1]
 
   template <class Self, class Visit>

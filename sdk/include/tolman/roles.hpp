@@ -10,7 +10,9 @@
 // Answers:  outputs are default-constructed records made by the host. Exactly one answer a frame:
 //           copy frame and stamp_ns from the input, fill what you know.
 // Failure:  return a Status, or throw std::exception; both stop the run or skip the frame, as the
-//           configuration's `on_failure` says. After a skipped frame the next call comes as usual.
+//           configuration's `on_failure` says. After a skipped frame the next call comes as usual;
+//           later stages got a stand-in: predicted motion (Lost), no view, Stay.
+//           T_previous_current always is the motion since the last frame that odometry was given.
 //           The host refuses answers with NaN, infinity, or another frame's index.
 // Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
 #pragma once
@@ -104,7 +106,7 @@ class Place : public Plugin {
 };
 
 /// A model of head direction cells, grid cells or place cells. Owns the decision where the robot
-/// is; never sees images.
+/// is; never sees images. It may use motion.revisions or leave them to the map.
 class Cells : public Plugin {
  public:
   virtual Status step(const Motion& motion, const PlaceObservation& observation,

@@ -16,10 +16,11 @@ constexpr std::int64_t kMs = 1'000'000;
 
 /// A run of which the test decides how fast it is.
 struct Run {
-  explicit Run(bool is_interactive, ParameterValues values = {}) : services(std::move(values)) {
-    Context context = services;
-    context.interactive = is_interactive;
-    REQUIRE(observer->configure(context).isOk());
+  explicit Run(bool is_interactive, ParameterValues values = {}, bool is_quiet = false)
+      : services(std::move(values)) {
+    services.interactive = is_interactive;
+    services.quiet = is_quiet;
+    REQUIRE(observer->configure(services).isOk());
   }
   void begin(std::int64_t frames) {
     RunInfo info;
@@ -92,6 +93,14 @@ TEST_CASE("both kinds of line can be turned off") {
   run.begin(4);
   for (int i = 0; i < 4; ++i) CHECK(run.frame(60'000).empty());
   CHECK(run.finish() == "4 frames in 4:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loops\n");
+}
+
+TEST_CASE("quiet means nothing at all") {
+  Run run(false, {}, true);
+  run.begin(2);
+  CHECK(run.frame(6000).empty());
+  CHECK(run.frame(6000).empty());
+  CHECK(run.finish().empty());
 }
 
 TEST_CASE("a terminal's line is redrawn at most ten times a second") {

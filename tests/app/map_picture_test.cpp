@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/map_picture.hpp"
+
+#include <catch2/catch.hpp>
+#include <regex>
+
+using namespace tolman;
+
+namespace {
+
+evaluation::Trajectory path(std::initializer_list<Eigen::Vector2d> right_forward) {
+  evaluation::Trajectory trajectory;
+  for (const Eigen::Vector2d& p : right_forward) {
+    auto& pose = trajectory.emplace_back();
+    pose.frame = static_cast<std::int64_t>(trajectory.size()) - 1;
+    pose.T_world_camera.translation() << p.x(), 0, p.y();
+  }
+  return trajectory;
+}
+
+/// The pixels of the n-th polyline.
+std::vector<Eigen::Vector2d> polyline(const std::string& svg, int n) {
+  const std::regex line("<polyline[^>]*points=\"([^\"]*)\"");
+  auto found = std::sregex_iterator(svg.begin(), svg.end(), line);
+  std::advance(found, n);
+  const std::string text = (*found)[1];
+  const std::regex pair("([-0-9.]+),([-0-9.]+)");
+  std::vector<Eigen::Vector2d> points;
+  for (std::sregex_iterator it(text.begin(), text.end(), pair), end; it != end; ++it) {
+    points.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
+  }
+  return points;
+}
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("the picture keeps right angles and scale: forward is up, right is right") {
+  app::MapPicture picture;
+  picture.map = path({{0, 0}, {0, 40}, {40, 40}});
+  const auto pixels = polyline(app::svgText(picture), 1);  // odometry comes first
+  REQUIRE(pixels.size() == 3);
+  CHECK(pixels[1].x() == Approx(pixels[0].x()));
+  CHECK(pixels[1].y() < pixels[0].y());  // y of a picture grows downwards
+  CHECK(pixels[2].x() > pixels[1].x());
+  CHECK((pixels[1] - pixels[0]).norm() == Approx((pixels[2] - pixels[1]).norm()));
+}
+
+TEST_CASE("a long straight street lies down, and a left turn stays a left turn") {
+  app::MapPicture picture;
+  picture.map = path({{0, 0}, {0, 100}, {-10, 100}});
+  const auto pixels = polyline(app::svgText(picture), 1);
+  CHECK(pixels[1].x() > pixels[0].x());
+  CHECK(pixels[1].y() == Approx(pixels[0].y()));
+  CHECK(pixels[2].y() < pixels[1].y());  // left of rightwards is up
+}
+
+TEST_CASE("experiences are circles, loop links lines; the title cannot break the file") {
+  app::MapPicture picture;
+  picture.title = "a<b & c";
+  picture.map = path({{0, 0}, {0, 10}});
+  picture.graph.experiences.resize(3);
+  for (std::int64_t i = 0; i < 3; ++i)
+    picture.graph.experiences[static_cast<std::size_t>(i)].id = i;
+  picture.graph.links.resize(2);
+  picture.graph.links[0].from = picture.graph.links[1].from = 0;
+  picture.graph.links[0].to = picture.graph.links[1].to = 2;
+  picture.graph.links[1].kind = LinkKind::Loop;
+  const std::string svg = app::svgText(picture);
+  CHECK(count(svg, "<circle") == 3);
+  CHECK(count(svg, "stroke-width=\"2\"/>") == 1);
+  CHECK(svg.find("a&lt;b &amp; c") != std::string::npos);
+  CHECK(svg.find("3 experiences") != std::string::npos);
+}
+
+TEST_CASE("an empty run is an empty picture, not a crash") {
+  const std::string svg = app::svgText({});
+  CHECK(svg.starts_with("<svg"));
+  CHECK(svg.find("nan") == std::string::npos);
+}
