@@ -58,7 +58,9 @@ class StoreWriter {
   void insertLists(const R& record) {
     visitFields(record, [&](const Field& field, const auto& value) {
       using T = std::remove_cvref_t<decltype(value)>;
-      if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
+      if constexpr (!requires { record.frame; }) {
+        static_assert(!StoredElsewhere<T>, "a list hangs on a frame");
+      } else if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
         insertArrays(record.frame, field.name, value);
       } else if constexpr (kIsRecordList<T>) {
         for (const auto& item : value) insertAnnounced(record.frame, item);

@@ -123,3 +123,12 @@ TEST_CASE("export of what is no run is one clear error") {
   CHECK(finished.exit_code == 5);
   CHECK(contains(finished.err, folder.path().string()));
 }
+
+TEST_CASE("docs/reference/plugins.md is up to date (scripts/generate-reference)") {
+  const std::string page = readText(TOLMAN_SOURCE_DIR "/docs/reference/plugins.md");
+  for (const char* id : {"kitti", "images", "feature_stereo", "view_templates",
+                         "bayesian_attractor", "experience_map", "progress"}) {
+    INFO(id);
+    CHECK(contains(page, tolman::test::tolman({"plugins", "describe", id, "--markdown"}).out));
+  }
+}

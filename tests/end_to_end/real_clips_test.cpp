@@ -53,7 +53,8 @@ TEST_CASE("KITTI raw 0001: the path is 108 m long within 1 %") {
   const auto metrics = readJson(folder.path() / "run/metrics.json");
   CHECK(metrics["odometry"]["poses"] == 108);
   CHECK(metrics["odometry"]["path_length_m"].get<double>() == Approx(108.0).epsilon(0.01));
-  CHECK(metrics["odometry"]["ate"]["rmse_m"].is_null());  // this clip has no truth, and nothing is made up
+  CHECK(metrics["odometry"]["ate"]["rmse_m"]
+            .is_null());  // this clip has no truth, and nothing is made up
 }
 
 TEST_CASE("one camera: place recognition runs, stereo odometry says what it needs") {

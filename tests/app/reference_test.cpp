@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// docs/reference is generated; this fails when a declaration changed and the pages did not.
+#include "record/reference.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+TEST_CASE("docs/reference/records.md is up to date (scripts/generate-reference)") {
+  std::ifstream file(std::filesystem::path(TOLMAN_SOURCE_DIR) / "docs/reference/records.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  CHECK(text.str() == tolman::record::recordsMarkdown());
+}
