@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plugins/library.hpp"
 
+#include <dlfcn.h>
+
 #include <boost/dll/shared_library.hpp>
 #include <exception>
-#include <memory>
+#include <stdexcept>
+#include <string>
 
 namespace tolman::plugins {
 namespace {
 
 using Entry = const PluginDescriptor*();
 
-OrRefusal<boost::dll::shared_library*> openPinned(const Manifest& manifest) {
+OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
   namespace dll = boost::dll;
+  const std::string file = manifest.file.string();
   try {
-    // Leaked on purpose: see the header. Opening a library twice only counts a reference.
-    auto library = std::make_unique<dll::shared_library>(
-        manifest.file.string(), dll::load_mode::rtld_now | dll::load_mode::rtld_local);
-    return library.release();
+    dll::shared_library library(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local);
+    // Pins the library that is now loaded; see the header for why.
+    if (::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD | RTLD_NODELETE) != nullptr) {
+      return library;
+    }
+    throw std::runtime_error("it cannot be kept in memory");
   } catch (const std::exception& error) {
-    return Refusal{"plugin/load-failed", manifest.file.string() + ": " + error.what(),
+    return Refusal{"plugin/load-failed", file + ": " + error.what(),
                    "link the plugin with -Wl,-z,defs (tolman_add_plugin() does) to find missing "
                    "symbols at build time; `ldd` shows missing libraries"};
   }
@@ -69,7 +75,7 @@ OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity&
   if (auto refusal = checkGate(manifest, host)) return *refusal;
   auto opened = openPinned(manifest);
   if (auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-  auto entry = callEntry(*std::get<boost::dll::shared_library*>(opened), manifest);
+  auto entry = callEntry(std::get<boost::dll::shared_library>(opened), manifest);
   if (auto* refusal = std::get_if<Refusal>(&entry)) return *refusal;
   return describe(manifest, *std::get<const PluginDescriptor*>(entry));
 }

@@ -85,7 +85,8 @@ OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file
     const std::string text = bytes.c_str() + begin;
     begin += text.size() + 1;
     if (text.empty()) continue;
-    auto manifest = parseManifest(text, file);
+    // Absolute: a bare file name would make the dynamic linker search its own path.
+    auto manifest = parseManifest(text, std::filesystem::absolute(file));
     if (auto* refusal = std::get_if<Refusal>(&manifest)) return *refusal;
     manifests.push_back(std::get<Manifest>(manifest));
   }
