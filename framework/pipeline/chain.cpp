@@ -57,6 +57,11 @@ bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int
   return !stop;
 }
 
+void Chain::admit(Packet& packet) {
+  packet.sequence = admitted_++;
+  ++place_backlog_;
+}
+
 void Chain::odometry(Packet& packet) {
   if (failed()) return;
   const StageTimer timer(packet.times, Role::Odometry);

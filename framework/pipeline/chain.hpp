@@ -67,8 +67,10 @@ class Chain {
   void failInput(const Status& status);
   /// What the run ends with: a stage's failure, else the source's, else Ok.
   Status result() const;
+  /// Numbers a packet that now goes in; one call at a time.
+  void admit(Packet& packet);
   /// Frames that went in and have not passed place recognition.
-  std::atomic<int>& placeBacklog() { return place_backlog_; }
+  int placeBacklog() const { return place_backlog_; }
   const Counters& counters() const { return counters_; }
   Counters& counters() { return counters_; }
   Stages& stages() { return stages_; }
@@ -95,6 +97,7 @@ class Chain {
   Decision last_decision_;
   MapUpdate last_map_;
   bool telling_ = true;
+  std::size_t admitted_ = 0;
   std::atomic<int> place_backlog_ = 0;
 };
 

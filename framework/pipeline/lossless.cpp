@@ -17,7 +17,7 @@ PacketPtr nextPacket(Chain& chain, const Cancellation& cancellation) {
     status = chain.stages().source.next(packet->frame);
   }
   if (status.isOk()) {
-    ++chain.placeBacklog();
+    chain.admit(*packet);
     return packet;
   }
   if (status.code() != StatusCode::EndOfStream) chain.failInput(status);

@@ -25,6 +25,7 @@ struct Packet {
   MapUpdate map;
   std::vector<NamedArray> cells;
   MapGraph graph;
+  std::size_t sequence = 0;  ///< dense in the order of dispatch
   bool graph_changed = false;
   bool leave_out_place = false;  ///< realtime: place recognition is late
   bool answered = false;         ///< all stages have answered; recorder and observers may see it

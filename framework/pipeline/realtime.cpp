@@ -82,7 +82,8 @@ class PacedFeed {
       auto packet = queue_.pop();
       if (!packet) return;
       ++in_flight_;
-      const bool late = chain_.placeBacklog()++ >= options_.queue;
+      const bool late = chain_.placeBacklog() >= options_.queue;
+      chain_.admit(**packet);
       (*packet)->leave_out_place = late && options_.place_policy == config::PlacePolicy::DropNewest;
       flow_.entry().try_put(*packet);
     }

@@ -110,3 +110,16 @@ TEST_CASE("cancellation ends the run early, and what was done is finished") {
   CHECK(static_cast<std::int64_t>(system.diary.entries.size()) == outcome.counters.frames);
   CHECK(hooks.finished == 4);
 }
+
+TEST_CASE("order holds when the stages are so quick that threads overtake one another") {
+  Hooks hooks;
+  hooks.frames = 20'000;
+  ToySystem system(hooks);
+  REQUIRE(system.run({}, 4).status.isOk());
+  REQUIRE(system.diary.entries.size() == 20'000);
+  for (std::int64_t k = 0; k < 20'000; ++k) {
+    const auto& entry = system.diary.entries[static_cast<std::size_t>(k)];
+    REQUIRE(entry.frame == k);
+    REQUIRE(entry.template_id == k);
+  }
+}

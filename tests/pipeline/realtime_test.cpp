@@ -42,6 +42,7 @@ std::vector<std::int64_t> jam(QueuePolicy policy, pipeline::Outcome& outcome) {
   outcome = system.run(realtime(policy), 2);
   std::vector<std::int64_t> frames;
   for (const auto& entry : system.diary.entries) frames.push_back(entry.frame);
+  INFO(outcome.status.message());
   CHECK(outcome.status.isOk());
   CHECK(outcome.counters.frames + outcome.counters.dropped == 20);
   CHECK(static_cast<std::int64_t>(system.diary.events.size()) == outcome.counters.dropped);
