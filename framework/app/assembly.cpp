@@ -2,6 +2,7 @@
 #include "app/assembly.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "config/loader.hpp"
@@ -26,6 +27,22 @@ ExitCode configureFailure(Role role, const Status& status) {
   return choice ? ExitCode::Configuration : ExitCode::Plugin;
 }
 
+constexpr std::array<std::string_view, 4> kChain = {"odometry", "place", "cells", "map"};
+
+/// Leaves out what is beyond the scope, as if it had never been written.
+void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
+  if (scope == Scope::All) return;
+  loaded.tree.erase("observers");
+  if (scope != Scope::Source) return;
+  for (const std::string_view stage : kChain) loaded.tree.erase(stage);
+  if (loaded.complete && loaded.tree.find("source") == nullptr) {
+    problems.push_back({loaded.tree.origin, "source",
+                        "the stage is missing; add 'source: {plugin: ...}' ('tolman plugins list' "
+                        "shows what there is)"});
+  }
+  loaded.complete = false;  // of the other stages nothing is to be said
+}
+
 }  // namespace
 
 plugins::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
@@ -43,10 +60,18 @@ plugins::OrRefusal<plugins::LoadedPlugin> loadFrom(const plugins::Catalogue& cat
                              plugins::HostIdentity::ofThisBuild());
 }
 
-std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options) {
+bool hasChain(const SystemOptions& options) {
   const config::Loaded loaded =
       config::load(options.config, options.overrides, config::processEnvironment());
+  return std::any_of(kChain.begin(), kChain.end(),
+                     [&](std::string_view stage) { return loaded.tree.find(stage) != nullptr; });
+}
+
+std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, Scope scope) {
+  config::Loaded loaded =
+      config::load(options.config, options.overrides, config::processEnvironment());
   config::Problems problems = loaded.problems;
+  confine(loaded, scope, problems);
   CheckedSystem checked;
   checked.config = config::parse(loaded, problems);
   const plugins::Catalogue catalogue = openCatalogue(options.plugin_paths);
@@ -137,9 +162,15 @@ void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
 }
 
 std::vector<plugins::Instance*> Assembly::instances() {
-  std::vector<plugins::Instance*> all = {&source_->instance(), &odometry_->instance(),
-                                         &place_->instance(), &cells_->instance(),
-                                         &map_->instance()};
+  std::vector<plugins::Instance*> all;
+  const auto add = [&](auto& stage) {
+    if (stage) all.push_back(&stage->instance());
+  };
+  add(source_);
+  add(odometry_);
+  add(place_);
+  add(cells_);
+  add(map_);
   for (Observer& observer : observers_) all.push_back(&observer.stage.instance());
   return all;
 }

@@ -38,8 +38,16 @@ struct CheckedSystem {
   std::vector<plugins::LoadedPlugin> plugins;  ///< parallel to config.stages
 };
 
+/// Which stages of a configuration a command is about; the others are neither checked nor loaded.
+enum class Scope : std::uint8_t { All, WithoutObservers, Source };
+
 /// All problems at once: those of files, values and plugins.
-std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options);
+std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options,
+                                                 Scope scope = Scope::All);
+
+/// Whether the configuration has any of odometry, place, cells and map. False for what cannot be
+/// read: checkSystem() says why.
+bool hasChain(const SystemOptions& options);
 
 /// Who listens at the terminal.
 struct Audience {
@@ -47,7 +55,7 @@ struct Audience {
   bool quiet = false;
 };
 
-/// The stages of a run, alive and configured.
+/// The stages of a run, alive and configured; those that are in the scope.
 class Assembly {
  public:
   struct Observer {

@@ -127,7 +127,7 @@ void check(const DatasetOptions& options, Invocation& invocation) {
 }  // namespace
 
 void addDatasetCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("dataset", "Look at data sets");
+  CLI::App* command = app.add_subcommand("dataset", "Check data sets, and write them");
   command->require_subcommand(1);
   command->fallthrough();
   CLI::App* check_command = command->add_subcommand("check", "Is a data set sound?");
@@ -138,6 +138,7 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
       ->allow_extra_args(false);
   check_command->add_flag("--decode", options->decode, "Read every image, too");
   check_command->callback([options, &invocation] { check(*options, invocation); });
+  addRenderCommand(*command, invocation);
 }
 
 }  // namespace tolman::app

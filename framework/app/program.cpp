@@ -17,6 +17,9 @@ constexpr const char* kFooter =
     "  tolman check configs/kitti.yaml --explain       every value and where it comes from\n"
     "  tolman plugins describe bayesian_attractor      parameters of a plugin\n"
     "  tolman dataset check ~/kitti/sequences/06       is the data set sound?\n"
+    "  tolman dataset render town.yaml --out town       the frames of any source as a KITTI "
+    "folder\n"
+    "  tolman bench configs/kitti.yaml --frames 200    how fast is the source, and every stage?\n"
     "  tolman eval truth.txt estimate.txt --align se3  errors of any TUM or KITTI trajectory\n"
     "\n"
     "Exit codes: 0 ok, 2 usage, 3 configuration, 4 plugin, 5 dataset, 6 tracking lost,\n"
@@ -40,6 +43,7 @@ int runProgram(int argc, const char* const* argv) {
   addCheckCommand(app, invocation);
   addPluginsCommand(app, invocation);
   addDatasetCommand(app, invocation);
+  addBenchCommand(app, invocation);
   addEvalCommand(app, invocation);
   addExportCommand(app, invocation);
   try {

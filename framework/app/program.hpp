@@ -28,6 +28,8 @@ void addRunCommand(CLI::App& app, Invocation& invocation);
 void addCheckCommand(CLI::App& app, Invocation& invocation);
 void addPluginsCommand(CLI::App& app, Invocation& invocation);
 void addDatasetCommand(CLI::App& app, Invocation& invocation);
+void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
+void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addEvalCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/results.hpp"
 
+#include <stdexcept>
+#include <utility>
+
 #include "app/map_picture.hpp"
 #include "evaluation/alignment.hpp"
 #include "evaluation/association.hpp"
@@ -14,6 +17,23 @@ namespace {
 
 using evaluation::Alignment;
 
+template <class T>
+const T& must(const Result<T>& result) {
+  if (!result.isOk()) throw std::runtime_error(result.status().message());
+  return result.value();
+}
+
+template <class T>
+T must(Result<T>&& result) {
+  (void)must(std::as_const(result));
+  return std::move(result).value();
+}
+
+void must(const Status& status) {
+  if (!status.isOk()) throw std::runtime_error(status.message());
+}
+
+/// The poses of the record as those of the evaluation: neither folder may know the other.
 evaluation::Trajectory toTrajectory(const std::vector<record::StampedPose>& poses) {
   evaluation::Trajectory trajectory;
   trajectory.reserve(poses.size());
@@ -21,6 +41,17 @@ evaluation::Trajectory toTrajectory(const std::vector<record::StampedPose>& pose
     trajectory.push_back({pose.frame, pose.stamp_ns, pose.T_world_camera});
   }
   return trajectory;
+}
+
+struct Paths {
+  evaluation::Trajectory truth;
+  evaluation::Trajectory odometry;
+  evaluation::Trajectory map;
+};
+
+Paths pathsOf(const record::RunReader& reader) {
+  return {toTrajectory(must(reader.truth())), toTrajectory(must(reader.odometry())),
+          toTrajectory(must(reader.map()))};
 }
 
 /// `auto`: similarity for a single camera, planar for a source without images, else rigid.
@@ -41,10 +72,7 @@ Alignment resolve(config::Alignment asked, const record::RunReader& reader) {
   if (cameras.isOk() && !cameras.value().empty() && cameras.value()[0].width == 0) {
     return Alignment::Se2;
   }
-  const auto motions = reader.records<Motion>();
-  const bool metric =
-      !motions.isOk() || motions.value().empty() || motions.value().back().scale_known;
-  return metric ? Alignment::Se3 : Alignment::Sim3;
+  return must(reader.scaleKnown()) ? Alignment::Se3 : Alignment::Sim3;
 }
 
 /// Nothing: by the length of the truth.
@@ -57,28 +85,21 @@ std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSett
   return std::nullopt;
 }
 
-template <class T>
-T must(Result<T> result) {
-  if (!result.isOk()) throw std::runtime_error(result.status().message());
-  return std::move(result).value();
-}
-
-evaluation::Metrics measureOpened(const record::RunReader& reader,
-                                  const config::EvaluationSettings& settings) {
-  const auto truth = toTrajectory(must(reader.truth()));
+evaluation::Metrics measure(const record::RunReader& reader, const Paths& paths,
+                            const config::EvaluationSettings& settings) {
   const auto lengths = lengthsOf(settings);
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
-  metrics.odometry = evaluation::scoreTrajectory(truth, toTrajectory(must(reader.odometry())),
-                                                 metrics.alignment, lengths);
-  metrics.map = evaluation::scoreTrajectory(truth, toTrajectory(must(reader.map())),
-                                            metrics.alignment, lengths);
+  metrics.odometry =
+      evaluation::scoreTrajectory(paths.truth, paths.odometry, metrics.alignment, lengths);
+  metrics.map = evaluation::scoreTrajectory(paths.truth, paths.map, metrics.alignment, lengths);
   const auto counters = must(reader.counters());
   metrics.frames = counters.frames;
   metrics.templates = counters.templates;
   metrics.experiences = counters.experiences;
   metrics.loops = counters.loops;
-  for (const auto& [stage, durations] : must(reader.timing())) {
+  const auto timing = must(reader.timing());
+  for (const auto& [stage, durations] : timing) {
     metrics.timing[stage] = evaluation::stageTiming(durations);
   }
   return metrics;
@@ -96,46 +117,38 @@ evaluation::Trajectory truthOnMap(const evaluation::Trajectory& truth,
   return moved;
 }
 
-Status drawMap(const std::filesystem::path& directory, Alignment alignment) {
-  const auto opened = record::RunReader::open(directory);
-  if (!opened.isOk()) return opened.status();
-  const record::RunReader& reader = *opened.value();
+MapPicture pictureOf(const record::RunReader& reader, Paths paths, Alignment alignment) {
   MapPicture picture;
   const auto meta = must(reader.meta());
   const auto name = meta.find("name");
   picture.title = name == meta.end() ? "map" : name->second;
-  picture.odometry = toTrajectory(must(reader.odometry()));
-  picture.map = toTrajectory(must(reader.map()));
-  picture.truth = truthOnMap(toTrajectory(must(reader.truth())), picture.map, alignment);
+  picture.truth = truthOnMap(paths.truth, paths.map, alignment);
+  picture.odometry = std::move(paths.odometry);
+  picture.map = std::move(paths.map);
   picture.graph = must(reader.graph());
-  return record::writeAtomically(directory / "map.svg", svgText(picture));
+  return picture;
 }
 
 }  // namespace
 
-Result<evaluation::Metrics> measure(const std::filesystem::path& directory,
-                                    const config::EvaluationSettings& settings) {
-  const auto reader = record::RunReader::open(directory);
-  if (!reader.isOk()) return reader.status();
+Result<evaluation::Metrics> writeResults(const std::filesystem::path& directory,
+                                         const config::EvaluationSettings& settings) {
+  const auto opened = record::RunReader::open(directory);
+  if (!opened.isOk()) return opened.status();
+  const record::RunReader& reader = *opened.value();
   try {
-    return measureOpened(*reader.value(), settings);
+    (void)must(record::exportRun(reader, directory));
+    Paths paths = pathsOf(reader);
+    const evaluation::Metrics metrics = measure(reader, paths, settings);
+    must(record::writeAtomically(directory / "metrics.json",
+                                 evaluation::toJson(metrics).dump(2) + "\n"));
+    const MapPicture picture = pictureOf(reader, std::move(paths), metrics.alignment);
+    must(record::writeAtomically(directory / "map.svg", svgText(picture)));
+    must(record::writeResultsDigest(directory));
+    return metrics;
   } catch (const std::exception& error) {
     return Status::invalidInput(error.what());
   }
-}
-
-Result<evaluation::Metrics> writeResults(const std::filesystem::path& directory,
-                                         const config::EvaluationSettings& settings) {
-  const auto exported = record::exportRun(directory, directory);
-  if (!exported.isOk()) return exported.status();
-  auto metrics = measure(directory, settings);
-  if (!metrics.isOk()) return metrics;
-  const std::string json = evaluation::toJson(metrics.value()).dump(2) + "\n";
-  Status status = record::writeAtomically(directory / "metrics.json", json);
-  if (status.isOk()) status = drawMap(directory, metrics.value().alignment);
-  if (status.isOk()) status = record::writeResultsDigest(directory);
-  if (!status.isOk()) return status;
-  return metrics;
 }
 
 }  // namespace tolman::app

@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "config/characters.hpp"
 #include "config/yaml_reader.hpp"
 #include "tolman/status.hpp"
 
@@ -13,7 +14,7 @@ namespace tolman::config {
 namespace {
 
 bool isIndex(const std::string& part) {
-  return part.size() <= 4 && std::ranges::all_of(part, [](char c) { return c >= '0' && c <= '9'; });
+  return part.size() <= 4 && std::ranges::all_of(part, isDigit);
 }
 
 std::vector<std::string> split(const std::string& path) {
@@ -82,7 +83,7 @@ Status assign(Node& tree, const std::vector<std::string>& path, Node value, cons
 void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
                     const Environment& environment, Problems& problems) {
   std::vector<std::string> ordered = overrides;
-  std::ranges::stable_partition(ordered, [](const std::string& argument) {
+  std::stable_partition(ordered.begin(), ordered.end(), [](const std::string& argument) {
     return argument.substr(0, argument.find('=')).ends_with(".plugin");
   });
   for (const std::string& argument : ordered) {

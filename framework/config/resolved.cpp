@@ -4,17 +4,17 @@
 
 #include <algorithm>
 
+#include "config/characters.hpp"
 #include "config/scalars.hpp"
 
 namespace tolman::config {
 namespace {
 
 bool isPlainWord(const std::string& text) {
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto inner = [&](char c) {
-    return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.' || c == '/';
+  const auto inner = [](char c) {
+    return isLetter(c) || isDigit(c) || c == '_' || c == '-' || c == '.' || c == '/';
   };
-  if (text.empty() || !(letter(text.front()) || text.front() == '/')) return false;
+  if (text.empty() || !(isLetter(text.front()) || text.front() == '/')) return false;
   return std::ranges::all_of(text, inner) && text != "null" && text != "Null" && text != "NULL";
 }
 

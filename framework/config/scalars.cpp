@@ -8,12 +8,11 @@
 #include <cmath>
 #include <system_error>
 
+#include "config/characters.hpp"
 #include "config/nearest_name.hpp"
 
 namespace tolman::config {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// 010 is eight to YAML 1.1 and C, ten to people.
 bool hasLeadingZero(std::string_view text) {

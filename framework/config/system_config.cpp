@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "config/characters.hpp"
 #include "config/nearest_name.hpp"
 
 namespace tolman::config {
@@ -26,8 +27,7 @@ bool isReserved(const std::string& key) {
 
 bool isInstanceName(const std::string& name) {
   return !name.empty() && std::ranges::all_of(name, [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
+    return isLetter(c) || isDigit(c) || c == '_' || c == '-';
   });
 }
 
@@ -70,8 +70,8 @@ class Parser {
   }
 
   void general() {
-    std::vector<std::string> others;
-    for (const Role role : kChain) others.emplace_back(enumName(role));
+    std::vector<std::string> others(kChain.size());
+    std::ranges::transform(kChain, others.begin(), [](Role role) { return enumName(role); });
     others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
     if (!config_.general.name.empty()) return;
@@ -104,8 +104,8 @@ class Parser {
     if (!given->isSequence()) {
       problems_.push_back({given->origin, kObservers,
                            "expects a list such as [{plugin: progress}], not " + describe(*given)});
+      return;
     }
-    if (!given->isSequence()) return;
     for (const Node& item : given->children) {
       stage(Role::Observer, joinPath(kObservers, item.key), item);
     }

@@ -5,18 +5,15 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "config/characters.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::config {
 namespace {
 
 bool isName(std::string_view name) {
-  const auto letter = [](char c) {
-    return c == '_' || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-  };
-  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
-  return !name.empty() && !digit(name.front()) &&
-         std::ranges::all_of(name, [&](char c) { return letter(c) || digit(c); });
+  const auto inner = [](char c) { return isLetter(c) || isDigit(c) || c == '_'; };
+  return !name.empty() && !isDigit(name.front()) && std::ranges::all_of(name, inner);
 }
 
 /// The value of what stands between the braces. Adds the variable's name to `used`.

@@ -37,7 +37,7 @@ struct Umeyama {
 Umeyama umeyama(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallback) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d d = svd.singularValues();
+  const Eigen::Vector3d& d = svd.singularValues();
   if (!(d[0] > 0)) return {fallback, 0};
   if (d[1] <= kRankTolerance * d[0]) {  // a line: the turn about it is open
     const auto turn =

@@ -42,13 +42,7 @@ Json segmentsJson(const SegmentErrors& errors) {
 
 Json timingJson(const std::map<std::string, StageTiming>& timing) {
   Json json = Json::object();
-  for (const auto& [stage, t] : timing) {
-    json[stage] = {{"frames", t.frames},
-                   {"mean_ms", t.mean_ms},
-                   {"median_ms", t.median_ms},
-                   {"p95_ms", t.p95_ms},
-                   {"max_ms", t.max_ms}};
-  }
+  for (const auto& [stage, t] : timing) json[stage] = toJson(t);
   return json;
 }
 
@@ -92,11 +86,19 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
 
 StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
   std::vector<double> ms;
+  ms.reserve(durations_ns.size());
   for (const std::int64_t ns : durations_ns) ms.push_back(static_cast<double>(ns) * 1e-6);
   std::sort(ms.begin(), ms.end());
   const Statistics s = statistics(ms);
-  const double p95 = ms.empty() ? 0 : ms[(ms.size() - 1) * 95 / 100];
-  return {s.count, s.mean, s.median, p95, s.max};
+  const auto percentile = [&](std::size_t p) {
+    return ms.empty() ? 0 : ms[(ms.size() - 1) * p / 100];
+  };
+  return {s.count, s.mean, s.median, percentile(90), percentile(95), s.max};
+}
+
+Json toJson(const StageTiming& timing) {
+  return {{"frames", timing.frames}, {"mean_ms", timing.mean_ms}, {"median_ms", timing.median_ms},
+          {"p90_ms", timing.p90_ms}, {"p95_ms", timing.p95_ms},   {"max_ms", timing.max_ms}};
 }
 
 Json toJson(const TrajectoryMetrics& metrics) {

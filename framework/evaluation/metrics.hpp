@@ -38,6 +38,7 @@ struct StageTiming {
   std::size_t frames = 0;
   double mean_ms = 0;
   double median_ms = 0;
+  double p90_ms = 0;
   double p95_ms = 0;
   double max_ms = 0;
 };
@@ -67,5 +68,6 @@ StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns);
 /// says why. Top-level `coverage` is the smaller of the two.
 nlohmann::ordered_json toJson(const Metrics& metrics);
 nlohmann::ordered_json toJson(const TrajectoryMetrics& metrics);
+nlohmann::ordered_json toJson(const StageTiming& timing);
 
 }  // namespace tolman::evaluation

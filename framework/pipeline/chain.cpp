@@ -6,6 +6,9 @@
 namespace tolman::pipeline {
 namespace {
 
+// Of a graph this large, every frame may have a copy; of a larger one, frames in proportion fewer.
+constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links
+
 /// The stand-in answer of a skipped odometry: motion goes on as before, and nobody believes it.
 Motion predictedMotion(const Frame& frame, const Motion& last) {
   Motion motion;
@@ -75,9 +78,8 @@ void Chain::place(Packet& packet) {
   packet.place.stamp_ns = packet.frame.stamp_ns;
   if (packet.leave_out_place) return;
   const StageTimer timer(packet.times, Role::Place);
-  const bool with_motion = stages_.place.input() == PlaceInput::FrameAndMotion;
-  packet.place_status =
-      stages_.place.observe(packet.frame, with_motion ? &packet.motion : nullptr, packet.place);
+  const Motion* motion = place_needs_motion_ ? &packet.motion : nullptr;
+  packet.place_status = stages_.place.observe(packet.frame, motion, packet.place);
 }
 
 bool Chain::takeOdometry(Packet& packet) {
@@ -139,15 +141,20 @@ bool Chain::map(Packet& packet) {
   return true;
 }
 
+/// The recorder wants every change, and an odometry that revises its last motions changes the map
+/// at every frame. But to copy, check and store a graph costs time in proportion to its size:
+/// waiting in proportion, too, bounds the cost of a frame however long the run. What waits is
+/// published later, at the latest by finish().
 void Chain::publishGraph(Packet& packet) {
   const MapUpdate& now = packet.map;
-  packet.graph_changed = packet.frame.frame == 0 || now.version != last_map_.version ||
-                         now.experiences != last_map_.experiences || now.links != last_map_.links;
-  if (!packet.graph_changed) return;
+  graph_is_news_ = graph_is_news_ || now.version != last_map_.version ||
+                   now.experiences != last_map_.experiences || now.links != last_map_.links;
+  if (!graph_is_news_ || now.frame < next_graph_frame_) return;
+  graph_is_news_ = false;
   const Status status = stages_.map.graph(packet.graph);
-  if (status.isOk()) return;
-  packet.graph_changed = false;
-  (void)resolve(status, policies_.map, packet.frame.frame, "map");
+  packet.graph_changed = resolve(status, policies_.map, now.frame, "map") && status.isOk();
+  const std::size_t size = packet.graph.experiences.size() + packet.graph.links.size();
+  next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame);
 }
 
 void Chain::think(Packet& packet) {

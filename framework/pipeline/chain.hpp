@@ -47,8 +47,12 @@ struct Counters {
 /// and tell() each one packet at a time and in order.
 class Chain {
  public:
+  /// The stages are configured.
   Chain(const Stages& stages, const Policies& policies, Listener& listener)
-      : stages_(stages), policies_(policies), listener_(listener) {}
+      : stages_(stages),
+        policies_(policies),
+        listener_(listener),
+        place_needs_motion_(stages.place.input() == PlaceInput::FrameAndMotion) {}
 
   void odometry(Packet& packet);
   void place(Packet& packet);
@@ -67,6 +71,8 @@ class Chain {
   void failInput(const Status& status);
   /// What the run ends with: a stage's failure, else the source's, else Ok.
   Status result() const;
+  /// Whether a packet passes odometry before place recognition.
+  bool placeNeedsMotion() const { return place_needs_motion_; }
   /// Numbers a packet that now goes in; one call at a time.
   void admit(Packet& packet);
   /// Frames that went in and have not passed place recognition.
@@ -89,6 +95,7 @@ class Chain {
   Stages stages_;
   Policies policies_;
   Listener& listener_;
+  bool place_needs_motion_;
   Counters counters_;
   std::optional<Status> failure_;
   std::optional<Status> input_failure_;
@@ -96,6 +103,8 @@ class Chain {
   Motion last_motion_;
   Decision last_decision_;
   MapUpdate last_map_;
+  bool graph_is_news_ = true;          // it has changed since it was last published
+  std::int64_t next_graph_frame_ = 0;  // not published before
   bool telling_ = true;
   std::size_t admitted_ = 0;
   std::atomic<int> place_backlog_ = 0;

@@ -10,8 +10,7 @@ constexpr auto kSequenceOf = [](const PacketPtr& packet) { return packet->sequen
 
 }  // namespace
 
-Flow::Flow(flow::graph& graph, Chain& chain, bool place_needs_motion,
-           std::function<void(const Packet&)> on_done)
+Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const Packet&)> on_done)
     : entry_(graph, kSequenceOf),
       fork_(graph),
       odometry_(graph, flow::serial,
@@ -40,7 +39,7 @@ Flow::Flow(flow::graph& graph, Chain& chain, bool place_needs_motion,
         done(*packet);
         return packet;
       }) {
-  connect(place_needs_motion);
+  connect(chain.placeNeedsMotion());
 }
 
 void Flow::connect(bool place_needs_motion) {

@@ -18,8 +18,7 @@ namespace tolman::pipeline {
 class Flow {
  public:
   /// `on_done` is called in order, once for each packet that went in.
-  Flow(tbb::flow::graph& graph, Chain& chain, bool place_needs_motion,
-       std::function<void(const Packet&)> on_done);
+  Flow(tbb::flow::graph& graph, Chain& chain, std::function<void(const Packet&)> on_done);
 
   tbb::flow::receiver<PacketPtr>& entry() { return entry_; }
 

@@ -29,7 +29,6 @@ PacketPtr nextPacket(Chain& chain, const Cancellation& cancellation) {
 void runLossless(Chain& chain, const config::PipelineSettings& options,
                  const Cancellation& cancellation) {
   namespace flow = tbb::flow;
-  const bool place_needs_motion = chain.stages().place.input() == PlaceInput::FrameAndMotion;
   flow::graph graph;
   flow::input_node<PacketPtr> source(graph, [&](tbb::flow_control& control) {
     PacketPtr packet = nextPacket(chain, cancellation);
@@ -37,7 +36,7 @@ void runLossless(Chain& chain, const config::PipelineSettings& options,
     return packet;
   });
   flow::limiter_node<PacketPtr> limiter(graph, static_cast<std::size_t>(options.queue));
-  Flow stages(graph, chain, place_needs_motion,
+  Flow stages(graph, chain,
               [&](const Packet&) { limiter.decrementer().try_put(flow::continue_msg()); });
   flow::make_edge(source, limiter);
   flow::make_edge(limiter, stages.entry());

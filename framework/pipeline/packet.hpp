@@ -25,8 +25,8 @@ struct Packet {
   MapUpdate map;
   std::vector<NamedArray> cells;
   MapGraph graph;
-  std::size_t sequence = 0;  ///< dense in the order of dispatch
-  bool graph_changed = false;
+  std::size_t sequence = 0;      ///< dense in the order of dispatch
+  bool graph_changed = false;    ///< `graph` is published with this frame
   bool leave_out_place = false;  ///< realtime: place recognition is late
   bool answered = false;         ///< all stages have answered; recorder and observers may see it
   Status odometry_status;

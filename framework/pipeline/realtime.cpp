@@ -25,8 +25,7 @@ class PacedFeed {
         options_(options),
         cancellation_(cancellation),
         queue_(static_cast<std::size_t>(options.queue), options.input_policy),
-        flow_(graph_, chain, chain.stages().place.input() == PlaceInput::FrameAndMotion,
-              [this](const Packet& packet) { done(packet); }) {}
+        flow_(graph_, chain, [this](const Packet& packet) { done(packet); }) {}
 
   /// Returns how many frames were dropped.
   std::int64_t run() {

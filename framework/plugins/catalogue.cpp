@@ -2,6 +2,7 @@
 #include "plugins/catalogue.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "config/nearest_name.hpp"
@@ -49,8 +50,13 @@ std::vector<fs::path> searchPath(const std::vector<std::string>& command_line,
 }
 
 Catalogue::Catalogue(std::vector<fs::path> search_path) : search_path_(std::move(search_path)) {
+  std::set<fs::path> seen;  // a folder may be named twice, also in two spellings
   for (const fs::path& place : search_path_) {
-    for (const fs::path& file : librariesIn(place)) addLibrary(file);
+    for (const fs::path& file : librariesIn(place)) {
+      std::error_code error;
+      const fs::path real = fs::weakly_canonical(file, error);
+      if (seen.insert(error ? file : real).second) addLibrary(file);
+    }
   }
 }
 
@@ -68,7 +74,10 @@ void Catalogue::addLibrary(const fs::path& file) {
 OrRefusal<Manifest> Catalogue::find(const std::string& id, Role role) const {
   auto found = find(id);
   auto* manifest = std::get_if<Manifest>(&found);
-  if (manifest == nullptr) return notFound(id, role);
+  if (manifest == nullptr) {
+    const bool is_there = std::get<Refusal>(found).id == "plugin/ambiguous";
+    return is_there ? found : notFound(id, role);
+  }
   if (manifest->role == role) return found;
   return Refusal{"plugin/wrong-role",
                  "plugin '" + id + "' (" + manifest->file.string() + ") is of role " +

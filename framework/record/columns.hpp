@@ -36,6 +36,10 @@ inline std::string columnName(std::string_view field) {
   return name;
 }
 
+inline Column columnOf(const Field& field, std::string type) {
+  return {columnName(field.name), std::move(type), std::string(field.unit), std::string(field.doc)};
+}
+
 template <class T>
 struct Codec;
 
@@ -44,27 +48,21 @@ inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
 
 template <std::integral T>
 struct Codec<T> {
-  static void describe(const Field& f, Columns& out) {
-    out.push_back({columnName(f.name), "INTEGER", std::string(f.unit), std::string(f.doc)});
-  }
+  static void describe(const Field& f, Columns& out) { out.push_back(columnOf(f, "INTEGER")); }
   static void bind(Statement& row, T value) { row.bind(static_cast<std::int64_t>(value)); }
   static void read(Statement& row, T& value) { value = static_cast<T>(row.integer()); }
 };
 
 template <std::floating_point T>
 struct Codec<T> {
-  static void describe(const Field& f, Columns& out) {
-    out.push_back({columnName(f.name), "REAL", std::string(f.unit), std::string(f.doc)});
-  }
+  static void describe(const Field& f, Columns& out) { out.push_back(columnOf(f, "REAL")); }
   static void bind(Statement& row, T value) { row.bind(static_cast<double>(value)); }
   static void read(Statement& row, T& value) { value = static_cast<T>(row.real()); }
 };
 
 template <>
 struct Codec<std::string> {
-  static void describe(const Field& f, Columns& out) {
-    out.push_back({columnName(f.name), "TEXT", std::string(f.unit), std::string(f.doc)});
-  }
+  static void describe(const Field& f, Columns& out) { out.push_back(columnOf(f, "TEXT")); }
   static void bind(Statement& row, const std::string& value) { row.bind(std::string_view(value)); }
   static void read(Statement& row, std::string& value) { value = row.text(); }
 };
@@ -90,8 +88,8 @@ template <>
 struct Codec<Eigen::Isometry3d> {
   static void describe(const Field& f, Columns& out) {
     for (const char* part : {"_x", "_y", "_z", "_qx", "_qy", "_qz", "_qw"}) {
-      const std::string_view unit = part[1] == 'q' ? std::string_view() : f.unit;
-      out.push_back({columnName(f.name) + part, "REAL", std::string(unit), std::string(f.doc)});
+      const std::string name = std::string(f.name) + part;
+      out.push_back(columnOf({name, part[1] == 'q' ? "" : f.unit, f.doc}, "REAL"));
     }
   }
   static void bind(Statement& row, const Eigen::Isometry3d& T) {
@@ -120,8 +118,8 @@ struct Codec<T> {
     const std::string shape = std::to_string(T::RowsAtCompileTime) + "x" +
                               (columns == Eigen::Dynamic ? "n" : std::to_string(columns));
     const std::string type = sizeof(Scalar) == 8 ? " float64" : " float32";
-    out.push_back({columnName(f.name), "BLOB", std::string(f.unit),
-                   std::string(f.doc) + "; " + shape + type + ", row-major"});
+    const std::string doc = std::string(f.doc) + "; " + shape + type + ", row-major";
+    out.push_back(columnOf({f.name, f.unit, doc}, "BLOB"));
   }
   static void bind(Statement& row, const T& matrix) {
     std::vector<Scalar> values;
@@ -151,9 +149,8 @@ struct Codec<T> {
 
 /// What has no column in its record's own table.
 template <class T>
-concept StoredElsewhere = std::same_as<T, Image> || requires {
-  typename T::value_type;
-} && !kIsMatrix<T> && !std::same_as<T, std::string>;
+concept StoredElsewhere = std::same_as<T, Image> ||
+    (requires { typename T::value_type; } && !kIsMatrix<T> && !std::same_as<T, std::string>);
 
 template <StoredElsewhere T>
 struct Codec<T> {
@@ -162,13 +159,14 @@ struct Codec<T> {
   static void read(Statement&, T&) {}
 };
 
-/// A record within a record: its columns, with the member's name before theirs.
+/// A record; within another one its columns have the member's name before theirs.
 template <Record T>
 struct Codec<T> {
   static void describe(const Field& f, Columns& out) {
     T record;
+    const std::string prefix = f.name.empty() ? "" : std::string(f.name) + "_";
     visitFields(record, [&](const Field& inner, const auto& value) {
-      const std::string name = std::string(f.name) + "_" + std::string(inner.name);
+      const std::string name = prefix + std::string(inner.name);
       Codec<std::remove_cvref_t<decltype(value)>>::describe({name, inner.unit, inner.doc}, out);
     });
   }
@@ -187,10 +185,7 @@ struct Codec<T> {
 template <Record R>
 Columns columnsOf() {
   Columns columns;
-  R record;
-  visitFields(record, [&](const Field& field, const auto& value) {
-    Codec<std::remove_cvref_t<decltype(value)>>::describe(field, columns);
-  });
+  Codec<R>::describe({}, columns);
   return columns;
 }
 

@@ -51,14 +51,13 @@ Result<std::string> fileDigest(const std::filesystem::path& file) {
 Result<std::string> databaseDigest(const std::filesystem::path& run_directory) {
   const auto reader = RunReader::open(run_directory);
   if (!reader.isOk()) return reader.status();
-  Sha256 sha;
-  const Status status = guarded(run_directory.string(), [&] {
+  return answered(run_directory.string(), [&] {
+    Sha256 sha;
     for (const Table& table : schema()) {
       if (table.deterministic) addTable(reader.value()->database(), table, sha);
     }
+    return sha.digest();
   });
-  if (!status.isOk()) return status;
-  return sha.digest();
 }
 
 Status writeResultsDigest(const std::filesystem::path& run_directory) {

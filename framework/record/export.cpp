@@ -5,37 +5,28 @@
 
 #include "record/atomic_file.hpp"
 #include "record/g2o_file.hpp"
-#include "record/run_reader.hpp"
 
 namespace tolman::record {
 namespace {
 
-Result<std::string> posesAs(std::string_view file, const Result<std::vector<StampedPose>>& poses) {
+Result<std::string> contentOf(const RunReader& reader, std::string_view file) {
+  if (file == "map.g2o") {
+    const Result<MapGraph>& graph = reader.graph();
+    return graph.isOk() ? Result<std::string>(g2oText(graph.value())) : graph.status();
+  }
+  const auto& poses = file.starts_with("odometry.") ? reader.odometry() : reader.map();
   if (!poses.isOk()) return poses.status();
   return file.ends_with(".tum") ? Result<std::string>(tumText(poses.value()))
                                 : kittiText(poses.value());
 }
 
-Result<std::string> contentOf(const RunReader& reader, std::string_view file) {
-  if (file == "map.g2o") {
-    const Result<MapGraph> graph = reader.graph();
-    return graph.isOk() ? Result<std::string>(g2oText(graph.value())) : graph.status();
-  }
-  if (file.starts_with("odometry.")) return posesAs(file, reader.odometry());
-  if (file.starts_with("trajectory.")) return posesAs(file, reader.map());
-  return Status::invalidParameter(std::string(file) + ": is none of the files of an export");
-}
-
 }  // namespace
 
-Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path& run_directory,
-                                                     const std::filesystem::path& folder,
-                                                     const std::vector<std::string_view>& files) {
-  const auto reader = RunReader::open(run_directory);
-  if (!reader.isOk()) return reader.status();
+Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
+                                                     const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> written;
-  for (const std::string_view file : files) {
-    const Result<std::string> content = contentOf(*reader.value(), file);
+  for (const std::string_view file : kExportedFiles) {
+    const Result<std::string> content = contentOf(reader, file);
     if (!content.isOk()) return content.status();
     if (content.value().empty()) continue;
     const Status status = writeAtomically(folder / file, content.value());
@@ -43,9 +34,15 @@ Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path
     written.push_back(folder / file);
   }
   if (written.empty()) {
-    return Status::invalidInput(run_directory.string() + ": holds nothing to export yet");
+    return Status::invalidInput(reader.directory().string() + ": holds nothing to export yet");
   }
   return written;
+}
+
+Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path& run_directory,
+                                                     const std::filesystem::path& folder) {
+  const auto reader = RunReader::open(run_directory);
+  return reader.isOk() ? exportRun(*reader.value(), folder) : reader.status();
 }
 
 }  // namespace tolman::record

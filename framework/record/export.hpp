@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tolman/status.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::record {
 
@@ -15,11 +15,12 @@ namespace tolman::record {
 inline constexpr std::array<std::string_view, 5> kExportedFiles = {
     "odometry.tum", "odometry.kitti", "trajectory.tum", "trajectory.kitti", "map.g2o"};
 
-/// Writes the named files (those of kExportedFiles) into `folder`, each atomically; the folder must
-/// exist. `trajectory` is the map's. Files that would be empty (a run without a map) are left out.
-/// Returns what was written; InvalidInput where the record has nothing to export.
-Result<std::vector<std::filesystem::path>> exportRun(
-    const std::filesystem::path& run_directory, const std::filesystem::path& folder,
-    const std::vector<std::string_view>& files = {kExportedFiles.begin(), kExportedFiles.end()});
+/// Writes kExportedFiles into `folder`, each atomically; the folder must exist. `trajectory` is the
+/// map's. Files that would be empty (a run without a map) are left out. Returns what was written;
+/// InvalidInput where the record has nothing to export.
+Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
+                                                     const std::filesystem::path& folder);
+Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path& run_directory,
+                                                     const std::filesystem::path& folder);
 
 }  // namespace tolman::record

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/recorder.hpp"
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -22,17 +21,12 @@ bool sameValue(const T& a, const T& b) {
 
 template <Record R>
 bool sameRecord(const R& a, const R& b) {
+  std::vector<const void*> others;
+  visitFields(b, [&](const Field&, const auto& other) { others.push_back(&other); });
   bool same = true;
-  int field = 0;
+  auto next = others.begin();
   visitFields(a, [&](const Field&, const auto& value) {
-    int other_field = 0;
-    visitFields(b, [&](const Field&, const auto& other) {
-      if constexpr (std::is_same_v<decltype(value), decltype(other)>) {
-        if (field == other_field) same = same && sameValue(value, other);
-      }
-      ++other_field;
-    });
-    ++field;
+    same = sameValue(value, *static_cast<decltype(&value)>(*next++)) && same;
   });
   return same;
 }
@@ -58,13 +52,6 @@ Database createDatabase(const std::filesystem::path& file) {
   return database;
 }
 
-std::string insertInto(std::string_view name) {
-  const std::vector<Table> tables = schema();
-  const auto table = std::find_if(tables.begin(), tables.end(),
-                                  [&](const Table& candidate) { return candidate.name == name; });
-  return insertSql(table->name, table->columns);
-}
-
 }  // namespace
 
 Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& directory) {
@@ -82,10 +69,9 @@ Recorder::Recorder(const std::filesystem::path& file)
     : name_(file.string()),
       database_(createDatabase(file)),
       store_(database_),
-      timing_(database_, insertInto("timing")),
-      event_(database_, insertInto("event")),
-      meta_(database_, insertInto("run") +
-                           " ON CONFLICT (\"key\") DO UPDATE SET \"value\" = excluded.\"value\""),
+      meta_(database_,
+            "INSERT INTO \"run\" (\"key\", \"value\") VALUES (?, ?)"
+            " ON CONFLICT (\"key\") DO UPDATE SET \"value\" = excluded.\"value\""),
       committer_([this](const std::stop_token& stop) { commitRegularly(stop); }) {}
 
 Recorder::~Recorder() { (void)close(); }
@@ -169,10 +155,11 @@ Status Recorder::graph(const MapGraph& graph) {
 
 Status Recorder::timing(std::int64_t frame, std::string_view stage, std::int64_t duration_ns) {
   return write([&] {
-    timing_.bind(frame);
-    timing_.bind(stage);
-    timing_.bind(duration_ns);
-    timing_.run();
+    Statement& row = store_.insertion("timing");
+    row.bind(frame);
+    row.bind(stage);
+    row.bind(duration_ns);
+    row.run();
   });
 }
 
@@ -180,12 +167,13 @@ Status Recorder::event(std::int64_t frame, LogLevel level, std::string_view sour
                        std::string_view message) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return write([&] {
-    event_.bind(frame);
-    event_.bind(kLevelNames.at(static_cast<std::size_t>(level)));
-    event_.bind(source);
-    event_.bind(message);
-    event_.bind(std::int64_t{std::chrono::nanoseconds(now).count()});
-    event_.run();
+    Statement& row = store_.insertion("event");
+    row.bind(frame);
+    row.bind(kLevelNames.at(static_cast<std::size_t>(level)));
+    row.bind(source);
+    row.bind(message);
+    row.bind(std::int64_t{std::chrono::nanoseconds(now).count()});
+    row.run();
   });
 }
 

@@ -60,8 +60,6 @@ class Recorder {
   std::string name_;
   Database database_;
   StoreWriter store_;
-  Statement timing_;
-  Statement event_;
   Statement meta_;
   MapGraph written_;  // what the tables hold, so that only changes are written
   std::int64_t points_frame_ = -1;

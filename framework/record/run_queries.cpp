@@ -30,17 +30,22 @@ Revisions lastRevisions(const Database& database) {
   return revisions;
 }
 
-std::int64_t count(const Database& database, const std::string& table_and_condition) {
-  Statement row(database, "SELECT count(*) FROM " + table_and_condition);
+/// The one number that a query gives.
+std::int64_t integerOf(const Database& database, const std::string& query) {
+  Statement row(database, query);
   row.step();
   return row.integer();
 }
 
+std::int64_t count(const Database& database, const std::string& table_and_condition) {
+  return integerOf(database, "SELECT count(*) FROM " + table_and_condition);
+}
+
 }  // namespace
 
-Result<std::vector<StampedPose>> RunReader::odometry() const {
-  std::vector<StampedPose> poses;
-  const Status status = guarded(name_, [&] {
+const Result<std::vector<StampedPose>>& RunReader::odometry() const {
+  return once(odometry_, [&] {
+    std::vector<StampedPose> poses;
     const Revisions revisions = lastRevisions(database_);
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
     forEachRow<Motion>(database_, "", [&](const Motion& motion) {
@@ -50,14 +55,13 @@ Result<std::vector<StampedPose>> RunReader::odometry() const {
       if (!poses.empty()) T_world_camera = normalised(T_world_camera * T_previous_current);
       poses.push_back({motion.frame, motion.stamp_ns, T_world_camera});
     });
+    return poses;
   });
-  if (!status.isOk()) return status;
-  return poses;
 }
 
-Result<std::vector<StampedPose>> RunReader::map() const {
-  std::vector<StampedPose> poses;
-  const Status status = guarded(name_, [&] {
+const Result<std::vector<StampedPose>>& RunReader::map() const {
+  return once(map_, [&] {
+    std::vector<StampedPose> poses;
     const auto experiences = denseRows<Experience>(database_);
     const auto known = static_cast<std::int64_t>(experiences.size());
     forEachRow<MapUpdate>(database_, "", [&](const MapUpdate& update) {
@@ -68,38 +72,41 @@ Result<std::vector<StampedPose>> RunReader::map() const {
       }
       poses.push_back({update.frame, update.stamp_ns, T_world_camera});
     });
+    return poses;
   });
-  if (!status.isOk()) return status;
-  return poses;
 }
 
 Result<std::vector<StampedPose>> RunReader::truth() const {
-  std::vector<StampedPose> poses;
-  const Status status = guarded(name_, [&] {
+  return answered(name_, [&] {
+    std::vector<StampedPose> poses;
     forEachRow<Frame>(database_, "WHERE \"has_truth\" <> 0", [&](const Frame& frame) {
       poses.push_back({frame.frame, frame.stamp_ns, frame.T_world_camera_truth});
     });
+    return poses;
   });
-  if (!status.isOk()) return status;
-  return poses;
 }
 
-Result<MapGraph> RunReader::graph() const {
-  MapGraph graph;
-  const Status status = guarded(name_, [&] {
+const Result<MapGraph>& RunReader::graph() const {
+  return once(graph_, [&] {
+    MapGraph graph;
     graph.experiences = denseRows<Experience>(database_);
     graph.links = denseRows<Link>(database_);
-    Statement version(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
-    version.step();
-    graph.version = version.integer();
+    graph.version =
+        integerOf(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
+    return graph;
   });
-  if (!status.isOk()) return status;
-  return graph;
+}
+
+Result<bool> RunReader::scaleKnown() const {
+  return answered(name_, [&] {
+    Statement last(database_, "SELECT \"scale_known\" FROM \"motion\" ORDER BY rowid DESC LIMIT 1");
+    return !last.step() || last.integer() != 0;
+  });
 }
 
 Result<Counters> RunReader::counters() const {
-  Counters counters;
-  const Status status = guarded(name_, [&] {
+  return answered(name_, [&] {
+    Counters counters;
     counters.frames = count(database_, "\"frame\"");
     counters.lost = count(database_, "\"motion\" WHERE \"state\" = 'lost'");
     counters.templates = count(database_, "\"place\" WHERE \"recognition\" = 'novel'");
@@ -112,9 +119,8 @@ Result<Counters> RunReader::counters() const {
     stamps.step();
     counters.first_stamp_ns = stamps.integer();
     counters.last_stamp_ns = stamps.integer();
+    return counters;
   });
-  if (!status.isOk()) return status;
-  return counters;
 }
 
 }  // namespace tolman::record

@@ -12,13 +12,16 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
                                 "that a run has written");
   }
   std::unique_ptr<RunReader> reader;
-  const Status status = guarded(file.string(), [&] { reader.reset(new RunReader(file)); });
+  const Status status =
+      guarded(file.string(), [&] { reader.reset(new RunReader(directory, file)); });
   if (!status.isOk()) return Status::invalidInput(status.message());
   return reader;
 }
 
-RunReader::RunReader(const std::filesystem::path& file)
-    : name_(file.string()), database_(file, Database::Mode::ReadOnly) {
+RunReader::RunReader(std::filesystem::path directory, const std::filesystem::path& file)
+    : directory_(std::move(directory)),
+      name_(file.string()),
+      database_(file, Database::Mode::ReadOnly) {
   database_.execute("BEGIN");  // all reads see one state
   checkVersion();
 }
@@ -37,36 +40,31 @@ void RunReader::checkVersion() const {
 
 Result<std::vector<NamedArray>> RunReader::arrays(std::int64_t frame,
                                                   std::string_view source) const {
-  std::vector<NamedArray> arrays;
-  const Status status = guarded(name_, [&] { arrays = readArrays(database_, frame, source); });
-  if (!status.isOk()) return status;
-  return arrays;
+  return answered(name_, [&] { return readArrays(database_, frame, source); });
 }
 
 Result<std::map<std::string, std::string>> RunReader::meta() const {
-  std::map<std::string, std::string> facts;
-  const Status status = guarded(name_, [&] {
+  return answered(name_, [&] {
+    std::map<std::string, std::string> facts;
     Statement rows(database_, "SELECT \"key\", \"value\" FROM \"run\"");
     while (rows.step()) {
       const std::string key = rows.text();
       facts[key] = rows.text();
     }
+    return facts;
   });
-  if (!status.isOk()) return status;
-  return facts;
 }
 
 Result<std::map<std::string, std::vector<std::int64_t>>> RunReader::timing() const {
-  std::map<std::string, std::vector<std::int64_t>> durations;
-  const Status status = guarded(name_, [&] {
+  return answered(name_, [&] {
+    std::map<std::string, std::vector<std::int64_t>> durations;
     Statement rows(database_, "SELECT \"stage\", \"duration_ns\" FROM \"timing\" ORDER BY rowid");
     while (rows.step()) {
       const std::string stage = rows.text();
       durations[stage].push_back(rows.integer());
     }
+    return durations;
   });
-  if (!status.isOk()) return status;
-  return durations;
 }
 
 }  // namespace tolman::record

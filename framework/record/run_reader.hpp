@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,9 @@ struct Counters {
   std::int64_t last_stamp_ns = 0;
 };
 
-/// Sees the state at the time of opening, even while the run goes on. Not for two threads at once.
-/// A damaged database gives a failure, never wrong rows of the wrong shape.
+/// Sees the state at the time of opening, even while the run goes on; so trajectories and graph are
+/// composed once and kept. Not for two threads at once. A damaged database gives a failure, never
+/// wrong rows of the wrong shape.
 class RunReader {
  public:
   static Result<std::unique_ptr<RunReader>> open(const std::filesystem::path& directory);
@@ -34,35 +36,47 @@ class RunReader {
   /// All records of a kind, by frame or id, nested lists included.
   template <Record R>
   Result<std::vector<R>> records() const {
-    std::vector<R> rows;
-    const Status status = guarded(
-        name_, [&] { forEachRow<R>(database_, "", [&](const R& row) { rows.push_back(row); }); });
-    if (!status.isOk()) return status;
-    return rows;
+    return answered(name_, [&] {
+      std::vector<R> rows;
+      forEachRow<R>(database_, "", [&](const R& row) { rows.push_back(row); });
+      return rows;
+    });
   }
   /// The named arrays of a frame: source "sensors" or "cells".
   Result<std::vector<NamedArray>> arrays(std::int64_t frame, std::string_view source) const;
 
   /// The motions with their last revisions, composed; starts with the identity.
-  Result<std::vector<StampedPose>> odometry() const;
+  const Result<std::vector<StampedPose>>& odometry() const;
   /// Each frame on its experience, by the experiences as last known.
-  Result<std::vector<StampedPose>> map() const;
+  const Result<std::vector<StampedPose>>& map() const;
   /// The true poses of the frames that have one.
   Result<std::vector<StampedPose>> truth() const;
-  Result<MapGraph> graph() const;
+  const Result<MapGraph>& graph() const;
   Result<Counters> counters() const;
+  /// Whether the last motion was in metres; true where there is none.
+  Result<bool> scaleKnown() const;
   Result<std::map<std::string, std::string>> meta() const;
   /// Durations by stage, ns.
   Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;
 
+  const std::filesystem::path& directory() const { return directory_; }
   const Database& database() const { return database_; }
 
  private:
-  explicit RunReader(const std::filesystem::path& file);
+  RunReader(std::filesystem::path directory, const std::filesystem::path& file);
   void checkVersion() const;
+  template <class T, class Work>
+  const Result<T>& once(std::optional<Result<T>>& kept, Work&& work) const {
+    if (!kept) kept = answered(name_, work);
+    return *kept;
+  }
 
-  std::string name_;
+  std::filesystem::path directory_;
+  std::string name_;  // of the file, for messages
   Database database_;
+  mutable std::optional<Result<std::vector<StampedPose>>> odometry_;
+  mutable std::optional<Result<std::vector<StampedPose>>> map_;
+  mutable std::optional<Result<MapGraph>> graph_;
 };
 
 }  // namespace tolman::record

@@ -117,8 +117,6 @@ void Statement::reset() {
   parameter_ = 0;
 }
 
-int Statement::columns() const { return sqlite3_column_count(handle_.get()); }
-
 bool Statement::isNull() const {
   return sqlite3_column_type(handle_.get(), column_) == SQLITE_NULL;
 }

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "tolman/status.hpp"
@@ -23,7 +25,6 @@ namespace tolman::record {
 class SqliteError : public std::runtime_error {
  public:
   SqliteError(int code, const std::string& message) : std::runtime_error(message), code_(code) {}
-  int code() const { return code_; }
   /// The statement was wrong for these data (a broken rule of the schema); the file is well.
   bool isConstraint() const;
 
@@ -71,7 +72,6 @@ class Statement {
   /// Back to before the first row, nothing bound.
   void reset();
 
-  int columns() const;
   bool isNull() const;  ///< of the next column; does not move on
   std::int64_t integer();
   double real();
@@ -100,6 +100,15 @@ Status guarded(const std::string& where, Work&& work) {
   } catch (const std::exception& error) {
     return Status::failed(where + ": " + error.what());
   }
+}
+
+/// What `work` answers, or what it throws as a failure.
+template <class Work>
+Result<std::invoke_result_t<Work>> answered(const std::string& where, Work&& work) {
+  std::optional<std::invoke_result_t<Work>> answer;
+  const Status status = guarded(where, [&] { answer = work(); });
+  if (!status.isOk()) return status;
+  return *std::move(answer);
 }
 
 }  // namespace tolman::record

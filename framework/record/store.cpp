@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/store.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 
@@ -38,19 +39,22 @@ std::string StoreWriter::upsertSql(const std::string& table, const Columns& colu
   std::string sql = insertSql(table, columns) + " ON CONFLICT (\"id\") DO UPDATE SET ";
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const std::string quoted = "\"" + columns[i].name + "\"";
-    sql += (i == 0 ? "" : ", ") + quoted + " = excluded." + quoted;
+    sql.append(i == 0 ? "" : ", ").append(quoted).append(" = excluded.").append(quoted);
   }
   return sql;
 }
 
+Statement& StoreWriter::insertion(std::string_view table) {
+  return statement(table, [&] {
+    const std::vector<Table> tables = schema();
+    const auto found = std::ranges::find(tables, table, &Table::name);
+    return insertSql(found->name, found->columns);
+  });
+}
+
 void StoreWriter::insertArrays(std::int64_t frame, std::string_view source,
                                const std::vector<NamedArray>& arrays) {
-  Statement& row = statement("array", [] {
-    for (const Table& table : schema()) {
-      if (table.name == "array") return insertSql(table.name, table.columns);
-    }
-    throw std::logic_error("the schema has no table of arrays");
-  });
+  Statement& row = insertion("array");
   for (const NamedArray& array : arrays) {
     row.bind(frame);
     row.bind(source);

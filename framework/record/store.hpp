@@ -53,10 +53,13 @@ class StoreWriter {
   void insertArrays(std::int64_t frame, std::string_view source,
                     const std::vector<NamedArray>& arrays);
 
+  /// The insertion into a table of the schema, to be bound and run.
+  Statement& insertion(std::string_view table);
+
  private:
   template <Record R>
   void insertLists(const R& record) {
-    visitFields(record, [&](const Field& field, const auto& value) {
+    visitFields(record, [&]([[maybe_unused]] const Field& field, const auto& value) {
       using T = std::remove_cvref_t<decltype(value)>;
       if constexpr (!requires { record.frame; }) {
         static_assert(!StoredElsewhere<T>, "a list hangs on a frame");
@@ -102,16 +105,18 @@ void forEachRow(const Database& database, const std::string& condition, Visit&& 
 
 template <Record R>
 void readLists(const Database& database, R& record) {
-  visitFields(record, [&](const Field& field, auto& value) {
-    using T = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
-      value = readArrays(database, record.frame, field.name);
-    } else if constexpr (kIsRecordList<T>) {
-      forEachRow<typename T::value_type>(database,
-                                         "WHERE \"announced_at\" = " + std::to_string(record.frame),
-                                         [&](const auto& item) { value.push_back(item); });
-    }
-  });
+  if constexpr (requires { record.frame; }) {  // lists hang on frames
+    visitFields(record, [&]([[maybe_unused]] const Field& field, auto& value) {
+      using T = std::remove_cvref_t<decltype(value)>;
+      if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
+        value = readArrays(database, record.frame, field.name);
+      } else if constexpr (kIsRecordList<T>) {
+        const std::string brought = "WHERE \"announced_at\" = " + std::to_string(record.frame);
+        forEachRow<typename T::value_type>(database, brought,
+                                           [&](const auto& item) { value.push_back(item); });
+      }
+    });
+  }
 }
 
 }  // namespace tolman::record

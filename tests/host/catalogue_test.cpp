@@ -48,6 +48,19 @@ TEST_CASE("an earlier folder shadows a later one; two in one folder are ambiguou
 
   fs::copy(fixtureFile("steady"), first.path() / "copy.so");
   CHECK(refusalOf(Catalogue({first.path()}).find("steady")).id == "plugin/ambiguous");
+  CHECK(refusalOf(Catalogue({first.path()}).find("steady", Role::Odometry)).id ==
+        "plugin/ambiguous");
+}
+
+TEST_CASE("a folder named twice, in two spellings or through a link, counts once") {
+  const test::TemporaryFolder folder;
+  fs::create_directory(folder.path() / "real");
+  fs::copy(fixtureFile("steady"), folder.path() / "real");
+  fs::create_directory_symlink(folder.path() / "real", folder.path() / "link");
+  const Catalogue catalogue({folder.path() / "link", folder.path() / "real",
+                             folder.path() / "real/../real/", folder.path() / "real"});
+  CHECK(catalogue.manifests().size() == 1);
+  CHECK(std::holds_alternative<Manifest>(catalogue.find("steady", Role::Odometry)));
 }
 
 TEST_CASE("what is not found is said with places and the nearest name") {

@@ -19,6 +19,8 @@ struct Hooks {
   std::int64_t frames = 30;
   std::function<Status(std::int64_t)> source, odometry, place, cells, map;
   bool place_needs_motion = false;
+  bool map_grows = false;  ///< by an experience a frame, else it has one
+  std::atomic<int> input_asked = 0;
   std::atomic<int> finished = 0;
 
   static Status call(const std::function<Status(std::int64_t)>& hook, std::int64_t frame) {
@@ -69,6 +71,7 @@ struct ToyPlace : Place {
   Status configure(const Context&) override { return Status::ok(); }
   Status reset() override { return Status::ok(); }
   PlaceInput input() const override {
+    ++hooks.input_asked;
     return hooks.place_needs_motion ? PlaceInput::FrameAndMotion : PlaceInput::Frame;
   }
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& place) override {
@@ -116,13 +119,13 @@ struct ToyMap : Map {
     update.experience = decision.experience;
     distance += motion.v;
     update.T_world_camera.translation().z() = distance;
-    update.experiences = 1;
+    experiences = hooks.map_grows ? motion.frame + 1 : 1;
+    update.experiences = experiences;
     return Hooks::call(hooks.map, motion.frame);
   }
   Status poseOf(std::int64_t, Eigen::Isometry3d&) const override { return Status::ok(); }
   Status graph(MapGraph& graph) const override {
-    graph.experiences.resize(1);
-    graph.experiences[0].id = 0;
+    for (std::int64_t id = 0; id < experiences; ++id) graph.experiences.emplace_back().id = id;
     return Status::ok();
   }
   Status finish(const std::vector<MotionRevision>&) override {
@@ -131,6 +134,7 @@ struct ToyMap : Map {
   }
   Hooks& hooks;
   double distance = 0;
+  std::int64_t experiences = 1;
 };
 
 /// Remembers what was told, for comparison.
@@ -148,20 +152,24 @@ struct Diary : pipeline::Listener {
     entries.push_back({s.frame->frame, s.motion->v, s.place->template_id, s.place->score,
                        s.map->T_world_camera.translation().z(),
                        s.motion->state == TrackingState::Lost});
+    if (s.graph != nullptr) graphs.emplace_back(s.frame->frame, s.graph->experiences.size());
     return on_frame ? on_frame(s.frame->frame) : Status::ok();
   }
   void onEvent(const pipeline::Event& event) override {
     const std::lock_guard lock(mutex);
     events.push_back(event);
   }
-  Status onFinish(const std::vector<MotionRevision>& r, const MapGraph&) override {
+  Status onFinish(const std::vector<MotionRevision>& r, const MapGraph& graph) override {
     revisions = r.size();
+    final_size = graph.experiences.size();
     return Status::ok();
   }
   std::function<Status(std::int64_t)> on_frame;
   std::vector<Entry> entries;
   std::vector<pipeline::Event> events;
+  std::vector<std::pair<std::int64_t, std::size_t>> graphs;  ///< frame, experiences
   std::size_t revisions = 0;
+  std::size_t final_size = 0;
   std::mutex mutex;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // kill -9 at any moment loses at most the last second.
-#include <sqlite3.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include <chrono>
 #include <csignal>
 
+#include "record/by_hand.hpp"
 #include "record/export.hpp"
 #include "record/run_reader.hpp"
 #include "record/sample_run.hpp"
@@ -41,21 +41,6 @@ void recordUntilKilled(const std::filesystem::path& folder, Diary& diary, std::s
   for (;;) pause();  // frames stop coming, the program lives on
 }
 
-std::string integrity(const std::filesystem::path& file) {
-  sqlite3* handle = nullptr;
-  REQUIRE(sqlite3_open(file.c_str(), &handle) == SQLITE_OK);
-  std::string answer;
-  sqlite3_exec(
-      handle, "PRAGMA integrity_check; PRAGMA foreign_key_check",
-      [](void* out, int, char** values, char**) {
-        *static_cast<std::string*>(out) += values[0];
-        return 0;
-      },
-      &answer, nullptr);
-  sqlite3_close(handle);
-  return answer;
-}
-
 /// Kills a child that records at most `frames` frames, `delay_ms` after its first.
 void killAndCheck(std::size_t frames, unsigned delay_ms) {
   const test::TemporaryFolder folder;
@@ -84,7 +69,8 @@ void killAndCheck(std::size_t frames, unsigned delay_ms) {
   if (!rows.empty()) {
     CHECK(exportRun(folder.path(), folder.path()).value().size() == kExportedFiles.size());
   }
-  CHECK(integrity(folder.path() / "run.sqlite") == "ok");
+  CHECK(test::queryByHand(folder.path(), "PRAGMA integrity_check; PRAGMA foreign_key_check") ==
+        std::vector<std::string>{"ok"});
   munmap(memory, sizeof(Diary));
 }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Run directories, run.json and artefacts.
+// Run directories and run.json.
 #include "record/run_directory.hpp"
 
-#include <catch2/catch.hpp>
-#include <fstream>
-
 #include "record/artefacts.hpp"
+#include "record/by_hand.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
 using namespace tolman::record;
+using test::contentOf;
 namespace fs = std::filesystem;
 
 namespace {
@@ -24,11 +23,6 @@ RunDirectoryOptions at(const fs::path& out) { return {"runs", "run", kNoon, out}
 
 std::span<const std::byte> bytes(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
-}
-
-std::string contentOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
@@ -99,35 +93,4 @@ TEST_CASE("run.json carries provenance and status, even with broken text") {
   const auto json = nlohmann::json::parse(contentOf(folder.path() / "run.json"));
   CHECK(json["seed"] == 7);
   CHECK(json["status"] == "interrupted");
-}
-
-TEST_CASE("artefacts go where they belong, replacing older ones") {
-  const test::TemporaryFolder folder;
-  ArtefactFolder artefacts(folder.path(), "observers.0");
-  REQUIRE(artefacts.write("pictures/one.ppm", bytes("old")).isOk());
-  REQUIRE(artefacts.write("pictures/one.ppm", bytes("new")).isOk());
-  CHECK(contentOf(folder.path() / "artefacts/observers.0/pictures/one.ppm") == "new");
-}
-
-TEST_CASE("artefact names cannot leave the folder, nor links lead out of it") {
-  const test::TemporaryFolder folder;
-  const test::TemporaryFolder outside;
-  ArtefactFolder artefacts(folder.path(), "map");
-  for (const std::string_view name :
-       std::initializer_list<std::string_view>{"", "../x", "a/../../x", "/etc/x", "a/", ".",
-                                               "a/./b", "..", std::string_view("a\0b", 3)}) {
-    INFO(name);
-    CHECK(artefacts.write(name, bytes("x")).code() == StatusCode::InvalidParameter);
-  }
-  CHECK(artefacts.write("../x", bytes("x")).message() ==
-        "artefact '../x': the name must be relative, without \"..\"");
-  REQUIRE(artefacts.write("fine", bytes("x")).isOk());
-  fs::create_directory_symlink(outside.path(), folder.path() / "artefacts/map/link");
-  CHECK_FALSE(artefacts.write("link/x", bytes("x")).isOk());
-  CHECK(fs::is_empty(outside.path()));
-  // A link in the place of the file is replaced, not followed.
-  std::ofstream(outside.path() / "victim") << "safe";
-  fs::create_symlink(outside.path() / "victim", folder.path() / "artefacts/map/victim");
-  REQUIRE(artefacts.write("victim", bytes("x")).isOk());
-  CHECK(contentOf(outside.path() / "victim") == "safe");
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
-#include <sqlite3.h>
-
-#include <catch2/catch.hpp>
-#include <fstream>
-
+#include "record/by_hand.hpp"
 #include "record/sample_run.hpp"
 #include "support/data.hpp"
 
@@ -27,13 +23,6 @@ void recordFrames(const std::filesystem::path& folder, std::int64_t frames) {
   auto recorder = Recorder::open(folder).value();
   for (std::int64_t i = 0; i < frames; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
   REQUIRE(recorder->close().isOk());
-}
-
-void change(const std::filesystem::path& folder, const char* sql) {
-  sqlite3* handle = nullptr;
-  REQUIRE(sqlite3_open((folder / "run.sqlite").c_str(), &handle) == SQLITE_OK);
-  REQUIRE(sqlite3_exec(handle, sql, nullptr, nullptr, nullptr) == SQLITE_OK);
-  sqlite3_close(handle);
 }
 
 }  // namespace
@@ -76,6 +65,64 @@ TEST_CASE("the map's trajectory moves with its experiences") {
   REQUIRE(poses.size() == 3);
   CHECK(poses[2].T_world_camera.translation().z() == 12);
   CHECK(reader->truth().value().empty());
+}
+
+TEST_CASE("trajectories and graph are composed once, and not disturbed by what comes later") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+  REQUIRE(recorder->commit().isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  const auto* poses = &reader->odometry().value();
+  const auto* graph = &reader->graph().value();
+  REQUIRE(test::recordFrame(*recorder, 3).isOk());
+  REQUIRE(recorder->close().isOk());
+  CHECK(&reader->odometry().value() == poses);
+  CHECK(&reader->graph().value() == graph);
+  CHECK(poses->size() == 3);
+  CHECK(reader->map().value().size() == 3);  // asked first after the run went on
+  CHECK(RunReader::open(folder.path()).value()->map().value().size() == 4);
+}
+
+TEST_CASE("the scale is known, or not, as the last motion says") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  const auto known = [&] {
+    REQUIRE(recorder->commit().isOk());
+    return RunReader::open(folder.path()).value()->scaleKnown().value();
+  };
+  CHECK(known());  // nothing speaks against it
+  for (const bool metric : {true, false, true}) {
+    const std::int64_t index =
+        std::stoll(test::queryByHand(folder.path(), "SELECT count(*) FROM frame").at(0));
+    const Frame frame = test::frameAt(index);
+    Motion motion = test::motionAt(index);
+    motion.scale_known = metric;
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.motion = &motion;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+    CHECK(known() == metric);
+  }
+}
+
+TEST_CASE("the truth is that of the frames that have one") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 4; ++i) {
+    Frame frame = test::frameAt(i);
+    frame.has_truth = i % 2 == 1;
+    frame.T_world_camera_truth.translation().x() = static_cast<double>(i);
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+  }
+  REQUIRE(recorder->close().isOk());
+  const auto truth = RunReader::open(folder.path()).value()->truth().value();
+  REQUIRE(truth.size() == 2);
+  CHECK(truth[1].frame == 3);
+  CHECK(truth[1].stamp_ns == 1'300'000'000);
+  CHECK(truth[1].T_world_camera.translation().x() == 3);
 }
 
 TEST_CASE("counters count") {
@@ -127,7 +174,7 @@ TEST_CASE("what is no run is refused by name") {
 TEST_CASE("another schema version is refused") {
   const test::TemporaryFolder folder;
   recordFrames(folder.path(), 2);
-  change(folder.path(), "UPDATE run SET value = '99' WHERE key = 'schema_version'");
+  test::queryByHand(folder.path(), "UPDATE run SET value = '99' WHERE key = 'schema_version'");
   CHECK(refusal(folder.path()) ==
         "/run.sqlite: has schema version 99, this program reads 1; use the version that wrote it");
 }
@@ -135,7 +182,7 @@ TEST_CASE("another schema version is refused") {
 TEST_CASE("a graph with holes is refused, not read past its end") {
   const test::TemporaryFolder folder;
   recordFrames(folder.path(), 2);
-  change(folder.path(), "UPDATE experience SET id = 5");
+  test::queryByHand(folder.path(), "UPDATE experience SET id = 5");
   const auto reader = RunReader::open(folder.path()).value();
   CHECK(reader->graph().status().message() ==
         (folder.path() / "run.sqlite").string() + ": experience 0 is missing");
@@ -145,8 +192,7 @@ TEST_CASE("a graph with holes is refused, not read past its end") {
 TEST_CASE("a damaged database never crashes the reader") {
   const test::TemporaryFolder folder;
   recordFrames(folder.path(), 200);
-  std::ifstream stream(folder.path() / "run.sqlite", std::ios::binary);
-  const std::string sound((std::istreambuf_iterator<char>(stream)), {});
+  const std::string sound = test::contentOf(folder.path() / "run.sqlite");
   RandomStream random(51);
   for (int round = 0; round < 60; ++round) {
     std::string damaged = sound;

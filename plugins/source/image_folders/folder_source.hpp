@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <span>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "image_dataset.hpp"

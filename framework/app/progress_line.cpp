@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/progress_line.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::app {
+namespace {
+
+double rate(const FrameCount& c) {
+  return c.seconds > 0 ? static_cast<double>(c.done) / c.seconds : 0;
+}
+
+std::int64_t percent(const FrameCount& c) {
+  return std::clamp<std::int64_t>(100 * c.done / std::max<std::int64_t>(c.total, 1), 0, 100);
+}
+
+/// "0:06 left", or nothing where that is not known.
+std::string timeLeft(const FrameCount& c) {
+  if (c.total < c.done || rate(c) <= 0) return {};
+  const double seconds = static_cast<double>(c.total - c.done) / rate(c);
+  const std::int64_t whole = std::llround(std::clamp(seconds, 0.0, 1e9));
+  if (whole < 3600) return fmt::format("{}:{:02} left", whole / 60, whole % 60);
+  return fmt::format("{}:{:02}:{:02} left", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+int terminalWidth() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+}  // namespace
+
+std::string barText(const FrameCount& count, int width) {
+  std::string text;
+  if (count.total > 0) {
+    constexpr std::size_t kCells = 20;
+    const auto done = static_cast<std::size_t>(percent(count)) * kCells / 100;
+    std::string filled(done, '=');
+    if (done > 0 && done < kCells) filled.back() = '>';
+    text = fmt::format("[{:<{}}] {} %  {}/{}", filled, kCells, percent(count), count.done,
+                       count.total);
+  } else {
+    text = fmt::format("{} frames", count.done);
+  }
+  text += fmt::format("  {:.1f} frames/s", rate(count));
+  const std::string left = timeLeft(count);
+  if (!left.empty()) text += "  " + left;
+  return text.substr(0, static_cast<std::size_t>(std::max(width - 1, 0)));
+}
+
+std::string plainText(const FrameCount& count) {
+  std::string text = fmt::format("frame {}", count.done);
+  if (count.total > 0) text += fmt::format(" of {} ({} %)", count.total, percent(count));
+  text += fmt::format(", {:.1f} frames/s", rate(count));
+  const std::string left = timeLeft(count);
+  return left.empty() ? text : text + ", " + left;
+}
+
+ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, const Audience& audience,
+                           std::int64_t total)
+    : out_(out),
+      clock_(clock),
+      audience_(audience),
+      begin_ns_(clock.steadyNs()),
+      shown_ns_(begin_ns_) {
+  count_.total = total;
+}
+
+ProgressLine::~ProgressLine() {
+  if (drawn_ > 0) redraw("");
+}
+
+void ProgressLine::step() {
+  constexpr std::int64_t kRedrawNs = 100'000'000;     // faster than that nobody reads
+  constexpr std::int64_t kSilenceNs = 5'000'000'000;  // without a terminal: at least so often
+  if (audience_.quiet) return;
+  const std::lock_guard lock(mutex_);
+  ++count_.done;
+  const std::int64_t now = clock_.steadyNs();
+  count_.seconds = static_cast<double>(now - begin_ns_) * 1e-9;
+  const std::int64_t tenths = count_.total > 0 ? percent(count_) / 10 : 0;
+  const bool due = audience_.interactive ? now - shown_ns_ >= kRedrawNs
+                                         : tenths > shown_tenths_ || now - shown_ns_ >= kSilenceNs;
+  if (!due) return;
+  if (audience_.interactive) {
+    redraw(barText(count_, terminalWidth()));
+  } else {
+    out_ << plainText(count_) << '\n' << std::flush;
+  }
+  shown_ns_ = now;
+  shown_tenths_ = tenths;
+}
+
+void ProgressLine::redraw(const std::string& line) {
+  const std::string wipe(drawn_ > line.size() ? drawn_ - line.size() : 0, ' ');
+  out_ << '\r' << line << wipe << (line.empty() ? "\r" : "") << std::flush;
+  drawn_ = line.size();
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman bench: what it must print. Times are whatever they are.
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Track {
+  TemporaryFolder folder;
+  fs::path config;
+
+  Track() {
+    writeTinyKitti(folder.path() / "sequence", 12);
+    config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  }
+  Finished bench(const std::vector<std::string>& more) const {
+    std::vector<std::string> words = {"bench", config.string(), "--plugin-path",
+                                      TOLMAN_BINARY_DIR "/tests/fixtures/plugins/steady"};
+    words.insert(words.end(), more.begin(), more.end());
+    return tolman::test::tolman(words);
+  }
+  nlohmann::json json(std::vector<std::string> more) const {
+    more.emplace_back("--json");
+    const Finished finished = bench(more);
+    INFO(finished.err);
+    REQUIRE(finished.exit_code == 0);
+    return nlohmann::json::parse(finished.out);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("bench measures the source alone and the chain, each repeat in its own pass") {
+  const Track track;
+  const auto json = track.json({"--repeat", "2"});
+  CHECK(json["name"] == "tiny");
+  CHECK(contains(json["source"], "12 stereo pairs"));
+  CHECK(json["interrupted"] == false);
+  for (const char* kind : {"source_passes", "chain_passes"}) {
+    INFO(kind);
+    REQUIRE(json[kind].size() == 2);
+    CHECK(json[kind][0]["ratio"] == 1);
+    for (const auto& pass : json[kind]) {
+      CHECK(pass["frames"] == 12);
+      CHECK(pass["seconds"].get<double>() > 0);
+      CHECK(pass["frames_per_second"].get<double>() == Approx(12 / pass["seconds"].get<double>()));
+      CHECK(pass["peak_mib"].get<double>() > 1);
+      CHECK(pass["stages"]["source"]["frames"] == 12);
+    }
+  }
+  for (const char* stage : {"source", "odometry", "place", "cells", "map"}) {
+    const auto& timing = json["chain_passes"][1]["stages"][stage];
+    INFO(stage);
+    CHECK(timing["frames"] == 12);
+    CHECK(timing["median_ms"].get<double>() <= timing["p90_ms"].get<double>());
+    CHECK(timing["p90_ms"].get<double>() <= timing["max_ms"].get<double>());
+  }
+}
+
+TEST_CASE("bench --frames counts exactly so many") {
+  const Track track;
+  const auto json = track.json({"--repeat", "1", "--frames", "5"});
+  CHECK(json["source_passes"][0]["frames"] == 5);
+  CHECK(json["chain_passes"][0]["frames"] == 5);
+  CHECK(json["chain_passes"][0]["stages"]["map"]["frames"] == 5);
+}
+
+TEST_CASE("bench leaves the chain out when told so, or when there is none") {
+  Track track;
+  CHECK(track.json({"--repeat", "1", "--source-only"})["chain_passes"].empty());
+  track.config = track.folder.path() / "source.yaml";
+  std::ofstream(track.config) << "source: {plugin: kitti, path: sequence}\n";
+  const auto json = track.json({"--repeat", "1"});
+  CHECK(json["source_passes"].size() == 1);
+  CHECK(json["chain_passes"].empty());
+}
+
+TEST_CASE("bench prints a small table") {
+  const Track track;
+  const Finished finished = track.bench({"--repeat", "2"});
+  REQUIRE(finished.exit_code == 0);
+  INFO(finished.out);
+  CHECK(finished.out.starts_with("tiny: KITTI odometry, 12 stereo pairs"));
+  CHECK(contains(finished.out, "\n            repeat  frames   frames/s   ratio  peak MiB\n"));
+  CHECK(contains(finished.out, "\nsource           1      12"));
+  CHECK(contains(finished.out, "\nchain            2      12"));
+  CHECK(contains(finished.out, "\nodometry"));
+  CHECK(finished.err.empty());
+}
+
+TEST_CASE("bench of a configuration that is wrong ends as a run would") {
+  const Track track;
+  const Finished wrong = track.bench({"--set", "map.plugin=atlas"});
+  CHECK(wrong.exit_code == 4);
+  CHECK(contains(wrong.err, "[plugin/not-found]"));
+  const Finished half = track.bench({"--set", "place.treshold=1"});
+  CHECK(half.exit_code == 3);
+  CHECK(contains(half.err, "did you mean 'threshold'?"));
+  CHECK(track.bench({"--repeat", "0"}).exit_code == 2);
+  fs::remove(track.folder.path() / "sequence/image_0/000003.png");
+  CHECK(track.bench({}).exit_code == 5);
+}

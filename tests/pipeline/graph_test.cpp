@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// When the map's graph is published: it costs time in proportion to its size.
+#include <numeric>
+
+#include "pipeline/toy_stages.hpp"
+
+using namespace tolman;
+using tolman::test::Hooks;
+using tolman::test::ToySystem;
+
+TEST_CASE("a graph that stays as it is is published once") {
+  Hooks hooks;
+  ToySystem system(hooks);
+  REQUIRE(system.run({}, 2).status.isOk());
+  REQUIRE(system.diary.graphs.size() == 1);
+  CHECK(system.diary.graphs[0].first == 0);
+  CHECK(system.diary.final_size == 1);
+}
+
+TEST_CASE("a small graph is published at every change") {
+  Hooks hooks;
+  hooks.frames = 300;
+  hooks.map_grows = true;
+  ToySystem system(hooks);
+  REQUIRE(system.run({}, 2).status.isOk());
+  REQUIRE(system.diary.graphs.size() == 300);
+  for (std::size_t k = 0; k < 300; ++k) CHECK(system.diary.graphs[k].second == k + 1);
+}
+
+TEST_CASE("publishing a graph that grows without end costs a bounded time a frame") {
+  Hooks hooks;
+  hooks.frames = 8000;
+  hooks.map_grows = true;
+  ToySystem system(hooks);
+  REQUIRE(system.run({}, 2).status.isOk());
+  const auto& graphs = system.diary.graphs;
+  const double copied =
+      std::accumulate(graphs.begin(), graphs.end(), 0.0,
+                      [](double sum, const auto& graph) { return sum + double(graph.second); });
+  CHECK(copied / 8000 < 400);  // with every change it would be 4000
+  for (std::size_t k = 1; k < graphs.size(); ++k) {
+    // What is shown is never older than the size of the map says: 20 frames at 8000.
+    CHECK(graphs[k].first - graphs[k - 1].first <=
+          1 + static_cast<std::int64_t>(graphs[k - 1].second / 400));
+    CHECK(graphs[k].second == static_cast<std::size_t>(graphs[k].first + 1));  // and is of now
+  }
+  CHECK(system.diary.final_size == 8000);  // the last changes come with the end
+}
+
+TEST_CASE("a change that had to wait is published although nothing changes any more") {
+  Hooks hooks;
+  hooks.frames = 1100;
+  hooks.map_grows = true;
+  hooks.map = [&](std::int64_t frame) {
+    if (frame == 1000) hooks.map_grows = false;  // from 1001 experiences back to one, for good
+    return Status::ok();
+  };
+  ToySystem system(hooks);
+  REQUIRE(system.run({}, 1).status.isOk());
+  REQUIRE(system.diary.graphs.back().second == 1);
+  CHECK(system.diary.graphs.back().first <= 1004);
+}
+
+TEST_CASE("place recognition is asked once what it reads") {
+  Hooks hooks;
+  ToySystem system(hooks);
+  REQUIRE(system.run({}, 2).status.isOk());
+  CHECK(hooks.input_asked == 1);
+}

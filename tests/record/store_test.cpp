@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Records into tables and out of them, nested lists included.
+#include "record/store.hpp"
+
+#include "record/by_hand.hpp"
+#include "record/sample_run.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::record;
+
+namespace {
+
+/// All tables, and the frames 0 to 2.
+struct Tables {
+  Database database{":memory:", Database::Mode::Create};
+  StoreWriter store{database};
+
+  Tables() {
+    for (const Table& table : schema()) database.execute(createSql(table));
+    for (std::int64_t i = 0; i < 3; ++i) store.insert(test::frameAt(i));
+  }
+  template <Record R>
+  std::vector<R> rows(const std::string& condition = "") const {
+    std::vector<R> all;
+    forEachRow<R>(database, condition, [&](const R& row) { all.push_back(row); });
+    return all;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an upsert replaces every column of the row with its id, and no other row") {
+  Tables tables;
+  RandomStream random(67);
+  for (std::int64_t id = 0; id < 3; ++id) tables.store.upsert(test::experienceAt(id, id, 0));
+  const Experience other{1, 2, 99, test::randomPose(random)};
+  tables.store.upsert(other);
+  const auto rows = tables.rows<Experience>();
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1].frame == 2);
+  CHECK(rows[1].template_id == 99);
+  CHECK(rows[1].T_world_experience.isApprox(other.T_world_experience, 1e-14));
+  CHECK(rows[0].template_id == 0);
+  CHECK(rows[2].template_id == 2);
+}
+
+TEST_CASE("revisions come back with the motion that brought them, in their order") {
+  Tables tables;
+  for (std::int64_t i = 0; i < 3; ++i) {
+    Motion motion = test::motionAt(i);
+    for (std::int64_t earlier = i; earlier >= 0; --earlier) {
+      motion.revisions.emplace_back().frame = earlier;
+    }
+    tables.store.insert(motion);
+  }
+  MotionRevision owed;
+  owed.frame = 2;
+  tables.store.insertAnnounced(std::nullopt, owed);  // after the last frame: of no motion
+  const auto motions = tables.rows<Motion>();
+  REQUIRE(motions.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    REQUIRE(motions[i].revisions.size() == i + 1);
+    CHECK(motions[i].revisions.front().frame == static_cast<std::int64_t>(i));
+    CHECK(motions[i].revisions.back().frame == 0);
+  }
+  CHECK(tables.rows<MotionRevision>().size() == 7);
+  CHECK(tables.rows<MotionRevision>("WHERE announced_at IS NULL").size() == 1);
+}
+
+TEST_CASE("arrays keep name, shape and every bit, and know their source") {
+  Tables tables;
+  const std::vector<NamedArray> arrays = {
+      {"scalar", {}, {std::numeric_limits<float>::denorm_min()}},
+      {"grid", {2, 1, 3}, {1, -0.0F, 3, 4, 5, std::numeric_limits<float>::max()}},
+      {"nothing", {0, 36}, {}}};
+  tables.store.insertArrays(1, "cells", arrays);
+  tables.store.insertArrays(1, "sensors", {{"grid", {1}, {7}}});
+  const auto read = readArrays(tables.database, 1, "cells");
+  REQUIRE(read.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(read[i].name == arrays[i].name);
+    CHECK(read[i].shape == arrays[i].shape);
+    REQUIRE(read[i].values.size() == arrays[i].values.size());
+    CHECK(std::equal(read[i].values.begin(), read[i].values.end(), arrays[i].values.begin()));
+  }
+  CHECK(std::signbit(read[1].values[1]));
+  CHECK(tables.rows<Frame>("WHERE frame = 1").at(0).sensors.at(0).values.at(0) == 7);
+  CHECK(readArrays(tables.database, 0, "cells").empty());
+}
+
+TEST_CASE("a shape or a blob that cannot be is refused") {
+  for (const char* shape : {"axb", "2x", "x2", "2xx3", "2 x 3", "99999999999"}) {
+    INFO(shape);
+    Tables tables;
+    tables.store.insertArrays(0, "cells", {{"a", {2, 3}, {1, 2, 3, 4, 5, 6}}});
+    tables.database.execute("UPDATE array SET shape = '" + std::string(shape) + "'");
+    if (std::string(shape) == "2x") {  // an end after the last 'x' is no size, and no harm
+      CHECK(readArrays(tables.database, 0, "cells").at(0).shape == std::vector{2});
+    } else {
+      CHECK_THROWS_AS(readArrays(tables.database, 0, "cells"), BadRow);
+    }
+  }
+  Tables tables;
+  tables.store.insertArrays(0, "cells", {{"a", {1}, {1}}});
+  tables.database.execute("UPDATE array SET \"values\" = x'010203'");
+  CHECK_THROWS_WITH(readArrays(tables.database, 0, "cells"),
+                    "an array has a broken number of bytes");
+}
