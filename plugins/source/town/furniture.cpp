@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "furniture.hpp"
+
+#include "noise.hpp"
+#include "shapes.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr Vec3 kUp = {0, 0, 1};
+
+std::uint32_t addPlain(World& world, float tone, std::uint32_t seed) {
+  Surface surface;
+  surface.tone = tone;
+  surface.seed = seed;
+  return world.addSurface(surface);
+}
+
+void addPole(World& world, const Vec3& foot, float height, float radius, std::uint32_t surface) {
+  addPost(world.fixed, {foot - kUp * 0.4F, foot + kUp * height, radius, 0.8F * radius, 8}, surface);
+}
+
+/// A board that faces along the street, its lower left corner `up` m above the foot.
+void addBoard(World& world, const Stand& stand, float up, float width, float height, float tone) {
+  Surface board;
+  board.material = Material::Board;
+  board.seed = stand.seed;
+  board.tone = tone;
+  board.origin = stand.foot + kUp * up - stand.inward * (width / 2);
+  board.axis_u = stand.inward;
+  board.axis_v = kUp;
+  board.width = width;
+  board.height = height;
+  addBox(world.fixed, board.origin - stand.along * 0.06F,
+         {stand.inward * width, stand.along * 0.03F, kUp * height}, world.addSurface(board));
+}
+
+/// Sides and top of a plot, as a box from a little below ground.
+void addPlotBox(World& world, const Plot& plot, double ground, float height,
+                std::uint32_t surface) {
+  const auto corner = [&](double along, double over) {
+    const Eigen::Vector2d p = plot.point(along, over);
+    return Vec3{static_cast<float>(p.x()), static_cast<float>(p.y()),
+                static_cast<float>(ground) - 0.6F};
+  };
+  const Vec3 low = corner(-plot.half_length, -plot.half_depth);
+  addBox(world.fixed, low,
+         {corner(plot.half_length, -plot.half_depth) - low,
+          corner(-plot.half_length, plot.half_depth) - low, kUp * (height + 0.6F)},
+         surface);
+}
+
+}  // namespace
+
+void addLamp(World& world, const Stand& stand) {
+  const std::uint32_t metal = addPlain(world, between(stand.seed, 0.06F, 0.4F), stand.seed);
+  const float height = between(hash(stand.seed, 1), 5, 8);
+  addPole(world, stand.foot, height, 0.08F, metal);
+  const Vec3 top = stand.foot + kUp * height;
+  const Vec3 end = top + stand.inward * 1.3F + kUp * 0.25F;
+  addPost(world.fixed, {top, end, 0.05F, 0.04F, 6}, metal);
+  addBox(world.fixed, end - stand.along * 0.14F,
+         {stand.inward * 0.7F, stand.along * 0.28F, kUp * 0.12F}, metal);
+}
+
+void addSign(World& world, const Stand& stand) {
+  addPole(world, stand.foot, 2.9F, 0.035F, addPlain(world, 0.35F, stand.seed));
+  const float size = between(hash(stand.seed, 2), 0.55F, 0.8F);
+  addBoard(world, stand, 2.1F, size, size, between(hash(stand.seed, 3), 0.1F, 0.7F));
+}
+
+void addPoster(World& world, const Stand& stand) {
+  const std::uint32_t posts = addPlain(world, 0.25F, stand.seed);
+  for (const float side : {-1.2F, 1.2F}) {
+    addPole(world, stand.foot + stand.inward * side, 3.3F, 0.07F, posts);
+  }
+  addBoard(world, stand, 1.2F, 3.0F, 2.2F, between(hash(stand.seed, 3), 0.2F, 0.55F));
+}
+
+void addFence(World& world, const Plot& plot, double ground, std::uint32_t seed) {
+  Surface boards;
+  boards.material = Material::Wood;
+  boards.seed = seed;
+  boards.tone = between(hash(seed, 1), 0.1F, 0.5F);
+  boards.origin = {static_cast<float>(plot.centre.x()), static_cast<float>(plot.centre.y()),
+                   static_cast<float>(ground)};
+  boards.axis_u = {static_cast<float>(plot.axis.x()), static_cast<float>(plot.axis.y()), 0};
+  addPlotBox(world, plot, ground, between(hash(seed, 2), 0.8F, 1.7F), world.addSurface(boards));
+}
+
+void addHedge(World& world, const Plot& plot, double ground, std::uint32_t seed) {
+  Surface leaves;
+  leaves.material = Material::Leaves;
+  leaves.seed = seed;
+  leaves.tone = between(hash(seed, 1), 0.09F, 0.18F);
+  addPlotBox(world, plot, ground, between(hash(seed, 2), 0.8F, 1.9F), world.addSurface(leaves));
+}
+
+void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed) {
+  constexpr double kHalfWidth = 0.06;  // m
+  constexpr int kDash = 3;             // m
+  constexpr int kPeriod = 9;           // m
+  constexpr float kThickness = 0.012F;
+  Surface paint;
+  paint.material = Material::Paint;
+  paint.tone = 0.5F;
+  paint.seed = seed;
+  const std::uint32_t surface = world.addSurface(paint);
+  const auto on_road = [&](const StreetPoint& p, double over) {
+    const Eigen::Vector2d q =
+        p.position + over * Eigen::Vector2d(-p.direction.y(), p.direction.x());
+    return Vec3{static_cast<float>(q.x()), static_cast<float>(q.y()),
+                static_cast<float>(plan.height(q.x(), q.y())) + kThickness};
+  };
+  // Beside a junction the land is nearer to another street than to this one.
+  const auto is_open = [&](const StreetPoint& p) {
+    for (const double over : {-1.3, 1.3}) {
+      const Vec3 q = on_road(p, over * StreetPlan::kRoadHalfWidth);
+      if (plan.distance(q.x, q.y) < 1.15 * StreetPlan::kRoadHalfWidth) return false;
+    }
+    return true;
+  };
+  for (const StreetSection& section : plan.sections()) {
+    for (std::size_t i = 0; i + 1 < section.points.size(); ++i) {
+      const StreetPoint& from = section.points[i];
+      const StreetPoint& to = section.points[i + 1];
+      if (static_cast<int>(from.s) % kPeriod >= kDash || !is_open(from)) continue;
+      addQuad(world.fixed,
+              {on_road(from, -kHalfWidth), on_road(to, -kHalfWidth), on_road(to, kHalfWidth),
+               on_road(from, kHalfWidth)},
+              surface);
+    }
+  }
+}
+
+void addHorizon(World& world, const StreetPlan& plan, std::uint32_t seed) {
+  constexpr double kAway = 130;  // m beyond the last street
+  constexpr double kStep = 5;    // m
+  Surface leaves;
+  leaves.material = Material::Leaves;
+  leaves.seed = seed;
+  leaves.tone = 0.12F;
+  const std::uint32_t surface = world.addSurface(leaves);
+  const Eigen::Vector2d low = plan.lowCorner() - Eigen::Vector2d::Constant(kAway);
+  const Eigen::Vector2d high = plan.highCorner() + Eigen::Vector2d::Constant(kAway);
+  const auto wall = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    const int steps = 1 + static_cast<int>((to - from).norm() / kStep);
+    const auto at = [&](int i, bool top) {
+      const Eigen::Vector2d p = from + (to - from) * (static_cast<double>(i) / steps);
+      const auto x = static_cast<float>(p.x());
+      const auto y = static_cast<float>(p.y());
+      const float rise = 12 + 6 * noise2(x / 70, y / 70, seed) + 3 * noise2(x / 9, y / 9, seed + 1);
+      return Vec3{x, y, static_cast<float>(plan.height(p.x(), p.y())) + (top ? rise : -20)};
+    };
+    for (int i = 0; i < steps; ++i) {
+      addQuad(world.fixed, {at(i, false), at(i + 1, false), at(i + 1, true), at(i, true)}, surface);
+    }
+  };
+  const Eigen::Vector2d right(high.x(), low.y());
+  const Eigen::Vector2d left(low.x(), high.y());
+  wall(low, right);
+  wall(right, high);
+  wall(high, left);
+  wall(left, low);
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What stands along a street: lamps, signs, posters, fences, hedges; and what is painted on it.
+#pragma once
+
+#include <cstdint>
+
+#include "plots.hpp"
+#include "street_plan.hpp"
+#include "world.hpp"
+
+namespace tolman::town {
+
+/// Foot on the ground, facing the street's direction `yaw`.
+struct Stand {
+  Vec3 foot;
+  Vec3 along;   ///< unit vector of the street
+  Vec3 inward;  ///< unit vector towards the middle of the street
+  std::uint32_t seed = 0;
+};
+
+void addLamp(World& world, const Stand& stand);
+void addSign(World& world, const Stand& stand);
+void addPoster(World& world, const Stand& stand);
+
+/// A fence or a hedge over the plot's length; `hedge` is as deep as the plot.
+void addFence(World& world, const Plot& plot, double ground, std::uint32_t seed);
+void addHedge(World& world, const Plot& plot, double ground, std::uint32_t seed);
+
+/// The broken line in the middle of each section, but not across junctions.
+void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed);
+
+/// A ring of wooded hills that closes the view.
+void addHorizon(World& world, const StreetPlan& plan, std::uint32_t seed);
+
+}  // namespace tolman::town

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "house.hpp"
+
+#include "noise.hpp"
+#include "shapes.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr float kStorey = 2.9F;    // m
+constexpr float kSunk = 2;         // m that walls reach below ground, for slopes
+constexpr float kOverhang = 0.4F;  // m
+
+/// The house's own axes: u along the street, v away from it, up.
+class HouseBuilder {
+ public:
+  HouseBuilder(World& world, const House& house)
+      : world_(world),
+        house_(house),
+        length_(static_cast<float>(house.plot.half_length)),
+        depth_(static_cast<float>(house.plot.half_depth)),
+        eaves_(kStorey * static_cast<float>(house.storeys) + 0.3F) {}
+
+  void build() {
+    const float rise = house_.roof == RoofShape::Flat ? 0.4F : between(draw(1), 0.6F, 1.1F);
+    const bool to_street = house_.roof == RoofShape::ToStreet;
+    ridge_ =
+        house_.roof == RoofShape::Flat ? eaves_ : eaves_ + rise * (to_street ? length_ : depth_);
+    walls();
+    if (house_.roof == RoofShape::Flat) {
+      flatRoof();
+    } else {
+      gableRoof(to_street);
+      chimney();
+    }
+  }
+
+ private:
+  std::uint32_t draw(std::uint32_t what) const { return hash(house_.seed, what); }
+
+  Vec3 at(float u, float v, float z) const {
+    const Eigen::Vector2d p = house_.plot.point(u, v);
+    return {static_cast<float>(p.x()), static_cast<float>(p.y()),
+            static_cast<float>(house_.ground) + z};
+  }
+  Vec3 direction(float u, float v) const { return at(u, v, 0) - at(0, 0, 0); }
+
+  /// A wall from (u0, v0) to (u1, v1), with a gable up to the ridge where asked.
+  void wall(float u0, float v0, float u1, float v1, bool gable) {
+    Surface facade;
+    facade.material = Material::Facade;
+    facade.seed = house_.seed;
+    facade.tone = between(draw(2), 0.3F, 0.8F);
+    facade.origin = at(u0, v0, 0);
+    const Vec3 span = at(u1, v1, 0) - facade.origin;
+    facade.axis_u = normalised(span);
+    facade.width = norm(span);
+    facade.height = eaves_;
+    const std::uint32_t surface = world_.addSurface(facade);
+    addQuad(world_.fixed,
+            {at(u0, v0, -kSunk), at(u1, v1, -kSunk), at(u1, v1, eaves_), at(u0, v0, eaves_)},
+            surface);
+    if (!gable) return;
+    addTriangle(
+        world_.fixed,
+        {at(u0, v0, eaves_), at(u1, v1, eaves_), at(0.5F * (u0 + u1), 0.5F * (v0 + v1), ridge_)},
+        surface);
+  }
+
+  void walls() {
+    const bool along = house_.roof == RoofShape::AlongStreet;
+    const bool to_street = house_.roof == RoofShape::ToStreet;
+    wall(-length_, -depth_, length_, -depth_, to_street);
+    wall(length_, -depth_, length_, depth_, along);
+    wall(length_, depth_, -length_, depth_, to_street);
+    wall(-length_, depth_, -length_, -depth_, along);
+  }
+
+  std::uint32_t roofSurface(const Vec3& origin, const Vec3& along, const Vec3& up) {
+    Surface roof;
+    roof.material = Material::Roof;
+    roof.seed = draw(3);
+    roof.tone = between(draw(4), 0.07F, 0.24F);
+    roof.origin = origin;
+    roof.axis_u = normalised(along);
+    roof.axis_v = normalised(up);
+    return world_.addSurface(roof);
+  }
+
+  /// Two slopes. `to_street`: the ridge runs across the street's direction.
+  void gableRoof(bool to_street) {
+    const float run = to_street ? length_ : depth_;  // from ridge to eaves
+    const float span = (to_street ? depth_ : length_) + kOverhang;
+    const float low = eaves_ - kOverhang * (ridge_ - eaves_) / run;
+    const auto corner = [&](float r, float s, float z) {
+      return to_street ? at(r, s, z) : at(s, r, z);
+    };
+    for (const float side : {-1.0F, 1.0F}) {
+      const float r = side * (run + kOverhang);
+      const std::array<Vec3, 4> slope = {corner(r, -span, low), corner(r, span, low),
+                                         corner(0, span, ridge_), corner(0, -span, ridge_)};
+      addQuad(world_.fixed, slope, roofSurface(slope[0], slope[1] - slope[0], slope[3] - slope[0]));
+    }
+  }
+
+  void flatRoof() {
+    Surface rim;
+    rim.seed = draw(5);
+    rim.tone = between(draw(6), 0.2F, 0.5F);
+    const float u = length_ + 0.15F;
+    const float v = depth_ + 0.15F;
+    addBox(world_.fixed, at(-u, -v, eaves_),
+           {direction(2 * u, 0), direction(0, 2 * v), Vec3{0, 0, 0.45F}}, world_.addSurface(rim));
+  }
+
+  void chimney() {
+    Surface stack;
+    stack.seed = draw(7);
+    stack.tone = between(draw(8), 0.12F, 0.3F);
+    const float u = between(draw(9), -0.6F, 0.6F) * length_;
+    const float v = between(draw(10), -0.3F, 0.3F) * depth_;
+    addBox(world_.fixed, at(u, v, eaves_),
+           {direction(0.6F, 0), direction(0, 0.6F), Vec3{0, 0, ridge_ - eaves_ + 0.7F}},
+           world_.addSurface(stack));
+  }
+
+  World& world_;
+  const House& house_;
+  float length_;  // half
+  float depth_;   // half
+  float eaves_;
+  float ridge_ = 0;
+};
+
+}  // namespace
+
+void addHouse(World& world, const House& house) { HouseBuilder(world, house).build(); }
+
+}  // namespace tolman::town

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "layout.hpp"
+
+#include <algorithm>
+
+#include "furniture.hpp"
+#include "ground.hpp"
+#include "noise.hpp"
+#include "stretch.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr double kStretch = 45;  // m, length of one kind of place
+
+/// Seeds of the stretches: most have their own, a share of `aliasing` one of two that repeat.
+std::uint32_t stretchSeed(const WorldOptions& options, std::uint32_t section, std::uint32_t number,
+                          bool left) {
+  const std::uint32_t own = hash(options.seed, section, 2 * number + (left ? 1U : 0U));
+  if (unit(hash(own, 71)) >= static_cast<float>(options.aliasing)) return own;
+  return hash(options.seed, 5000 + hash(own, 72) % 2);
+}
+
+}  // namespace
+
+void layOut(World& world, const StreetPlan& plan, const Prototypes& prototypes,
+            const WorldOptions& options) {
+  PlotBook book(plan);
+  for (std::uint32_t i = 0; i < plan.sections().size(); ++i) {
+    const StreetSection& section = plan.sections()[i];
+    if (section.points.empty()) continue;
+    const double length = section.points.back().s;
+    for (std::uint32_t number = 0; number * kStretch < length; ++number) {
+      for (const bool left : {false, true}) {
+        const double begin = number * kStretch;
+        StretchBuilder builder(world, plan, prototypes, book);
+        builder.fill({&section, left, begin, std::min(begin + kStretch, length),
+                      stretchSeed(options, i, number, left), options.density});
+      }
+    }
+  }
+}
+
+World buildWorld(const StreetPlan& plan, const WorldOptions& options) {
+  World world;
+  const auto add = [&](Material material, float tone) {
+    Surface surface;
+    surface.material = material;
+    surface.tone = tone;
+    surface.seed = hash(options.seed, static_cast<std::uint32_t>(material), 13);
+    return world.addSurface(surface);
+  };
+  const GroundSurfaces ground = {add(Material::Road, 0.2F), add(Material::Kerb, 0.33F),
+                                 add(Material::Land, 0.2F)};
+  world.fixed = buildGround(plan, ground);
+  addLaneMarkings(world, plan, hash(options.seed, 61));
+  addHorizon(world, plan, hash(options.seed, 62));
+  const Prototypes prototypes = addPrototypes(world, options.seed);
+  layOut(world, plan, prototypes, options);
+  world.cars = prototypes.cars;
+  return world;
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material.hpp"
+
+namespace tolman::town {
+
+float albedo(const Surface& surface, const Hit& hit, const StreetPlan& plan) {
+  switch (surface.material) {
+    case Material::Road:
+    case Material::Kerb:
+    case Material::Land:
+    case Material::Paint:
+      return groundAlbedo(surface, hit, plan);
+    case Material::Facade:
+    case Material::Roof:
+      return buildingAlbedo(surface, hit);
+    case Material::Leaves:
+    case Material::Bark:
+      return plantAlbedo(surface, hit);
+    case Material::Plain:
+    case Material::Wood:
+    case Material::Body:
+    case Material::Board:
+      return objectAlbedo(surface, hit);
+  }
+  return surface.tone;
+}
+
+}  // namespace tolman::town

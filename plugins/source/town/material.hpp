@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Albedo of a point of the town, averaged over the pixel that sees it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "street_plan.hpp"
+#include "surface.hpp"
+#include "vec3.hpp"
+
+namespace tolman::town {
+
+/// Where a ray met a surface, in the axes that its pattern is anchored in.
+struct Hit {
+  Vec3 point;
+  Vec3 normal;  ///< unit, towards the camera
+  Vec3 dx;      ///< how far the point moves from one pixel to the next along a row, on the tangent
+  Vec3 dy;      ///< and along a column: together the footprint of the pixel
+  std::uint32_t seed = 0;
+
+  /// m, the longer side of the footprint.
+  float footprint() const { return std::sqrt(std::max(dot(dx, dx), dot(dy, dy))); }
+  /// m, extent of the footprint along an axis.
+  float extent(const Vec3& axis) const { return std::abs(dot(dx, axis)) + std::abs(dot(dy, axis)); }
+};
+
+/// In [0, 1]. `plan` tells the land how far the street is.
+float albedo(const Surface& surface, const Hit& hit, const StreetPlan& plan);
+
+// One function a group of materials; albedo() chooses.
+float groundAlbedo(const Surface& surface, const Hit& hit, const StreetPlan& plan);
+float buildingAlbedo(const Surface& surface, const Hit& hit);
+float plantAlbedo(const Surface& surface, const Hit& hit);
+float objectAlbedo(const Surface& surface, const Hit& hit);
+
+}  // namespace tolman::town

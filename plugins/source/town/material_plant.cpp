@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Leaves and bark: noise in three dimensions, anchored in the plant.
+#include "material.hpp"
+#include "noise.hpp"
+
+namespace tolman::town {
+namespace {
+
+/// Bright leaves before dark gaps: the strongest texture of a real street.
+float leaves(const Surface& surface, const Hit& hit) {
+  // Leaves hang every way, so a slanting lump hides less of them than a slanting wall would.
+  const float footprint = std::sqrt(norm(hit.dx) * norm(hit.dy));
+  const float boughs = fractal3(hit.point, 3.6F, 2, footprint, hit.seed);
+  const float clumps = fractal3(hit.point, 0.8F, 1, footprint, hit.seed + 5);
+  const float leaf = fractal3(hit.point, 0.22F, 3, footprint, hit.seed + 11);
+  const float tuft = 0.5F * clumps + 1.7F * leaf;
+  const float gap = smoothstep(0.05F, 0.4F, -tuft);
+  const float shine = smoothstep(0.05F, 0.6F, tuft);
+  return surface.tone * std::max(0.05F, (1 + 0.4F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine));
+}
+
+float bark(const Surface& surface, const Hit& hit) {
+  const Vec3 stretched = {hit.point.x * 3, hit.point.y * 3, hit.point.z * 0.6F};
+  const float furrows = fractal3(stretched, 0.3F, 3, 3 * hit.footprint(), hit.seed);
+  return surface.tone * std::max(0.2F, 1 + 0.7F * furrows);
+}
+
+}  // namespace
+
+float plantAlbedo(const Surface& surface, const Hit& hit) {
+  return surface.material == Material::Leaves ? leaves(surface, hit) : bark(surface, hit);
+}
+
+}  // namespace tolman::town

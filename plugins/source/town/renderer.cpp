@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "renderer.hpp"
+
+#include <oneapi/tbb/parallel_for.h>
+
+#include <array>
+#include <cmath>
+
+#include "packet.hpp"
+
+namespace tolman::town {
+namespace {
+
+/// Positions within a pixel of the extra rays of edges, in pairs about its centre.
+constexpr std::array<std::array<float, 2>, 8> kWithinPixel = {{{-0.25F, -0.33F},
+                                                               {0.25F, 0.33F},
+                                                               {0.4F, -0.12F},
+                                                               {-0.4F, 0.12F},
+                                                               {-0.12F, 0.25F},
+                                                               {0.12F, -0.25F},
+                                                               {-0.4F, -0.4F},
+                                                               {0.4F, 0.4F}}};
+
+/// Contrast that drowns in the noise of the camera: relative, and absolute radiance.
+constexpr float kFaint = 0.04F;
+constexpr float kDim = 0.012F;
+
+Vec3 toVec3(const Eigen::Vector3d& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+}  // namespace
+
+/// Directions of a view's rays, with a component of 1 along the optical axis.
+class Renderer::Rays {
+ public:
+  Rays(const Renderer& renderer, const View& view)
+      : width(view.width),
+        height(view.height),
+        cx_(static_cast<float>(view.pinhole.cx)),
+        cy_(static_cast<float>(view.pinhole.cy)) {
+    const Eigen::Matrix3d R = view.T_town_camera.linear();
+    around.scene = renderer.scene_;
+    around.plan = renderer.plan_;
+    around.light = &renderer.light_;
+    axis_ = toVec3(R.col(2));
+    around.origin = toVec3(view.T_town_camera.translation());
+    around.pixel_x = toVec3(R.col(0) / view.pinhole.fx);
+    around.pixel_y = toVec3(R.col(1) / view.pinhole.fy);
+  }
+  Vec3 through(float u, float v) const {
+    return axis_ + around.pixel_x * (u - cx_) + around.pixel_y * (v - cy_);
+  }
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+
+  int width;
+  int height;
+  Surroundings around;
+
+ private:
+  float cx_;
+  float cy_;
+  Vec3 axis_;
+};
+
+/// Packets of 4 x 2 pixels keep rays closer together than rows of 8.
+void Renderer::firstPass(const Rays& rays, int first_row, int end_row, Picture& picture) {
+  constexpr int kColumns = kPacket / 2;
+  Packet packet(rays.around);
+  std::array<std::size_t, kPacket> pixels{};
+  for (int row = first_row; row < end_row; row += 2) {
+    for (int column = 0; column < rays.width; column += kColumns) {
+      for (int r = row; r < std::min(row + 2, end_row); ++r) {
+        for (int c = column; c < std::min(column + kColumns, rays.width); ++c) {
+          pixels[static_cast<std::size_t>(packet.size())] = rays.index(c, r);
+          packet.add(rays.through(static_cast<float>(c), static_cast<float>(r)));
+        }
+      }
+      const auto count = static_cast<std::size_t>(packet.size());
+      const auto shaded = packet.shade();
+      for (std::size_t i = 0; i < count; ++i) {
+        picture.radiance[pixels[i]] = shaded[i].radiance;
+        picture.depth[pixels[i]] = shaded[i].depth;
+        seen_[pixels[i]] = shaded[i].seen;
+      }
+    }
+  }
+}
+
+bool Renderer::isEdge(const Picture& picture, const Rays& rays, int column, int row) const {
+  const auto inverse = [&](std::size_t i) {
+    return picture.depth[i] > 0 ? 1 / picture.depth[i] : 0.0F;
+  };
+  const std::size_t here = rays.index(column, row);
+  // Inverse depth is linear over the image of a plane, so its second difference shows edges.
+  const auto differs = [&](std::size_t before, std::size_t after) {
+    const float here_radiance = picture.radiance[here];
+    const float contrast = std::max(std::abs(picture.radiance[before] - here_radiance),
+                                    std::abs(picture.radiance[after] - here_radiance));
+    if (contrast < std::max(kDim, kFaint * here_radiance)) return false;
+    if (seen_[before] != seen_[here] || seen_[after] != seen_[here]) return true;
+    if ((seen_[here] & kFoliage) != 0) return false;
+    const float bend = inverse(before) - 2 * inverse(here) + inverse(after);
+    return std::abs(bend) > 0.02F * inverse(here);
+  };
+  const auto clampedColumn = [&](int c) { return std::clamp(c, 0, rays.width - 1); };
+  const auto clampedRow = [&](int r) { return std::clamp(r, 0, rays.height - 1); };
+  return differs(rays.index(clampedColumn(column - 1), row),
+                 rays.index(clampedColumn(column + 1), row)) ||
+         differs(rays.index(column, clampedRow(row - 1)), rays.index(column, clampedRow(row + 1)));
+}
+
+/// Column by column within the strip, so that the rays of a packet follow upright edges.
+void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, Picture& picture) {
+  Packet packet(rays.around);
+  std::array<std::size_t, kPacket> pixels{};
+  const float share = 1 / static_cast<float>(edge_samples_ + 1);  // the centre counts too
+  const auto flush = [&] {
+    const auto count = static_cast<std::size_t>(packet.size());
+    const auto shaded = packet.shade();
+    for (std::size_t i = 0; i < count; ++i) {
+      picture.radiance[pixels[i]] += share * shaded[i].radiance;
+    }
+  };
+  for (int column = 0; column < rays.width; ++column) {
+    for (int row = first_row; row < end_row; ++row) {
+      const std::size_t at = rays.index(column, row);
+      if (!edges_[at]) continue;
+      picture.radiance[at] *= share;
+      for (int i = 0; i < edge_samples_; ++i) {
+        const auto& [x, y] = kWithinPixel[static_cast<std::size_t>(i)];
+        pixels[static_cast<std::size_t>(packet.size())] = at;
+        packet.add(rays.through(static_cast<float>(column) + x, static_cast<float>(row) + y));
+        if (packet.isFull()) flush();
+      }
+    }
+  }
+  flush();
+}
+
+void Renderer::render(const View& view, Picture& picture) {
+  const auto pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+  picture.radiance.resize(pixels);
+  picture.depth.resize(pixels);
+  seen_.resize(pixels);
+  const Rays rays(*this, view);
+  // Strips of even height, so that packets do not depend on how they are shared out.
+  constexpr int kStrip = 8;
+  const auto everyStrip = [&](auto&& body) {
+    oneapi::tbb::parallel_for(0, (view.height + kStrip - 1) / kStrip, [&](int strip) {
+      body(strip * kStrip, std::min((strip + 1) * kStrip, view.height));
+    });
+  };
+  everyStrip([&](int first, int end) { firstPass(rays, first, end, picture); });
+  if (edge_samples_ == 0) return;
+  edges_.resize(pixels);
+  everyStrip([&](int first, int end) {  // all of them before the first is changed
+    for (int row = first; row < end; ++row) {
+      for (int column = 0; column < view.width; ++column) {
+        edges_[rays.index(column, row)] = isEdge(picture, rays, column, row);
+      }
+    }
+  });
+  everyStrip([&](int first, int end) { smoothEdges(rays, first, end, picture); });
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The way that the car drives: one camera pose a frame.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tolman/status.hpp"
+
+namespace tolman::town {
+
+struct Route {
+  std::string name;
+  std::vector<std::int64_t> stamps_ns;
+  /// Left camera (x right, y down, z forward) to town axes (see mesh.hpp); the first is the
+  /// origin, looking along Y.
+  std::vector<Eigen::Isometry3d> T_town_camera;
+};
+
+struct RouteOptions {
+  double rate = 10;             ///< frames a second
+  double speed = 8;             ///< m/s on straight streets; built-in routes slow down in bends
+  double camera_height = 1.65;  ///< m above the road
+};
+
+/// `block` (about 300 m, once round and on over the start: one loop), `eights`, `district`; else
+/// InvalidParameter that names them.
+Result<Route> builtInRoute(std::string_view name, const RouteOptions& options);
+
+/// A KITTI pose file: twelve numbers a line, T_world_camera. Refuses an empty file, a line that is
+/// not twelve finite numbers, a matrix that is no rotation, and neighbours too far apart to be a
+/// drive (file:line, what is wrong, remedy).
+Result<Route> readRoute(const std::filesystem::path& file, const RouteOptions& options);
+
+}  // namespace tolman::town

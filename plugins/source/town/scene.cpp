@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "scene.hpp"
+
+#include <array>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+
+namespace tolman::town {
+namespace {
+
+/// The fixed mesh is geometry 0; instance i is geometry i + 1 of the top scene.
+constexpr std::uint32_t kFirstInstance = 1;
+
+/// Columns of a 3x4 matrix.
+std::array<float, 12> matrixOf(const Placement& p) {
+  const float c = p.cosine * p.scale;
+  const float s = p.sine * p.scale;
+  return {c, s, 0, -s, c, 0, 0, 0, p.scale, p.position.x, p.position.y, p.position.z};
+}
+
+RTCScene newScene(RTCDevice device) {
+  RTCScene scene = rtcNewScene(device);
+  // Watertight, so that whatever the search structure, a ray meets the same triangle.
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  return scene;
+}
+
+}  // namespace
+
+Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
+  if (!device_) throw std::runtime_error("Embree cannot start on this machine");
+  scene_.reset(newScene(device_.get()));
+  surfaces_ = std::move(world.surfaces);
+  fixed_surfaces_ = std::move(world.fixed.surfaces);
+  attachMesh(scene_.get(), world.fixed);
+  for (Mesh& prototype : world.prototypes) {
+    prototype_scenes_.emplace_back(newScene(device_.get()));
+    attachMesh(prototype_scenes_.back().get(), prototype);
+    rtcCommitScene(prototype_scenes_.back().get());
+    prototype_surfaces_.push_back(std::move(prototype.surfaces));
+  }
+  instances_ = std::move(world.instances);
+  for (const Instance& instance : instances_) attachInstance(instance);
+  commit();
+}
+
+void Scene::check(const char* what) const {
+  const RTCError error = rtcGetDeviceError(device_.get());
+  if (error == RTC_ERROR_NONE) return;
+  throw std::runtime_error(std::string("Embree: ") + what + " failed" +
+                           (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory" : ""));
+}
+
+void Scene::attachMesh(RTCScene scene, const Mesh& mesh) {
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                           sizeof(Mesh::Vertex), mesh.vertices.size());
+  void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            sizeof(Mesh::Triangle), mesh.triangles.size());
+  check("taking a mesh");
+  std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Mesh::Vertex));
+  std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(Mesh::Triangle));
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  triangles_ += mesh.triangles.size();
+}
+
+void Scene::attachInstance(const Instance& instance) {
+  RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, prototype_scenes_.at(instance.prototype).get());
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                          matrixOf(instance.placement).data());
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_.get(), geometry);
+  rtcReleaseGeometry(geometry);
+  instance_geometries_.push_back(geometry);
+}
+
+void Scene::move(std::size_t index, const Placement& placement) {
+  instances_.at(index).placement = placement;
+  rtcSetGeometryTransform(instance_geometries_[index], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                          matrixOf(placement).data());
+  rtcCommitGeometry(instance_geometries_[index]);
+}
+
+void Scene::commit() {
+  rtcCommitScene(scene_.get());
+  check("building the town");
+}
+
+void Scene::intersect(const int* valid, RTCRayHit8& rays) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcIntersect8(valid, scene_.get(), &context, &rays);
+}
+
+void Scene::occlude(const int* valid, RTCRay8& rays) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  rtcOccluded8(valid, scene_.get(), &context, &rays);
+}
+
+Scene::Owner Scene::ownerOf(std::uint32_t instance, std::uint32_t primitive) const {
+  if (instance == RTC_INVALID_GEOMETRY_ID) return {fixed_surfaces_[primitive], nullptr};
+  const Instance& found = instances_[instance - kFirstInstance];
+  return {prototype_surfaces_[found.prototype][primitive], &found};
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The world in Embree's hands: which surface does a ray meet?
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "world.hpp"
+
+namespace tolman::town {
+
+/// Rays are traced in packets of this many.
+inline constexpr int kPacket = 8;
+
+class Scene {
+ public:
+  /// Builds the search structures; keeps the surfaces, lets the triangles go to Embree. Throws
+  /// std::runtime_error where Embree fails, as for lack of memory.
+  explicit Scene(World world);
+
+  /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
+  void intersect(const int* valid, RTCRayHit8& rays) const;
+  /// Sets tfar of blocked rays to -infinity.
+  void occlude(const int* valid, RTCRay8& rays) const;
+
+  struct Owner {
+    std::uint32_t surface;     ///< index into surfaces()
+    const Instance* instance;  ///< null for what stands once
+  };
+  Owner ownerOf(std::uint32_t instance, std::uint32_t primitive) const;
+  const Surface& surface(std::uint32_t index) const { return surfaces_[index]; }
+
+  std::size_t instances() const { return instances_.size(); }
+  /// Moves instance `index`; commit() makes moves visible.
+  void move(std::size_t index, const Placement& placement);
+  void commit();
+  std::size_t triangles() const { return triangles_; }
+
+ private:
+  struct Release {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  };
+  using Device = std::unique_ptr<RTCDeviceTy, Release>;
+  using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
+
+  void attachMesh(RTCScene scene, const Mesh& mesh);
+  void attachInstance(const Instance& instance);
+  void check(const char* what) const;
+
+  Device device_;
+  SceneHandle scene_;
+  std::vector<SceneHandle> prototype_scenes_;
+  SurfaceTable surfaces_;
+  std::vector<std::uint32_t> fixed_surfaces_;
+  std::vector<std::vector<std::uint32_t>> prototype_surfaces_;
+  std::vector<Instance> instances_;
+  std::vector<RTCGeometry> instance_geometries_;  // owned by scene_
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace tolman::town

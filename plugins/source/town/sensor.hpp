@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// From radiance to grey levels: exposure, vignetting, shot and read noise, 8 bits.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tolman/image.hpp"
+
+namespace tolman::town {
+
+struct Sensor {
+  int width = 0;
+  int height = 0;
+  double gain = 255;       ///< grey levels for a radiance of 1
+  double vignetting = 0;   ///< relative loss of light in the corners
+  double read_noise = 0;   ///< grey levels, standard deviation
+  double shot_noise = 0;   ///< variance per grey level
+  std::uint32_t seed = 0;  ///< of the run; noise depends on it, exposure and pixel alone
+};
+
+/// `exposure` numbers the pictures of a run, left and right apart. A new image.
+Image expose(const Sensor& sensor, const std::vector<float>& radiance, std::uint32_t exposure);
+
+}  // namespace tolman::town

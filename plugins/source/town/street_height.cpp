@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Heights of the ground from the heights that were driven.
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "street_rasters.hpp"
+
+namespace tolman::town {
+namespace {
+
+/// One pass over the place of another: heights there must agree.
+struct Meeting {
+  std::size_t a = 0;
+  std::size_t b = 0;
+  double weight = 0;
+};
+
+constexpr double kMeets = 6;         ///< m between driven points
+constexpr double kMeetingScale = 3;  ///< m, of the weight by distance
+constexpr double kMeetingWeight = 200;
+constexpr double kBendLength = 15;      ///< m, over which a correction fades out along the street
+constexpr double kBeyondWeight = 0.01;  ///< of heights that no pose measured
+
+/// For each point the nearest one of every earlier pass.
+std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
+  std::vector<Meeting> meetings;
+  PointGrid grid;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    std::vector<std::size_t> others = grid.near(path[i].driven);
+    std::sort(others.begin(), others.end());
+    std::size_t previous = 0;
+    double nearest = kMeets;
+    for (const std::size_t other : others) {
+      if (!isOtherPass(path[i], path[other])) continue;
+      const double apart = (path[i].driven - path[other].driven).norm();
+      if (apart >= kMeets) continue;
+      const double scaled = apart / kMeetingScale;
+      const Meeting meeting{i, other, kMeetingWeight * std::exp(-scaled * scaled / 2)};
+      const bool same_pass = !meetings.empty() && meetings.back().a == i && other - previous <= 3;
+      if (!same_pass) {
+        meetings.push_back(meeting);
+        nearest = apart;
+      } else if (apart < nearest) {
+        meetings.back() = meeting;
+        nearest = apart;
+      }
+      previous = other;
+    }
+    grid.add(path[i].driven, i);
+  }
+  return meetings;
+}
+
+}  // namespace
+
+// Corrections c of the heights z minimise
+//   sum w c_i^2 + L^2 sum (c_i+1 - c_i)^2 + sum W (z_a + c_a - z_b - c_b)^2,
+// points 1 m apart: alone on the street a correction falls off like exp(-distance / L).
+std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path) {
+  const auto n = static_cast<Eigen::Index>(path.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
+  const auto tie = [&](std::size_t a, std::size_t b, double weight) {
+    const auto i = static_cast<int>(a);
+    const auto j = static_cast<int>(b);
+    entries.insert(entries.end(),
+                   {{i, i, weight}, {j, j, weight}, {i, j, -weight}, {j, i, -weight}});
+    return weight;
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
+                         path[i].driven_over ? 1 : kBeyondWeight);
+    if (i + 1 < path.size()) tie(i, i + 1, kBendLength * kBendLength);
+  }
+  for (const Meeting& meeting : findMeetings(path)) {
+    const double pull = tie(meeting.a, meeting.b, meeting.weight) *
+                        (path[meeting.b].height - path[meeting.a].height);
+    right[static_cast<Eigen::Index>(meeting.a)] += pull;
+    right[static_cast<Eigen::Index>(meeting.b)] -= pull;
+  }
+  Eigen::SparseMatrix<double> normal(n, n);
+  normal.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd corrections = Eigen::SimplicialLDLT<decltype(normal)>(normal).solve(right);
+  std::vector<double> heights(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    heights[i] = path[i].height + corrections[static_cast<Eigen::Index>(i)];
+  }
+  return heights;
+}
+
+}  // namespace tolman::town

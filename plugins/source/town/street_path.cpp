@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "street_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "street_plan.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr double kSpacing = 1;             ///< m
+constexpr double kSmallestAdvance = 0.5;   ///< m, between poses that count
+constexpr double kBeyondEnds = 50;         ///< m of street before the first and after the last pose
+constexpr double kOtherPass = 30;          ///< m of driving
+constexpr double kWayBack = 10;            ///< m of driving, in the opposite direction
+constexpr std::size_t kDirectionSpan = 2;  ///< points to either side
+const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
+
+Eigen::Vector2d heading(const Eigen::Isometry3d& T_town_camera) {
+  const Eigen::Vector2d forward = T_town_camera.linear().col(2).head<2>();
+  return forward.norm() > 1e-6 ? forward.normalized() : Eigen::Vector2d(0, 1);
+}
+
+/// Camera positions that lie ahead of the ones before.
+std::vector<Eigen::Vector3d> progress(const Route& route) {
+  std::vector<Eigen::Vector3d> places = {route.T_town_camera.front().translation()};
+  const auto add = [&](const Eigen::Isometry3d& pose, double smallest_advance) {
+    const Eigen::Vector2d step = (pose.translation() - places.back()).head<2>();
+    if (step.norm() < smallest_advance || step.dot(heading(pose)) <= 0) return;
+    places.push_back(pose.translation());
+  };
+  for (const Eigen::Isometry3d& pose : route.T_town_camera) add(pose, kSmallestAdvance);
+  add(route.T_town_camera.back(), 0.1 * kSmallestAdvance);
+  return places;
+}
+
+PathPoint pathPoint(const Eigen::Vector3d& place, double s) {
+  PathPoint point;
+  point.driven = place.head<2>();
+  point.height = place.z();
+  point.s = s;
+  return point;
+}
+
+std::vector<PathPoint> everyMetre(const std::vector<Eigen::Vector3d>& places) {
+  std::vector<PathPoint> points;
+  double driven = 0;  // to places[i]
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const Eigen::Vector3d step = places[i + 1] - places[i];
+    const double length = step.head<2>().norm();
+    for (;;) {
+      const double s = static_cast<double>(points.size()) * kSpacing;
+      if (s >= driven + length) break;
+      const Eigen::Vector3d place = places[i] + (s - driven) / length * step;
+      points.push_back(pathPoint(place, s));
+    }
+    driven += length;
+  }
+  points.push_back(pathPoint(places.back(), driven));
+  return points;
+}
+
+/// `fallback` where the points say nothing.
+void setDirections(std::vector<PathPoint>& points, Eigen::Vector2d fallback) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t before = i - std::min(i, kDirectionSpan);
+    const std::size_t after = std::min(i + kDirectionSpan, points.size() - 1);
+    const Eigen::Vector2d chord = points[after].driven - points[before].driven;
+    if (chord.norm() > 0.3) fallback = chord.normalized();
+    points[i].direction = fallback;
+    points[i].centre =
+        points[i].driven + StreetPlan::kLaneOffset * Eigen::Vector2d(-fallback.y(), fallback.x());
+  }
+}
+
+/// Straight on from an end; `sign` -1 before the start. The slope there fades out.
+std::vector<PathPoint> beyond(const std::vector<PathPoint>& points, bool start) {
+  const std::size_t span = std::min<std::size_t>(5, points.size() - 1);
+  const PathPoint& end = start ? points.front() : points.back();
+  const PathPoint& inside = start ? points[span] : points[points.size() - 1 - span];
+  const double sign = start ? -1 : 1;
+  const double run = std::abs(end.s - inside.s);
+  const double slope =
+      run > 1 ? std::clamp((end.height - inside.height) / run, -0.15, 0.15) : 0;  // outwards
+  constexpr double kFade = 20;                                                    // m
+  std::vector<PathPoint> more;
+  for (double along = kSpacing; along <= kBeyondEnds; along += kSpacing) {
+    PathPoint point = end;
+    point.driven += sign * along * end.direction;
+    point.centre += sign * along * end.direction;
+    point.height += slope * kFade * (1 - std::exp(-along / kFade));
+    point.s += sign * along;
+    point.driven_over = false;
+    more.push_back(point);
+  }
+  if (start) std::reverse(more.begin(), more.end());
+  return more;
+}
+
+bool comesAlong(const std::vector<PathPoint>& points, const PathPoint& end) {
+  return std::any_of(points.begin(), points.end(),
+                     [&](const PathPoint& p) { return isSameStreet(p, end, 5); });
+}
+
+}  // namespace
+
+bool isOtherPass(const PathPoint& a, const PathPoint& b) {
+  const double apart = std::abs(a.s - b.s);
+  return apart > kOtherPass || (apart > kWayBack && a.direction.dot(b.direction) < -kSameDirection);
+}
+
+bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach) {
+  return std::abs(a.direction.dot(b.direction)) >= kSameDirection && isOtherPass(a, b) &&
+         (a.centre - b.centre).squaredNorm() < reach * reach;
+}
+
+std::vector<PathPoint> samplePath(const Route& route, double camera_height) {
+  std::vector<PathPoint> points = everyMetre(progress(route));
+  setDirections(points, heading(route.T_town_camera.front()));
+  for (PathPoint& point : points) point.height -= camera_height;
+  std::vector<PathPoint> before;
+  std::vector<PathPoint> after;
+  if (!comesAlong(points, points.front())) before = beyond(points, true);
+  if (!comesAlong(points, points.back())) after = beyond(points, false);
+  points.insert(points.begin(), before.begin(), before.end());
+  points.insert(points.end(), after.begin(), after.end());
+  return points;
+}
+
+namespace {
+
+std::int64_t cellKey(std::int64_t column, std::int64_t row) {
+  return column * (std::int64_t{1} << 32) + row;
+}
+
+std::int64_t cellOf(double coordinate) {
+  return static_cast<std::int64_t>(std::floor(coordinate / PointGrid::kReach));
+}
+
+}  // namespace
+
+void PointGrid::add(const Eigen::Vector2d& place, std::size_t index) {
+  cells_[cellKey(cellOf(place.x()), cellOf(place.y()))].push_back(index);
+}
+
+std::vector<std::size_t> PointGrid::near(const Eigen::Vector2d& place) const {
+  std::vector<std::size_t> found;
+  for (std::int64_t row = cellOf(place.y()) - 1; row <= cellOf(place.y()) + 1; ++row) {
+    for (std::int64_t column = cellOf(place.x()) - 1; column <= cellOf(place.x()) + 1; ++column) {
+      const auto cell = cells_.find(cellKey(column, row));
+      if (cell == cells_.end()) continue;
+      found.insert(found.end(), cell->second.begin(), cell->second.end());
+    }
+  }
+  return found;
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "street_plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "street_path.hpp"
+#include "street_rasters.hpp"
+#include "street_sections.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr double kLargestExtent = 12e3;  ///< m
+constexpr double kMargin = 2;            ///< m of the rasters beyond kFarthest
+constexpr double kFarBlend = 150;        ///< m beyond the rasters over which hills take over
+constexpr double kKerbClearance = 1;     ///< m, camera to kerb
+constexpr double kCrossing = 8;          ///< m, between frames that meet
+constexpr double kOtherPass = 30;        ///< m of driving between them
+
+std::string fixed(double value, int digits) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", digits, value);
+  return text.data();
+}
+
+Extent extentOf(const std::vector<PathPoint>& path) {
+  Extent extent{path.front().centre, path.front().centre};
+  for (const PathPoint& point : path) {
+    extent.low = extent.low.cwiseMin(point.centre);
+    extent.high = extent.high.cwiseMax(point.centre);
+  }
+  extent.low.array() -= StreetPlan::kFarthest + kMargin;
+  extent.high.array() += StreetPlan::kFarthest + kMargin;
+  return extent;
+}
+
+/// The frame that comes nearest to `frame` on another pass.
+std::optional<std::size_t> crossingFrame(const Route& route, std::size_t frame) {
+  const auto place = [&](std::size_t i) -> Eigen::Vector3d {
+    return route.T_town_camera[i].translation();
+  };
+  std::vector<double> driven = {0};
+  for (std::size_t i = 1; i < route.T_town_camera.size(); ++i) {
+    driven.push_back(driven.back() + (place(i) - place(i - 1)).norm());
+  }
+  std::optional<std::size_t> found;
+  double nearest = kCrossing;
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    const double apart = (place(i) - place(frame)).head<2>().norm();
+    if (apart >= nearest || std::abs(driven[i] - driven[frame]) < kOtherPass) continue;
+    nearest = apart;
+    found = i;
+  }
+  return found;
+}
+
+struct Clearance {
+  double lowest;   ///< m, camera above the road
+  double highest;  ///< m
+};
+
+Status heightRefusal(const Route& route, std::size_t frame, double above,
+                     const Clearance& possible) {
+  const auto height = [&](std::size_t i) { return route.T_town_camera[i].translation().z(); };
+  const auto other = crossingFrame(route, frame);
+  if (other && std::abs(height(*other) - height(frame)) > 1) {
+    return Status::invalidInput(
+        "frames " + std::to_string(std::min(frame, *other)) + " and " +
+        std::to_string(std::max(frame, *other)) + " cross " +
+        fixed(std::abs(height(*other) - height(frame)), 1) +
+        " m apart in height; the town has no bridges: choose another route");
+  }
+  return Status::invalidInput("frame " + std::to_string(frame) + ": the camera would be " +
+                              fixed(above, 1) + " m above the road (" + fixed(possible.lowest, 1) +
+                              " to " + fixed(possible.highest, 1) +
+                              " m is possible); choose a route that keeps to the ground");
+}
+
+/// Every camera is above the road, between its kerbs.
+Status checkCameras(const Route& route, const StreetPlan& plan, double camera_height) {
+  const Clearance possible{std::min(0.5, camera_height / 2), std::max(4.0, camera_height + 2.35)};
+  std::size_t worst_frame = 0;
+  double worst = 0;  // m beyond what is possible
+  double worst_above = 0;
+  for (std::size_t i = 0; i < route.T_town_camera.size(); ++i) {
+    const Eigen::Vector3d place = route.T_town_camera[i].translation();
+    if (plan.distance(place.x(), place.y()) > StreetPlan::kRoadHalfWidth - kKerbClearance) {
+      return Status::invalidInput("frame " + std::to_string(i) +
+                                  ": the car leaves the street backwards or sideways; "
+                                  "choose a route that is driven forwards");
+    }
+    const double above = place.z() - plan.height(place.x(), place.y());
+    const double beyond = std::max(possible.lowest - above, above - possible.highest);
+    if (beyond <= worst) continue;
+    worst = beyond;
+    worst_frame = i;
+    worst_above = above;
+  }
+  return worst > 0 ? heightRefusal(route, worst_frame, worst_above, possible) : Status::ok();
+}
+
+}  // namespace
+
+double StreetPlan::height(double x, double y) const {
+  const Eigen::Vector2d place(x, y);
+  const double outside = (place - place.cwiseMax(low_).cwiseMin(high_)).norm();
+  const double near = height_.at(x, y);
+  if (outside <= 0) return near;
+  const double t = std::min(outside / kFarBlend, 1.0);
+  const double far = mean_height_ + farHills(x, y);
+  return near + t * t * (3 - 2 * t) * (far - near);
+}
+
+Result<StreetPlan> StreetPlan::grow(const Route& route, double camera_height) {
+  if (route.T_town_camera.empty()) return Status::invalidInput("the route has no pose");
+  if (!std::isfinite(camera_height) || camera_height <= 0) {
+    return Status::invalidParameter("camera_height must be positive; give metres above the road");
+  }
+  const std::vector<PathPoint> path = samplePath(route, camera_height);
+  const Extent extent = extentOf(path);
+  const double size = (extent.high - extent.low).maxCoeff();
+  if (!(size <= kLargestExtent)) {
+    return Status::invalidInput("the route extends over " + fixed(size / 1000, 1) +
+                                " km, more than " + fixed(kLargestExtent / 1000, 0) +
+                                " km; choose a shorter one");
+  }
+  StreetPlan plan;
+  plan.low_ = extent.low;
+  plan.high_ = extent.high;
+  plan.sections_ = findSections(path);
+  plan.distance_ = rasterDistance(path, extent, kFarthest);
+  const std::vector<double> heights = agreeOnHeights(path);
+  double sum = 0;
+  for (const double height : heights) sum += height;
+  plan.mean_height_ = sum / static_cast<double>(heights.size());
+  plan.height_ = rasterHeight(path, heights, plan.distance_, extent, plan.mean_height_);
+  if (const Status status = checkCameras(route, plan, camera_height); !status.isOk()) return status;
+  return plan;
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which stretches of the path are streets of their own, and which are an earlier one seen again.
+#pragma once
+
+#include <vector>
+
+#include "street_path.hpp"
+#include "street_plan.hpp"
+
+namespace tolman::town {
+
+/// Sections in the order of driving, no shorter than 6 m, points 1 m apart.
+std::vector<StreetSection> findSections(const std::vector<PathPoint>& path);
+
+}  // namespace tolman::town

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ground between and around the streets.
+#include <algorithm>
+#include <cmath>
+
+#include "street_rasters.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr double kFinestCell = 1;   ///< m
+constexpr double kMostCells = 4e6;  ///< of 4 bytes, and five times as much while it is made
+constexpr double kSmoothing = 2.5;  ///< m, of driven heights
+constexpr double kReach = 16;       ///< m from the path that its heights are spread to
+constexpr double kLevelTo = 6.5;    ///< m from the centreline, with the pavement; then it fades
+constexpr double kFadedAt = 12;     ///< m
+constexpr double kSettles = 150;    ///< m over which the membrane settles to the hills
+constexpr int kSweeps = 12;         ///< per level: coarser levels have done the rest
+
+/// Normalised convolution of the values at path points with a Gaussian; 0 beyond kReach.
+Raster spread(const std::vector<PathPoint>& path, const std::vector<double>& values,
+              const Extent& extent, double cell) {
+  Raster sum(extent.low, extent.high, cell, 0);
+  Raster weights(extent.low, extent.high, cell, 0);
+  const double smoothing = std::max(kSmoothing, 1.5 * cell);
+  const int radius = static_cast<int>(std::ceil(kReach / cell));
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const Eigen::Vector2d at = (path[i].driven - extent.low) / cell;
+    const int column = static_cast<int>(at.x());
+    const int row = static_cast<int>(at.y());
+    for (int r = std::max(row - radius, 0); r <= std::min(row + radius, sum.rows() - 1); ++r) {
+      for (int c = std::max(column - radius, 0); c <= std::min(column + radius, sum.columns() - 1);
+           ++c) {
+        const double squared = (sum.position(c, r) - path[i].driven).squaredNorm();
+        if (squared > kReach * kReach) continue;
+        const double weight = std::exp(-squared / (2 * smoothing * smoothing));
+        sum.value(c, r) += static_cast<float>(weight * values[i]);
+        weights.value(c, r) += static_cast<float>(weight);
+      }
+    }
+  }
+  for (int r = 0; r < sum.rows(); ++r) {
+    for (int c = 0; c < sum.columns(); ++c) {
+      if (weights.value(c, r) > 0) sum.value(c, r) /= weights.value(c, r);
+    }
+  }
+  return sum;
+}
+
+/// Spreads heights, then what spreading smoothed away on crests: bends are followed to centimetres.
+Raster streetHeights(const std::vector<PathPoint>& path, const std::vector<double>& heights,
+                     const Extent& extent, double cell) {
+  Raster street = spread(path, heights, extent, cell);
+  std::vector<double> missing(path.size());
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    missing[i] = heights[i] - street.at(path[i].driven.x(), path[i].driven.y());
+  }
+  const Raster rest = spread(path, missing, extent, cell);
+  for (int r = 0; r < street.rows(); ++r) {
+    for (int c = 0; c < street.columns(); ++c) street.value(c, r) += rest.value(c, r);
+  }
+  return street;
+}
+
+/// Heights that are known, and how firmly, at one resolution.
+struct Level {
+  Raster known;
+  Raster weight;  ///< 1 keeps the height, 0 leaves it to the membrane
+};
+
+Extent extentOf(const Raster& raster) {
+  return {raster.position(0, 0), raster.position(raster.columns() - 1, raster.rows() - 1)};
+}
+
+/// Half the resolution; a coarse point stands for the up to four fine ones from it on.
+Level coarser(const Level& fine) {
+  const Extent extent = extentOf(fine.known);
+  const double cell = 2 * fine.known.cell();
+  Level coarse{Raster(extent.low, extent.high, cell, 0), Raster(extent.low, extent.high, cell, 0)};
+  Raster& known = coarse.known;
+  Raster& weight = coarse.weight;
+  for (int r = 0; r < fine.known.rows(); ++r) {
+    for (int c = 0; c < fine.known.columns(); ++c) {
+      const float w = fine.weight.value(c, r);
+      known.value(c / 2, r / 2) += w * fine.known.value(c, r);
+      weight.value(c / 2, r / 2) += w;
+    }
+  }
+  for (int r = 0; r < known.rows(); ++r) {
+    for (int c = 0; c < known.columns(); ++c) {
+      float& w = weight.value(c, r);
+      if (w > 0) known.value(c, r) /= w;
+      w /= 4;
+    }
+  }
+  return coarse;
+}
+
+Raster hillRaster(const Raster& like, double mean) {
+  const Extent extent = extentOf(like);
+  Raster hills(extent.low, extent.high, like.cell(), 0);
+  for (int r = 0; r < hills.rows(); ++r) {
+    for (int c = 0; c < hills.columns(); ++c) {
+      const Eigen::Vector2d place = hills.position(c, r);
+      hills.value(c, r) = static_cast<float>(mean + farHills(place.x(), place.y()));
+    }
+  }
+  return hills;
+}
+
+/// Gauss-Seidel on the screened membrane: known heights, else the mean of the neighbours with a
+/// little of the hills.
+void relax(Raster& height, const Level& level, double mean) {
+  const int columns = height.columns();
+  const int rows = height.rows();
+  const double scaled = height.cell() / kSettles;
+  const auto settle = static_cast<float>(scaled * scaled / (4 + scaled * scaled));
+  const Raster hills = hillRaster(height, mean);
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (int r = 0; r < rows; ++r) {
+      for (int c = 0; c < columns; ++c) {
+        const float w = level.weight.value(c, r);
+        if (w >= 1) continue;
+        const float around =
+            (height.value(std::max(c - 1, 0), r) + height.value(std::min(c + 1, columns - 1), r) +
+             height.value(c, std::max(r - 1, 0)) + height.value(c, std::min(r + 1, rows - 1))) /
+            4;
+        const float membrane = around + settle * (hills.value(c, r) - around);
+        height.value(c, r) = membrane + w * (level.known.value(c, r) - membrane);
+      }
+    }
+  }
+}
+
+/// The membrane at this level, from the coarser ones.
+Raster membrane(const Level& level, double mean) {
+  const Extent extent = extentOf(level.known);
+  Raster height(extent.low, extent.high, level.known.cell(), static_cast<float>(mean));
+  if (std::min(level.known.columns(), level.known.rows()) > 4) {
+    const Raster coarse = membrane(coarser(level), mean);
+    // A coarse point stands for the middle of its fine ones.
+    const double shift = level.known.cell() / 2;
+    for (int r = 0; r < height.rows(); ++r) {
+      for (int c = 0; c < height.columns(); ++c) {
+        const Eigen::Vector2d place = height.position(c, r);
+        const auto guess = static_cast<float>(coarse.at(place.x() - shift, place.y() - shift));
+        const float w = level.weight.value(c, r);
+        height.value(c, r) = guess + w * (level.known.value(c, r) - guess);
+      }
+    }
+  }
+  relax(height, level, mean);
+  return height;
+}
+
+}  // namespace
+
+double farHills(double x, double y) {
+  return 1.6 * std::sin(x / 47 + y / 91 + 0.7) + 1.9 * std::sin(y / 53 - x / 130 + 2.1) +
+         1.2 * std::sin((x + y) / 29 + 4);
+}
+
+Raster rasterHeight(const std::vector<PathPoint>& path, const std::vector<double>& heights,
+                    const Raster& distance, const Extent& extent, double mean) {
+  const Eigen::Vector2d size = extent.high - extent.low;
+  const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMostCells));
+  Level level{streetHeights(path, heights, extent, cell), Raster(extent.low, extent.high, cell, 0)};
+  for (int r = 0; r < level.weight.rows(); ++r) {
+    for (int c = 0; c < level.weight.columns(); ++c) {
+      const Eigen::Vector2d place = level.weight.position(c, r);
+      const double away = distance.at(place.x(), place.y());
+      const double t = std::clamp((kFadedAt - away) / (kFadedAt - kLevelTo), 0.0, 1.0);
+      level.weight.value(c, r) = static_cast<float>(t * t * (3 - 2 * t));
+    }
+  }
+  return membrane(level, mean);
+}
+
+}  // namespace tolman::town

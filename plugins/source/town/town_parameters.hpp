@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a configuration can say of the town.
+#pragma once
+
+#include <string>
+#include <tuple>
+
+#include "light.hpp"
+#include "tolman/frame_selection.hpp"
+#include "tolman/parameters.hpp"
+
+namespace tolman::town {
+
+struct TownParameters : FrameSelection {
+  // The drive.
+  std::string route = "block";
+  double rate = 10;
+  double speed = 8;
+  // The cameras: KITTI's, unless told otherwise.
+  std::int64_t width = 1241;
+  std::int64_t height = 376;
+  double fx = 718.856;
+  double fy = 718.856;
+  double cx = 607.1928;
+  double cy = 185.2157;
+  double baseline = 0.5372;
+  double scale = 1;
+  bool mono = false;
+  double camera_height = 1.65;
+  // The town.
+  std::int64_t seed = 1;
+  double aliasing = 0.15;
+  double density = 1;
+  // What comes between the town and the grey levels.
+  double hour = 10.5;
+  Weather weather = Weather::Clear;
+  double haze = 0.0008;
+  double noise = 1;
+  double vignetting = 0.25;
+  double exposure_change = 0.06;
+  double motion_blur = 0;
+  std::int64_t edge_samples = 2;
+  bool depth = false;
+  // Trouble; all off by default.
+  double traffic = 0;
+  double baseline_error = 0;
+  double rotation_error = 0;
+  double dropped = 0;
+  double corrupt = 0;
+
+  static constexpr auto declaration();
+};
+
+namespace detail {
+
+constexpr auto driveParameters() {
+  using P = TownParameters;
+  return parameters(
+      parameter("route", &P::route)
+          .doc("block, eights, district, or a file of poses in KITTI's format to drive along."),
+      parameter("rate", &P::rate).range(0.1, 1000).unit("Hz").doc("Frames a second."),
+      parameter("speed", &P::speed)
+          .range(0.5, 40)
+          .unit("m/s")
+          .doc("Speed on straight streets of a built-in route; bends are taken slower."));
+}
+
+constexpr auto cameraParameters() {
+  using P = TownParameters;
+  return parameters(
+      parameter("width", &P::width).range(32, 8192).unit("px").doc("Image width."),
+      parameter("height", &P::height).range(32, 8192).unit("px").doc("Image height."),
+      parameter("fx", &P::fx).range(1, 1e5).unit("px").doc("Focal length, horizontal."),
+      parameter("fy", &P::fy).range(1, 1e5).unit("px").doc("Focal length, vertical."),
+      parameter("cx", &P::cx).range(0, 8192).unit("px").doc("Principal point, horizontal."),
+      parameter("cy", &P::cy).range(0, 8192).unit("px").doc("Principal point, vertical."),
+      parameter("baseline", &P::baseline)
+          .range(0.001, 5)
+          .unit("m")
+          .doc("Distance of the right camera from the left one."),
+      parameter("scale", &P::scale)
+          .range(0.05, 4)
+          .doc("Resizes image and calibration together: 0.5 renders at half size."),
+      parameter("mono", &P::mono).doc("Leave the right camera out."),
+      parameter("camera_height", &P::camera_height)
+          .range(0.5, 4)
+          .unit("m")
+          .doc("Height of the camera above the road."));
+}
+
+constexpr auto townParameters() {
+  using P = TownParameters;
+  return parameters(
+      parameter("seed", &P::seed)
+          .range(0, 4294967295.0)
+          .doc("Of houses, trees and textures; the noise of the cameras has the run's seed."),
+      parameter("aliasing", &P::aliasing)
+          .range(0, 1)
+          .doc("Share of street fronts that look like one of two others."),
+      parameter("density", &P::density)
+          .range(0, 1)
+          .doc("Share of houses, trees and parked cars that are there; 0 leaves bare streets."));
+}
+
+constexpr auto imageParameters() {
+  using P = TownParameters;
+  return parameters(
+      parameter("hour", &P::hour).range(0, 24).unit("h").doc("Time of a summer's day."),
+      parameter("weather", &P::weather).doc("clear, overcast, rain or fog."),
+      parameter("haze", &P::haze)
+          .range(0, 1)
+          .unit("1/m")
+          .doc("Extinction of the air; 0.0008 halves contrast at 870 m."),
+      parameter("noise", &P::noise)
+          .range(0, 20)
+          .doc("Shot and read noise; 1 is about 1.5 grey levels in the mid tones, 0 none."),
+      parameter("vignetting", &P::vignetting)
+          .range(0, 0.9)
+          .doc("Share of light that the corners of the image lose."),
+      parameter("exposure_change", &P::exposure_change)
+          .range(0, 1)
+          .doc("How far gain wanders with time, relative; both cameras alike."),
+      parameter("motion_blur", &P::motion_blur)
+          .range(0, 1)
+          .doc("Share of the time between frames that the shutter is open; costs rays."),
+      parameter("edge_samples", &P::edge_samples)
+          .range(0, 8)
+          .doc("Extra rays for pixels on edges; 0 leaves them jagged."),
+      parameter("depth", &P::depth)
+          .doc("Give the true depth of the left image as the sensor array depth.left."));
+}
+
+constexpr auto troubleParameters() {
+  using P = TownParameters;
+  return parameters(
+      parameter("traffic", &P::traffic)
+          .range(0, 60)
+          .unit("1/km")
+          .doc("Oncoming cars for each kilometre of the route."),
+      parameter("baseline_error", &P::baseline_error)
+          .range(-0.5, 0.5)
+          .doc("True baseline over the calibrated one, minus 1."),
+      parameter("rotation_error", &P::rotation_error)
+          .range(0, 5)
+          .unit("deg")
+          .doc("Angle that the right camera is really turned by, about each axis."),
+      parameter("dropped", &P::dropped).range(0, 0.9).doc("Share of frames that never arrive."),
+      parameter("corrupt", &P::corrupt)
+          .range(0, 0.9)
+          .doc("Share of frames that arrive without an image."));
+}
+
+}  // namespace detail
+
+constexpr auto TownParameters::declaration() {
+  return std::tuple_cat(detail::driveParameters(), detail::cameraParameters(),
+                        detail::townParameters(), detail::imageParameters(),
+                        detail::troubleParameters(), selectionParameters<TownParameters>());
+}
+
+}  // namespace tolman::town

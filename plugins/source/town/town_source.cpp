@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "town_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "noise.hpp"
+#include "world.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr std::array<std::string_view, 3> kBuiltIn = {"block", "eights", "district"};
+
+Result<Route> findRoute(const TownParameters& p) {
+  const RouteOptions options = {p.rate, p.speed, p.camera_height};
+  const bool named = std::find(kBuiltIn.begin(), kBuiltIn.end(), p.route) != kBuiltIn.end();
+  const bool is_file = p.route.find_first_of("/.") != std::string::npos;
+  return !named && is_file ? readRoute(p.route, options) : builtInRoute(p.route, options);
+}
+
+}  // namespace
+
+Status TownSource::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return ready_ = bound.status();
+  parameters_ = bound.value();
+  run_seed_ = hash(static_cast<std::uint32_t>(context.seed),
+                   static_cast<std::uint32_t>(context.seed >> 32U));
+  ready_ = setRig();
+  if (ready_.isOk()) ready_ = build();
+  return ready_;
+}
+
+Status TownSource::setRig() {
+  const Parameters& p = parameters_;
+  const double s = p.scale;
+  rig_.width = static_cast<int>(std::lround(static_cast<double>(p.width) * s));
+  rig_.height = static_cast<int>(std::lround(static_cast<double>(p.height) * s));
+  if (rig_.width < 32 || rig_.height < 32) {
+    return Status::invalidParameter("scale leaves an image below 32 px; choose a larger one");
+  }
+  rig_.calibrated = true;
+  // Pixel centres are at integers, so the image spans from -0.5.
+  rig_.pinhole = {p.fx * s, p.fy * s, (p.cx + 0.5) * s - 0.5, (p.cy + 0.5) * s - 0.5};
+  rig_.baseline = p.mono ? 0 : p.baseline;
+  return Status::ok();
+}
+
+Status TownSource::build() {
+  const Parameters& p = parameters_;
+  Result<Route> route = findRoute(p);
+  if (!route.isOk()) return route.status();
+  route_ = std::move(route.value());
+  Result<FrameSequence> sequence = FrameSequence::make(p, route_.stamps_ns);
+  if (!sequence.isOk()) return sequence.status();
+  sequence_ = sequence.value();
+  chooseFrames();
+  Result<StreetPlan> plan = StreetPlan::grow(route_, p.camera_height);
+  if (!plan.isOk()) return plan.status();
+  plan_ = std::make_unique<StreetPlan>(std::move(plan.value()));
+  const auto seed = static_cast<std::uint32_t>(p.seed);
+  World world = buildWorld(*plan_, {seed, p.aliasing, p.density});
+  traffic_ = std::make_unique<Traffic>(route_, *plan_, p.traffic, hash(seed, 301));
+  first_traffic_ = world.instances.size();
+  for (std::uint32_t i = 0; i < traffic_->size(); ++i) {
+    const std::uint32_t own = hash(seed, i, 302);
+    world.instances.push_back({world.cars.at(own % world.cars.size()), {}, own});
+  }
+  scene_ = std::make_unique<Scene>(std::move(world));
+  light_ = makeLight(p.hour, p.weather, p.haze, hash(seed, 303));
+  renderer_ = std::make_unique<Renderer>(*scene_, *plan_, light_, static_cast<int>(p.edge_samples));
+  return Status::ok();
+}
+
+void TownSource::chooseFrames() {
+  arriving_.clear();
+  for (std::int64_t k = 0; k < sequence_.size(); ++k) {
+    const bool lost = k > 0 && unit(hash(run_seed_, static_cast<std::uint32_t>(k), 401)) <
+                                   static_cast<float>(parameters_.dropped);
+    if (!lost) arriving_.push_back(k);
+  }
+}
+
+Status TownSource::reset() {
+  next_ = 0;
+  return ready_;
+}
+
+Status TownSource::info(SourceInfo& info) {
+  if (!ready_.isOk()) return ready_;
+  info.rig = rig_;
+  info.frames = static_cast<std::int64_t>(arriving_.size());
+  info.has_truth = true;
+  info.description = "town, route " + route_.name + ", " + std::to_string(info.frames) +
+                     (parameters_.mono ? " images of " : " stereo pairs of ") +
+                     std::to_string(rig_.width) + "x" + std::to_string(rig_.height);
+  return Status::ok();
+}
+
+Eigen::Isometry3d TownSource::poseAt(std::size_t index, double part) const {
+  const auto& poses = route_.T_town_camera;
+  if (part == 0) return poses[index];
+  const std::size_t from = std::min(index, poses.size() - 2);
+  const Vector6d step = logSe3(poses[from].inverse() * poses[from + 1]);
+  return poses[index] * expSe3(part * step);
+}
+
+Eigen::Isometry3d TownSource::rightOf(const Eigen::Isometry3d& T_town_left) const {
+  const double angle = parameters_.rotation_error * std::numbers::pi / 180;
+  Eigen::Isometry3d T_left_right = Eigen::Isometry3d::Identity();
+  T_left_right.linear() = expSo3(Eigen::Vector3d::Constant(angle));
+  T_left_right.translation().x() = rig_.baseline * (1 + parameters_.baseline_error);
+  return T_town_left * T_left_right;
+}
+
+void TownSource::moveTraffic(std::size_t index) {
+  if (traffic_->size() == 0) return;
+  const double seconds = static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
+  for (std::size_t i = 0; i < traffic_->size(); ++i) {
+    scene_->move(first_traffic_ + i, traffic_->at(i, seconds));
+  }
+  scene_->commit();
+}
+
+double TownSource::gainAt(std::size_t index) const {
+  // Sunlit asphalt (albedo 0.2) comes out at about 105 of 255 at any hour.
+  const double asphalt = 0.2 * static_cast<double>(light_.onto({0, 0, 1}, 1));
+  const double seconds = static_cast<double>(route_.stamps_ns[index]) * 1e-9;
+  const double wander =
+      static_cast<double>(noise2(static_cast<float>(seconds / 4), 0.5F, hash(run_seed_, 402)));
+  return 105 / asphalt * std::exp(parameters_.exposure_change * wander);
+}
+
+/// Renders one camera into `picture` and exposes it; with motion blur as a mean over the shutter.
+Image TownSource::take(std::size_t index, bool right, Picture& picture) {
+  const Parameters& p = parameters_;
+  const int shots = p.motion_blur > 0 ? 5 : 1;
+  for (int shot = shots - 1; shot >= 0; --shot) {  // the first last: its depth is kept
+    View view;
+    const Eigen::Isometry3d T_town_left = poseAt(index, p.motion_blur * shot / shots);
+    view.T_town_camera = right ? rightOf(T_town_left) : T_town_left;
+    view.pinhole = rig_.pinhole;
+    view.width = rig_.width;
+    view.height = rig_.height;
+    renderer_->render(view, picture);
+    if (shots == 1) break;
+    if (shot == shots - 1) blurred_.assign(picture.radiance.size(), 0);
+    for (std::size_t i = 0; i < blurred_.size(); ++i) {
+      blurred_[i] += picture.radiance[i] / static_cast<float>(shots);
+    }
+  }
+  Sensor sensor;
+  sensor.width = rig_.width;
+  sensor.height = rig_.height;
+  sensor.gain = gainAt(index);
+  sensor.vignetting = p.vignetting;
+  sensor.read_noise = 0.8 * p.noise;
+  sensor.shot_noise = 0.015 * p.noise * p.noise;
+  sensor.seed = run_seed_;
+  const auto exposure = static_cast<std::uint32_t>(2 * next_ + (right ? 1 : 0));
+  return expose(sensor, shots > 1 ? blurred_ : picture.radiance, exposure);
+}
+
+Status TownSource::next(Frame& frame) {
+  if (!ready_.isOk()) return ready_;
+  if (next_ >= arriving_.size()) return Status::endOfStream();
+  const std::int64_t k = arriving_[next_];
+  const auto index = static_cast<std::size_t>(sequence_.sourceIndex(k));
+  frame.frame = static_cast<std::int64_t>(next_);
+  frame.stamp_ns = sequence_.stampNs(k);
+  frame.source_index = static_cast<std::int64_t>(index);
+  frame.has_truth = true;
+  frame.T_world_camera_truth = route_.T_town_camera.front().inverse() * route_.T_town_camera[index];
+  if (unit(hash(run_seed_, static_cast<std::uint32_t>(k), 403)) <
+      static_cast<float>(parameters_.corrupt)) {
+    frame.defect = "town: a corrupt image was asked for";
+  } else {
+    moveTraffic(index);
+    frame.left = take(index, false, picture_);
+    if (parameters_.depth) {
+      frame.sensors.push_back({"depth.left", {rig_.height, rig_.width}, picture_.depth});
+    }
+    if (rig_.isStereo()) frame.right = take(index, true, picture_);
+  }
+  ++next_;
+  return Status::ok();
+}
+
+Status TownSource::inspect(std::vector<Finding>& findings) {
+  const auto note = [&](Finding::Severity severity, const std::string& message) {
+    findings.push_back({severity, parameters_.route, message});
+  };
+  if (!ready_.isOk()) {
+    note(Finding::Severity::Error, std::string(ready_.message()));
+    return Status::ok();
+  }
+  double length = 0;
+  for (std::size_t i = 1; i < route_.T_town_camera.size(); ++i) {
+    length +=
+        (route_.T_town_camera[i].translation() - route_.T_town_camera[i - 1].translation()).norm();
+  }
+  double streets = 0;
+  for (const StreetSection& section : plan_->sections()) streets += section.points.back().s;
+  const auto metres = [](double m) { return std::to_string(std::lround(m)) + " m"; };
+  note(Finding::Severity::Note, std::to_string(route_.T_town_camera.size()) + " poses over " +
+                                    metres(length) + ", " + metres(streets) + " of streets in " +
+                                    std::to_string(plan_->sections().size()) + " sections");
+  note(Finding::Severity::Note, std::to_string(scene_->triangles()) + " triangles and " +
+                                    std::to_string(scene_->instances()) +
+                                    " trees, bushes and cars");
+  return Status::ok();
+}
+
+}  // namespace tolman::town

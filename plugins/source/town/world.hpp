@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The town as geometry: what stands once, and what is repeated.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh.hpp"
+#include "street_plan.hpp"
+#include "surface.hpp"
+
+namespace tolman::town {
+
+struct Instance {
+  std::uint32_t prototype = 0;
+  Placement placement;
+  std::uint32_t seed = 0;  ///< varies texture and tone
+};
+
+struct World {
+  SurfaceTable surfaces;
+  Mesh fixed;                    ///< town axes
+  std::vector<Mesh> prototypes;  ///< own axes: Z up, standing on the origin
+  std::vector<Instance> instances;
+  std::vector<std::uint32_t> cars;  ///< the prototypes that are cars
+
+  std::uint32_t addSurface(const Surface& surface) {
+    surfaces.push_back(surface);
+    return static_cast<std::uint32_t>(surfaces.size() - 1);
+  }
+};
+
+struct WorldOptions {
+  std::uint32_t seed = 1;
+  double aliasing = 0.15;  ///< share of stretches that look like others
+  double density = 1;      ///< of houses, trees and parked cars; 0 leaves bare streets
+};
+
+World buildWorld(const StreetPlan& plan, const WorldOptions& options);
+
+}  // namespace tolman::town

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The ground as a surface: whole, facing up, with a kerb where the plan says.
+#include "ground.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "drawn_route.hpp"
+
+namespace tolman::town::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr GroundSurfaces kSurfaces{10, 11, 12};
+constexpr double kHalf = StreetPlan::kRoadHalfWidth;
+
+struct Town {
+  StreetPlan plan;
+  Mesh mesh;
+  Mesh without_skirt;  // what comes first in mesh: the skirt is apart from it
+};
+
+/// Triangles from the first that uses a vertex of the skirt's grid are left out.
+Mesh fineGround(const Mesh& mesh, const Mesh& skirt_only_differs) {
+  Mesh fine = mesh;
+  std::size_t same = 0;
+  const std::size_t most = std::min(mesh.vertices.size(), skirt_only_differs.vertices.size());
+  while (same < most && mesh.vertices[same].x == skirt_only_differs.vertices[same].x &&
+         mesh.vertices[same].y == skirt_only_differs.vertices[same].y) {
+    ++same;
+  }
+  fine.triangles.clear();
+  fine.surfaces.clear();
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Mesh::Triangle& t = mesh.triangles[i];
+    if (*std::max_element(t.begin(), t.end()) >= same) break;
+    fine.triangles.push_back(t);
+    fine.surfaces.push_back(mesh.surfaces[i]);
+  }
+  fine.vertices.resize(same);
+  return fine;
+}
+
+Town townOf(const Route& route) {
+  Town town{StreetPlan::grow(route, 1.65).value(), {}, {}};
+  town.mesh = buildGround(town.plan, kSurfaces);
+  town.without_skirt = fineGround(town.mesh, buildGround(town.plan, kSurfaces, 407));
+  return town;
+}
+
+Route straightRoute() {
+  LanePath path(StreetPlan::kLaneOffset);
+  path.ahead(100);
+  return drawnRoute(path);
+}
+
+Eigen::Vector3d corner(const Mesh& mesh, std::size_t triangle, std::size_t i) {
+  const Mesh::Vertex& v = mesh.vertices[mesh.triangles[triangle][i]];
+  return {v.x, v.y, v.z};
+}
+
+/// Twice the area, along the normal.
+Eigen::Vector3d normal(const Mesh& mesh, std::size_t triangle) {
+  const Eigen::Vector3d a = corner(mesh, triangle, 0);
+  return (corner(mesh, triangle, 1) - a).cross(corner(mesh, triangle, 2) - a);
+}
+
+/// m^2 seen from above.
+double areaOf(const Mesh& mesh, std::uint32_t surface) {
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (mesh.surfaces[i] == surface) area += normal(mesh, i).z() / 2;
+  }
+  return area;
+}
+
+}  // namespace
+
+TEST_CASE("every edge of the ground is shared by two triangles that run along it oppositely") {
+  for (const char* name : {"block", "eights", "district"}) {
+    const Town town = townOf(builtIn(name));
+    const Mesh& mesh = town.without_skirt;
+    REQUIRE(mesh.triangles.size() > 50'000);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    for (const Mesh::Triangle& t : mesh.triangles) {
+      for (std::size_t i = 0; i < 3; ++i) REQUIRE(++edges[{t[i], t[(i + 1) % 3]}] == 1);
+    }
+    std::size_t open = 0;
+    for (const auto& [edge, count] : edges) {
+      if (edges.contains({edge.second, edge.first})) continue;
+      ++open;  // only where the fine ground ends
+      const Mesh::Vertex& v = mesh.vertices[edge.first];
+      REQUIRE(town.plan.distance(v.x, v.y) > StreetPlan::kFarthest - 2);
+    }
+    CHECK(open > 500);
+    CHECK(open < edges.size() / 50);
+  }
+}
+
+TEST_CASE("road and land face up, kerbs stand upright and face the road") {
+  const Town town = townOf(builtIn("district"));
+  const Mesh& mesh = town.mesh;
+  std::size_t kerbs = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Eigen::Vector3d n = normal(mesh, i);
+    REQUIRE(n.norm() > 1e-6);
+    if (mesh.surfaces[i] != kSurfaces.kerb) {
+      REQUIRE(n.z() > 0);
+      continue;
+    }
+    ++kerbs;
+    REQUIRE(std::abs(n.z()) < 1e-3 * n.norm());
+    const Eigen::Vector3d middle =
+        (corner(mesh, i, 0) + corner(mesh, i, 1) + corner(mesh, i, 2)) / 3;
+    const Eigen::Vector3d before = middle + 0.3 * n.normalized();
+    const Eigen::Vector3d behind = middle - 0.3 * n.normalized();
+    REQUIRE(town.plan.distance(before.x(), before.y()) <
+            town.plan.distance(behind.x(), behind.y()));
+  }
+  CHECK(kerbs > 2000);
+}
+
+TEST_CASE("the road lies at the plan's height, land a kerb higher") {
+  const Town town = townOf(builtIn("district"));
+  const Mesh& mesh = town.without_skirt;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Vector3d v = corner(mesh, i, k);
+      const double above = v.z() - town.plan.height(v.x(), v.y());
+      const double distance = town.plan.distance(v.x(), v.y());
+      if (mesh.surfaces[i] == kSurfaces.road) {
+        REQUIRE(above == Approx(0).margin(1e-3));
+        REQUIRE(distance < kHalf + 0.05);
+      } else if (mesh.surfaces[i] == kSurfaces.land) {
+        REQUIRE(above == Approx(StreetPlan::kKerbHeight).margin(1e-3));
+        REQUIRE(distance > kHalf - 0.05);
+      } else {
+        REQUIRE(distance == Approx(kHalf).margin(0.05));
+      }
+    }
+  }
+}
+
+TEST_CASE("the kerb of a straight street is a stadium") {
+  const Town town = townOf(straightRoute());
+  const double length = 100 + 2 * 50;
+  CHECK(areaOf(town.mesh, kSurfaces.road) ==
+        Approx(2 * kHalf * length + kPi * kHalf * kHalf).epsilon(0.002));
+  double kerb_area = 0;
+  for (std::size_t i = 0; i < town.mesh.triangles.size(); ++i) {
+    if (town.mesh.surfaces[i] == kSurfaces.kerb) kerb_area += normal(town.mesh, i).norm() / 2;
+  }
+  const double perimeter = 2 * length + 2 * kPi * kHalf;
+  CHECK(kerb_area == Approx(perimeter * StreetPlan::kKerbHeight).epsilon(0.01));
+}
+
+TEST_CASE("fine land reaches kFarthest, the skirt to the horizon, a little lower") {
+  const Town town = townOf(straightRoute());
+  const double far = StreetPlan::kFarthest;
+  const double fine =
+      areaOf(town.without_skirt, kSurfaces.road) + areaOf(town.without_skirt, kSurfaces.land);
+  CHECK(fine == Approx(2 * far * 200 + kPi * far * far).epsilon(0.02));
+  const std::size_t first = town.without_skirt.vertices.size();
+  float low_x = 0;
+  float high_x = 0;
+  for (std::size_t i = first; i < town.mesh.vertices.size(); ++i) {
+    const Mesh::Vertex& v = town.mesh.vertices[i];
+    low_x = std::min(low_x, v.x);
+    high_x = std::max(high_x, v.x);
+    REQUIRE(v.z < town.plan.height(v.x, v.y) + StreetPlan::kKerbHeight - 0.2);
+  }
+  CHECK(low_x == Approx(town.plan.lowCorner().x() - 400).margin(0.1));
+  CHECK(high_x >= town.plan.highCorner().x() + 400);
+}
+
+TEST_CASE("the skirt leaves no gap around the fine ground and none of it shows through") {
+  const Town town = townOf(builtIn("block"));
+  const std::size_t first = town.without_skirt.vertices.size();
+  double covered = 0;
+  for (std::size_t i = town.without_skirt.triangles.size(); i < town.mesh.triangles.size(); ++i) {
+    REQUIRE(town.mesh.triangles[i][0] >= first);
+    covered += normal(town.mesh, i).z() / 2;
+    for (double u = 0.1; u < 1; u += 0.2) {
+      for (double w = 0.05; u + w < 1; w += 0.2) {
+        const Eigen::Vector3d at = (1 - u - w) * corner(town.mesh, i, 0) +
+                                   u * corner(town.mesh, i, 1) + w * corner(town.mesh, i, 2);
+        if (town.plan.distance(at.x(), at.y()) > StreetPlan::kFarthest - 1.5) continue;
+        REQUIRE(at.z() < town.plan.height(at.x(), at.y()));
+      }
+    }
+  }
+  const Eigen::Vector2d size = town.plan.highCorner() - town.plan.lowCorner();
+  const double fine =
+      areaOf(town.without_skirt, kSurfaces.road) + areaOf(town.without_skirt, kSurfaces.land);
+  CHECK(covered + fine > (size.x() + 800) * (size.y() + 800));  // they overlap
+}
+
+TEST_CASE("a roundabout has an island") {
+  LanePath path(StreetPlan::kLaneOffset);
+  path.ahead(60).roundabout(11, 10, kPi).ahead(60);
+  const Town town = townOf(drawnRoute(path));
+  const Eigen::Vector2d island(-StreetPlan::kLaneOffset, 60);
+  bool land = false;
+  for (std::size_t i = 0; i < town.without_skirt.triangles.size(); ++i) {
+    const Eigen::Vector2d at = corner(town.without_skirt, i, 0).head<2>();
+    land |= town.without_skirt.surfaces[i] == kSurfaces.land && (at - island).norm() < 2;
+  }
+  CHECK(land);
+}
+
+TEST_CASE("the same plan makes the same triangles") {
+  const Town town = townOf(builtIn("block"));
+  const Mesh again = buildGround(town.plan, kSurfaces);
+  CHECK(again.triangles == town.mesh.triangles);
+  CHECK(again.surfaces == town.mesh.surfaces);
+  REQUIRE(again.vertices.size() == town.mesh.vertices.size());
+  const bool same = std::equal(
+      again.vertices.begin(), again.vertices.end(), town.mesh.vertices.begin(),
+      [](const auto& a, const auto& b) { return a.x == b.x && a.y == b.y && a.z == b.z; });
+  CHECK(same);
+}
+
+}  // namespace tolman::town::test

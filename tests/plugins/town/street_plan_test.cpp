@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Streets that grow around a route: distances against brute force, one street however often it is
+// driven, roads under the wheels.
+#include "street_plan.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "drawn_route.hpp"
+#include "support/data.hpp"
+
+namespace tolman::town::test {
+namespace {
+
+using tolman::test::dataOrSkip;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kLane = StreetPlan::kLaneOffset;
+constexpr double kBeyond = 50;  // m of street beyond either end of a route
+constexpr double kCamera = 1.65;
+
+StreetPlan grown(const Route& route) {
+  const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
+  INFO(plan.status().message());
+  REQUIRE(plan.isOk());
+  return plan.value();
+}
+
+double totalLength(const StreetPlan& plan) {
+  double total = 0;
+  for (const StreetSection& section : plan.sections()) total += section.points.back().s;
+  return total;
+}
+
+/// m by which a camera is not at kCamera above the road, the largest one.
+double worstHeight(const Route& route, const StreetPlan& plan) {
+  double worst = 0;
+  for (const Eigen::Isometry3d& pose : route.T_town_camera) {
+    const Eigen::Vector3d at = pose.translation();
+    worst = std::max(worst, std::abs(at.z() - plan.height(at.x(), at.y()) - kCamera));
+  }
+  return worst;
+}
+
+double farthestFromCentre(const Route& route, const StreetPlan& plan) {
+  double farthest = 0;
+  for (const Eigen::Isometry3d& pose : route.T_town_camera) {
+    farthest = std::max(farthest, plan.distance(pose.translation().x(), pose.translation().y()));
+  }
+  return farthest;
+}
+
+/// From the poses themselves: each shifted to the left by half a street.
+std::vector<Eigen::Vector2d> centresOf(const Route& route) {
+  std::vector<Eigen::Vector2d> centres;
+  for (const Eigen::Isometry3d& pose : route.T_town_camera) {
+    const Eigen::Vector3d left = -pose.linear().col(0);
+    centres.emplace_back((pose.translation() + kLane * left).head<2>());
+  }
+  return centres;
+}
+
+double bruteForceDistance(const std::vector<Eigen::Vector2d>& line, const Eigen::Vector2d& at) {
+  double nearest = StreetPlan::kFarthest;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Eigen::Vector2d along = line[i + 1] - line[i];
+    const double t = std::clamp((at - line[i]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    nearest = std::min(nearest, (at - line[i] - t * along).norm());
+  }
+  return nearest;
+}
+
+LanePath straight(double length) {
+  LanePath path(kLane);
+  path.ahead(length);
+  return path;
+}
+
+/// Out, round a roundabout, and back on the other lane.
+LanePath thereAndBack(double length) {
+  LanePath path(kLane);
+  path.ahead(length).roundabout(11, 10, kPi).ahead(length);
+  return path;
+}
+
+/// A loop over its own start, where the second pass is `step` m higher.
+Route loopWithStep(double step) {
+  LanePath path(kLane);
+  path.ahead(60);
+  for (int corner = 0; corner < 3; ++corner) path.turnRight(7).ahead(100);
+  path.turnRight(7).ahead(100);
+  const double length = path.length();
+  return drawnRoute(path, [=](double s) {
+    const double t = std::clamp((s - 150) / (length - 300), 0.0, 1.0);
+    return step * t * t * (3 - 2 * t);
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a straight drive has one street to its left that goes on beyond both ends") {
+  const StreetPlan plan = grown(drawnRoute(straight(100)));
+  REQUIRE(plan.sections().size() == 1);
+  const std::vector<StreetPoint>& points = plan.sections()[0].points;
+  CHECK(points.back().s == Approx(100 + 2 * kBeyond).margin(1));
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    REQUIRE(points[i].s == Approx(static_cast<double>(i)));
+    REQUIRE((points[i].position - Eigen::Vector2d(-kLane, points[i].s - kBeyond)).norm() < 1e-6);
+    REQUIRE((points[i].direction - Eigen::Vector2d(0, 1)).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("beside a straight street the distance is that to a line, and ends at kFarthest") {
+  const StreetPlan plan = grown(drawnRoute(straight(100)));
+  for (double x = -55; x < 55; x += 0.83) {
+    const double exact = std::abs(x + kLane);
+    if (exact > 0.5) CHECK(plan.distance(x, 50.2) == Approx(exact).margin(1e-4));
+  }
+  CHECK(plan.distance(0, 30) < kLane + 0.2);
+  CHECK(plan.distance(500, 30) == StreetPlan::kFarthest);
+  CHECK(plan.distance(-kLane, 150 + 20) ==
+        Approx(20).margin(0.05));  // beyond the end of the street
+}
+
+TEST_CASE("corners hold what the streets need and no more") {
+  const StreetPlan plan = grown(drawnRoute(straight(100)));
+  CHECK(plan.lowCorner().x() <= -kLane - StreetPlan::kFarthest);
+  CHECK(plan.highCorner().x() >= -kLane + StreetPlan::kFarthest);
+  CHECK(plan.highCorner().y() >= 150 + StreetPlan::kFarthest);
+  CHECK((plan.highCorner() - plan.lowCorner()).x() < 2 * StreetPlan::kFarthest + 10);
+}
+
+TEST_CASE("distances agree with brute force over the poses to 5 cm") {
+  const Route route = builtIn("block", 20);
+  const StreetPlan plan = grown(route);
+  const std::vector<Eigen::Vector2d> line = centresOf(route);
+  std::mt19937 random(7);
+  std::vector<double> errors;
+  for (int i = 0; i < 4000; ++i) {
+    const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    const Eigen::Vector2d size = plan.highCorner() - plan.lowCorner();
+    const Eigen::Vector2d at =
+        plan.lowCorner() + Eigen::Vector2d(uniform() * size.x(), uniform() * size.y());
+    errors.push_back(std::abs(plan.distance(at.x(), at.y()) - bruteForceDistance(line, at)));
+  }
+  std::sort(errors.begin(), errors.end());
+  CHECK(errors[errors.size() * 98 / 100] < 0.05);
+  CHECK(errors.back() < 0.2);  // on the ridge of the field, in the middle of road and block
+}
+
+TEST_CASE("the kerb is where brute force puts it") {
+  const Route route = builtIn("block", 20);
+  const StreetPlan plan = grown(route);
+  const std::vector<Eigen::Vector2d> line = centresOf(route);
+  int tried = 0;
+  for (std::size_t i = 0; i < line.size(); i += 7) {
+    for (const double side : {-1.0, 1.0}) {
+      const Eigen::Vector3d left = -route.T_town_camera[i].linear().col(0);
+      const Eigen::Vector2d at = line[i] + side * StreetPlan::kRoadHalfWidth * left.head<2>();
+      REQUIRE(plan.distance(at.x(), at.y()) == Approx(bruteForceDistance(line, at)).margin(0.05));
+      ++tried;
+    }
+  }
+  CHECK(tried > 250);
+}
+
+TEST_CASE("every camera drives between the kerbs, on its road, on all built-in routes") {
+  for (const char* name : {"block", "eights", "district"}) {
+    const Route route = builtIn(name);
+    const StreetPlan plan = grown(route);
+    CHECK(farthestFromCentre(route, plan) < StreetPlan::kRoadHalfWidth - 1);
+    CHECK(worstHeight(route, plan) < 0.05);
+  }
+}
+
+TEST_CASE("a street that is driven twice is built once") {
+  // The centreline of block is a loop: perimeter, less what four corners of its radius cut off.
+  const StreetPlan block = grown(builtIn("block"));
+  CHECK(block.sections().size() == 1);
+  const double bulge_more = 4 * 30 * (0.28 - std::sin(0.28));
+  CHECK(totalLength(block) ==
+        Approx(2 * (80 + 65) - 4 * (2 - kPi / 2) * (7 + kLane) + bulge_more).margin(8));
+
+  // eights drives every street of its two loops at least twice.
+  const Route eights = builtIn("eights");
+  CHECK(totalLength(grown(eights)) < 0.55 * static_cast<double>(763));
+}
+
+TEST_CASE("the way back on the opposite lane is the same street") {
+  const StreetPlan plan = grown(drawnRoute(thereAndBack(120)));
+  // Out to the roundabout, round it, and a bit of doubt where the arms meet.
+  CHECK(totalLength(plan) < 120 + kBeyond + 2 * kPi * 11 + 10);
+  CHECK(totalLength(plan) > 120);
+  REQUIRE_FALSE(plan.sections().empty());
+  for (const StreetPoint& point : plan.sections()[0].points) {
+    if (point.s < 100) REQUIRE(point.direction.y() > 0.99);
+  }
+}
+
+TEST_CASE("a crossing street is a street of its own, without a gap at the crossing") {
+  LanePath path(kLane);
+  path.ahead(100).turnRight(7).ahead(60).turnRight(7).ahead(60).turnRight(7).ahead(120);
+  const Route route = drawnRoute(path);
+  const StreetPlan plan = grown(route);
+  CHECK(plan.sections().size() == 1);
+  CHECK(totalLength(plan) == Approx(path.length() + 2 * kBeyond).margin(25));
+  // Both ways over the crossing are road.
+  for (double along = -15; along <= 15; along += 0.5) {
+    CHECK(plan.distance(-kLane + along, 40) < 2.5);
+    CHECK(plan.distance(-kLane, 40 + along) < 2.5);
+  }
+}
+
+TEST_CASE("wobbling over the border of a known street does not chop it into crumbs") {
+  LanePath path(kLane);
+  path.ahead(60);
+  for (int corner = 0; corner < 4; ++corner) path.turnRight(7).ahead(100);
+  Route route = drawnRoute(path);
+  for (std::size_t i = 350; i < route.T_town_camera.size(); ++i) {
+    const auto phase = static_cast<double>(i);
+    route.T_town_camera[i].translation().x() += 5.5 + 0.7 * std::sin(phase / 2);
+  }
+  const StreetPlan plan = grown(route);
+  CHECK(plan.sections().size() <= 3);
+  for (const StreetSection& section : plan.sections()) CHECK(section.points.back().s >= 5);
+}
+
+TEST_CASE("hills and crests are followed to centimetres, level across the street") {
+  const Route route = drawnRoute(
+      straight(300), [](double s) { return 3 * std::sin(s / 25) + 0.02 * s; });  // up to 14 %
+  const StreetPlan plan = grown(route);
+  CHECK(worstHeight(route, plan) < 0.04);
+  for (double y = 20; y < 280; y += 11) {
+    for (const double x : {-kLane - 5.5, -kLane, 3.5}) {
+      CHECK(plan.height(x, y) == Approx(plan.height(0, y)).margin(0.02));
+    }
+  }
+}
+
+TEST_CASE("passes that disagree about the height meet in the middle and part gently") {
+  for (const double step : {0.6, -1.2}) {
+    const Route route = loopWithStep(step);
+    const StreetPlan plan = grown(route);
+    // 40 m of the start are driven twice: there the road takes the mean ...
+    CHECK(plan.height(0, 20) == Approx(step / 2 - kCamera).margin(0.06));
+    // ... far from there it lies under the camera ...
+    const Eigen::Vector3d half_way = route.T_town_camera[200].translation();
+    CHECK(half_way.z() - plan.height(half_way.x(), half_way.y()) == Approx(kCamera).margin(0.02));
+    // ... and nowhere is the road more than 5 % steeper than the drive.
+    for (std::size_t i = 1; i < route.T_town_camera.size(); ++i) {
+      const Eigen::Vector3d a = route.T_town_camera[i - 1].translation();
+      const Eigen::Vector3d b = route.T_town_camera[i].translation();
+      const double error = plan.height(b.x(), b.y()) - plan.height(a.x(), a.y()) - b.z() + a.z();
+      REQUIRE(std::abs(error) < 0.05);
+    }
+  }
+}
+
+TEST_CASE("the ground is continuous, from the road to the horizon") {
+  const Route route = builtIn("district");
+  const StreetPlan plan = grown(route);
+  const Eigen::Vector2d centre = (plan.lowCorner() + plan.highCorner()) / 2;
+  for (double angle = 0; angle < 2 * kPi; angle += 0.3) {
+    const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+    double before = plan.height(centre.x(), centre.y());
+    for (double r = 0.1; r < 700; r += 0.1) {
+      const Eigen::Vector2d at = centre + r * out;
+      const double height = plan.height(at.x(), at.y());
+      REQUIRE(std::abs(height - before) < 0.05);
+      REQUIRE(std::abs(height) < 15);
+      before = height;
+    }
+  }
+}
+
+TEST_CASE("streets do not drag the land along: it settles to hills around their mean") {
+  const Route route = drawnRoute(straight(100), [](double) { return 40.0; });
+  const StreetPlan plan = grown(route);
+  CHECK(plan.height(0, 50) == Approx(40 - kCamera).margin(0.01));
+  CHECK(plan.height(45, 50) == Approx(40 - kCamera).margin(5));
+  CHECK(plan.height(900, 50) == Approx(40 - kCamera).margin(5));
+  CHECK(plan.height(900, 50) != Approx(plan.height(960, 120)).margin(0.01));
+}
+
+TEST_CASE("standing, waiting and a metre of reversing change nothing") {
+  const Route driven = drawnRoute(straight(80));
+  Route waiting = driven;
+  std::vector<Eigen::Isometry3d>& poses = waiting.T_town_camera;
+  std::vector<Eigen::Isometry3d> pause(30, poses[40]);
+  for (std::size_t i = 0; i < pause.size(); ++i) {
+    pause[i].translation().y() -= i % 2 == 0 ? 0.02 : 1;  // jitter, and back a metre
+  }
+  poses.insert(poses.begin() + 41, pause.begin(), pause.end());
+  waiting.stamps_ns.resize(poses.size());
+  const StreetPlan plan = grown(waiting);
+  REQUIRE(plan.sections().size() == 1);
+  CHECK(totalLength(plan) == Approx(totalLength(grown(driven))));
+}
+
+TEST_CASE("a car that never moves stands on a street") {
+  Route route = drawnRoute(straight(1));
+  route.T_town_camera.assign(10, route.T_town_camera[0]);
+  route.stamps_ns.resize(10);
+  const StreetPlan plan = grown(route);
+  CHECK(totalLength(plan) == Approx(2 * kBeyond).margin(1));
+  CHECK(worstHeight(route, plan) < 0.01);
+}
+
+TEST_CASE("a bridge is refused with both frames") {
+  // Over the start at a right angle, 6.2 m higher.
+  LanePath path(kLane);
+  path.ahead(100).turnRight(7).ahead(60).turnRight(7).ahead(60).turnRight(7).ahead(120);
+  const Route route =
+      drawnRoute(path, [](double s) { return 6.2 * std::clamp((s - 110) / 80, 0.0, 1.0); });
+  const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
+  REQUIRE_FALSE(plan.isOk());
+  CHECK(plan.status().code() == StatusCode::InvalidInput);
+  const std::string message = plan.status().message();
+  CHECK(message.starts_with("frames "));
+  CHECK(message.ends_with(
+      " cross 6.2 m apart in height; the town has no bridges: choose another route"));
+  // They really do cross.
+  std::size_t first = 0;
+  std::size_t second = 0;
+  REQUIRE(std::sscanf(message.c_str(), "frames %zu and %zu", &first, &second) == 2);
+  CHECK(first < second);
+  const Eigen::Vector3d apart =
+      route.T_town_camera[first].translation() - route.T_town_camera[second].translation();
+  CHECK(apart.head<2>().norm() < 3);
+}
+
+TEST_CASE("a camera that leaves the ground is refused") {
+  Route route = drawnRoute(straight(100));
+  route.T_town_camera[60].translation().z() = 4.5;
+  for (std::size_t i = 59; i < 62; i += 2) route.T_town_camera[i].translation().z() = -4;
+  const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
+  REQUIRE_FALSE(plan.isOk());
+  CHECK(plan.status().message().find("m above the road (0.5 to 4.0 m is possible); choose a route "
+                                     "that keeps to the ground") != std::string::npos);
+}
+
+TEST_CASE("driving backwards into land that was never driven forwards is refused") {
+  Route route = drawnRoute(straight(60));
+  for (int i = 0; i < 120; ++i) {
+    Eigen::Isometry3d pose = route.T_town_camera.front();
+    pose.translation().y() = 60 - i;
+    pose.translation().x() = 0.2 * i;
+    route.T_town_camera.push_back(pose);
+    route.stamps_ns.push_back(0);
+  }
+  const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
+  REQUIRE_FALSE(plan.isOk());
+  CHECK(plan.status().message().ends_with(
+      "the car leaves the street backwards or sideways; choose a route that is driven forwards"));
+}
+
+TEST_CASE("routes without poses, heights or bounds are refused") {
+  CHECK(StreetPlan::grow(Route{}, kCamera).status().message() == "the route has no pose");
+  CHECK(StreetPlan::grow(drawnRoute(straight(10)), 0).status().message() ==
+        "camera_height must be positive; give metres above the road");
+  CHECK(StreetPlan::grow(drawnRoute(straight(12500)), kCamera).status().message() ==
+        "the route extends over 12.7 km, more than 12 km; choose a shorter one");
+}
+
+TEST_CASE("a low camera may be low") {
+  CHECK(StreetPlan::grow(drawnRoute(straight(50)), 0.3).isOk());
+  CHECK(StreetPlan::grow(drawnRoute(straight(50)), 6).isOk());
+}
+
+TEST_CASE("the same route grows the same town") {
+  const Route route = builtIn("eights");
+  const StreetPlan a = grown(route);
+  const StreetPlan b = grown(route);
+  REQUIRE(a.sections().size() == b.sections().size());
+  for (double x = a.lowCorner().x(); x < a.highCorner().x(); x += 3.3) {
+    for (double y = a.lowCorner().y(); y < a.highCorner().y(); y += 3.1) {
+      REQUIRE(a.distance(x, y) == b.distance(x, y));
+      REQUIRE(a.height(x, y) == b.height(x, y));
+    }
+  }
+}
+
+TEST_CASE("towns grow around KITTI's drives") {
+  struct Drive {
+    const char* file;
+    double most_streets;  // m: clearly less than driven
+    double disagreement;  // m: half of what its passes differ in height, and what smoothing takes
+  };
+  for (const Drive& drive : {Drive{"00.txt", 3150, 0.9}, Drive{"05.txt", 2050, 0.4},
+                             Drive{"06.txt", 1000, 0.2}, Drive{"07.txt", 760, 0.25}}) {
+    const auto file = dataOrSkip(std::string("kitti_poses/") + drive.file);
+    if (!file) return;
+    const Route route = readRoute(*file, {}).value();
+    const StreetPlan plan = grown(route);
+    CHECK(farthestFromCentre(route, plan) < StreetPlan::kRoadHalfWidth - 1);
+    CHECK(worstHeight(route, plan) < drive.disagreement);
+    CHECK(totalLength(plan) < drive.most_streets);
+  }
+}
+
+}  // namespace tolman::town::test

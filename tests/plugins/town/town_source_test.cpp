@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The source as the host sees it: frames, truth, parameters, trouble on demand.
+#include "town_source.hpp"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "support/context.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::town;
+using tolman::test::TestContext;
+
+namespace {
+
+/// KITTI's camera at a fifth of its size, every 60th frame of `block`.
+ParameterValues small(ParameterValues more = {}) {
+  more.try_emplace("scale", 0.2);
+  more.try_emplace("step", std::int64_t{60});
+  return more;
+}
+
+struct Drive {
+  SourceInfo info;
+  std::vector<Frame> frames;
+};
+
+Drive drive(TownSource& source) {
+  Drive result;
+  REQUIRE(source.info(result.info).isOk());
+  for (;;) {
+    Frame frame;
+    const Status status = source.next(frame);
+    if (status.code() == StatusCode::EndOfStream) return result;
+    REQUIRE(status.isOk());
+    result.frames.push_back(frame);
+  }
+}
+
+Drive drive(const ParameterValues& values, std::uint64_t seed = 1) {
+  TestContext context(small(values), seed);
+  TownSource source;
+  const Status status = source.configure(context);
+  INFO(status.message());
+  REQUIRE(status.isOk());
+  return drive(source);
+}
+
+std::vector<std::uint8_t> bytes(const Image& image) {
+  return {image.data(), image.data() + image.stride() * image.height()};
+}
+
+std::string refusal(const ParameterValues& values) {
+  TestContext context(values);
+  TownSource source;
+  const Status status = source.configure(context);
+  REQUIRE_FALSE(status.isOk());
+  std::vector<Finding> findings;
+  REQUIRE(source.inspect(findings).isOk());  // explains the failure
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message == status.message());
+  return std::string(status.message());
+}
+
+}  // namespace
+
+TEST_CASE("frames come as announced, with stereo images, rising stamps and truth") {
+  const Drive d = drive({});
+  CHECK(d.info.rig.width == 248);
+  CHECK(d.info.rig.height == 75);
+  CHECK(d.info.rig.baseline == 0.5372);
+  CHECK(d.info.has_truth);
+  REQUIRE(static_cast<std::int64_t>(d.frames.size()) == d.info.frames);
+  REQUIRE(d.frames.size() >= 6);
+  CHECK(d.frames[0].T_world_camera_truth.isApprox(Eigen::Isometry3d::Identity(), 1e-9));
+  for (std::size_t i = 0; i < d.frames.size(); ++i) {
+    const Frame& frame = d.frames[i];
+    CHECK(frame.frame == static_cast<std::int64_t>(i));
+    CHECK(frame.source_index == static_cast<std::int64_t>(60 * i));
+    CHECK(frame.stamp_ns == static_cast<std::int64_t>(i) * 6'000'000'000);
+    CHECK(frame.left.width() == 248);
+    CHECK(frame.right.height() == 75);
+    CHECK(bytes(frame.left) != bytes(frame.right));
+  }
+}
+
+TEST_CASE("the same bytes after reset, for any number of threads; others for another seed") {
+  TestContext context(small());
+  TownSource source;
+  REQUIRE(source.configure(context).isOk());
+  const Drive first = drive(source);
+  REQUIRE(source.reset().isOk());
+  const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+  const Drive second = drive(source);
+  const Drive third = drive({});
+  const Drive noise = drive({}, 2);
+  const Drive town = drive({{"seed", std::int64_t{9}}});
+  REQUIRE(first.frames.size() == second.frames.size());
+  for (std::size_t i = 0; i < first.frames.size(); ++i) {
+    CHECK(bytes(first.frames[i].left) == bytes(second.frames[i].left));
+    CHECK(bytes(first.frames[i].right) == bytes(second.frames[i].right));
+    CHECK(bytes(first.frames[i].left) == bytes(third.frames[i].left));
+    CHECK(bytes(first.frames[i].left) != bytes(noise.frames[i].left));
+    CHECK(bytes(first.frames[i].left) != bytes(town.frames[i].left));
+  }
+}
+
+TEST_CASE("without noise and light changes a place seen again looks the same") {
+  // block ends where it began, on the same lane; the nearest later pose is centimetres away.
+  const ParameterValues quiet = {{"noise", 0.0},
+                                 {"exposure_change", 0.0},
+                                 {"step", std::int64_t{1}},
+                                 {"last", std::int64_t{0}}};
+  const Drive start = drive(quiet);
+  TestContext context(small({{"step", std::int64_t{1}}, {"scale", 0.1}}));
+  TownSource scout;
+  REQUIRE(scout.configure(context).isOk());
+  const Drive all = drive(scout);
+  std::int64_t best = 0;
+  double nearest = 1e9;
+  for (const Frame& frame : all.frames) {
+    const double distance = frame.T_world_camera_truth.translation().norm();
+    if (frame.frame > 200 && distance < nearest) {
+      nearest = distance;
+      best = frame.frame;
+    }
+  }
+  REQUIRE(nearest < 0.6);
+  ParameterValues again = quiet;
+  again["first"] = again["last"] = best;
+  const Drive back = drive(again);
+  const auto a = bytes(start.frames[0].left);
+  const auto b = bytes(back.frames[0].left);
+  double mean = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) mean += std::abs(int(a[i]) - int(b[i]));
+  mean /= static_cast<double>(a.size());
+  const Drive elsewhere = drive({{"noise", 0.0}, {"first", best / 2}, {"last", best / 2}});
+  const auto c = bytes(elsewhere.frames[0].left);
+  double other = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) other += std::abs(int(a[i]) - int(c[i]));
+  other /= static_cast<double>(a.size());
+  INFO("mean difference " << mean << " grey levels, elsewhere " << other);
+  CHECK(mean < 0.5 * other);
+}
+
+TEST_CASE("mono leaves the right camera out, depth comes on demand") {
+  const Drive d = drive({{"mono", true}, {"depth", true}});
+  CHECK_FALSE(d.info.rig.isStereo());
+  CHECK(d.frames[0].right.empty());
+  REQUIRE(d.frames[0].sensors.size() == 1);
+  const NamedArray& depth = d.frames[0].sensors[0];
+  CHECK(depth.name == "depth.left");
+  CHECK(depth.shape == std::vector<int>{75, 248});
+  REQUIRE(depth.values.size() == 75 * 248);
+  // The lowest row looks at the road: 1.65 m below, at a known angle.
+  const Pinhole& k = d.info.rig.pinhole;
+  CHECK(static_cast<double>(depth.values[74 * 248 + 130]) ==
+        Approx(1.65 * k.fy / (74 - k.cy)).epsilon(0.03));
+}
+
+TEST_CASE("dropped frames leave gaps in time, corrupt ones arrive without an image") {
+  const Drive whole = drive({{"step", std::int64_t{20}}, {"scale", 0.1}});
+  const Drive d =
+      drive({{"step", std::int64_t{20}}, {"scale", 0.1}, {"dropped", 0.3}, {"corrupt", 0.3}});
+  CHECK(static_cast<std::int64_t>(d.frames.size()) == d.info.frames);
+  CHECK(d.frames.size() < whole.frames.size());
+  std::size_t corrupt = 0;
+  for (std::size_t i = 0; i < d.frames.size(); ++i) {
+    CHECK(d.frames[i].frame == static_cast<std::int64_t>(i));
+    CHECK(d.frames[i].left.empty() == !d.frames[i].defect.empty());
+    corrupt += d.frames[i].left.empty();
+  }
+  CHECK(corrupt > 0);
+  CHECK(corrupt < d.frames.size());
+}
+
+TEST_CASE("each kind of trouble changes the pictures that it should") {
+  const auto frameOf = [](ParameterValues values) {
+    values["noise"] = 0.0;
+    values["last"] = std::int64_t{0};
+    return drive(values).frames[0];
+  };
+  const Frame plain = frameOf({});
+  for (const auto& [name, value] :
+       ParameterValues{{"baseline_error", 0.1}, {"rotation_error", 0.5}}) {
+    const Frame off = frameOf({{name, value}});
+    CHECK(bytes(off.left) == bytes(plain.left));
+    CHECK(bytes(off.right) != bytes(plain.right));
+  }
+  for (const auto& [name, value] : ParameterValues{{"motion_blur", 0.5},
+                                                   {"weather", std::string("fog")},
+                                                   {"weather", std::string("overcast")},
+                                                   {"hour", 18.0},
+                                                   {"haze", 0.02},
+                                                   {"vignetting", 0.6},
+                                                   {"density", 0.0}}) {
+    INFO(name);
+    CHECK(bytes(frameOf({{name, value}}).left) != bytes(plain.left));
+  }
+}
+
+TEST_CASE("oncoming cars move") {
+  const ParameterValues busy = {{"traffic", 60.0}, {"noise", 0.0}, {"exposure_change", 0.0}};
+  const ParameterValues empty = {{"noise", 0.0}, {"exposure_change", 0.0}};
+  const Drive with = drive(busy);
+  const Drive without = drive(empty);
+  std::size_t differing = 0;
+  for (std::size_t i = 0; i < with.frames.size(); ++i) {
+    differing += bytes(with.frames[i].left) != bytes(without.frames[i].left);
+  }
+  CHECK(differing >= with.frames.size() / 2);
+}
+
+TEST_CASE("backward and pingpong turn the drive round with rising stamps") {
+  const Drive there = drive({{"order", std::string("pingpong")}, {"scale", 0.1}});
+  for (std::size_t i = 1; i < there.frames.size(); ++i) {
+    CHECK(there.frames[i].stamp_ns > there.frames[i - 1].stamp_ns);
+  }
+  CHECK(there.frames.front().source_index == there.frames.back().source_index);
+  const Drive back = drive({{"order", std::string("backward")}, {"scale", 0.1}});
+  CHECK(back.frames.back().source_index == 0);
+}
+
+TEST_CASE("what cannot be driven is refused with a remedy") {
+  CHECK(refusal({{"route", std::string("moon")}}).find("block, eights") != std::string::npos);
+  CHECK(refusal({{"route", std::string("./no/such.txt")}}).find("./no/such.txt") !=
+        std::string::npos);
+  CHECK(refusal({{"first", std::int64_t{99999}}}).find("choose a smaller one") !=
+        std::string::npos);
+  CHECK(refusal({{"scale", 0.05}, {"height", std::int64_t{100}}}) ==
+        "scale leaves an image below 32 px; choose a larger one");
+}
+
+TEST_CASE("real routes of KITTI render whole", "[data]") {
+  for (const char* name : {"00", "05", "06", "07"}) {
+    const auto file = tolman::test::dataOrSkip(std::string("kitti_poses/") + name + ".txt");
+    if (!file) return;
+    const Drive d = drive({{"route", file->string()}, {"step", std::int64_t{97}}, {"scale", 0.1}});
+    CHECK(d.frames.size() >= 11);
+    for (const Frame& frame : d.frames) REQUIRE_FALSE(frame.left.empty());
+  }
+}
