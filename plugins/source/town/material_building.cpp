@@ -113,9 +113,9 @@ float facade(const Surface& surface, const Hit& hit) {
   const float dirt = fractal2(at.u, at.v, 2.5F, 4, footprint, seed);
   // Rough plaster is all that a near white wall has.
   const float rough = fractal2(at.u, at.v, 0.09F, 2, footprint, seed + 3);
-  const float texture = of_brick ? bricks(at, seed, footprint) : 0.16F * rough;
+  const float texture = of_brick ? bricks(at, seed, footprint) : 0.24F * rough;
   float wall = surface.tone * (of_brick ? 0.6F : 1.0F);
-  wall *= std::max(0.2F, 1 + 0.25F * dirt + texture);
+  wall *= std::max(0.2F, 1 + 0.32F * dirt + texture);
   const float base = between(hash(seed, 22), 0.3F, 0.9F);  // m, a darker plinth
   wall *= 1 - 0.35F * (1 - filteredStep(base, at.v, at.ev));
   return openings(surface, at, wall, seed);
@@ -128,7 +128,7 @@ float roof(const Surface& surface, const Hit& hit) {
   const float rows = filteredStripes(0.34F, 0.08F, v, hit.extent(surface.axis_v));
   const float tiles = filteredStripes(0.24F, 0.06F, u, hit.extent(surface.axis_u));
   const float moss = fractal2(u, v, 1.9F, 4, hit.footprint(), surface.seed);
-  return surface.tone * std::max(0.15F, 1 + 0.45F * moss - 0.5F * std::max(rows, 0.6F * tiles));
+  return surface.tone * std::max(0.15F, 1 + 0.7F * moss - 0.5F * std::max(rows, 0.6F * tiles));
 }
 
 }  // namespace

@@ -56,17 +56,16 @@ float cracks(const Hit& hit, std::uint32_t seed) {
   constexpr float kWidth = 0.012F;  // m
   const float width = kWidth + 0.7F * hit.footprint();
   if (kWidth / width < 0.08F) return 0;  // too fine to be seen from here
-  const float n = noise2(hit.point.x / 3.1F, hit.point.y / 3.1F, seed) +
-                  0.25F * noise2(hit.point.x / 0.5F, hit.point.y / 0.5F, seed + 1);
+  const float n = noise2(hit.point.x / 2.3F, hit.point.y / 2.3F, seed);
   // |n| / slope is about the distance to the line; the mean slope is 0.5 a metre.
   const float distance = std::abs(n) / 0.5F;
   return kWidth / width * (1 - smoothstep(0.5F * width, 1.5F * width, distance));
 }
 
 float road(const Surface& surface, const Hit& hit) {
-  const float grain = grazingFractal(hit, 0.06F, 3, surface.seed);
+  const float grain = grazingFractal(hit, 0.05F, 2, surface.seed);
   const float wear = fractal2(hit.point.x, hit.point.y, 7, 3, hit.footprint(), surface.seed + 17);
-  const float detail = 0.55F * grain + 0.25F * wear + patches(hit, surface.seed + 31) -
+  const float detail = 0.85F * grain + 0.25F * wear + patches(hit, surface.seed + 31) -
                        0.6F * cracks(hit, surface.seed + 47);
   return surface.tone * std::max(0.15F, 1 + detail);
 }
@@ -95,13 +94,12 @@ float pavement(const Hit& hit, float distance, float extent, std::uint32_t seed)
 float grass(const Hit& hit, std::uint32_t seed) {
   // Mown lawns have little texture, meadows much; it changes over 60 m.
   const float wild = smoothstep(-0.4F, 0.5F, noise2(hit.point.x / 60, hit.point.y / 60, seed + 5));
-  const float tufts = grazingFractal(hit, 0.24F, 4, seed);
-  const float patches = fractal2(hit.point.x, hit.point.y, 1.6F, 3, hit.footprint(), seed + 7);
+  const float tufts = grazingFractal(hit, 0.24F, 3, seed);
   const float fields =
       smoothstep(-0.2F, 0.2F, noise2(hit.point.x / 37, hit.point.y / 37, seed + 11));
-  const float soil = fractal2(hit.point.x, hit.point.y, 6, 3, hit.footprint(), seed + 9);
+  const float soil = fractal2(hit.point.x, hit.point.y, 5, 4, hit.footprint(), seed + 9);
   return (0.11F + 0.08F * fields) *
-         std::max(0.12F, 1 + (0.5F + 0.7F * wild) * (1.3F * tufts + 0.8F * patches) + 0.5F * soil);
+         std::max(0.12F, 1 + (0.5F + 0.7F * wild) * (1.7F * tufts + 0.5F * soil) + 0.5F * soil);
 }
 
 float land(const Surface& surface, const Hit& hit, const StreetPlan& plan) {

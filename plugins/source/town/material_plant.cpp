@@ -10,13 +10,11 @@ namespace {
 float leaves(const Surface& surface, const Hit& hit) {
   // Leaves hang every way, so a slanting lump hides less of them than a slanting wall would.
   const float footprint = std::sqrt(norm(hit.dx) * norm(hit.dy));
-  const float boughs = fractal3(hit.point, 3.6F, 2, footprint, hit.seed);
-  const float clumps = fractal3(hit.point, 0.8F, 1, footprint, hit.seed + 5);
-  const float leaf = fractal3(hit.point, 0.22F, 3, footprint, hit.seed + 11);
-  const float tuft = 0.5F * clumps + 1.7F * leaf;
+  const auto [boughs, clumps, leaf, scraps] = layers3(hit.point, 2.4F, footprint, hit.seed);
+  const float tuft = 0.35F * clumps + 1.0F * leaf + 0.8F * scraps;
   const float gap = smoothstep(0.05F, 0.4F, -tuft);
   const float shine = smoothstep(0.05F, 0.6F, tuft);
-  return surface.tone * std::max(0.05F, (1 + 0.4F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine));
+  return surface.tone * std::max(0.05F, (1 + 0.3F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine));
 }
 
 float bark(const Surface& surface, const Hit& hit) {

@@ -53,6 +53,16 @@ struct Cells {
   return low + (high - low) * cy.fade;
 }
 
+[[gnu::always_inline]] inline Floats noiseLanes3(const Vec3& p, Floats scale, Words seed) {
+  const Cells cz = cellsOf(p.z * scale);
+  const Words base = seed + cz.index * 0x68bc21ebU;
+  const Floats x = p.x * scale;
+  const Floats y = p.y * scale;
+  const Floats low = noiseLanes(x, y, base);
+  const Floats high = noiseLanes(x, y, base + 0x68bc21ebU);
+  return low + (high - low) * cz.fade;
+}
+
 struct Octaves {
   Floats scale;   ///< 1 / wavelength
   Floats weight;  ///< amplitude times what survives
@@ -91,13 +101,18 @@ TOLMAN_TOWN_DISPATCH
 float fractal3(const Vec3& p, float wavelength, int octaves, float footprint, std::uint32_t seed) {
   Octaves of;
   if (!octavesOf(wavelength, octaves, footprint, of)) return 0;
-  const Cells cz = cellsOf(p.z * of.scale);
-  const Words base = kSteps + seed + cz.index * 0x68bc21ebU;
-  const Floats x = p.x * of.scale;
-  const Floats y = p.y * of.scale;
-  const Floats low = noiseLanes(x, y, base);
-  const Floats high = noiseLanes(x, y, base + 0x68bc21ebU);
-  return sum(of.weight * (low + (high - low) * cz.fade));
+  return sum(of.weight * noiseLanes3(p, of.scale, kSteps + seed));
+}
+
+TOLMAN_TOWN_DISPATCH
+std::array<float, 4> layers3(const Vec3& p, float wavelength, float footprint, std::uint32_t seed) {
+  const float scale = 1 / wavelength;
+  const Floats n = noiseLanes3(p, Floats{scale, 4 * scale, 16 * scale, 64 * scale}, kSteps + seed);
+  std::array<float, 4> layers{};
+  for (std::size_t i = 0; i < 4; ++i, wavelength *= 0.25F) {
+    layers[i] = n[i] * survives(wavelength, footprint);
+  }
+  return layers;
 }
 
 TOLMAN_TOWN_DISPATCH

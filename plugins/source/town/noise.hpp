@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -87,6 +88,10 @@ float fractal2(float x, float y, float wavelength, int octaves, float footprint,
 
 /// The same of noise3.
 float fractal3(const Vec3& p, float wavelength, int octaves, float footprint, std::uint32_t seed);
+
+/// Four octaves of noise3, each wavelength a quarter of the one before, apart: faded by
+/// `footprint`, all in [-1, 1].
+std::array<float, 4> layers3(const Vec3& p, float wavelength, float footprint, std::uint32_t seed);
 
 /// Mean of noise2 at `taps` points (at most four) from (x, y) on, (dx, dy) apart.
 float meanNoise2(float x, float y, float dx, float dy, int taps, std::uint32_t seed);

@@ -127,12 +127,12 @@ void TownSource::moveTraffic(std::size_t index) {
 }
 
 double TownSource::gainAt(std::size_t index) const {
-  // Sunlit asphalt (albedo 0.2) comes out at about 105 of 255 at any hour.
+  // Sunlit asphalt (albedo 0.2) comes out at about 110 of 255 at any hour.
   const double asphalt = 0.2 * static_cast<double>(light_.onto({0, 0, 1}, 1));
   const double seconds = static_cast<double>(route_.stamps_ns[index]) * 1e-9;
   const double wander =
       static_cast<double>(noise2(static_cast<float>(seconds / 4), 0.5F, hash(run_seed_, 402)));
-  return 105 / asphalt * std::exp(parameters_.exposure_change * wander);
+  return 110 / asphalt * std::exp(parameters_.exposure_change * wander);
 }
 
 /// Renders one camera into `picture` and exposes it; with motion blur as a mean over the shutter.

@@ -63,13 +63,13 @@ std::uint32_t addBroadleaf(World& world, float height, float clear_trunk, std::u
   addPost(mesh, {{0, 0, -0.5F}, {0, 0, 0.75F * height}, girth, 0.3F * girth, 9}, surfaces.bark);
   const float crown = height - clear_trunk;
   const float width = 0.36F * crown;
-  for (int i = 0; i < 26; ++i) {
+  for (int i = 0; i < 16; ++i) {
     const float level = uniform(random, 0.08F, 0.92F);
     const float girdle = std::sin(std::numbers::pi_v<float> * std::pow(level, 0.8F));
     Lump lump;
     lump.centre = onCircle(random, width * girdle * uniform(random, 0.25F, 1.0F));
     lump.centre.z = clear_trunk + crown * level;
-    const float r = width * uniform(random, 0.24F, 0.46F);
+    const float r = width * uniform(random, 0.32F, 0.55F);
     lump.radii = {r, r, 0.75F * r};
     lump.roughness = 0.25F;
     lump.detail = 2;
@@ -79,7 +79,7 @@ std::uint32_t addBroadleaf(World& world, float height, float clear_trunk, std::u
       const Vec3 fork = {0, 0, lump.centre.z - 0.35F * crown * level};
       addPost(mesh, {fork, lump.centre, 0.4F * girth, 0.12F * girth, 6}, surfaces.bark);
     }
-    for (int twig = 0; twig < 14; ++twig) {
+    for (int twig = 0; twig < 10; ++twig) {
       const Vec3 way =
           normalised({uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -0.8F, 1)});
       addTwig(mesh, lump.centre + way * (1.05F * r), 0.16F, random, surfaces.leaves);
