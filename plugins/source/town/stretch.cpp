@@ -205,16 +205,16 @@ void StretchBuilder::fill(const Stretch& stretch) {
   if (kind < 0.35) {
     houses({9, 15, 7, 6, 10, 1, 2, 0.1});
     backHouses();
-    gardenTrees(26, 9);
+    gardenTrees(22, 9);
   } else if (kind < 0.65) {
     houses({5.5, 8.5, 0.3, 2.5, 10, 2, 3, 0.1});
     gardenTrees(18, 18);
   } else if (kind < 0.8) {
     houses({16, 27, 9, 7, 12, 3, 5, 0.7});
     backHouses();
-    gardenTrees(26, 8);
+    gardenTrees(22, 8);
   } else if (kind < 0.92) {
-    gardenTrees(60, 7);  // a park
+    gardenTrees(44, 7);  // a park
     backHouses();
   } else {
     gardenTrees(8, 15);  // open land

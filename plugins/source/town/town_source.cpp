@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "town_source.hpp"
 
+#include <oneapi/tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -72,7 +74,10 @@ Status TownSource::build() {
   }
   scene_ = std::make_unique<Scene>(std::move(world));
   light_ = makeLight(p.hour, p.weather, p.haze, hash(seed, 303));
-  renderer_ = std::make_unique<Renderer>(*scene_, *plan_, light_, static_cast<int>(p.edge_samples));
+  for (Camera& camera : cameras_) {
+    camera.renderer =
+        std::make_unique<Renderer>(*scene_, *plan_, light_, static_cast<int>(p.edge_samples));
+  }
   return Status::ok();
 }
 
@@ -135,9 +140,11 @@ double TownSource::gainAt(std::size_t index) const {
   return 110 / asphalt * std::exp(parameters_.exposure_change * wander);
 }
 
-/// Renders one camera into `picture` and exposes it; with motion blur as a mean over the shutter.
-Image TownSource::take(std::size_t index, bool right, Picture& picture) {
+/// Renders one camera and exposes it; with motion blur as a mean over the shutter.
+Image TownSource::take(std::size_t index, bool right) {
   const Parameters& p = parameters_;
+  Camera& camera = cameras_[right ? 1 : 0];
+  Picture& picture = camera.picture;
   const int shots = p.motion_blur > 0 ? 5 : 1;
   for (int shot = shots - 1; shot >= 0; --shot) {  // the first last: its depth is kept
     View view;
@@ -146,11 +153,11 @@ Image TownSource::take(std::size_t index, bool right, Picture& picture) {
     view.pinhole = rig_.pinhole;
     view.width = rig_.width;
     view.height = rig_.height;
-    renderer_->render(view, picture);
+    camera.renderer->render(view, picture);
     if (shots == 1) break;
-    if (shot == shots - 1) blurred_.assign(picture.radiance.size(), 0);
-    for (std::size_t i = 0; i < blurred_.size(); ++i) {
-      blurred_[i] += picture.radiance[i] / static_cast<float>(shots);
+    if (shot == shots - 1) camera.blurred.assign(picture.radiance.size(), 0);
+    for (std::size_t i = 0; i < camera.blurred.size(); ++i) {
+      camera.blurred[i] += picture.radiance[i] / static_cast<float>(shots);
     }
   }
   Sensor sensor;
@@ -162,7 +169,7 @@ Image TownSource::take(std::size_t index, bool right, Picture& picture) {
   sensor.shot_noise = 0.015 * p.noise * p.noise;
   sensor.seed = run_seed_;
   const auto exposure = static_cast<std::uint32_t>(2 * next_ + (right ? 1 : 0));
-  return expose(sensor, shots > 1 ? blurred_ : picture.radiance, exposure);
+  return expose(sensor, shots > 1 ? camera.blurred : picture.radiance, exposure);
 }
 
 Status TownSource::next(Frame& frame) {
@@ -180,11 +187,14 @@ Status TownSource::next(Frame& frame) {
     frame.defect = "town: a corrupt image was asked for";
   } else {
     moveTraffic(index);
-    frame.left = take(index, false, picture_);
+    const auto left = [&] { frame.left = take(index, false); };
+    const auto right = [&] {
+      if (rig_.isStereo()) frame.right = take(index, true);
+    };
+    oneapi::tbb::parallel_invoke(left, right);
     if (parameters_.depth) {
-      frame.sensors.push_back({"depth.left", {rig_.height, rig_.width}, picture_.depth});
+      frame.sensors.push_back({"depth.left", {rig_.height, rig_.width}, cameras_[0].picture.depth});
     }
-    if (rig_.isStereo()) frame.right = take(index, true, picture_);
   }
   ++next_;
   return Status::ok();

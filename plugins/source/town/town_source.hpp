@@ -2,6 +2,7 @@
 // Source `town`: drives a route through the town and gives what the cameras see.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -34,7 +35,13 @@ class TownSource final : public Source {
   Eigen::Isometry3d poseAt(std::size_t index, double part) const;
   Eigen::Isometry3d rightOf(const Eigen::Isometry3d& T_town_left) const;
   void moveTraffic(std::size_t index);
-  Image take(std::size_t index, bool right, Picture& picture);
+  /// One camera with all that its pictures need, so that both can work at the same time.
+  struct Camera {
+    std::unique_ptr<Renderer> renderer;
+    Picture picture;
+    std::vector<float> blurred;
+  };
+  Image take(std::size_t index, bool right);
   double gainAt(std::size_t index) const;
 
   Parameters parameters_;
@@ -47,9 +54,7 @@ class TownSource final : public Source {
   std::unique_ptr<Traffic> traffic_;
   std::size_t first_traffic_ = 0;  ///< instance of the first moving car
   std::unique_ptr<Scene> scene_;
-  std::unique_ptr<Renderer> renderer_;
-  Picture picture_;
-  std::vector<float> blurred_;
+  std::array<Camera, 2> cameras_;  ///< left, right
   FrameSequence sequence_;
   std::vector<std::int64_t> arriving_;  ///< frames of the sequence that are not dropped
   std::size_t next_ = 0;

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The town through the whole host: the shipped configurations, the demo's drive, rendering to
+// KITTI.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "process.hpp"
+#include "support/data.hpp"
+
+namespace fs = std::filesystem;
+using namespace tolman::test;
+
+namespace {
+
+const std::string kConfigs = TOLMAN_SOURCE_DIR "/configs/";
+
+}  // namespace
+
+TEST_CASE("every shipped configuration is valid") {
+  int count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(kConfigs)) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Finished check = tolman::test::tolman({"check", entry.path().string()});
+    INFO(entry.path() << "\n" << check.err);
+    CHECK(check.exit_code == 0);
+    ++count;
+  }
+  CHECK(count >= 6);
+}
+
+TEST_CASE("the demo drives its block and closes the loop") {
+  const TemporaryFolder folder;
+  const std::string out = folder.path() / "run";
+  const Finished done = tolman::test::tolman(
+      {"run", kConfigs + "demo.yaml", "--set", "source.scale=0.35", "--out", out, "--quiet"});
+  INFO(done.err);
+  REQUIRE(done.exit_code == 0);
+  const auto metrics = readJson(fs::path(out) / "metrics.json");
+  CHECK(metrics.at("loops").get<int>() >= 1);
+  CHECK(metrics.at("map").at("ate").at("rmse_m").get<double>() < 1.5);
+  CHECK(fs::exists(fs::path(out) / "map.svg"));
+}
+
+TEST_CASE("a rendered town is a KITTI sequence with truth, loops and depth") {
+  const TemporaryFolder folder;
+  const std::string data = folder.path() / "sequence";
+  const Finished render = tolman::test::tolman(
+      {"dataset", "render", kConfigs + "town/district.yaml", "--set", "source.scale=0.15", "--set",
+       "source.step=30", "--out", data, "--depth", "--quiet"});
+  INFO(render.err);
+  REQUIRE(render.exit_code == 0);
+  CHECK(fs::exists(fs::path(data) / "depth_0" / "000000.png"));
+  const std::string loops = readText(fs::path(data) / "loops.txt");
+  CHECK(contains(loops, " same "));
+  CHECK(contains(loops, " opposite "));
+  const std::string poses = readText(fs::path(data) / "poses.txt");
+  const auto lines = std::count(poses.begin(), poses.end(), '\n');
+  CHECK(lines == 64);  // 1902 frames, every 30th
+  const Finished check = tolman::test::tolman({"dataset", "check", data});
+  INFO(check.out << check.err);
+  CHECK(check.exit_code == 0);
+  CHECK(contains(check.out, "64 stereo pairs of 186x56"));
+}
+
+TEST_CASE("a route that cannot be driven ends with the data's exit code and a remedy") {
+  const Finished done = tolman::test::tolman(
+      {"run", kConfigs + "town/route.yaml", "--set", "source.route=/no/such/poses.txt", "--quiet"});
+  CHECK(done.exit_code == 5);
+  CHECK(contains(done.err, "/no/such/poses.txt"));
+}
