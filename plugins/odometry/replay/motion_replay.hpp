@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Odometry `motion_replay`: gives the motion that the source recorded, worse on demand.
+#pragma once
+
+#include <cstdint>
+
+#include "tolman/roles.hpp"
+
+namespace tolman::motion_replay {
+
+struct ReplayParameters {
+  double sigma_distance = 0.02;
+  double sigma_heading = 0.002;
+  double noise_distance = 0;
+  double noise_heading = 0;
+  double bias_distance = 0;
+  double bias_heading = 0;
+  double lost = 0;
+
+  static constexpr auto declaration() {
+    using P = ReplayParameters;
+    return parameters(
+        parameter("sigma_distance", &P::sigma_distance)
+            .range(1e-6, 10)
+            .doc("Reported standard deviation of a step's length, relative to it."),
+        parameter("sigma_heading", &P::sigma_heading)
+            .range(1e-7, 3)
+            .unit("rad/m^0.5")
+            .doc("Reported standard deviation of heading, growing with the root of distance."),
+        parameter("noise_distance", &P::noise_distance)
+            .range(0, 10)
+            .doc("Noise added to a step's length, standard deviation relative to it."),
+        parameter("noise_heading", &P::noise_heading)
+            .range(0, 3)
+            .unit("rad/m^0.5")
+            .doc("Noise added to the turn, standard deviation, growing with the root of distance."),
+        parameter("bias_distance", &P::bias_distance)
+            .range(-0.9, 10)
+            .doc("Lengths are multiplied by 1 + this."),
+        parameter("bias_heading", &P::bias_heading)
+            .range(-1, 1)
+            .unit("rad/m")
+            .doc("Turn added for each metre driven."),
+        parameter("lost", &P::lost)
+            .range(0, 1)
+            .doc("Share of frames whose motion is lost and predicted from the one before."));
+  }
+};
+
+class MotionReplay final : public Odometry {
+ public:
+  using Parameters = ReplayParameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status track(const Frame& frame, Motion& motion) override;
+  Status finish(std::vector<MotionRevision>& revisions) override;
+
+ private:
+  PlanarPose worsened(const PlanarPose& step);
+
+  Parameters parameters_;
+  std::uint64_t seed_ = 0;
+  RandomStream random_{0};
+  PlanarPose last_step_;
+  std::int64_t last_stamp_ns_ = 0;
+};
+
+}  // namespace tolman::motion_replay

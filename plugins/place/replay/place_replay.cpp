@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place_replay.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::place_replay {
+
+Status PlaceReplay::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  return reset();
+}
+
+Status PlaceReplay::reset() {
+  views_.clear();
+  templates_ = 0;
+  owed_.reset();
+  return Status::ok();
+}
+
+void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
+                               PlaceObservation& observation) {
+  // A frame driven over again (pingpong) keeps its first template.
+  views_.try_emplace(source_index, View{templates_, in_template});
+  observation.recognition = Recognition::Novel;
+  observation.template_id = templates_++;
+}
+
+/// The first candidate whose view is known.
+bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) const {
+  const auto alike =
+      std::find_if(frame.sensors.begin(), frame.sensors.end(),
+                   [](const NamedArray& array) { return array.name == "place.candidate"; });
+  if (alike == frame.sensors.end()) return false;
+  for (std::size_t i = 0; i + 4 <= alike->values.size(); i += 4) {
+    const auto number = [&](std::size_t k) { return static_cast<double>(alike->values[i + k]); };
+    const auto view = views_.find(std::llround(number(0)));
+    if (view == views_.end()) continue;
+    // The edge leads from here to the earlier frame; we want ourselves seen from the template.
+    const PlanarPose here_in_earlier = between({number(1), number(2), number(3)}, {});
+    const PlanarPose here = compose(view->second.in_template, here_in_earlier);
+    observation.recognition = Recognition::Familiar;
+    observation.template_id = view->second.template_id;
+    observation.relative_yaw = here.theta;
+    if (parameters_.relative_pose) {
+      observation.has_relative_pose = true;
+      observation.T_template_current = fromPlanar(here);
+      const double p = parameters_.sigma_position * parameters_.sigma_position;
+      const double h = parameters_.sigma_heading * parameters_.sigma_heading;
+      observation.covariance.diagonal() << p, p, p, h, h, h;
+    }
+    return true;
+  }
+  return false;
+}
+
+Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
+                            PlaceObservation& observation) {
+  observation.frame = frame.frame;
+  observation.stamp_ns = frame.stamp_ns;
+  if (recognise(frame, observation)) {
+    owed_ = frame.source_index;
+    return Status::ok();
+  }
+  if (frame.source_index % parameters_.view_step == 0) {
+    owed_.reset();
+    makeTemplate(frame.source_index, {}, observation);
+    return Status::ok();
+  }
+  if (owed_ && motion) {
+    // Made a frame late: the recognised view lies one motion behind.
+    makeTemplate(*owed_, between(toPlanar(motion->T_previous_current), {}), observation);
+    owed_.reset();
+  }
+  return Status::ok();
+}
+
+}  // namespace tolman::place_replay

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Place `place_replay`: recorded loop candidates as views of templates.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+
+#include "tolman/roles.hpp"
+
+namespace tolman::place_replay {
+
+struct ReplayParameters {
+  int view_step = 5;
+  bool relative_pose = false;
+  double sigma_position = 1.0;
+  double sigma_heading = 0.1;
+
+  static constexpr auto declaration() {
+    using P = ReplayParameters;
+    return parameters(parameter("view_step", &P::view_step)
+                          .range(1, 1000)
+                          .unit("frames")
+                          .doc("Every how many frames of the data set the detector looked."),
+                      parameter("relative_pose", &P::relative_pose)
+                          .doc("Give the candidate's offset as a measured pose."),
+                      parameter("sigma_position", &P::sigma_position)
+                          .range(1e-3, 100)
+                          .unit("m")
+                          .doc("Reported standard deviation of that pose's position."),
+                      parameter("sigma_heading", &P::sigma_heading)
+                          .range(1e-4, 3)
+                          .unit("rad")
+                          .doc("Reported standard deviation of its heading."));
+  }
+};
+
+/// A candidate "frame i looks like frame j" is the template of j seen again at i. Each view that
+/// is not recognised makes a template; one that is makes its own with the next frame, so that it
+/// can be recognised, too.
+class PlaceReplay final : public Place {
+ public:
+  using Parameters = ReplayParameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  PlaceInput input() const override { return PlaceInput::FrameAndMotion; }
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
+
+ private:
+  /// Where the view of a frame of the data set is kept.
+  struct View {
+    std::int64_t template_id = -1;
+    PlanarPose in_template;  ///< where the frame was, seen from where the template was made
+  };
+  void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
+                    PlaceObservation& observation);
+  bool recognise(const Frame& frame, PlaceObservation& observation) const;
+
+  Parameters parameters_;
+  std::unordered_map<std::int64_t, View> views_;  ///< by source index
+  std::int64_t templates_ = 0;
+  std::optional<std::int64_t> owed_;  ///< source index of a recognised view without a template
+};
+
+}  // namespace tolman::place_replay

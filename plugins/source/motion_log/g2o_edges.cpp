@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "g2o_edges.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+
+namespace tolman::motion_log {
+namespace {
+
+constexpr std::int64_t kMostIds = 100'000'000;
+
+Status badLine(const std::filesystem::path& file, int line, const std::string& what) {
+  std::string message = file.string();
+  message.append(":").append(std::to_string(line)).append(": ").append(what);
+  return Status::invalidInput(message);
+}
+
+std::optional<Edge> parseEdge(std::istringstream& fields, int line) {
+  Edge edge;
+  edge.line = line;
+  fields >> edge.from >> edge.to >> edge.motion.x >> edge.motion.y >> edge.motion.theta;
+  const bool sound = fields && std::isfinite(edge.motion.x) && std::isfinite(edge.motion.y) &&
+                     std::isfinite(edge.motion.theta) && edge.from >= 0 && edge.to >= 0 &&
+                     edge.from < kMostIds && edge.to < kMostIds;
+  return sound ? std::optional(edge) : std::nullopt;
+}
+
+bool isPassedOver(const std::string& tag) {
+  return tag.empty() || tag.front() == '#' || tag.starts_with("VERTEX") || tag == "FIX";
+}
+
+}  // namespace
+
+Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  if (!stream) {
+    return Status::invalidInput(file.string() + " cannot be read; check the path");
+  }
+  std::vector<Edge> edges;
+  int number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    std::istringstream fields(line);
+    std::string tag;
+    fields >> tag;
+    if (isPassedOver(tag)) continue;
+    if (tag != "EDGE_SE2") {
+      return badLine(file, number, "is no EDGE_SE2; a motion log has planar edges only");
+    }
+    const std::optional<Edge> edge = parseEdge(fields, number);
+    if (!edge) {
+      return badLine(file, number,
+                     "needs two ids from 0 and three finite numbers (dx dy dtheta); correct it");
+    }
+    edges.push_back(*edge);
+  }
+  return edges;
+}
+
+Result<std::vector<PlanarPose>> readChain(const std::filesystem::path& file) {
+  const Result<std::vector<Edge>> edges = readEdges(file);
+  if (!edges.isOk()) return edges.status();
+  std::vector<PlanarPose> poses = {{}};
+  for (const Edge& edge : edges.value()) {
+    const auto last = static_cast<std::int64_t>(poses.size()) - 1;
+    if (edge.from != last || edge.to != last + 1) {
+      return badLine(file, edge.line,
+                     "should lead from " + std::to_string(last) + " to " +
+                         std::to_string(last + 1) + "; sort the edges and fill the gaps");
+    }
+    poses.push_back(compose(poses.back(), edge.motion));
+  }
+  if (poses.size() < 2) return Status::invalidInput(file.string() + " has no edges");
+  return poses;
+}
+
+}  // namespace tolman::motion_log

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Planar edges of a g2o file.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "tolman/geometry.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::motion_log {
+
+/// EDGE_SE2 from to dx dy dtheta (information follows; it is read over).
+struct Edge {
+  std::int64_t from = 0;
+  std::int64_t to = 0;
+  PlanarPose motion;  ///< pose of `to` in the frame of `from`
+  int line = 0;
+};
+
+/// All EDGE_SE2 of the file. Vertices, FIX and comments are passed over; anything else, numbers
+/// that are missing or not finite, and negative ids are InvalidInput with file, line and remedy.
+Result<std::vector<Edge>> readEdges(const std::filesystem::path& file);
+
+/// Poses 0 ... n from edges that must be (0, 1), (1, 2), ... in this order; pose 0 is the identity.
+Result<std::vector<PlanarPose>> readChain(const std::filesystem::path& file);
+
+}  // namespace tolman::motion_log

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "motion_log.hpp"
+
+#include <cmath>
+#include <filesystem>
+
+namespace tolman::motion_log {
+namespace fs = std::filesystem;
+
+Status MotionLog::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return ready_ = bound.status();
+  parameters_ = bound.value();
+  return ready_ = load();
+}
+
+Status MotionLog::load() {
+  const fs::path folder = parameters_.path;
+  Result<std::vector<PlanarPose>> poses = readChain(folder / parameters_.odometry);
+  if (!poses.isOk()) return poses.status();
+  poses_ = std::move(poses.value());
+  const fs::path truth = folder / parameters_.truth;
+  if (std::error_code ignored; !parameters_.truth.empty() && fs::exists(truth, ignored)) {
+    Result<std::vector<PlanarPose>> read = readChain(truth);
+    if (!read.isOk()) return read.status();
+    truth_ = std::move(read.value());
+    if (truth_.size() != poses_.size()) {
+      return Status::invalidInput(truth.string() + " has " + std::to_string(truth_.size()) +
+                                  " poses, the odometry " + std::to_string(poses_.size()) +
+                                  "; give the truth of this sequence");
+    }
+  }
+  if (Status status = loadCandidates(); !status.isOk()) return status;
+  std::vector<std::int64_t> stamps;
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    stamps.push_back(std::llround(static_cast<double>(i) * 1e9 / parameters_.rate));
+  }
+  Result<FrameSequence> sequence = FrameSequence::make(parameters_, stamps);
+  if (!sequence.isOk()) return sequence.status();
+  sequence_ = sequence.value();
+  return Status::ok();
+}
+
+Status MotionLog::loadCandidates() {
+  if (parameters_.candidates.empty()) return Status::ok();
+  const fs::path file = fs::path(parameters_.path) / parameters_.candidates;
+  Result<std::vector<Edge>> edges = readEdges(file);
+  if (!edges.isOk()) return edges.status();
+  const auto count = static_cast<std::int64_t>(poses_.size());
+  for (const Edge& edge : edges.value()) {
+    if (edge.to >= edge.from || edge.from >= count) {
+      return Status::invalidInput(file.string() + ":" + std::to_string(edge.line) +
+                                  ": leads from frame " + std::to_string(edge.from) + " to " +
+                                  std::to_string(edge.to) +
+                                  "; a candidate leads from a frame to an earlier one");
+    }
+    candidates_.emplace(edge.from, edge);
+  }
+  return Status::ok();
+}
+
+Status MotionLog::reset() {
+  next_ = 0;
+  return ready_;
+}
+
+Status MotionLog::info(SourceInfo& info) {
+  if (!ready_.isOk()) return ready_;
+  info.frames = sequence_.size();
+  info.has_truth = !truth_.empty();
+  info.description = "motion log, " + std::to_string(info.frames) + " frames, " +
+                     std::to_string(candidates_.size()) + " loop candidates";
+  return Status::ok();
+}
+
+Status MotionLog::next(Frame& frame) {
+  if (!ready_.isOk()) return ready_;
+  if (next_ >= sequence_.size()) return Status::endOfStream();
+  const std::int64_t here = sequence_.sourceIndex(next_);
+  frame.frame = next_;
+  frame.stamp_ns = sequence_.stampNs(next_);
+  frame.source_index = here;
+  const auto at = [](const std::vector<PlanarPose>& poses, std::int64_t i) {
+    return poses[static_cast<std::size_t>(i)];
+  };
+  if (!truth_.empty()) {
+    frame.has_truth = true;
+    const PlanarPose start = at(truth_, sequence_.sourceIndex(0));
+    frame.T_world_camera_truth = fromPlanar(between(start, at(truth_, here)));
+  }
+  const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(next_ - 1, 0));
+  const PlanarPose step = between(at(poses_, before), at(poses_, here));
+  const auto f = [](auto value) { return static_cast<float>(value); };
+  frame.sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
+  NamedArray alike = {"place.candidate", {0, 4}, {}};
+  const auto [first, last] = candidates_.equal_range(here);
+  for (auto edge = first; edge != last; ++edge, ++alike.shape[0]) {
+    const PlanarPose& m = edge->second.motion;
+    alike.values.insert(alike.values.end(), {f(edge->second.to), f(m.x), f(m.y), f(m.theta)});
+  }
+  frame.sensors.push_back(std::move(alike));
+  ++next_;
+  return Status::ok();
+}
+
+Status MotionLog::inspect(std::vector<Finding>& findings) {
+  if (!ready_.isOk()) {
+    findings.push_back({Finding::Severity::Error, parameters_.path, ready_.message()});
+    return Status::ok();
+  }
+  SourceInfo found;
+  if (Status status = info(found); !status.isOk()) return status;
+  findings.push_back({Finding::Severity::Note, parameters_.path,
+                      found.description + (truth_.empty() ? ", no truth" : ", with truth")});
+  return Status::ok();
+}
+
+}  // namespace tolman::motion_log

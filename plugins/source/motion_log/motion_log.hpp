@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source `motion_log`: recorded planar motion and loop candidates instead of images.
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "g2o_edges.hpp"
+#include "tolman/frame_selection.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::motion_log {
+
+struct LogParameters : FrameSelection {
+  std::string path;
+  std::string odometry = "odometry.g2o";
+  std::string truth = "ground_truth.g2o";
+  std::string candidates = "loop_candidates.g2o";
+  double rate = 10;
+
+  static constexpr auto declaration() {
+    using P = LogParameters;
+    return std::tuple_cat(
+        parameters(
+            parameter("path", &P::path)
+                .path()
+                .required()
+                .doc("Folder of one sequence; the files below are relative to it."),
+            parameter("odometry", &P::odometry).doc("Motion from frame to frame, EDGE_SE2."),
+            parameter("truth", &P::truth)
+                .doc("True motion, EDGE_SE2; a file that is not there means no truth."),
+            parameter("candidates", &P::candidates)
+                .doc("What looked alike, EDGE_SE2 from a frame to an earlier one; empty for none."),
+            parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames a second.")),
+        selectionParameters<P>());
+  }
+};
+
+/// Frames without images. What was measured rides in Frame::sensors, for the replay plugins:
+///   motion.planar    {3}     x (forward), y (left) in m, theta in rad since the frame before
+///   place.candidate  {n, 4}  source index of a frame that looks alike, its x, y, theta from here
+class MotionLog final : public Source {
+ public:
+  using Parameters = LogParameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status info(SourceInfo& info) override;
+  Status next(Frame& frame) override;
+  Status inspect(std::vector<Finding>& findings) override;
+
+ private:
+  Status load();
+  Status loadCandidates();
+
+  Parameters parameters_;
+  Status ready_ = Status::failed("configure() was not called");
+  std::vector<PlanarPose> poses_;  ///< by odometry
+  std::vector<PlanarPose> truth_;  ///< empty without
+  std::multimap<std::int64_t, Edge> candidates_;
+  FrameSequence sequence_;
+  std::int64_t next_ = 0;
+};
+
+}  // namespace tolman::motion_log

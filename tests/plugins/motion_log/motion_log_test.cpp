@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Motion without images: files in, frames with sensors and truth out; broken files refused.
+#include "motion_log.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "support/context.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::motion_log;
+using tolman::test::TemporaryFolder;
+using tolman::test::TestContext;
+
+namespace {
+
+/// A square: four sides of 2 m, a quarter turn left after each; frame 4 is frame 0 again.
+struct Square {
+  Square() {
+    write("odometry.g2o",
+          "# a comment\nVERTEX_SE2 0 0 0 0\n"
+          "EDGE_SE2 0 1 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.5707963\n"
+          "EDGE_SE2 2 3 2 0 1.5707963\nEDGE_SE2 3 4 2 0 1.5707963\n");
+    write("ground_truth.g2o",
+          "EDGE_SE2 0 1 2.1 0 1.5707963\nEDGE_SE2 1 2 2.1 0 1.5707963\n"
+          "EDGE_SE2 2 3 2.1 0 1.5707963\nEDGE_SE2 3 4 2.1 0 1.5707963\n");
+    write("loop_candidates.g2o", "EDGE_SE2 4 0 0.5 0.25 0.1\nEDGE_SE2 4 1 0 0 0\n");
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder.path() / name) << text;
+  }
+  ParameterValues values(ParameterValues more = {}) const {
+    more["path"] = folder.path().string();
+    return more;
+  }
+  TemporaryFolder folder;
+};
+
+std::vector<Frame> drive(const ParameterValues& values) {
+  TestContext context(values);
+  MotionLog source;
+  const Status status = source.configure(context);
+  INFO(status.message());
+  REQUIRE(status.isOk());
+  std::vector<Frame> frames;
+  for (Frame frame; source.next(frame).isOk(); frame = {}) frames.push_back(frame);
+  return frames;
+}
+
+const std::vector<float>& motionOf(const Frame& frame) {
+  REQUIRE(frame.sensors.size() == 2);
+  REQUIRE(frame.sensors[0].name == "motion.planar");
+  return frame.sensors[0].values;
+}
+
+std::string refusal(const Square& square) {
+  TestContext context(square.values());
+  MotionLog source;
+  const Status status = source.configure(context);
+  REQUIRE_FALSE(status.isOk());
+  std::string message(status.message());
+  const std::string folder = square.folder.path().string() + "/";
+  if (message.starts_with(folder)) message.erase(0, folder.size());
+  return message;
+}
+
+}  // namespace
+
+TEST_CASE("frames carry motion, candidates and truth") {
+  const Square square;
+  const std::vector<Frame> frames = drive(square.values());
+  REQUIRE(frames.size() == 5);
+  CHECK(motionOf(frames[0]) == std::vector<float>{0, 0, 0});
+  for (std::size_t k = 1; k < 5; ++k) {
+    CHECK(motionOf(frames[k])[0] == Approx(2));
+    CHECK(motionOf(frames[k])[1] == Approx(0).margin(1e-6));
+    CHECK(motionOf(frames[k])[2] == Approx(1.5707963));
+    CHECK(frames[k].stamp_ns == static_cast<std::int64_t>(k) * 100'000'000);
+    CHECK(frames[k].left.empty());
+  }
+  const PlanarPose truth = toPlanar(frames[2].T_world_camera_truth);
+  CHECK(truth.x == Approx(2.1));
+  CHECK(truth.y == Approx(2.1));
+  CHECK(std::abs(truth.theta) == Approx(3.1415926).margin(1e-5));
+  const NamedArray& alike = frames[4].sensors[1];
+  CHECK(alike.shape == std::vector<int>{2, 4});
+  CHECK(alike.values == std::vector<float>{0, 0.5F, 0.25F, 0.1F, 1, 0, 0, 0});
+  CHECK(frames[3].sensors[1].values.empty());
+}
+
+TEST_CASE("steps compose the motion, the way back inverts it") {
+  const Square square;
+  const std::vector<Frame> coarse = drive(square.values({{"step", std::int64_t{2}}}));
+  REQUIRE(coarse.size() == 3);
+  CHECK(motionOf(coarse[1])[0] == Approx(2));
+  CHECK(motionOf(coarse[1])[1] == Approx(2));
+  const std::vector<Frame> back = drive(square.values({{"order", std::string("backward")}}));
+  // From (0, 0) facing +x again to where that last side began: 2 m, straight back and turned.
+  const PlanarPose step = {motionOf(back[1])[0], motionOf(back[1])[1], motionOf(back[1])[2]};
+  const PlanarPose round = compose(step, {2, 0, 1.5707963});
+  CHECK(round.x == Approx(0).margin(1e-6));
+  CHECK(round.y == Approx(0).margin(1e-6));
+  CHECK(round.theta == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("what is wrong with a file is said with line and remedy") {
+  const Square square;
+  SECTION("missing") {
+    std::filesystem::remove(square.folder.path() / "odometry.g2o");
+    CHECK(refusal(square) == "odometry.g2o cannot be read; check the path");
+  }
+  SECTION("gap") {
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1 0 0\nEDGE_SE2 2 3 1 0 0\n");
+    CHECK(refusal(square) ==
+          "odometry.g2o:2: should lead from 1 to 2; sort the edges and fill the gaps");
+  }
+  SECTION("not a number") {
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1 zero 0\n");
+    CHECK(refusal(square) ==
+          "odometry.g2o:1: needs two ids from 0 and three finite numbers (dx dy dtheta); "
+          "correct it");
+  }
+  SECTION("infinite") {
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1e999 0 0\n");
+    CHECK(refusal(square).starts_with("odometry.g2o:1: needs two ids"));
+  }
+  SECTION("spatial") {
+    square.write("odometry.g2o", "EDGE_SE3:QUAT 0 1 1 0 0 0 0 0 1\n");
+    CHECK(refusal(square) == "odometry.g2o:1: is no EDGE_SE2; a motion log has planar edges only");
+  }
+  SECTION("truth of another sequence") {
+    square.write("ground_truth.g2o", "EDGE_SE2 0 1 1 0 0\n");
+    CHECK(refusal(square) ==
+          "ground_truth.g2o has 2 poses, the odometry 5; give the truth of this sequence");
+  }
+  SECTION("a candidate from the future") {
+    square.write("loop_candidates.g2o", "EDGE_SE2 1 3 0 0 0\n");
+    CHECK(refusal(square) ==
+          "loop_candidates.g2o:1: leads from frame 1 to 3; a candidate leads from a frame to an "
+          "earlier one");
+  }
+}
+
+TEST_CASE("garbage never crashes the reader") {
+  const Square square;
+  RandomStream random(3);
+  for (int i = 0; i < 300; ++i) {
+    std::string text = "EDGE_SE2 0 1 2 0 1.57 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.57\n";
+    for (int k = 0; k < 3; ++k) {
+      text[random.below(text.size())] = static_cast<char>(random.below(256));
+    }
+    square.write("odometry.g2o", text);
+    TestContext context(square.values());
+    MotionLog source;
+    (void)source.configure(context);
+  }
+}
+
+TEST_CASE("the real sequences are read whole", "[data]") {
+  const auto folder = tolman::test::dataOrSkip("kitti_motion/00");
+  if (!folder) return;
+  const std::vector<Frame> frames = drive({{"path", folder->string()}});
+  CHECK(frames.size() == 4541);
+  std::size_t candidates = 0;
+  for (const Frame& frame : frames) candidates += frame.sensors[1].values.size() / 4;
+  CHECK(candidates == 433);
+}

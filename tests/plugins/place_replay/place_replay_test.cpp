@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Replayed candidates: templates dense from 0, recognised ones with the right offset.
+#include "place_replay.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/context.hpp"
+
+using namespace tolman;
+using namespace tolman::place_replay;
+using tolman::test::TestContext;
+
+namespace {
+
+struct Replay {
+  explicit Replay(const ParameterValues& values = {{"relative_pose", true}}) : context(values) {
+    REQUIRE(place.configure(context).isOk());
+  }
+  /// Drives 1 m forward to the next frame and looks; `alike` are rows of place.candidate.
+  PlaceObservation look(const std::vector<float>& alike = {}) {
+    Frame frame;
+    frame.frame = frame.source_index = next++;
+    frame.sensors.push_back({"place.candidate", {static_cast<int>(alike.size() / 4), 4}, alike});
+    Motion motion;
+    motion.T_previous_current = fromPlanar({1, 0, 0});
+    PlaceObservation observation;
+    REQUIRE(place.observe(frame, &motion, observation).isOk());
+    return observation;
+  }
+
+  TestContext context;
+  PlaceReplay place;
+  std::int64_t next = 0;
+};
+
+}  // namespace
+
+TEST_CASE("every fifth view makes a template, the others say nothing") {
+  Replay replay;
+  for (int i = 0; i < 20; ++i) {
+    const PlaceObservation seen = replay.look();
+    CHECK(seen.frame == i);
+    CHECK(seen.recognition == (i % 5 == 0 ? Recognition::Novel : Recognition::None));
+    CHECK(seen.template_id == (i % 5 == 0 ? i / 5 : -1));
+  }
+}
+
+TEST_CASE("a candidate is its template seen again, with the offset turned round") {
+  Replay replay;
+  for (int i = 0; i < 10; ++i) replay.look();
+  // From frame 10, the earlier frame 5 lies 2 m ahead: we are 2 m behind its template.
+  const PlaceObservation seen = replay.look({5, 2, 0, 0});
+  CHECK(seen.recognition == Recognition::Familiar);
+  CHECK(seen.template_id == 1);
+  REQUIRE(seen.has_relative_pose);
+  CHECK(toPlanar(seen.T_template_current).x == Approx(-2));
+  CHECK(toPlanar(seen.T_template_current).y == Approx(0).margin(1e-9));
+  CHECK(seen.relative_yaw == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("a recognised view makes its own template a frame later, and can be recognised") {
+  Replay replay;
+  for (int i = 0; i < 10; ++i) replay.look();
+  CHECK(replay.look({5, 0, 0, 0}).recognition == Recognition::Familiar);  // frame 10
+  const PlaceObservation own = replay.look();                             // frame 11
+  CHECK(own.recognition == Recognition::Novel);
+  CHECK(own.template_id == 2);
+  for (int i = 12; i < 15; ++i) replay.look();
+  // Frame 15 is where frame 10 was; the template was made 1 m ahead of that.
+  const PlaceObservation again = replay.look({10, 0, 0, 0});
+  CHECK(again.template_id == 2);
+  CHECK(toPlanar(again.T_template_current).x == Approx(-1));
+}
+
+TEST_CASE("candidates whose view is not known are passed over") {
+  Replay replay;
+  CHECK(replay.look({99, 0, 0, 0}).recognition == Recognition::Novel);
+  for (int i = 1; i < 5; ++i) replay.look();
+  CHECK(replay.look({99, 0, 0, 0, 0, 0, 0, 0}).template_id == 0);
+}
+
+TEST_CASE("the offset is kept back unless asked for") {
+  Replay replay(ParameterValues{});
+  replay.look();
+  CHECK_FALSE(replay.look({0, 1, 0, 0}).has_relative_pose);
+}
+
+TEST_CASE("reset forgets every template") {
+  Replay replay;
+  replay.look();
+  REQUIRE(replay.place.reset().isOk());
+  replay.next = 0;
+  CHECK(replay.look({0, 0, 0, 0}).template_id == 0);
+}
