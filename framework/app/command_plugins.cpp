@@ -120,6 +120,8 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   auto file = std::make_shared<std::string>();
   doctor_command->add_option("file", *file, "Library, *.so")->required();
   doctor_command->callback([file, &invocation] { doctor(*file, invocation); });
+
+  addPluginsNewCommand(*command, invocation);
 }
 
 }  // namespace tolman::app

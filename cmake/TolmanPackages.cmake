@@ -1,0 +1,42 @@
+# Debian packages: tolman (program, plugins, configurations, pages) and libtolman-sdk-dev.
+#   cpack --config build/CPackConfig.cmake
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME tolman)
+set(CPACK_PACKAGE_CONTACT "Tolman maintainers <maintainers@tolman.example>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL program sdk)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tolman)
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+    "neurobiologically inspired visual SLAM from swappable plugins
+ Stereo odometry, local view templates, head direction and grid cells, and an
+ experience map, each a shared library, composed by one YAML file; every run is
+ recorded. With a procedural town that needs no data set.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libtolman-sdk-dev)
+
+set(CPACK_DEBIAN_SDK_PACKAGE_NAME libtolman-sdk-dev)
+set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_SDK_PACKAGE_ARCHITECTURE all)
+set(CPACK_COMPONENT_SDK_DESCRIPTION
+    "headers, templates and examples for plugins of Tolman
+ The contracts of the six roles, find_package(tolman-sdk) with
+ tolman_add_plugin(), and what \"tolman plugins new\" copies. Headers only.")
+set(CPACK_DEBIAN_SDK_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
+set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>= 3.22), g++")
+set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")
+
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman
+        COMPONENT program)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman RENAME copyright
+        COMPONENT program)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libtolman-sdk-dev RENAME copyright
+        COMPONENT sdk)
+include(CPack)

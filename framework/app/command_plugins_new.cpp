@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman plugins new ROLE NAME [DIR]: a repository outside this tree that builds and passes at
+// once.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/exit_code.hpp"
+#include "app/plugin_template.hpp"
+#include "app/program.hpp"
+
+namespace tolman::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Request {
+  std::string role;
+  std::string name;
+  std::string folder;
+};
+
+ExitCode refuse(ExitCode code, const std::string& message) {
+  std::cerr << message << "\n";
+  return code;
+}
+
+/// A word of a shell command, quoted where it must be.
+std::string quoted(const std::string& word) {
+  if (word.find_first_of(" \t'\"\\$&;()<>|*?[]#~`!") == std::string::npos) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
+std::string nextCommands(const fs::path& folder, const fs::path& executable) {
+  const auto prefix = unusualPrefix(executable);
+  const std::string program = prefix ? quoted(executable.string()) : "tolman";
+  const std::string sdk = prefix ? " -DCMAKE_PREFIX_PATH=" + quoted(prefix->string()) : "";
+  return fmt::format(
+      "next:\n"
+      "  cd {}\n"
+      "  cmake -S . -B build{}\n"
+      "  cmake --build build\n"
+      "  ctest --test-dir build\n"
+      "  {} run chain.yaml --plugin-path build\n",
+      quoted(folder.string()), sdk, program);
+}
+
+ExitCode makePlugin(const Request& request, const Invocation& invocation) {
+  const auto role = roleNamed(request.role);
+  if (!role.isOk()) return refuse(ExitCode::Usage, role.status().message());
+  if (const auto objection = objectionTo(request.name)) return refuse(ExitCode::Usage, *objection);
+  std::error_code ignored;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
+  const auto templates = templateFolder(executable);
+  if (!templates.isOk()) return refuse(ExitCode::Record, templates.status().message());
+
+  const fs::path folder = request.folder.empty() ? request.name : request.folder;
+  const auto written = writeNewPlugin(templates.value(), {role.value(), request.name, folder});
+  if (!written.isOk()) return refuse(ExitCode::Record, written.status().message());
+  if (invocation.json) {
+    nlohmann::ordered_json json = {{"folder", fs::absolute(folder).string()},
+                                   {"files", nlohmann::ordered_json::array()}};
+    for (const fs::path& file : written.value()) json["files"].push_back(file.string());
+    std::cout << json.dump(2) << "\n";
+  } else if (!invocation.quiet) {
+    std::cout << fmt::format("wrote {} files to {}\n", written.value().size(), folder.string())
+              << nextCommands(folder, executable);
+  }
+  return ExitCode::Ok;
+}
+
+}  // namespace
+
+void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation) {
+  CLI::App* command =
+      plugins.add_subcommand("new", "A repository of your own, with a plugin that works");
+  auto request = std::make_shared<Request>();
+  command->add_option("role", request->role, "source, odometry, place, cells, map or observer")
+      ->required();
+  command->add_option("name", request->name, "Id of the plugin, such as my_places")->required();
+  command->add_option("dir", request->folder, "Folder to write; default: NAME");
+  command->callback([request, &invocation] {
+    invocation.exit_code = static_cast<int>(makePlugin(*request, invocation));
+  });
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/plugin_template.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+
+#include "config/nearest_name.hpp"
+#include "tolman/version.hpp"
+
+namespace tolman::app {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kLongestName = 40;
+constexpr const char* kSuffix = ".in";
+/// Files of a repository that a plugin's own files would overwrite.
+constexpr std::array kTakenNames = {"plugin", "test_context"};
+
+bool isSmall(char c) { return c >= 'a' && c <= 'z'; }
+bool isLegal(char c) { return isSmall(c) || (c >= '0' && c <= '9') || c == '_'; }
+
+/// The nearest legal name to what was meant: "MyPlaces-2" to "my_places_2".
+std::string legalised(const std::string& name) {
+  std::string legal;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const bool begins_word =
+        std::isupper(c) != 0 && i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
+    const char small = std::isalnum(c) != 0 ? static_cast<char>(std::tolower(c)) : '_';
+    if (begins_word) legal += '_';
+    if (small != '_' || !legal.ends_with('_')) legal += small;
+  }
+  while (!legal.empty() && !isSmall(legal.front())) legal.erase(0, 1);
+  legal.resize(std::min(legal.size(), kLongestName));
+  while (legal.ends_with('_')) legal.pop_back();
+  return legal;
+}
+
+Result<std::string> readFile(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (stream) return text.str();
+  return Status::failed(file.string() + ": the template cannot be read; install the SDK again");
+}
+
+/// The placeholders' values. `about`: one line that sums up, an empty one, and the rest.
+std::map<std::string, std::string> valuesOf(const NewPlugin& plugin, const std::string& about) {
+  const std::size_t line = std::min(about.find('\n'), about.size());
+  const std::size_t rest = std::min(about.find_first_not_of('\n', line), about.size());
+  const std::size_t end = about.find_last_not_of('\n') + 1;
+  return {{"NAME", plugin.name},
+          {"CLASS", className(plugin.name)},
+          {"ROLE", std::string(enumName(plugin.role))},
+          {"SDK_VERSION", TOLMAN_SDK_VERSION},
+          {"SUMMARY", about.substr(0, line)},
+          {"ABOUT", about.substr(rest, std::max(end, rest) - rest)}};
+}
+
+Status writeFile(const fs::path& file, const std::string& text) {
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (stream) return Status::ok();
+  return Status::failed(file.string() +
+                        ": cannot be written; look for a full disk and missing permissions");
+}
+
+/// Copies one folder of templates, filled in; adds the files to `written`.
+Status copyFilled(const fs::path& from, const fs::path& to,
+                  const std::map<std::string, std::string>& values,
+                  std::vector<fs::path>& written) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator it(from, error), end; !error && it != end;
+       it.increment(error)) {
+    if (!it->is_regular_file() || it->path().extension() != kSuffix) continue;
+    const auto text = readFile(it->path());
+    if (!text.isOk()) return text.status();
+    const std::string place = fs::relative(it->path(), from).replace_extension().string();
+    const fs::path relative = fillIn(place, values);
+    if (Status status = writeFile(to / relative, fillIn(text.value(), values)); !status.isOk()) {
+      return status;
+    }
+    written.push_back(relative);
+  }
+  if (!error) return Status::ok();
+  return Status::failed(from.string() + ": " + error.message() + "; install the SDK again");
+}
+
+/// Whether `folder` may be filled: absent, or an empty folder.
+Status checkFree(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) return Status::ok();
+  if (fs::is_directory(folder, error) && fs::is_empty(folder, error) && !error) return Status::ok();
+  return Status::failed(folder.string() +
+                        ": is there already and not an empty folder; name another one, or remove "
+                        "it");
+}
+
+}  // namespace
+
+std::optional<std::string> objectionTo(const std::string& name) {
+  const bool legal = !name.empty() && isSmall(name.front()) && name.back() != '_' &&
+                     std::all_of(name.begin(), name.end(), isLegal) &&
+                     name.find("__") == std::string::npos && name.size() <= kLongestName;
+  if (!legal) {
+    const std::string proposal = legalised(name);
+    return "'" + name +
+           "' cannot be the name of a plugin: it takes small letters, digits and single "
+           "underscores, begins with a letter and has " +
+           std::to_string(kLongestName) + " of them at most" +
+           (proposal.empty() ? "; choose such a name" : "; try '" + proposal + "'");
+  }
+  if (std::find(kTakenNames.begin(), kTakenNames.end(), name) != kTakenNames.end()) {
+    return "'" + name + "' is the name of another file of the repository; try 'my_" + name + "'";
+  }
+  return std::nullopt;
+}
+
+Result<Role> roleNamed(const std::string& name) {
+  const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), name);
+  if (found != kRoleNames.end()) return static_cast<Role>(found - kRoleNames.begin());
+  const std::vector<std::string> roles(kRoleNames.begin(), kRoleNames.end());
+  return Status::invalidParameter("there is no role '" + name + "'; a plugin is one of " +
+                                  config::listed(roles) + config::didYouMean(name, roles));
+}
+
+std::string className(const std::string& id) {
+  std::string name;
+  bool begins_word = true;
+  for (const char c : id) {
+    if (c != '_') {
+      name += begins_word ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    }
+    begins_word = c == '_';
+  }
+  return name;
+}
+
+Result<fs::path> templateFolder(const fs::path& executable) {
+  const fs::path folder = executable.parent_path().parent_path() / "share/tolman/template";
+  std::error_code error;
+  if (fs::is_directory(folder / "shared", error)) return folder;
+  return Status::failed(folder.string() +
+                        ": the templates are not there; install the SDK (Debian: "
+                        "libtolman-sdk-dev) beside this program");
+}
+
+std::optional<fs::path> unusualPrefix(const fs::path& executable) {
+  const fs::path prefix = executable.parent_path().parent_path();
+  if (prefix == "/usr" || prefix == "/usr/local") return std::nullopt;
+  return prefix;
+}
+
+std::string fillIn(const std::string& text, const std::map<std::string, std::string>& values) {
+  std::string filled;
+  std::size_t done = 0;
+  for (std::size_t at = text.find('@'); at != std::string::npos; at = text.find('@', at)) {
+    const std::size_t end = text.find('@', at + 1);
+    if (end == std::string::npos) break;
+    const auto value = values.find(text.substr(at + 1, end - at - 1));
+    if (value == values.end()) {
+      at = end;  // this sign may begin a placeholder
+      continue;
+    }
+    filled.append(text, done, at - done).append(value->second);
+    at = done = end + 1;
+  }
+  return filled.append(text, done);
+}
+
+Result<std::vector<fs::path>> writeNewPlugin(const fs::path& templates, const NewPlugin& plugin) {
+  if (Status status = checkFree(plugin.folder); !status.isOk()) return status;
+  const fs::path of_role = templates / enumName(plugin.role);
+  const auto about = readFile(of_role / "about.md");
+  if (!about.isOk()) return about.status();
+  const auto values = valuesOf(plugin, about.value());
+  std::vector<fs::path> written;
+  for (const fs::path& from : {templates / "shared", of_role}) {
+    if (Status status = copyFilled(from, plugin.folder, values, written); !status.isOk()) {
+      return status;
+    }
+  }
+  std::sort(written.begin(), written.end());
+  return written;
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The Debian packages: what they contain, what they depend on, and that they work from where dpkg
+// puts them. Skipped, visibly, where there is no dpkg-deb.
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <iostream>
+
+#include "author/workshop.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+bool hasDpkg() {
+  if (run({"dpkg-deb", "--version"}).exit_code == 0) return true;
+  std::cout << "SKIPPED: dpkg-deb is not there\n";
+  return false;
+}
+
+/// Builds the packages into `folder`/packages as tolman.deb and libtolman-sdk-dev.deb.
+void makePackages(const Workshop& workshop) {
+  const Finished made =
+      workshop.shell("cpack --config " TOLMAN_BINARY_DIR
+                     "/CPackConfig.cmake -G DEB -B packages\n"
+                     "mv packages/tolman_*.deb packages/tolman.deb\n"
+                     "mv packages/libtolman-sdk-dev_*.deb packages/libtolman-sdk-dev.deb\n");
+  INFO(made.out << made.err);
+  REQUIRE(made.exit_code == 0);
+}
+
+std::string field(const Workshop& workshop, const std::string& package, const std::string& name) {
+  return workshop.shell("dpkg-deb -f packages/" + package + ".deb " + name).out;
+}
+
+/// A plugin made, built and described with nothing but what lies in `root`/usr.
+void checkUse(const Workshop& workshop, const std::string& root) {
+  const Finished used =
+      workshop.shell("tolman plugins new place my_places of_" + root + " && cd of_" + root +
+                         " && cmake -S . -B build -DBUILD_TESTING=OFF && cmake --build build"
+                         " && tolman plugins doctor build/tolman_place_my_places.so"
+                         " && tolman run chain.yaml --plugin-path build --set source.last=2"
+                         " --set source.scale=0.15 --out run",
+                     workshop.folder() / root / "usr");
+  INFO(used.out << used.err);
+  REQUIRE(used.exit_code == 0);
+  CHECK(contains(readText(workshop.folder() / ("of_" + root) / "build/CMakeCache.txt"),
+                 "tolman-sdk_DIR:PATH=" + (workshop.folder() / root / "usr/lib").string()));
+}
+
+}  // namespace
+
+TEST_CASE("the packages say what they need and hold what they should") {
+  if (!hasDpkg()) return;
+  const Workshop workshop;
+  makePackages(workshop);
+
+  const std::string needs = field(workshop, "tolman", "Depends");
+  for (const char* library : {"libc6", "libceres", "libembree", "libopencv-core", "libsqlite3-0",
+                              "libtbb", "libyaml-cpp"}) {
+    INFO(needs);
+    CHECK(contains(needs, library));
+  }
+  const std::string sdk_needs = field(workshop, "libtolman-sdk-dev", "Depends");
+  CHECK(contains(sdk_needs, "libeigen3-dev (>= 3.4)"));
+  CHECK_FALSE(contains(sdk_needs, "libopencv"));  // only a plugin that wants it
+  CHECK(contains(field(workshop, "libtolman-sdk-dev", "Architecture"), "all"));
+
+  const std::string program = workshop.shell("dpkg-deb -c packages/tolman.deb").out;
+  const std::string sdk = workshop.shell("dpkg-deb -c packages/libtolman-sdk-dev.deb").out;
+  for (const char* file :
+       {"./usr/bin/tolman\n", "/tolman/plugins/tolman_source_town.so\n",
+        "./usr/share/tolman/configs/demo.yaml\n", "./usr/share/doc/tolman/copyright\n",
+        "./usr/share/doc/tolman/write-a-plugin.md\n"}) {
+    INFO(file);
+    CHECK(contains(program, file));
+    CHECK_FALSE(contains(sdk, file));
+  }
+  for (const char* file :
+       {"./usr/include/tolman/roles.hpp\n", "/cmake/tolman-sdk/tolman-sdk-config.cmake\n",
+        "./usr/share/tolman/template/shared/CMakeLists.txt.in\n",
+        "./usr/share/tolman/examples/hog_places.cpp\n",
+        "./usr/share/doc/libtolman-sdk-dev/copyright\n"}) {
+    INFO(file);
+    CHECK(contains(sdk, file));
+    CHECK_FALSE(contains(program, file));
+  }
+}
+
+TEST_CASE("unpacked packages work from their folder") {
+  if (!hasDpkg()) return;
+  const Workshop workshop;
+  makePackages(workshop);
+  const Finished unpacked = workshop.shell(
+      "dpkg-deb -x packages/tolman.deb unpacked && "
+      "dpkg-deb -x packages/libtolman-sdk-dev.deb unpacked");
+  REQUIRE(unpacked.exit_code == 0);
+  checkUse(workshop, "unpacked");
+
+  if (::geteuid() != 0) {
+    std::cout << "SKIPPED: dpkg -i into a root of its own needs root\n";
+    return;
+  }
+  // Dependencies are not in that root's database; the test above looks at them.
+  const Finished installed = workshop.shell(
+      "mkdir -p installed/var/lib/dpkg/{info,updates} && touch installed/var/lib/dpkg/status\n"
+      "dpkg --root=\"$PWD/installed\" --force-depends -i packages/*.deb\n"
+      "dpkg --root=\"$PWD/installed\" -l tolman libtolman-sdk-dev | grep -c ^ii");
+  INFO(installed.out << installed.err);
+  REQUIRE(installed.exit_code == 0);
+  CHECK(installed.out.ends_with("2\n"));
+  checkUse(workshop, "installed");
+  const Finished removed = workshop.shell(
+      "dpkg --root=\"$PWD/installed\" --force-depends -P tolman libtolman-sdk-dev\n"
+      "find installed/usr -type f");
+  CHECK(removed.exit_code == 0);
+  CHECK_FALSE(contains(removed.out, "installed/usr/"));
+}
