@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins: list (opens none), describe (opens one), doctor (one file, step by step).
+// tolman plugins: list (opens none), describe (opens one), doctor (one file, step by step), and
+// validate, which has a file of its own.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -120,6 +121,8 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   auto file = std::make_shared<std::string>();
   doctor_command->add_option("file", *file, "Library, *.so")->required();
   doctor_command->callback([file, &invocation] { doctor(*file, invocation); });
+
+  addValidateCommand(*command, invocation);
 }
 
 }  // namespace tolman::app
