@@ -11,7 +11,8 @@
 namespace tolman::conformance {
 namespace {
 
-constexpr int kDraws = 20;
+constexpr int kWanted = 20;  // draws that configure() takes
+constexpr int kMostDraws = 100;
 
 bool isRefusal(const Status& status) {
   return status.code() == StatusCode::InvalidParameter ||
@@ -37,20 +38,24 @@ void checkRandom(Lab& lab) {
   constexpr int kMostFailures = 3;
   const Specimen& specimen = lab.complete();
   const Stimulus stimulus = shortened(lab.stimulus(), kFrames);
-  int done = 0;
+  int drawn = 0;
   std::array<int, 3> outcomes{};
-  while (done < kDraws && lab.spent() < 0.6 && outcomes[2] < kMostFailures) {
-    const ParameterValues values = drawParameters(specimen, lab.options().seed, done);
-    const std::string who = "draw " + std::to_string(done) + " of seed " +
+  const auto count = [&](Drawn outcome) -> int& {
+    return outcomes.at(static_cast<std::size_t>(outcome));
+  };
+  while (count(Drawn::Worked) < kWanted && drawn < kMostDraws && lab.spent() < 0.6 &&
+         count(Drawn::Failed) < kMostFailures) {
+    const ParameterValues values = drawParameters(specimen, lab.options().seed, drawn);
+    const std::string who = "draw " + std::to_string(drawn) + " of seed " +
                             std::to_string(lab.options().seed) + " (" +
                             difference(specimen.values, values) + ")";
-    lab.step(who);
-    ++outcomes.at(static_cast<std::size_t>(tryDraw(lab, stimulus, values, who)));
-    ++done;
+    lab.topic(who);
+    ++count(tryDraw(lab, stimulus, values, who));
+    ++drawn;
   }
-  lab.note(std::to_string(done) + " of " + std::to_string(kDraws) + " draws of seed " +
-           std::to_string(lab.options().seed) + ", " + std::to_string(outcomes[1]) +
-           " refused by configure()" + (done < kDraws ? ", then the time was up" : ""));
+  lab.note(std::to_string(drawn) + " draws of seed " + std::to_string(lab.options().seed) + ": " +
+           std::to_string(count(Drawn::Worked)) + " worked, " +
+           std::to_string(count(Drawn::Refused)) + " refused by configure()");
 }
 
 /// A value of another type than the declared one.
@@ -65,7 +70,7 @@ void checkWrongTypes(Lab& lab) {
   for (const ParameterInfo& info : specimen.plugin.schema) {
     ParameterValues values = specimen.values;
     values[info.name] = ofWrongType(info);
-    lab.step("parameter '" + info.name + "' of a wrong type");
+    lab.topic("parameter '" + info.name + "' of a wrong type");
     Actor actor(specimen, values);
     const Status status = actor.configure(nothing.rig);
     if (status.isOk()) {

@@ -68,7 +68,7 @@ std::vector<std::pair<std::string, std::string>> damagedCopies(const std::string
 
 void checkOneDamage(Lab& lab, const Half& half, const Transcript& fresh, const std::string& what,
                     const std::string& bytes) {
-  lab.step("load: " + what);
+  lab.topic("load: " + what);
   std::istringstream stream(bytes);
   const Status status = half.actor->load(stream);
   if (status.isOk()) {

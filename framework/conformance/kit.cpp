@@ -75,13 +75,19 @@ class Experiment {
     std::optional<Message> message = decodeMessage(line);
     if (!message) return;
     if (auto* step = std::get_if<Step>(&*message)) step_ = std::move(step->what);
+    if (auto* topic = std::get_if<Topic>(&*message)) topic_ = std::move(topic->what);
     if (auto* finding = std::get_if<Finding>(&*message)) result_.findings.push_back(*finding);
     if (auto* figure = std::get_if<Figure>(&*message)) result_.figures.push_back(*figure);
     done_ = done_ || std::holds_alternative<Done>(*message);
   }
 
+  std::string place() const {
+    if (done_) return "when the process ended";
+    return "in '" + step_ + "'" + (topic_.empty() ? "" : " of " + topic_);
+  }
+
   void judge(const ChildEnd& end) {
-    const std::string where = done_ ? "when the process ended" : "in '" + step_ + "'";
+    const std::string where = place();
     timed_out_ = end.timed_out;
     if (end.timed_out) {
       error("did not return within " + std::to_string(static_cast<int>(options_.timeout)) + " s, " +
@@ -108,6 +114,7 @@ class Experiment {
   const KitOptions& options_;
   CheckResult result_;
   std::string step_ = "start";
+  std::string topic_;
   bool done_ = false;
   bool timed_out_ = false;
 };

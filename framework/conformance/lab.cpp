@@ -44,7 +44,7 @@ plugins::Manifest Lab::manifest() const {
 const Specimen& Lab::specimen() {
   if (specimen_) return *specimen_;
   const plugins::Manifest found = manifest();
-  step("load");
+  trace_("load");
   auto loaded = plugins::loadPlugin(found, plugins::HostIdentity::ofThisBuild());
   if (const auto* refusal = std::get_if<plugins::Refusal>(&loaded)) refuse(*refusal);
   Specimen specimen;

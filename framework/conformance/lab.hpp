@@ -32,14 +32,17 @@ class Lab {
   using Sink = std::function<void(const Finding&)>;
   using FigureSink = std::function<void(const Figure&)>;
 
-  Lab(LabOptions options, Trace trace, Sink finding, FigureSink figure)
+  /// `trace` hears of calls, `topic` of what they are about.
+  Lab(LabOptions options, Trace trace, Trace topic, Sink finding, FigureSink figure)
       : options_(std::move(options)),
         trace_(std::move(trace)),
+        topic_(std::move(topic)),
         finding_(std::move(finding)),
         figure_(std::move(figure)) {}
 
   const LabOptions& options() const { return options_; }
-  void step(const std::string& what) const { trace_(what); }
+  /// What the calls from now on are about.
+  void topic(const std::string& what) const { topic_(what); }
 
   /// From the file alone. Ends the check with the refusal when there is none.
   plugins::Manifest manifest() const;
@@ -70,6 +73,7 @@ class Lab {
  private:
   LabOptions options_;
   Trace trace_;
+  Trace topic_;
   Sink finding_;
   FigureSink figure_;
   std::optional<Specimen> specimen_;

@@ -14,6 +14,7 @@ std::string dump(const Json& json) {
 
 Message fromJson(const Json& json) {
   if (json.contains("step")) return Step{json["step"]};
+  if (json.contains("topic")) return Topic{json["topic"]};
   if (json.contains("finding")) {
     return Finding{static_cast<Severity>(json["finding"].get<int>()), json.at("message"),
                    json.at("remedy")};
@@ -55,6 +56,7 @@ Task decodeTask(const std::string& text) {
 
 std::string encode(const Message& message) {
   if (const auto* step = std::get_if<Step>(&message)) return dump({{"step", step->what}});
+  if (const auto* topic = std::get_if<Topic>(&message)) return dump({{"topic", topic->what}});
   if (const auto* finding = std::get_if<Finding>(&message)) {
     return dump({{"finding", static_cast<int>(finding->severity)},
                  {"message", finding->message},

@@ -24,10 +24,14 @@ Task decodeTask(const std::string& text);
 struct Step {
   std::string what;
 };
+/// What the calls from now on are about: "draw 7 of seed 1".
+struct Topic {
+  std::string what;
+};
 /// The check is complete.
 struct Done {};
 
-using Message = std::variant<Step, Finding, Figure, Done>;
+using Message = std::variant<Step, Topic, Finding, Figure, Done>;
 std::string encode(const Message& message);
 /// Nothing for what encode() did not write: plugins may write where they should not.
 std::optional<Message> decodeMessage(const std::string& line);

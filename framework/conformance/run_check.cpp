@@ -41,6 +41,7 @@ void runCheck(const std::string& text) {
   if (check == checks.end()) throw std::runtime_error("no check '" + task.check + "'");
   Lab lab(
       task.lab, [report](const std::string& step) { send(report, Step{step}); },
+      [report](const std::string& topic) { send(report, Topic{topic}); },
       [report, check](Finding finding) {
         const bool fault = finding.severity >= Severity::Warning;
         if (fault && finding.remedy.empty()) finding.remedy = check->remedy;
