@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins: list (opens none), describe (opens one), doctor (one file, step by step).
+// tolman plugins: list (opens none), describe (opens one), doctor (one file, step by step), and
+// validate, which has a file of its own.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -122,6 +123,7 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   doctor_command->callback([file, &invocation] { doctor(*file, invocation); });
 
   addPluginsNewCommand(*command, invocation);
+  addValidateCommand(*command, invocation);
 }
 
 }  // namespace tolman::app

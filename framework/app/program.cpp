@@ -17,6 +17,7 @@ constexpr const char* kFooter =
     "  tolman check configs/kitti.yaml --explain       every value and where it comes from\n"
     "  tolman plugins describe bayesian_attractor      parameters of a plugin\n"
     "  tolman plugins new place my_places              a repository with a plugin that works\n"
+    "  tolman plugins validate build/mine.so           does a plugin keep the contract?\n"
     "  tolman dataset check ~/kitti/sequences/06       is the data set sound?\n"
     "  tolman dataset render town.yaml --out town       the frames of any source as a KITTI "
     "folder\n"

@@ -101,6 +101,11 @@ Status SourceStage::next(Frame& frame) {
   return status;
 }
 
+void SourceStage::expect(std::int64_t next_frame, std::int64_t last_stamp_ns) {
+  next_frame_ = next_frame;
+  last_stamp_ns_ = last_stamp_ns;
+}
+
 Status SourceStage::inspect(std::vector<Finding>& findings) {
   return instance_->call<Source>("inspect", -1,
                                  [&](Source& source) { return source.inspect(findings); });

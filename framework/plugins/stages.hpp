@@ -30,6 +30,8 @@ class SourceStage : public Stage {
   /// Checks that frames are dense from 0, stamps increase and images keep their size.
   Status next(Frame& frame);
   Status inspect(std::vector<Finding>& findings);
+  /// Where the run stands after reset() (the defaults), or after a saved state was loaded.
+  void expect(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
 
  private:
   Status check(const Frame& frame) const;
@@ -60,6 +62,8 @@ class CellsStage : public Stage {
   /// Checks that experience ids are dense and known, heading and confidence in their ranges.
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish();
+  /// How many experiences there are after reset() (none), or after a saved state was loaded.
+  void expect(std::int64_t experiences = 0) { experiences_ = experiences; }
 
  private:
   Status check(const Decision& decision) const;

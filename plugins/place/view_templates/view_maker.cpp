@@ -97,29 +97,38 @@ void normalisePatches(int columns, int radius, double minimum_std, const std::ve
   }
 }
 
+Result<ViewMaker::Blocks> ViewMaker::blocksOf(int image_width, int image_height) const {
+  const ViewSettings& s = settings_;
+  const int x0 = pixelOf(s.crop_x_min, image_width);
+  const int y0 = pixelOf(s.crop_y_min, image_height);
+  const int width = pixelOf(s.crop_x_max, image_width) - x0;
+  const int height = pixelOf(s.crop_y_max, image_height) - y0;
+  // The remainder on the right and below is ignored.
+  const Blocks blocks{x0, y0, width / s.columns, height / s.rows};
+  if (blocks.width >= 1 && blocks.height >= 1) return blocks;
+  return Status::invalidParameter(
+      "the crop of the " + sizeText(image_width, image_height) + " image has " +
+      sizeText(width, height) + " pixels, too few for a template of " +
+      sizeText(s.columns, s.rows) + " cells; make `columns` and `rows` smaller or the crop larger");
+}
+
+Status ViewMaker::checkSize(int image_width, int image_height) const {
+  return blocksOf(image_width, image_height).status();
+}
+
 Status ViewMaker::make(const Image& image, View& view) {
   const ViewSettings& s = settings_;
-  const int x0 = pixelOf(s.crop_x_min, image.width());
-  const int y0 = pixelOf(s.crop_y_min, image.height());
-  const int width = pixelOf(s.crop_x_max, image.width()) - x0;
-  const int height = pixelOf(s.crop_y_max, image.height()) - y0;
-  const int block_width = width / s.columns;  // the remainder on the right and below is ignored
-  const int block_height = height / s.rows;
-  if (block_width < 1 || block_height < 1) {
-    return Status::invalidParameter("the crop of the " + sizeText(image.width(), image.height()) +
-                                    " image has " + sizeText(width, height) +
-                                    " pixels, too few for a template of " +
-                                    sizeText(s.columns, s.rows) +
-                                    " cells; make `columns` and `rows` smaller or the crop larger");
-  }
-  averageBlocks(image, x0, y0, block_width, block_height, s.columns, s.rows, view.cells);
+  const Result<Blocks> blocks = blocksOf(image.width(), image.height());
+  if (!blocks.isOk()) return blocks.status();
+  const auto& [x0, y0, width, height] = blocks.value();
+  averageBlocks(image, x0, y0, width, height, s.columns, s.rows, view.cells);
   if (s.normalisation > 0) normaliseMean(s.normalisation, view.cells);
   if (s.patch_radius > 0) {
     before_patches_.swap(view.cells);
     normalisePatches(s.columns, s.patch_radius, s.patch_minimum_std, before_patches_, view.cells);
   }
   view.mean = meanOf(view.cells);
-  view.block_width_px = block_width;
+  view.block_width_px = width;
   return Status::ok();
 }
 

@@ -35,8 +35,19 @@ class ViewMaker {
 
   /// Overwrites `view`. InvalidParameter when the crop has fewer pixels than cells.
   Status make(const Image& image, View& view);
+  /// The same failure, before there is an image.
+  Status checkSize(int image_width, int image_height) const;
 
  private:
+  /// The crop's corner, and the size of the blocks that become cells, px.
+  struct Blocks {
+    int x0;
+    int y0;
+    int width;
+    int height;
+  };
+  Result<Blocks> blocksOf(int image_width, int image_height) const;
+
   ViewSettings settings_;
   std::vector<float> before_patches_;
 };

@@ -42,7 +42,8 @@ Status ViewTemplates::configure(const Context& context) {
   parameters_ = std::move(bound).value();
   if (Status status = check(parameters_); !status.isOk()) return status;
   rig_ = context.rig;
-  return reset();
+  if (Status status = reset(); !status.isOk()) return status;
+  return rig_.width > 0 ? maker_->checkSize(rig_.width, rig_.height) : Status::ok();
 }
 
 Status ViewTemplates::reset() {

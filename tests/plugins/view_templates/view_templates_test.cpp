@@ -113,6 +113,19 @@ TEST_CASE("bad parameters are refused with the remedy") {
         "the crop is empty: crop_x_min and crop_y_min must be less than crop_x_max and crop_y_max");
 }
 
+TEST_CASE("a rig whose images are too small is refused before the first frame") {
+  ViewTemplates plugin;
+  tolman::test::TestContext services;
+  services.rig.width = 16;
+  services.rig.height = 8;
+  const Status refused = plugin.configure(services);
+  CHECK(refused.code() == StatusCode::InvalidParameter);
+  CHECK(refused.message().find("the crop of the 16x8 image has 14x5 pixels, too few") == 0);
+  services.rig.width = 160;
+  services.rig.height = 60;
+  CHECK(plugin.configure(services).isOk());
+}
+
 TEST_CASE("small images work with the defaults") {
   ViewTemplates plugin;
   REQUIRE(configure(plugin, {}).isOk());

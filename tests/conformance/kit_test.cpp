@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The command as a plugin's author meets it.
+#include "conformance/validation.hpp"
+
+using namespace tolman::test;
+
+TEST_CASE("a sound plugin conforms at every level, whatever its role") {
+  for (const auto& [library, id] : {std::pair("steady", "steady"), std::pair("strangers", "keeper"),
+                                    std::pair("strangers", "homely")}) {
+    const Validation found = validate(fixtureLibrary(library), {"--id", id});
+    INFO(found.reports.dump(1));
+    CHECK(found.exit_code == 0);
+    CHECK(found.reports[0]["conforms"] == true);
+    CHECK(found.reports[0]["errors"] == 0);
+    CHECK(found.reports[0]["warnings"] == 0);
+  }
+}
+
+TEST_CASE("one crash is one finding: the kit goes on and ends with exit code 4") {
+  const Validation found = validate(fixtureLibrary("guests"), {"--id", "segfault", "--level", "1"});
+  CHECK(found.exit_code == 4);
+  CHECK(found.check("answers")["result"] == "error");
+  CHECK(found.check("life-no-frames")["result"] == "ok");
+  CHECK(found.check("cost").is_object());  // the last one was made
+}
+
+TEST_CASE("three hangs are enough") {
+  const Validation found =
+      validate(fixtureLibrary("guests"), {"--id", "loop_forever", "--timeout", "1"});
+  CHECK(found.exit_code == 4);
+  CHECK(found.reports[0]["errors"] == 3);
+}
+
+TEST_CASE("a level makes its own checks and those below") {
+  const auto levels = [](const char* level) {
+    int highest = 0;
+    const Validation found = validate(fixtureLibrary("steady"), {"--level", level});
+    for (const auto& check : found.reports[0]["checks"]) {
+      highest = std::max(highest, check["level"].get<int>());
+    }
+    return highest;
+  };
+  CHECK(levels("1") == 1);
+  CHECK(levels("2") == 2);
+}
+
+TEST_CASE("a warning counts at level 3 only") {
+  const std::string library = fixtureLibrary("undeclared");
+  CHECK(validate(library, {"--id", "no_range", "--check", "schema"}).exit_code == 4);
+  CHECK(validate(library, {"--id", "no_range", "--check", "schema", "--level", "2"}).exit_code ==
+        0);
+}
+
+TEST_CASE("what needs data is skipped with the words that would give them") {
+  const std::string library = fixtureLibrary("strangers");
+  const Validation found =
+      validate(library, {"--id", "never_there", "--check", "answers", "--check", "schema"});
+  CHECK(found.exit_code == 0);
+  CHECK(found.check("answers")["result"] == "skip");
+  CHECK(contains(found.messages(), "give --set path=..."));
+  const Validation given =
+      validate(library, {"--id", "never_there", "--check", "answers", "--set", "path=/tmp"});
+  CHECK(given.check("answers")["result"] == "ok");
+}
+
+TEST_CASE("the draws of a seed are the same every time, and others for another seed") {
+  const auto draw = [](const char* seed) {
+    return validate(fixtureLibrary("untrue"),
+                    {"--id", "hates_fast", "--check", "parameters-random", "--seed", seed})
+        .messages();
+  };
+  const std::string first = draw("5");
+  CHECK(contains(first, "of seed 5 (--set speed="));
+  CHECK(draw("5") == first);
+  CHECK(draw("6") != first);
+}
+
+TEST_CASE("what --set says is checked like a configuration") {
+  const Validation found =
+      validate(fixtureLibrary("steady"), {"--set", "speed=500", "--set", "sped=1"});
+  CHECK(found.exit_code == 3);
+  CHECK(contains(found.messages(), "500 is out of range: -50 ... 50 m/s"));
+  CHECK(contains(found.messages(), "did you mean 'speed'?"));
+}
+
+TEST_CASE("all plugins of a library are validated, or the one that is named") {
+  const std::string library = fixtureLibrary("undeclared");
+  CHECK(validate(library, {"--check", "manifest"}).reports.size() == 7);
+  const Validation unknown = validate(library, {"--id", "nobody"});
+  CHECK(unknown.exit_code == 4);
+  CHECK(contains(unknown.messages(), "has no plugin 'nobody'"));
+}
+
+TEST_CASE("for people: a line a check, what to do, and a sum") {
+  const Finished finished =
+      tolman::test::tolman({"plugins", "validate", fixtureLibrary("undeclared"), "--id", "no_doc",
+                            "--check", "schema", "--check", "load"});
+  CHECK(finished.exit_code == 4);
+  CHECK(contains(finished.out, "ok       load                opens with all symbols resolved"));
+  CHECK(contains(finished.out, "error    schema "));
+  CHECK(contains(finished.out, "         remedy: say in one sentence what it does: .doc()"));
+  CHECK(contains(finished.out, "no_doc: does not conform at level 3: 1 ok, 0 warnings, 1 errors"));
+  CHECK(contains(finished.out, "seed 1"));
+}
+
+TEST_CASE("wrong words at the command line are usage errors") {
+  const std::string library = fixtureLibrary("steady");
+  CHECK(tolman::test::tolman({"plugins", "validate", library, "--level", "4"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"plugins", "validate", library, "--check", "nice"}).exit_code == 2);
+  CHECK(validate("/nowhere/x.so", {}).exit_code == 4);
+}

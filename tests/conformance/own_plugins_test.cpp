@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every plugin of this tree conforms at the strictest level.
+#include "conformance/validation.hpp"
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What the sources need: tiny data, made on the spot.
+std::vector<std::string> optionsFor(const std::string& id, const fs::path& sequence) {
+  const auto path = [](const fs::path& folder) { return "path=" + folder.string(); };
+  if (id == "kitti") return {"--set", path(sequence)};
+  if (id == "images") return {"--set", path(sequence / "image_0")};
+  if (id == "town") {
+    return {"--set", "scale=0.1", "--set", "width=600", "--set", "height=200", "--set", "last=20"};
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("our own plugins conform at level 3") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 12);
+  int plugins = 0;
+  const nlohmann::json listed =
+      nlohmann::json::parse(tolman::test::tolman({"plugins", "list", "--json"}).out);
+  for (const auto& plugin : listed) {
+    const std::string id = plugin["id"];
+    std::vector<std::string> options = optionsFor(id, folder.path() / "sequence");
+    options.insert(options.end(), {"--id", id, "--timeout", "300"});
+    const Validation found = validate(plugin["file"], options);
+    INFO(found.reports.dump(1));
+    CHECK(found.exit_code == 0);
+    CHECK_FALSE(contains(found.messages(), "needs a value that the kit cannot guess"));
+    ++plugins;
+  }
+  CHECK(plugins >= 8);
+}

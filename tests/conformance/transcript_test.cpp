@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conformance/transcript.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "tolman/records.hpp"
+
+using namespace tolman;
+using namespace tolman::conformance;
+
+namespace {
+
+Transcript told(const Motion& motion) {
+  Answer answer;
+  answer.call = "frame 12";
+  answer.add(motion);
+  return {answer};
+}
+
+/// The difference between a motion and the same one spoilt.
+std::optional<std::string> difference(auto&& spoil) {
+  Motion motion;
+  motion.points.setOnes(4, 6);
+  motion.revisions.resize(2);
+  Motion other = motion;
+  spoil(other);
+  return firstDifference(told(motion), told(other));
+}
+
+Image grey(int width, std::ptrdiff_t stride, std::uint8_t last) {
+  const std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[64]());
+  pixels[static_cast<std::size_t>(stride) + static_cast<std::size_t>(width) - 1] = last;
+  return {pixels.get(), width, 2, stride, PixelFormat::Gray8, pixels};
+}
+
+std::uint64_t hash(const auto& value) {
+  BitHash hash;
+  hash.add(value);
+  return hash.value();
+}
+
+}  // namespace
+
+TEST_CASE("the smallest difference of any field is found and named") {
+  CHECK_FALSE(difference([](Motion&) {}));
+  const auto x = [](Motion& m) { m.T_previous_current.translation().x() = 1e-300; };
+  CHECK(difference(x) == "frame 12: 'T_previous_current'");
+  CHECK(difference([](Motion& m) { m.v = -0.0; }) == "frame 12: 'v'");
+  CHECK(difference([](Motion& m) { m.state = TrackingState::Lost; }) == "frame 12: 'state'");
+  CHECK(difference([](Motion& m) { m.points(3, 5) = 1.0000001F; }) == "frame 12: 'points'");
+  CHECK(difference([](Motion& m) { m.points.setOnes(6, 4); }) == "frame 12: 'points'");
+  CHECK(difference([](Motion& m) { m.revisions[1].frame = 1; }) == "frame 12: 'revisions'");
+  CHECK(difference([](Motion& m) { m.revisions.pop_back(); }) == "frame 12: 'revisions'");
+}
+
+TEST_CASE("missing and displaced answers are differences") {
+  Transcript three(3);
+  for (std::size_t i = 0; i < 3; ++i) three[i].call = "frame " + std::to_string(i);
+  Transcript two(three.begin(), three.end() - 1);
+  CHECK(firstDifference(three, two) == "2 answers instead of 3");
+  const Transcript late(three.begin() + 1, three.end());
+  CHECK(firstDifference(three, late) == "'frame 1' instead of 'frame 0'");
+  CHECK_FALSE(firstDifference(three, late, 1));
+}
+
+TEST_CASE("of an image count pixels, size and format, not the padding") {
+  CHECK(hash(grey(4, 4, 9)) == hash(grey(4, 11, 9)));
+  CHECK(hash(grey(4, 4, 9)) != hash(grey(4, 4, 8)));
+  CHECK(hash(grey(4, 4, 0)) != hash(grey(3, 3, 0)));
+  CHECK(hash(grey(4, 4, 0)) != hash(Image()));
+}
+
+TEST_CASE("texts do not run into each other") {
+  const std::vector<std::string> ab_c = {"ab", "c"};
+  const std::vector<std::string> a_bc = {"a", "bc"};
+  CHECK(hash(ab_c) != hash(a_bc));
+}
