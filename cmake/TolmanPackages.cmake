@@ -1,6 +1,8 @@
 # Debian packages: tolman (program, plugins, configurations, pages) and libtolman-sdk-dev.
 #   cpack --config build/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}") # the first line of both
 set(CPACK_PACKAGE_NAME tolman)
 set(CPACK_PACKAGE_CONTACT "Tolman maintainers <maintainers@tolman.example>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -14,10 +16,9 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME tolman)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-    "neurobiologically inspired visual SLAM from swappable plugins
- Stereo odometry, local view templates, head direction and grid cells, and an
- experience map, each a shared library, composed by one YAML file; every run is
- recorded. With a procedural town that needs no data set.")
+    "Stereo odometry, local view templates, head direction and grid cells, and an
+experience map, each a shared library, composed by one YAML file; every run is
+recorded. With a procedural town that needs no data set.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libtolman-sdk-dev)
 
@@ -25,9 +26,8 @@ set(CPACK_DEBIAN_SDK_PACKAGE_NAME libtolman-sdk-dev)
 set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_SDK_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_SDK_DESCRIPTION
-    "headers, templates and examples for plugins of Tolman
- The contracts of the six roles, find_package(tolman-sdk) with
- tolman_add_plugin(), and what \"tolman plugins new\" copies. Headers only.")
+    "This package has what authors of plugins need: headers, CMake package, examples,
+and the templates that 'tolman plugins new' copies.")
 set(CPACK_DEBIAN_SDK_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>= 3.22), g++")
 set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")

@@ -40,10 +40,15 @@ TEST_CASE("names that are identifiers everywhere are accepted") {
 }
 
 TEST_CASE("other names are refused, with the nearest that is right") {
-  const std::vector<std::pair<std::string, std::string>> cases = {
-      {"MyPlaces", "my_places"}, {"my-places", "my_places"}, {"2fast", "fast"},
-      {"a__b", "a_b"},           {"tail_", "tail"},          {"_head", "head"},
-      {"HOG", "hog"},            {"../escape", "escape"},    {"a b", "a_b"}};
+  const std::vector<std::pair<std::string, std::string>> cases = {{"MyPlaces", "my_places"},
+                                                                  {"my-places", "my_places"},
+                                                                  {"2fast", "fast"},
+                                                                  {"a__b", "a_b"},
+                                                                  {"tail_", "tail"},
+                                                                  {"_head", "head"},
+                                                                  {"HOG", "hog"},
+                                                                  {"../escape", "escape"},
+                                                                  {"a b", "a_b"}};
   for (const auto& [name, remedy] : cases) {
     INFO(name);
     const auto objection = objectionTo(name);
@@ -104,7 +109,8 @@ TEST_CASE("an empty folder may be filled, a file or a full folder may not") {
   fs::create_directories(folder.path() / "empty");
   CHECK(writeNewPlugin(templates, {tolman::Role::Cells, "c", folder.path() / "empty"}).isOk());
   std::ofstream(folder.path() / "file") << "mine";
-  const auto refused = writeNewPlugin(templates, {tolman::Role::Cells, "c", folder.path() / "file"});
+  const auto refused =
+      writeNewPlugin(templates, {tolman::Role::Cells, "c", folder.path() / "file"});
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().message().ends_with("name another one, or remove it"));
   CHECK(textOf(folder.path() / "file") == "mine");

@@ -57,15 +57,16 @@ TEST_CASE("the packages say what they need and hold what they should") {
   makePackages(workshop);
 
   const std::string needs = field(workshop, "tolman", "Depends");
-  for (const char* library : {"libc6", "libceres", "libembree", "libopencv-core", "libsqlite3-0",
-                              "libtbb", "libyaml-cpp"}) {
+  for (const char* library :
+       {"libc6", "libembree", "libopencv-core", "libsqlite3-0", "libtbb", "libyaml-cpp"}) {
     INFO(needs);
     CHECK(contains(needs, library));
   }
   const std::string sdk_needs = field(workshop, "libtolman-sdk-dev", "Depends");
   CHECK(contains(sdk_needs, "libeigen3-dev (>= 3.4)"));
   CHECK_FALSE(contains(sdk_needs, "libopencv"));  // only a plugin that wants it
-  CHECK(contains(field(workshop, "libtolman-sdk-dev", "Architecture"), "all"));
+  CHECK(field(workshop, "libtolman-sdk-dev", "Architecture") == "all\n");
+  CHECK(contains(field(workshop, "libtolman-sdk-dev", "Description"), "'tolman plugins new'"));
 
   const std::string program = workshop.shell("dpkg-deb -c packages/tolman.deb").out;
   const std::string sdk = workshop.shell("dpkg-deb -c packages/libtolman-sdk-dev.deb").out;
@@ -113,7 +114,8 @@ TEST_CASE("unpacked packages work from their folder") {
   checkUse(workshop, "installed");
   const Finished removed = workshop.shell(
       "dpkg --root=\"$PWD/installed\" --force-depends -P tolman libtolman-sdk-dev\n"
-      "find installed/usr -type f");
+      "find installed -path '*/usr/*' -type f");
+  INFO(removed.out << removed.err);
   CHECK(removed.exit_code == 0);
-  CHECK_FALSE(contains(removed.out, "installed/usr/"));
+  CHECK_FALSE(contains(removed.out, "/usr/"));
 }
