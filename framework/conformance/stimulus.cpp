@@ -71,12 +71,28 @@ class Drive {
     frame.source_index = k;
     frame.has_truth = true;
     frame.T_world_camera_truth = T_world_camera_;
+    measure(k, frame);
     if (!options_.images) return;
     const CameraRig& rig = stimulus_.rig;
     frame.left = room_.view(T_world_camera_, rig, 0, options_.format);
     if (options_.stereo) {
       frame.right = room_.view(T_world_camera_, rig, rig.baseline, options_.format);
     }
+  }
+
+  /// What a wheel odometer and a list of loops would say, under the names that replaying plugins
+  /// read: motion since the frame before (m, m, rad), frames of an earlier round at the same place.
+  void measure(int k, Frame& frame) const {
+    const PlanarPose before = toPlanar(Room::poseAt(angle(std::max(k - 1, 0))));
+    const PlanarPose moved = between(before, toPlanar(T_world_camera_));
+    const auto f = [](auto value) { return static_cast<float>(value); };
+    frame.sensors.push_back({"motion.planar", {3}, {f(moved.x), f(moved.y), f(moved.theta)}});
+    NamedArray alike{"place.candidate", {0, 4}, {}};
+    if (k >= options_.turn) {
+      alike.shape[0] = 1;
+      alike.values = {f(k - options_.turn), 0, 0, 0};
+    }
+    frame.sensors.push_back(std::move(alike));
   }
 
   Eigen::Isometry3d step(int k) {

@@ -70,6 +70,10 @@ void loseTracking(Stimulus& stimulus) {
     Moment& moment = stimulus.moments[i];
     const bool makes_experience = moment.decision.action == Action::CreateExperience;
     const bool makes_template = moment.place.recognition == Recognition::Novel;
+    const bool stays = moment.decision.action == Action::Stay;
+    if (stays && moment.decision.experience != experience) {  // its loop closure was lost
+      moment.decision.action = Action::CloseLoop;
+    }
     if (isChosen(i) && !makes_experience && !makes_template) {
       standIn(moment, experience);
     } else if (isChosen(i)) {

@@ -37,3 +37,31 @@ function(tolman_add_plugin name)
     target_link_options(${target} PRIVATE -Wl,-z,defs) # a sanitizer's symbols come from the host
   endif()
 endfunction()
+
+# tolman_add_conformance_test(<target> [LEVEL 1|2|3] [SET <key=value>...])
+#
+# Adds the test <target>_conformance: `tolman plugins validate` of the plugin library, see
+# docs/conformance.md. SET gives parameters that a plugin requires. The program is that of the build
+# or installation that this file belongs to, or TOLMAN_PROGRAM.
+function(tolman_add_conformance_test target)
+  cmake_parse_arguments(ARG "" "LEVEL" "SET" ${ARGN})
+  if(NOT ARG_LEVEL)
+    set(ARG_LEVEL 3)
+  endif()
+  if(TARGET tolman)
+    set(program $<TARGET_FILE:tolman>)
+  else()
+    find_program(TOLMAN_PROGRAM tolman
+                 HINTS ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../../bin
+                       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../../../bin)
+    if(NOT TOLMAN_PROGRAM)
+      message(FATAL_ERROR "tolman_add_conformance_test(${target}): no program 'tolman'; "
+                          "give -DTOLMAN_PROGRAM=<prefix>/bin/tolman")
+    endif()
+    set(program ${TOLMAN_PROGRAM})
+  endif()
+  list(TRANSFORM ARG_SET PREPEND "--set;")
+  add_test(NAME ${target}_conformance
+           COMMAND ${program} plugins validate $<TARGET_FILE:${target}> --level ${ARG_LEVEL} ${ARG_SET})
+  set_tests_properties(${target}_conformance PROPERTIES TIMEOUT 900)
+endfunction()

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every plugin of this tree conforms at the strictest level.
+#include <fstream>
+
 #include "conformance/validation.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
@@ -14,17 +16,29 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   const auto path = [](const fs::path& folder) { return "path=" + folder.string(); };
   if (id == "kitti") return {"--set", path(sequence)};
   if (id == "images") return {"--set", path(sequence / "image_0")};
+  if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "town") {
-    return {"--set", "scale=0.1", "--set", "width=600", "--set", "height=200", "--set", "last=20"};
+    return {"--set", "scale=0.2", "--set", "width=600", "--set", "height=200", "--set", "last=20"};
   }
   return {};
 }
 
 }  // namespace
 
+/// A drive round a square, for motion_log.
+void writeMotionLog(const fs::path& folder) {
+  std::ofstream log(folder / "odometry.g2o");
+  for (int i = 0; i < 24; ++i) {
+    log << "EDGE_SE2 " << i << " " << i + 1 << " 1 0 " << (i % 6 == 5 ? 1.5707963 : 0)
+        << " 1 0 0 1 0 1\n";
+  }
+  std::ofstream(folder / "loop_candidates.g2o") << "EDGE_SE2 24 0 0 0 0 1 0 0 1 0 1\n";
+}
+
 TEST_CASE("our own plugins conform at level 3") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 12);
+  writeMotionLog(folder.path() / "sequence");
   int plugins = 0;
   const nlohmann::json listed =
       nlohmann::json::parse(tolman::test::tolman({"plugins", "list", "--json"}).out);

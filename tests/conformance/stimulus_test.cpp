@@ -76,6 +76,27 @@ TEST_CASE("the motions add up to the truth, but for their noise") {
   CHECK((T.translation() - truth.translation()).norm() > 0);
 }
 
+TEST_CASE("the sensors measure the true motion, and where an earlier round passed") {
+  const Stimulus stimulus = loops();
+  PlanarPose pose;
+  for (const Moment& moment : stimulus.moments) {
+    REQUIRE(moment.frame.sensors.size() == 2);
+    const std::vector<float>& step = moment.frame.sensors[0].values;
+    pose = compose(pose, {step.at(0), step.at(1), step.at(2)});
+    const PlanarPose truth = toPlanar(moment.frame.T_world_camera_truth);
+    CHECK(pose.x == Approx(truth.x).margin(1e-4));
+    CHECK(pose.y == Approx(truth.y).margin(1e-4));
+    const std::vector<float>& alike = moment.frame.sensors[1].values;
+    if (moment.frame.frame < 60) {
+      CHECK(alike.empty());
+    } else {
+      const auto earlier = static_cast<std::size_t>(alike.at(0));
+      CHECK(close(stimulus.moments[earlier].frame.T_world_camera_truth,
+                  moment.frame.T_world_camera_truth));
+    }
+  }
+}
+
 TEST_CASE("a seed is a stimulus") {
   StimulusOptions options;
   options.frames = 4;
