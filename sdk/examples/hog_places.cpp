@@ -18,7 +18,7 @@ class HogPlaces : public tolman::Place {
     int columns = 10;
     int rows = 4;
     int orientations = 9;
-    double threshold = 0.035;
+    double threshold = 0.02;
     static constexpr auto declaration() {
       return tolman::parameters(
           tolman::parameter("columns", &Parameters::columns)
