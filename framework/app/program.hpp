@@ -28,7 +28,7 @@ void addRunCommand(CLI::App& app, Invocation& invocation);
 void addCheckCommand(CLI::App& app, Invocation& invocation);
 void addPluginsCommand(CLI::App& app, Invocation& invocation);
 void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation);  // below `plugins`
-void addValidateCommand(CLI::App& plugins, Invocation& invocation);  // below `plugins`
+void addValidateCommand(CLI::App& plugins, Invocation& invocation);    // below `plugins`
 void addDatasetCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
 void addBenchCommand(CLI::App& app, Invocation& invocation);
