@@ -7,6 +7,7 @@
 
 #include "config/loader.hpp"
 #include "config/problem.hpp"
+#include "isolation/remote_roles.hpp"
 
 namespace tolman::app {
 namespace {
@@ -41,6 +42,54 @@ void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
                         "shows what there is)"});
   }
   loaded.complete = false;  // of the other stages nothing is to be said
+}
+
+struct Opened {
+  plugins::LoadedPlugin plugin;
+  std::shared_ptr<isolation::Remote> remote;
+};
+
+plugins::OrRefusal<Opened> openInProcess(const plugins::Catalogue& catalogue,
+                                         const config::StageConfig& stage,
+                                         const config::SystemConfig& config) {
+  auto manifest = catalogue.find(stage.plugin, stage.role);
+  if (auto* refusal = std::get_if<plugins::Refusal>(&manifest)) return *refusal;
+  const isolation::Launch launch{{"/proc/self/exe", "run-stage"},
+                                 config.isolation.deadline,
+                                 static_cast<std::uint64_t>(config.isolation.memory_limit),
+                                 config.general.threads};
+  auto started = isolation::Remote::start(std::get<plugins::Manifest>(manifest), launch);
+  if (auto* refusal = std::get_if<plugins::Refusal>(&started)) return *refusal;
+  auto& remote = std::get<std::shared_ptr<isolation::Remote>>(started);
+  return Opened{{remote->manifest(), nullptr, remote->schema()}, remote};
+}
+
+plugins::OrRefusal<Opened> open(const plugins::Catalogue& catalogue,
+                                const config::StageConfig& stage,
+                                const config::SystemConfig& config) {
+  if (stage.isolation == config::Isolation::Process) return openInProcess(catalogue, stage, config);
+  auto loaded = loadFrom(catalogue, stage.plugin, stage.role);
+  if (auto* refusal = std::get_if<plugins::Refusal>(&loaded)) return *refusal;
+  return Opened{std::move(std::get<plugins::LoadedPlugin>(loaded)), nullptr};
+}
+
+using MaybeInstance = std::variant<std::unique_ptr<plugins::Instance>, Failure>;
+
+MaybeInstance instantiate(const CheckedSystem& system, std::size_t i) {
+  const config::StageConfig& stage = system.config.stages[i];
+  const auto& remote = system.remotes[i];
+  auto created = remote ? isolation::instantiate(remote, stage.instance)
+                        : plugins::Instance::create(system.plugins[i], stage.instance);
+  if (auto* refusal = std::get_if<plugins::Refusal>(&created)) {
+    return Failure{ExitCode::Plugin, refusal->text()};
+  }
+  if (stage.on_failure == config::FailurePolicy::Restart && !remote->enableRestart()) {
+    return Failure{ExitCode::Configuration,
+                   stage.path + ".on_failure: plugin '" + stage.plugin +
+                       "' cannot go on in a new process where an old one ended (a source never "
+                       "can; places, cells and maps must save their state); use 'skip' or 'stop'"};
+  }
+  return std::move(std::get<std::unique_ptr<plugins::Instance>>(created));
 }
 
 }  // namespace
@@ -78,16 +127,17 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
   bool refused = false;
   for (const config::StageConfig& stage : checked.config.stages) {
     if (stage.plugin.empty()) continue;  // already a problem
-    auto found = loadFrom(catalogue, stage.plugin, stage.role);
+    auto found = open(catalogue, stage, checked.config);
     if (auto* refusal = std::get_if<plugins::Refusal>(&found)) {
       problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", refusal->text()});
       refused = true;
       continue;
     }
-    auto& plugin = std::get<plugins::LoadedPlugin>(found);
+    auto& opened = std::get<Opened>(found);
     checked.values[stage.instance] =
-        config::check(stage, plugin.schema, checked.config.places, problems);
-    checked.plugins.push_back(std::move(plugin));
+        config::check(stage, opened.plugin.schema, checked.config.places, problems);
+    checked.plugins.push_back(std::move(opened.plugin));
+    checked.remotes.push_back(std::move(opened.remote));
   }
   if (problems.empty()) return checked;
   const bool only_plugins = refused && std::all_of(problems.begin(), problems.end(), [](auto& p) {
@@ -106,10 +156,8 @@ std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem 
   SourceInfo source;  // stages are in the order of the flow: the source is the first
   for (std::size_t i = 0; i < system.config.stages.size(); ++i) {
     const config::StageConfig& stage = system.config.stages[i];
-    auto created = plugins::Instance::create(system.plugins[i], stage.instance);
-    if (auto* refusal = std::get_if<plugins::Refusal>(&created)) {
-      return Failure{ExitCode::Plugin, refusal->text()};
-    }
+    auto created = instantiate(system, i);
+    if (auto* failure = std::get_if<Failure>(&created)) return *failure;
     auto instance = std::move(std::get<std::unique_ptr<plugins::Instance>>(created));
     auto services = std::make_unique<Services>(log, stage.instance);
     const Context context{system.values.find(stage.instance)->second,
@@ -159,6 +207,10 @@ void Assembly::place(std::unique_ptr<plugins::Instance> instance,
 
 void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
   for (const auto& services : services_) services->artefacts.open(run_directory);
+  for (const auto& remote : checked_.remotes) {
+    // A process that died in between says so at its next call.
+    if (remote) (void)isolation::openArtefacts(*remote, run_directory.string());
+  }
 }
 
 std::vector<plugins::Instance*> Assembly::instances() {

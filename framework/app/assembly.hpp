@@ -12,6 +12,7 @@
 #include "app/services.hpp"
 #include "config/resolved.hpp"
 #include "config/system_config.hpp"
+#include "isolation/remote.hpp"
 #include "plugins/catalogue.hpp"
 #include "plugins/library.hpp"
 #include "plugins/stages.hpp"
@@ -35,7 +36,9 @@ plugins::OrRefusal<plugins::LoadedPlugin> loadFrom(const plugins::Catalogue& cat
 struct CheckedSystem {
   config::SystemConfig config;
   config::StageValues values;
-  std::vector<plugins::LoadedPlugin> plugins;  ///< parallel to config.stages
+  std::vector<plugins::LoadedPlugin> plugins;  ///< parallel to config.stages; without descriptor
+                                               ///< where there is a remote
+  std::vector<std::shared_ptr<isolation::Remote>> remotes;  ///< parallel; null in the host
 };
 
 /// Which stages of a configuration a command is about; the others are neither checked nor loaded.

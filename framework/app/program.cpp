@@ -48,6 +48,7 @@ int runProgram(int argc, const char* const* argv) {
   addBenchCommand(app, invocation);
   addEvalCommand(app, invocation);
   addExportCommand(app, invocation);
+  addStageCommand(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -34,5 +34,6 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dat
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addEvalCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
+void addStageCommand(CLI::App& app);  // hidden
 
 }  // namespace tolman::app

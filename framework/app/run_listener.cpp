@@ -6,9 +6,13 @@ namespace tolman::app {
 template <class Call>
 Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
   for (Assembly::Observer& observer : observers_) {
+    if (!observing_) break;
     const Status status = call(observer.stage);
     if (status.isOk()) continue;
-    if (observer.policy == config::FailurePolicy::Stop) return status;
+    if (observer.policy == config::FailurePolicy::Stop) {
+      observing_ = false;
+      return status;
+    }
     onEvent({frame, LogLevel::Warning, observer.stage.instance().name(), status.message()});
   }
   return Status::ok();
@@ -32,6 +36,7 @@ Status RunListener::record(const Snapshot& snapshot, const pipeline::StageTimes&
 }
 
 Status RunListener::onFrame(const Snapshot& snapshot, const pipeline::StageTimes& times) {
+  if (!record_status_.isOk()) return record_status_;
   record_status_ = record(snapshot, times);
   if (!record_status_.isOk()) return record_status_;
   return tellObservers(snapshot.frame->frame,

@@ -35,6 +35,7 @@ class RunListener : public pipeline::Listener {
   RunLog& log_;
   int arrays_every_;
   Status record_status_;
+  bool observing_ = true;  ///< until an observer stops the run; what is known is still recorded
 };
 
 }  // namespace tolman::app

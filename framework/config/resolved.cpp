@@ -78,6 +78,7 @@ class Document {
     value(first, "plugin", stage.plugin, stage.given);
     value(rest, "name", stage.instance, stage.given);
     value(rest, "on_failure", std::string(enumName(stage.on_failure)), stage.given);
+    value(rest, "isolation", std::string(enumName(stage.isolation)), stage.given);
     const auto own = values.find(stage.instance);
     if (own != values.end()) this->values(rest, own->second, stage.given);
   }

@@ -108,13 +108,31 @@ struct RecordSettings {
   }
 };
 
-enum class FailurePolicy : std::uint8_t { Stop, Skip };
-inline constexpr std::array<std::string_view, 2> kFailurePolicyNames = {"stop", "skip"};
+/// Keys below `isolation`: bounds of every stage that runs in a process of its own.
+struct IsolationSettings {
+  double deadline = 60;              ///< s
+  std::int64_t memory_limit = 4096;  ///< MiB
+  static constexpr auto declaration() {
+    using S = IsolationSettings;
+    return parameters(
+        parameter("deadline", &S::deadline)
+            .range(0, 1e6)
+            .unit("s")
+            .doc("Longest time of one call; then the process is ended. 0 for no limit."),
+        parameter("memory_limit", &S::memory_limit)
+            .range(0, 1e9)
+            .unit("MiB")
+            .doc("Most memory for the data of one process. 0 for no limit."));
+  }
+};
+
+enum class FailurePolicy : std::uint8_t { Stop, Skip, Restart };
+inline constexpr std::array<std::string_view, 3> kFailurePolicyNames = {"stop", "skip", "restart"};
 constexpr std::span<const std::string_view> enumNames(FailurePolicy) { return kFailurePolicyNames; }
 
-/// Where a stage runs; a child process is to come.
-enum class Isolation : std::uint8_t { None };
-inline constexpr std::array<std::string_view, 1> kIsolationNames = {"none"};
+/// Where a stage runs: in the host, or in a process of its own.
+enum class Isolation : std::uint8_t { None, Process };
+inline constexpr std::array<std::string_view, 2> kIsolationNames = {"none", "process"};
 constexpr std::span<const std::string_view> enumNames(Isolation) { return kIsolationNames; }
 
 /// Keys of every stage that are the host's, not the plugin's.
@@ -128,8 +146,10 @@ struct StageSettings {
     return parameters(
         parameter("plugin", &S::plugin).required().doc("Id of the plugin that does the work."),
         parameter("name", &S::name).doc("Name of this stage in records and logs."),
-        parameter("on_failure", &S::on_failure).doc("Stop the run, or skip the frame."),
-        parameter("isolation", &S::isolation).doc("Where the stage runs: in the host."));
+        parameter("on_failure", &S::on_failure)
+            .doc("Stop the run, skip the frame, or skip it and restart a process that ended."),
+        parameter("isolation", &S::isolation)
+            .doc("Whether the stage runs in the host, or in a process of its own."));
   }
 };
 

@@ -44,6 +44,7 @@ class Parser {
     config_.pipeline = section<PipelineSettings>("pipeline");
     evaluation();
     config_.record = section<RecordSettings>("record");
+    config_.isolation = section<IsolationSettings>("isolation");
     for (const Role role : kChain) chainStage(role);
     observers();
     refuseSharedNames();
@@ -72,7 +73,8 @@ class Parser {
   void general() {
     std::vector<std::string> others(kChain.size());
     std::ranges::transform(kChain, others.begin(), [](Role role) { return enumName(role); });
-    others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "extends"});
+    others.insert(others.end(),
+                  {kObservers, "pipeline", "evaluation", "record", "isolation", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
     if (!config_.general.name.empty()) return;
     config_.general.name = std::filesystem::path(loaded_.file).stem().string();
@@ -118,12 +120,18 @@ class Parser {
       return;
     }
     const StageSettings settings = stageSettings(path, given);
-    StageConfig stage{role, path, settings.plugin, settings.name, settings.on_failure, given};
+    StageConfig stage{
+        role, path, settings.plugin, settings.name, settings.on_failure, settings.isolation, given};
     if (stage.instance.empty()) {
       stage.instance = role == Role::Observer ? settings.plugin : std::string(enumName(role));
     } else if (!isInstanceName(stage.instance)) {
       problems_.push_back({given.find("name")->origin, joinPath(path, "name"),
                            "use letters, digits, '_' and '-': it becomes a folder's name"});
+    }
+    if (stage.on_failure == FailurePolicy::Restart && stage.isolation == Isolation::None) {
+      problems_.push_back({given.find("on_failure")->origin, joinPath(path, "on_failure"),
+                           "restart needs 'isolation: process': what runs in the host cannot be "
+                           "started again"});
     }
     config_.stages.push_back(std::move(stage));
   }

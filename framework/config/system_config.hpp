@@ -19,6 +19,7 @@ struct StageConfig {
   std::string plugin;    ///< id
   std::string instance;  ///< unique in the system: `name`, else the role, for observers the plugin
   FailurePolicy on_failure = FailurePolicy::Stop;
+  Isolation isolation = Isolation::None;
   Node given;  ///< the map as configured
 
   /// Where the plugin was named, for the message that there is no such plugin.
@@ -37,6 +38,7 @@ struct SystemConfig {
   PipelineSettings pipeline;
   EvaluationSettings evaluation;
   RecordSettings record;
+  IsolationSettings isolation;
   std::vector<Section> sections;    ///< the same values, with their origins
   std::vector<StageConfig> stages;  ///< source, odometry, place, cells, map, observers
   Places places;

@@ -149,11 +149,4 @@ ChildEnd runChild(const std::function<std::vector<std::string>(int descriptor)>&
   return Watch(pid, report, output, limits.seconds, on_line).wait();
 }
 
-std::string signalName(int signal) {
-  const char* name = ::sigabbrev_np(signal);
-  const char* meaning = ::sigdescr_np(signal);
-  if (name == nullptr || meaning == nullptr) return "signal " + std::to_string(signal);
-  return std::string("SIG") + name + " (" + meaning + ")";
-}
-
 }  // namespace tolman::conformance

@@ -26,7 +26,4 @@ ChildEnd runChild(const std::function<std::vector<std::string>(int descriptor)>&
                   const ChildLimits& limits,
                   const std::function<void(const std::string& line)>& on_line);
 
-/// "SIGSEGV (invalid memory access)".
-std::string signalName(int signal);
-
 }  // namespace tolman::conformance

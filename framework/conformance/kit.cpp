@@ -9,6 +9,7 @@
 
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"
+#include "isolation/child_process.hpp"
 
 namespace tolman::conformance {
 namespace fs = std::filesystem;
@@ -94,7 +95,7 @@ class Experiment {
                 where,
             "look for endless loops and for locks; --timeout gives more time");
     } else if (end.signal != 0) {
-      error("died of " + signalName(end.signal) + " " + where + lastLine(end.output),
+      error("died of " + isolation::signalName(end.signal) + " " + where + lastLine(end.output),
             "run it under a debugger: --check " + result_.check + " repeats this check alone");
     } else if (!done_) {
       error("ended the process itself (exit code " + std::to_string(end.exit_code) + ") " + where +

@@ -9,6 +9,9 @@ namespace {
 // Of a graph this large, every frame may have a copy; of a larger one, frames in proportion fewer.
 constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links
 
+// A stage that fails at every frame must not fill the log.
+constexpr int kMostFailuresTold = 10;
+
 /// The stand-in answer of a skipped odometry: motion goes on as before, and nobody believes it.
 Motion predictedMotion(const Frame& frame, const Motion& last) {
   Motion motion;
@@ -49,15 +52,18 @@ Status Chain::result() const {
 bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int64_t frame,
                     std::string_view role) {
   if (status.isOk()) return true;
-  const bool stop = policy == config::FailurePolicy::Stop;
-  listener_.onEvent({frame, stop ? LogLevel::Error : LogLevel::Warning, std::string(role),
-                     status.message() + (stop ? "" : "; frame skipped")});
-  if (stop) {
+  if (policy == config::FailurePolicy::Stop) {
+    listener_.onEvent({frame, LogLevel::Error, std::string(role), status.message()});
     fail(status);
-  } else {
-    ++counters_.skipped;
+    return false;
   }
-  return !stop;
+  ++counters_.skipped;
+  const int told = ++failures_told_[std::string(role)];
+  if (told > kMostFailuresTold) return true;
+  const char* last = told == kMostFailuresTold ? "; more are counted, not told" : "";
+  listener_.onEvent(
+      {frame, LogLevel::Warning, std::string(role), status.message() + "; frame skipped" + last});
+  return true;
 }
 
 void Chain::admit(Packet& packet) {
@@ -182,11 +188,9 @@ void Chain::count(const Packet& packet) {
 }
 
 void Chain::tell(const Packet& packet) {
-  if (!packet.answered || !telling_) return;
+  if (!packet.answered) return;
   const Status status = listener_.onFrame(packet.snapshot(), packet.times);
-  if (status.isOk()) return;
-  telling_ = false;
-  fail(status);
+  if (!status.isOk()) fail(status);
 }
 
 void Chain::finish() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -58,12 +59,13 @@ class Chain {
   void place(Packet& packet);
   /// Cells and map. After a failure all later packets pass untouched.
   void think(Packet& packet);
-  /// Recorder and observers.
+  /// Recorder and observers. After a failure of theirs, too, they hear of the frames that the map
+  /// has taken up already.
   void tell(const Packet& packet);
   /// finish() of all stages, in the order of the flow.
   void finish();
 
-  /// The first failure of a stage, if there is one; no later frame is answered or told.
+  /// The first failure of a stage, if there is one; no later frame is answered.
   std::optional<Status> failure() const;
   bool failed() const { return failure().has_value(); }
   void fail(const Status& status);
@@ -99,13 +101,13 @@ class Chain {
   Counters counters_;
   std::optional<Status> failure_;
   std::optional<Status> input_failure_;
+  std::map<std::string, int> failures_told_;  // by role
   mutable std::mutex failure_mutex_;
   Motion last_motion_;
   Decision last_decision_;
   MapUpdate last_map_;
   bool graph_is_news_ = true;          // it has changed since it was last published
   std::int64_t next_graph_frame_ = 0;  // not published before
-  bool telling_ = true;
   std::size_t admitted_ = 0;
   std::atomic<int> place_backlog_ = 0;
 };

@@ -29,21 +29,24 @@ inline std::string prefix(const CallSite& site) {
 }
 
 /// Calls `work` (returning Status). Exceptions end here: their text is copied, the foreign object
-/// dies inside the plugin's code. A failing Status gets the call site before its message.
+/// dies inside the plugin's code.
+template <class Work>
+Status contained(Work&& work) noexcept {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const std::exception& error) {
+    return Status::failed(std::string("threw: ") + error.what());
+  } catch (...) {
+    return Status::failed("threw something that is no std::exception");
+  }
+}
+
+/// The same; a failing Status gets the call site before its message.
 template <class Work>
 Status guarded(const CallSite& site, Work&& work) noexcept {
-  const auto failure = [&](StatusCode code, std::string_view what) {
-    return Status(code, prefix(site).append(what));
-  };
-  try {
-    const Status status = std::forward<Work>(work)();
-    if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
-    return failure(status.code(), status.message());
-  } catch (const std::exception& error) {
-    return failure(StatusCode::Failed, std::string("threw: ") + error.what());
-  } catch (...) {
-    return failure(StatusCode::Failed, "threw something that is no std::exception");
-  }
+  const Status status = contained(std::forward<Work>(work));
+  if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
+  return {status.code(), prefix(site).append(status.message())};
 }
 
 }  // namespace tolman::plugins

@@ -22,14 +22,24 @@ OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin
     return Refusal{"plugin/null-instance", "plugin '" + plugin.manifest.id + "' created nothing",
                    "let TOLMAN_PLUGIN write the factory"};
   }
-  return std::unique_ptr<Instance>(new Instance(plugin, std::move(name), object));
+  return adopt(plugin.manifest, std::move(name), object,
+               [descriptor = plugin.descriptor](Plugin* doomed) {
+                 descriptor->destroy(doomed);
+                 return Status::ok();
+               });
 }
 
-Instance::Instance(const LoadedPlugin& plugin, std::string name, PluginObject object)
-    : manifest_(plugin.manifest),
-      descriptor_(plugin.descriptor),
+std::unique_ptr<Instance> Instance::adopt(Manifest manifest, std::string name, PluginObject object,
+                                          Destroy destroy) {
+  return std::unique_ptr<Instance>(
+      new Instance(std::move(manifest), std::move(name), object, std::move(destroy)));
+}
+
+Instance::Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy)
+    : manifest_(std::move(manifest)),
       name_(std::move(name)),
-      object_(object) {}
+      object_(object),
+      destroy_(std::move(destroy)) {}
 
 Instance::~Instance() { (void)destroy(); }
 
@@ -44,10 +54,7 @@ Status Instance::reset() {
 Status Instance::destroy() {
   Plugin* doomed = std::exchange(object_, PluginObject{}).plugin;
   if (doomed == nullptr) return Status::ok();
-  return guarded({name_, manifest_.id, "destroy", -1}, [&] {
-    descriptor_->destroy(doomed);
-    return Status::ok();
-  });
+  return guarded({name_, manifest_.id, "destroy", -1}, [&] { return destroy_(doomed); });
 }
 
 Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {

@@ -2,6 +2,7 @@
 // One living plugin behind the guard.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -18,6 +19,12 @@ class Instance {
   /// Constructs the plugin's object. `name` is the stage in the configuration. Refusals:
   /// plugin/create-failed, plugin/null-instance.
   static OrRefusal<std::unique_ptr<Instance>> create(const LoadedPlugin& plugin, std::string name);
+
+  /// Says what the destruction of an object threw.
+  using Destroy = std::function<Status(Plugin*)>;
+  /// Takes over an object that was made in another way; `destroy` ends it.
+  static std::unique_ptr<Instance> adopt(Manifest manifest, std::string name, PluginObject object,
+                                         Destroy destroy);
 
   /// Destroys the object under the guard; a throwing destructor is dropped. Call destroy() to learn
   /// of it.
@@ -45,13 +52,13 @@ class Instance {
   }
 
  private:
-  Instance(const LoadedPlugin& plugin, std::string name, PluginObject object);
+  Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy);
   Status checkArrays(const std::vector<NamedArray>& arrays);
 
   Manifest manifest_;
-  const PluginDescriptor* descriptor_;
   std::string name_;
   PluginObject object_;
+  Destroy destroy_;
   std::map<std::string, std::vector<int>> array_shapes_;  // constant over a run
 };
 

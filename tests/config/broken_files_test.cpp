@@ -22,7 +22,7 @@ TEST_CASE("Mistyped keys are refused with the nearest known name, at every level
   CHECK(complaints("typos.yaml") ==
         "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (known here: name, "
         "seed, threads, source, odometry, place, cells, map, observers, pipeline, evaluation, "
-        "record, extends)\n"
+        "record, isolation, extends)\n"
         "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (known here: "
         "mode, queue, input_policy, place_policy, speed)\n"
         "broken/typos.yaml:5:3: odometry.activ_points: unknown parameter; did you mean "
@@ -88,7 +88,7 @@ TEST_CASE("Missing and malformed stages say what to add") {
   CHECK(complaints("stages.yaml") ==
         "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (known here: name, "
         "seed, threads, source, odometry, place, cells, map, observers, pipeline, evaluation, "
-        "record, extends)\n"
+        "record, isolation, extends)\n"
         "broken/stages.yaml:1:1: source: the stage is missing; add 'source: {plugin: ...}' "
         "('tolman plugins list' shows what there is)\n"
         "broken/stages.yaml:1:1: cells: the stage is missing; add 'cells: {plugin: ...}' ('tolman "
@@ -97,7 +97,7 @@ TEST_CASE("Missing and malformed stages say what to add") {
         "work.\n"
         "broken/stages.yaml:2:32: odometry.plugni: unknown key; did you mean 'plugin'? (known "
         "here: plugin, name, on_failure, isolation)\n"
-        "broken/stages.yaml:3:39: place.isolation: expects one of none, not 'process'\n"
+        "broken/stages.yaml:3:39: place.isolation: expects one of none, process, not 'porcess'; did you mean 'process'?\n"
         "broken/stages.yaml:4:6: map: expects a map such as {plugin: ...}, not a list\n"
         "broken/stages.yaml:7:5: observers.1: is called 'toy_observer' like observers.0; give one "
         "of them another 'name'\n"

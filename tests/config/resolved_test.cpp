@@ -44,10 +44,14 @@ evaluation:
   segments: auto
 record:
   arrays_every: 1
+isolation:
+  deadline: 60
+  memory_limit: 4096
 source:
   plugin: toy_source
   name: source
   on_failure: stop
+  isolation: none
   first: 0
   loop: false
   order: forward
@@ -56,6 +60,7 @@ odometry:
   plugin: toy_odometry
   name: odometry
   on_failure: stop
+  isolation: none
   active_points: 1500
   pyramid: [1, 0.5]
   scale: 1.25
@@ -64,22 +69,27 @@ place:
   plugin: toy_place
   name: place
   on_failure: stop
+  isolation: none
 cells:
   plugin: toy_cells
   name: cells
   on_failure: stop
+  isolation: none
 map:
   plugin: toy_map
   name: map
   on_failure: skip
+  isolation: none
 observers:
   - plugin: toy_observer
     name: toy_observer
     on_failure: stop
+    isolation: none
     port: 8080
   - plugin: toy_observer
     name: second
     on_failure: stop
+    isolation: none
     port: 8080
 )");
 }

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "isolation/child_process.hpp"
+
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <system_error>
+#include <thread>
+
+extern char** environ;
+
+namespace tolman::isolation {
+namespace {
+
+void check(int error, const char* what) {
+  if (error != 0) throw std::system_error(error, std::generic_category(), what);
+}
+
+/// What happens between fork and exec; posix_spawn() because the host has threads.
+class SpawnPlan {
+ public:
+  explicit SpawnPlan(const std::vector<int>& passed) {
+    check(::posix_spawn_file_actions_init(&actions_), "no process");
+    check(::posix_spawnattr_init(&attributes_), "no process");
+    ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", 0, 0);
+    ::posix_spawn_file_actions_adddup2(&actions_, STDERR_FILENO, STDOUT_FILENO);
+    // A descriptor laid on itself loses its close-on-exec mark.
+    for (const int fd : passed) ::posix_spawn_file_actions_adddup2(&actions_, fd, fd);
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::posix_spawnattr_setsigmask(&attributes_, &none);
+    // In a group of its own, interrupts of the terminal are for the host to hear.
+    ::posix_spawnattr_setpgroup(&attributes_, 0);
+    ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  }
+  ~SpawnPlan() {
+    ::posix_spawnattr_destroy(&attributes_);
+    ::posix_spawn_file_actions_destroy(&actions_);
+  }
+  SpawnPlan(const SpawnPlan&) = delete;
+  SpawnPlan& operator=(const SpawnPlan&) = delete;
+
+  pid_t start(std::vector<std::string> command) const {
+    std::vector<char*> words;
+    for (std::string& word : command) words.push_back(word.data());
+    words.push_back(nullptr);
+    pid_t pid = -1;
+    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(), environ),
+          "no further process can be started");
+    return pid;
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_{};
+  posix_spawnattr_t attributes_{};
+};
+
+}  // namespace
+
+std::string signalName(int signal) {
+  const char* name = ::sigabbrev_np(signal);
+  const char* meaning = ::sigdescr_np(signal);
+  if (name == nullptr || meaning == nullptr) return "signal " + std::to_string(signal);
+  return std::string("SIG") + name + " (" + meaning + ")";
+}
+
+std::string ProcessEnd::text() const {
+  if (signal != 0) return "died of " + signalName(signal);
+  return "ended the process itself (exit code " + std::to_string(exit_code) + ")";
+}
+
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed)
+    : pid_(SpawnPlan(passed).start(command)) {}
+
+ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
+
+bool ChildProcess::reap(int options) {
+  int state = 0;
+  if (::waitpid(pid_, &state, options) != pid_) return false;
+  end_.signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
+  end_.exit_code = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
+  reaped_ = true;
+  return true;
+}
+
+ProcessEnd ChildProcess::end(std::chrono::milliseconds patience) {
+  if (reaped_) return end_;
+  const auto deadline = std::chrono::steady_clock::now() + patience;
+  while (!reap(WNOHANG) && std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  // Its group outlives it: what it has started goes with it.
+  ::kill(-pid_, SIGKILL);
+  if (!reaped_) reap(0);
+  return end_;
+}
+
+}  // namespace tolman::isolation

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "isolation/remote_roles.hpp"
+
+#include <istream>
+#include <iterator>
+#include <ostream>
+#include <stdexcept>
+
+namespace tolman::isolation {
+namespace {
+
+const auto kNone = std::tuple<>();
+
+/// What all roles have.
+template <class RoleType>
+class RemoteRole : public RoleType, public ArraySource, public StateKeeper {
+ public:
+  explicit RemoteRole(std::shared_ptr<Remote> remote) : remote_(std::move(remote)) {}
+
+  Status configure(const Context& context) override { return remote_->configure(context); }
+  Status reset() override { return remote_->call(Call::Reset, kNone, std::tuple<>()); }
+
+  void arrays(std::vector<NamedArray>& arrays) const override {
+    const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
+    if (!status.isOk()) throw std::runtime_error(status.message());
+  }
+  Status save(std::ostream& stream) const override {
+    std::string bytes;
+    const Status status = remote_->call(Call::Save, kNone, std::tie(bytes));
+    if (status.isOk()) stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return status;
+  }
+  Status load(std::istream& stream) override {
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    return remote_->call(Call::Restore, std::tie(bytes), std::tuple<>());
+  }
+
+  Remote& remote() { return *remote_; }
+
+ protected:
+  template <class... I, class... O>
+  Status ask(Call call, std::tuple<const I&...> in, std::tuple<O&...> out) const {
+    return remote_->call(call, in, out);
+  }
+  std::shared_ptr<Remote> remote_;
+};
+
+class RemoteSource final : public RemoteRole<Source> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status info(SourceInfo& info) override { return ask(Call::Info, kNone, std::tie(info)); }
+  Status next(Frame& frame) override { return ask(Call::Next, kNone, std::tie(frame)); }
+  Status inspect(std::vector<Finding>& findings) override {
+    std::vector<Finding> found;
+    const Status status = ask(Call::Inspect, kNone, std::tie(found));
+    findings.insert(findings.end(), found.begin(), found.end());
+    return status;
+  }
+};
+
+class RemoteOdometry final : public RemoteRole<Odometry> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status track(const Frame& frame, Motion& motion) override {
+    const Status status = ask(Call::Track, std::tie(frame), std::tie(motion));
+    if (!status.isOk()) return status;
+    // A fresh start would say that the robot stood still.
+    if (remote_->takeAmnesia() && motion.state == TrackingState::Initialising && seen_) {
+      motion.state = TrackingState::Lost;
+      motion.T_previous_current = last_.T_previous_current;
+      motion.covariance = Matrix6d::Identity();
+      setPlanarVelocity(motion, static_cast<double>(frame.stamp_ns - last_.stamp_ns) * 1e-9);
+    }
+    last_ = motion;
+    seen_ = true;
+    return status;
+  }
+  Status finish(std::vector<MotionRevision>& revisions) override {
+    return ask(Call::FinishOdometry, kNone, std::tie(revisions));
+  }
+
+ private:
+  Motion last_;
+  bool seen_ = false;
+};
+
+class RemotePlace final : public RemoteRole<Place> {
+ public:
+  using RemoteRole::RemoteRole;
+  PlaceInput input() const override {
+    PlaceInput input = PlaceInput::Frame;
+    const Status status = ask(Call::Input, kNone, std::tie(input));
+    if (!status.isOk()) throw std::runtime_error(status.message());
+    return input;
+  }
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override {
+    std::optional<Motion> given;
+    if (motion != nullptr) given = *motion;
+    return remote_->call(Call::Observe,
+                         std::tuple<const Frame&, const std::optional<Motion>&>(frame, given),
+                         std::tie(observation));
+  }
+  Status finish() override { return ask(Call::FinishPlace, kNone, std::tuple<>()); }
+};
+
+class RemoteCells final : public RemoteRole<Cells> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status step(const Motion& motion, const PlaceObservation& observation,
+              Decision& decision) override {
+    return ask(Call::Step, std::tie(motion, observation), std::tie(decision));
+  }
+  Status finish() override { return ask(Call::FinishCells, kNone, std::tuple<>()); }
+};
+
+class RemoteMap final : public RemoteRole<Map> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status update(const Motion& motion, const Decision& decision, MapUpdate& update) override {
+    return ask(Call::Update, std::tie(motion, decision), std::tie(update));
+  }
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const override {
+    return remote_->call(Call::PoseOf, std::tuple<const std::int64_t&>(frame),
+                         std::tie(T_world_camera));
+  }
+  Status graph(MapGraph& graph) const override { return ask(Call::Graph, kNone, std::tie(graph)); }
+  Status finish(const std::vector<MotionRevision>& revisions) override {
+    return ask(Call::FinishMap, std::tie(revisions), std::tuple<>());
+  }
+};
+
+class RemoteObserver final : public RemoteRole<Observer> {
+ public:
+  using RemoteRole::RemoteRole;
+  Status begin(const RunInfo& run) override {
+    return ask(Call::Begin, std::tie(run), std::tuple<>());
+  }
+  Status observe(const Snapshot& s) override {
+    std::optional<MapGraph> graph;
+    if (s.graph != nullptr) graph = *s.graph;
+    const std::optional<MapGraph>& given = graph;
+    return ask(Call::Watch,
+               std::tie(*s.frame, *s.motion, *s.place, *s.decision, *s.map, *s.cells, given),
+               std::tuple<>());
+  }
+  Status finish(const MapGraph& graph) override {
+    return ask(Call::FinishObserver, std::tie(graph), std::tuple<>());
+  }
+};
+
+template <class Proxy>
+std::unique_ptr<plugins::Instance> adopt(std::shared_ptr<Remote> remote, const std::string& name) {
+  const plugins::Manifest& manifest = remote->manifest();
+  auto proxy = std::make_unique<Proxy>(remote);
+  PluginObject object{proxy.get(), nullptr, nullptr};
+  if (remote->hasArrays()) object.arrays = proxy.get();
+  if (remote->hasState()) object.state = proxy.get();
+  proxy.release();
+  return plugins::Instance::adopt(manifest, name, object, [](Plugin* plugin) {
+    const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));
+    return owned->remote().destroy();
+  });
+}
+
+}  // namespace
+
+plugins::OrRefusal<std::unique_ptr<plugins::Instance>> instantiate(std::shared_ptr<Remote> remote,
+                                                                   const std::string& name) {
+  if (auto refusal = remote->create()) return *refusal;
+  switch (remote->manifest().role) {
+    case Role::Source:
+      return adopt<RemoteSource>(std::move(remote), name);
+    case Role::Odometry:
+      return adopt<RemoteOdometry>(std::move(remote), name);
+    case Role::Place:
+      return adopt<RemotePlace>(std::move(remote), name);
+    case Role::Cells:
+      return adopt<RemoteCells>(std::move(remote), name);
+    case Role::Map:
+      return adopt<RemoteMap>(std::move(remote), name);
+    case Role::Observer:
+      break;
+  }
+  return adopt<RemoteObserver>(std::move(remote), name);
+}
+
+Status openArtefacts(Remote& remote, const std::string& run_directory) {
+  return remote.call(Call::OpenArtefacts, std::tie(run_directory), std::tuple<>());
+}
+
+}  // namespace tolman::isolation

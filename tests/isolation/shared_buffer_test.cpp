@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "isolation/shared_buffer.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <cerrno>
+#include <cstring>
+
+using tolman::isolation::SharedBuffer;
+
+TEST_CASE("what was written stays while the memory grows") {
+  SharedBuffer buffer("test");
+  std::memcpy(buffer.reserve(6), "hello", 6);
+  std::byte* grown = buffer.reserve(std::size_t{5} << 20U);
+  CHECK(std::strcmp(reinterpret_cast<const char*>(grown), "hello") == 0);
+  grown[(std::size_t{5} << 20U) - 1] = std::byte{7};  // the last byte is there
+}
+
+TEST_CASE("another mapping of the same memory sees what is written, also after growing") {
+  SharedBuffer writer("test");
+  SharedBuffer reader(::dup(writer.descriptor()));
+  writer.reserve(10)[9] = std::byte{1};
+  CHECK(reader.view(10)[9] == std::byte{1});
+  constexpr std::size_t kFar = std::size_t{3} << 20U;
+  writer.reserve(kFar)[kFar - 1] = std::byte{2};
+  CHECK(reader.view(kFar)[kFar - 1] == std::byte{2});
+}
+
+TEST_CASE("a size that the memory does not have is refused, not believed") {
+  SharedBuffer writer("test");
+  writer.reserve(10);
+  SharedBuffer reader(::dup(writer.descriptor()));
+  CHECK_THROWS_WITH(reader.view(std::size_t{1} << 40U), "a message longer than its memory");
+}
+
+TEST_CASE("nobody can take the memory away from under a reader") {
+  SharedBuffer buffer("test");
+  buffer.reserve(4096);
+  CHECK(::ftruncate(buffer.descriptor(), 0) == -1);
+  CHECK(errno == EPERM);
+}
