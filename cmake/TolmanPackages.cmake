@@ -33,7 +33,7 @@ set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>
 set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")
 
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
-install(FILES README.md docs/changelog.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman
         COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman RENAME copyright
         COMPONENT program)

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "app/provenance.hpp"
+#include "app/report_files.hpp"
 #include "app/results.hpp"
 #include "app/run_listener.hpp"
 #include "app/summary.hpp"
@@ -119,6 +120,10 @@ class Run {
     }
     const Status written = directory_->writeRunFile(provenance_, state);
     if (!written.isOk()) std::cerr << written.message() << "\n";
+    if (metrics.isOk()) {
+      const auto report = writeReport({directory_->path()}, directory_->path());
+      if (!report.isOk()) std::cerr << report.status().message() << "\n";
+    }
     show(outcome, metrics, wall);
     if (!outcome.status.isOk()) return report({code, outcome.status.message()});
     return code;
@@ -134,7 +139,10 @@ class Run {
     } else if (!invocation_.quiet) {
       std::cout << fmt::format("{:<10}{}\n", "run", directory_->path().string())
                 << healthText(outcome, wall);
-      if (metrics.isOk()) std::cout << figuresText(metrics.value());
+      if (!metrics.isOk()) return;
+      std::cout << figuresText(metrics.value())
+                << fmt::format("{:<10}{}\n", "report",
+                               (directory_->path() / "report.html").string());
     }
   }
 

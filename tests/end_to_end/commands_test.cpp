@@ -117,6 +117,26 @@ TEST_CASE("eval gives the published figures of two systems on KITTI 00") {
   CHECK(score("kitti_00_sptam.txt") == Approx(3.738).margin(0.0005));
 }
 
+TEST_CASE("report of runs that were made and moved; of what is none, one clear error") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  for (const char* name : {"one", "two"}) {
+    REQUIRE(tolman::test::tolman(tinyRun(config, folder.path() / name)).exit_code == 0);
+  }
+  const auto both = folder.path() / "both";
+  const Finished finished =
+      tolman::test::tolman({"report", (folder.path() / "one").string(),
+                            (folder.path() / "two").string(), "--out", both.string()});
+  INFO(finished.err);
+  CHECK(finished.exit_code == 0);
+  CHECK(contains(finished.out, (both / "report.html").string()));
+  CHECK(contains(readText(both / "figures" / "two" / "map.svg"), "<svg"));
+  const Finished none = tolman::test::tolman({"report", folder.path().string()});
+  CHECK(none.exit_code == 5);
+  CHECK(contains(none.err, "run.sqlite"));
+}
+
 TEST_CASE("export of what is no run is one clear error") {
   TemporaryFolder folder;
   const Finished finished = tolman::test::tolman({"export", folder.path().string()});

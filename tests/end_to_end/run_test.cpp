@@ -36,9 +36,10 @@ TEST_CASE("a run leaves a complete directory and true figures") {
   const Finished finished = tiny.run();
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
-  for (const char* name : {"config.resolved.yaml", "run.json", "run.sqlite", "trajectory.tum",
-                           "trajectory.kitti", "odometry.tum", "odometry.kitti", "map.g2o",
-                           "map.svg", "metrics.json", "results.sha256", "log.txt"}) {
+  for (const char* name :
+       {"config.resolved.yaml", "run.json", "run.sqlite", "trajectory.tum", "trajectory.kitti",
+        "odometry.tum", "odometry.kitti", "map.g2o", "map.svg", "report.html", "figures/error.svg",
+        "metrics.json", "results.sha256", "log.txt"}) {
     CHECK(fs::exists(tiny.out / name));
   }
   const auto metrics = readJson(tiny.out / "metrics.json");

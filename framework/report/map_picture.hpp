@@ -7,7 +7,7 @@
 #include "evaluation/trajectory.hpp"
 #include "tolman/records.hpp"
 
-namespace tolman::app {
+namespace tolman::report {
 
 /// What the picture shows; the truth may be empty. All in the world frame of the run.
 struct MapPicture {
@@ -21,4 +21,4 @@ struct MapPicture {
 /// Seen from above; equal scales, a scale bar, a legend.
 std::string svgText(const MapPicture& picture);
 
-}  // namespace tolman::app
+}  // namespace tolman::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/map_picture.hpp"
+#include "report/map_picture.hpp"
 
 #include <catch2/catch.hpp>
 #include <regex>
@@ -41,9 +41,9 @@ int count(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("the picture keeps right angles and scale: forward is up, right is right") {
-  app::MapPicture picture;
+  report::MapPicture picture;
   picture.map = path({{0, 0}, {0, 40}, {40, 40}});
-  const auto pixels = polyline(app::svgText(picture), 1);  // odometry comes first
+  const auto pixels = polyline(report::svgText(picture), 1);  // odometry comes first
   REQUIRE(pixels.size() == 3);
   CHECK(pixels[1].x() == Approx(pixels[0].x()));
   CHECK(pixels[1].y() < pixels[0].y());  // y of a picture grows downwards
@@ -52,16 +52,16 @@ TEST_CASE("the picture keeps right angles and scale: forward is up, right is rig
 }
 
 TEST_CASE("a long straight street lies down, and a left turn stays a left turn") {
-  app::MapPicture picture;
+  report::MapPicture picture;
   picture.map = path({{0, 0}, {0, 100}, {-10, 100}});
-  const auto pixels = polyline(app::svgText(picture), 1);
+  const auto pixels = polyline(report::svgText(picture), 1);
   CHECK(pixels[1].x() > pixels[0].x());
   CHECK(pixels[1].y() == Approx(pixels[0].y()));
   CHECK(pixels[2].y() < pixels[1].y());  // left of rightwards is up
 }
 
 TEST_CASE("experiences are circles, loop links lines; the title cannot break the file") {
-  app::MapPicture picture;
+  report::MapPicture picture;
   picture.title = "a<b & c";
   picture.map = path({{0, 0}, {0, 10}});
   picture.graph.experiences.resize(3);
@@ -71,7 +71,7 @@ TEST_CASE("experiences are circles, loop links lines; the title cannot break the
   picture.graph.links[0].from = picture.graph.links[1].from = 0;
   picture.graph.links[0].to = picture.graph.links[1].to = 2;
   picture.graph.links[1].kind = LinkKind::Loop;
-  const std::string svg = app::svgText(picture);
+  const std::string svg = report::svgText(picture);
   CHECK(count(svg, "<circle") == 3);
   CHECK(count(svg, "stroke-width=\"2\"/>") == 1);
   CHECK(svg.find("a&lt;b &amp; c") != std::string::npos);
@@ -79,7 +79,7 @@ TEST_CASE("experiences are circles, loop links lines; the title cannot break the
 }
 
 TEST_CASE("an empty run is an empty picture, not a crash") {
-  const std::string svg = app::svgText({});
+  const std::string svg = report::svgText({});
   CHECK(svg.starts_with("<svg"));
   CHECK(svg.find("nan") == std::string::npos);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "app/map_picture.hpp"
+#include "report/map_picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace tolman::app {
+namespace tolman::report {
 namespace {
 
 // Okabe and Ito's colours, which colour-blind people can tell apart.
@@ -152,4 +152,4 @@ std::string svgText(const MapPicture& picture) {
   return text + graphText(canvas, shown.graph) + "</svg>\n";
 }
 
-}  // namespace tolman::app
+}  // namespace tolman::report

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// report.html and the figures of runs, as files.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "tolman/status.hpp"
+
+namespace tolman::app {
+
+/// Writes report.html and figures/*.svg into `folder`, each atomically; of several runs the figures
+/// stand in figures/RUN. Each run is evaluated as its own resolved configuration says. Returns what
+/// was written, the page first.
+Result<std::vector<std::filesystem::path>> writeReport(
+    const std::vector<std::filesystem::path>& runs, const std::filesystem::path& folder);
+
+}  // namespace tolman::app

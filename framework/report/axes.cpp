@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/axes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace tolman::report {
+namespace {
+
+constexpr const char* kFrameColour = "#444444";
+constexpr const char* kGridColour = "#e6e6e6";
+constexpr double kPixelsPerTick = 75;       // beside each other
+constexpr double kPixelsPerTickAbove = 40;  // above each other
+
+double stepOf(const Range& range, int wanted) {
+  const double rough = range.length() / std::max(wanted, 1);
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  const double digit = rough / power;
+  return power * (digit > 5 ? 10 : digit > 2 ? 5 : digit > 1 ? 2 : 1);
+}
+
+int ticksIn(double pixels, double each) { return std::max(2, static_cast<int>(pixels / each)); }
+
+}  // namespace
+
+void Range::include(double value) {
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+std::vector<double> ticks(const Range& range, int wanted) {
+  if (!(range.length() > 0) || !std::isfinite(range.length())) return {range.low};
+  const double step = stepOf(range, wanted);
+  const double slack = 1e-9 * range.length();
+  std::vector<double> values;
+  for (double i = std::ceil((range.low - slack) / step); i * step <= range.high + slack; ++i) {
+    values.push_back(i * step);
+  }
+  return values;
+}
+
+std::string tickText(double value, double step) {
+  const int decimals =
+      step > 0 ? std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))) : 0;
+  const double clean = std::abs(value) < 1e-9 * std::max(step, 1e-300) ? 0 : value;
+  return fmt::format("{:.{}f}", clean, std::min(decimals, 9));
+}
+
+Axes::Axes(Svg& svg, AxesPlan plan) : svg_(svg), plan_(std::move(plan)) {
+  for (Range* range : {&plan_.x, &plan_.y}) {
+    if (!(range->length() > 0)) range->high = range->low + 1;
+  }
+  fit();
+  svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "white", "none");
+  drawX();
+  if (!plan_.y_label.empty()) drawY();
+  svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "none", kFrameColour);
+  const double middle = plan_.place.center().x();
+  svg_.text({middle, plan_.place.min().y() - 26}, plan_.title, {Anchor::Middle, 13, 0, true});
+}
+
+void Axes::fit() {
+  Eigen::Vector2d sizes = plan_.place.sizes();
+  scale_ = {sizes.x() / plan_.x.length(), sizes.y() / plan_.y.length()};
+  if (!plan_.equal) return;
+  scale_.setConstant(scale_.minCoeff());
+  const Eigen::Vector2d wanted(scale_.x() * plan_.x.length(), scale_.y() * plan_.y.length());
+  const Eigen::Vector2d corner(plan_.place.center().x() - wanted.x() / 2, plan_.place.min().y());
+  plan_.place = Eigen::AlignedBox2d(corner, corner + wanted);
+}
+
+void Axes::drawX() {
+  const auto values = ticks(plan_.x, ticksIn(plan_.place.sizes().x(), kPixelsPerTick));
+  const double step = values.size() > 1 ? values[1] - values[0] : plan_.x.length();
+  const double bottom = plan_.place.max().y();
+  for (const double value : values) {
+    const double x = at(value, plan_.y.low).x();
+    svg_.line({x, plan_.place.min().y()}, {x, bottom}, kGridColour);
+    svg_.line({x, bottom}, {x, bottom + 4}, kFrameColour);
+    svg_.text({x, bottom + 17}, tickText(value, step), {Anchor::Middle, 11});
+  }
+  svg_.text({plan_.place.center().x(), bottom + 34}, plan_.x_label, {Anchor::Middle, 12});
+}
+
+void Axes::drawY() {
+  const auto values = ticks(plan_.y, ticksIn(plan_.place.sizes().y(), kPixelsPerTickAbove));
+  const double step = values.size() > 1 ? values[1] - values[0] : plan_.y.length();
+  const double left = plan_.place.min().x();
+  for (const double value : values) {
+    const double y = at(plan_.x.low, value).y();
+    svg_.line({left, y}, {plan_.place.max().x(), y}, kGridColour);
+    svg_.line({left - 4, y}, {left, y}, kFrameColour);
+    svg_.text({left - 7, y + 4}, tickText(value, step), {Anchor::End, 11});
+  }
+  svg_.text({left - 46, plan_.place.center().y()}, plan_.y_label, {Anchor::Middle, 12, -90});
+}
+
+Eigen::Vector2d Axes::at(double x, double y) const {
+  return {plan_.place.min().x() + (x - plan_.x.low) * scale_.x(),
+          plan_.place.max().y() - (y - plan_.y.low) * scale_.y()};
+}
+
+void Axes::polyline(const std::vector<double>& x, const std::vector<double>& y, const char* colour,
+                    double thickness) {
+  std::vector<Eigen::Vector2d> points;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    points.push_back(at(std::clamp(x[i], plan_.x.low, plan_.x.high),
+                        std::clamp(y[i], plan_.y.low, plan_.y.high)));
+  }
+  svg_.polyline(points, colour, thickness);
+}
+
+void Axes::legend(const std::vector<Entry>& entries) {
+  double x = plan_.place.min().x();
+  const double y = plan_.place.min().y() - 8;
+  for (const Entry& entry : entries) {
+    svg_.line({x, y - 4}, {x + 16, y - 4}, entry.colour, 3);
+    svg_.text({x + 20, y}, entry.name, {Anchor::Start, 11});
+    x += 34 + 6.3 * static_cast<double>(entry.name.size());
+  }
+}
+
+}  // namespace tolman::report

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A frame with ticks and labels, and the way from values to pixels.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "report/svg.hpp"
+
+namespace tolman::report {
+
+struct Range {
+  double low = 0;
+  double high = 1;
+  void include(double value);
+  double length() const { return high - low; }
+};
+
+/// Round values (1, 2 or 5 times a power of ten) within the range, about `wanted` of them.
+std::vector<double> ticks(const Range& range, int wanted);
+/// As short as the steps of the axis allow: "0.25", "1500".
+std::string tickText(double value, double step);
+
+/// Where the frame of axes stands, px.
+inline Eigen::AlignedBox2d frame(double left, double top, double right, double bottom) {
+  return {Eigen::Vector2d(left, top), Eigen::Vector2d(right, bottom)};
+}
+
+struct AxesPlan {
+  std::string title;
+  std::string x_label;  ///< with its unit
+  std::string y_label;  ///< empty: no ticks either
+  Range x;
+  Range y;
+  Eigen::AlignedBox2d place;  ///< of the frame, px
+  bool equal = false;         ///< one scale for both: the frame shrinks to it
+};
+
+class Axes {
+ public:
+  /// Draws frame, grid lines, ticks and labels.
+  Axes(Svg& svg, AxesPlan plan);
+
+  Eigen::Vector2d at(double x, double y) const;
+  double pixelsX(double length) const { return length * scale_.x(); }
+  double pixelsY(double length) const { return length * scale_.y(); }
+  const Eigen::AlignedBox2d& box() const { return plan_.place; }
+  /// Values outside of the frame are pulled to its edge.
+  void polyline(const std::vector<double>& x, const std::vector<double>& y, const char* colour,
+                double thickness = 1.5);
+
+  struct Entry {
+    const char* colour;
+    std::string name;
+  };
+  /// Above the frame, from the left.
+  void legend(const std::vector<Entry>& entries);
+
+ private:
+  void fit();
+  void drawX();
+  void drawY();
+  Svg& svg_;
+  AxesPlan plan_;
+  Eigen::Vector2d scale_;  ///< px per unit
+};
+
+}  // namespace tolman::report

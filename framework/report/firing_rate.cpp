@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/firing_rate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace tolman::report {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+double wrapped(double angle) {
+  const double rest = std::fmod(angle, kTurn);
+  return rest < 0 ? rest + kTurn : rest;
+}
+
+/// Marks a field: all bins that touch (r, c) and fire.
+void flood(Eigen::MatrixXi& fires, Eigen::Index r, Eigen::Index c) {
+  std::vector<std::pair<Eigen::Index, Eigen::Index>> open{{r, c}};
+  while (!open.empty()) {
+    const auto [i, j] = open.back();
+    open.pop_back();
+    if (i < 0 || j < 0 || i >= fires.rows() || j >= fires.cols() || fires(i, j) == 0) continue;
+    fires(i, j) = 0;
+    for (Eigen::Index di = -1; di <= 1; ++di) {
+      for (Eigen::Index dj = -1; dj <= 1; ++dj) open.emplace_back(i + di, j + dj);
+    }
+  }
+}
+
+}  // namespace
+
+RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side) {
+  RateMap map;
+  Eigen::AlignedBox2d box;
+  for (const Sample& sample : samples) box.extend(sample.position);
+  if (box.isEmpty()) return map;
+  map.corner = box.min();
+  map.bin = std::max(box.sizes().maxCoeff() / bins_on_the_long_side, 1e-6);
+  const auto bins = [&](double length) { return static_cast<Eigen::Index>(length / map.bin) + 1; };
+  map.rate = Eigen::MatrixXd::Zero(bins(box.sizes().x()), bins(box.sizes().y()));
+  map.visits = map.rate;
+  for (const Sample& sample : samples) {
+    const Eigen::Vector2d place = (sample.position - map.corner) / map.bin;
+    const auto right = static_cast<Eigen::Index>(place.x());
+    const auto forward = static_cast<Eigen::Index>(place.y());
+    map.rate(right, forward) += sample.rate;
+    map.visits(right, forward) += 1;
+  }
+  map.rate = map.rate.binaryExpr(map.visits, [](double sum, double count) {
+    return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
+  });
+  return map;
+}
+
+TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
+  TuningCurve curve;
+  const auto size = static_cast<std::size_t>(bins);
+  curve.rate.assign(size, 0);
+  std::vector<double> visits(size, 0);
+  for (const Sample& sample : samples) {
+    const auto bin =
+        std::min(static_cast<std::size_t>(wrapped(sample.heading) / kTurn * bins), size - 1);
+    curve.rate[bin] += sample.rate;
+    visits[bin] += 1;
+  }
+  std::complex<double> sum = 0;
+  double total = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (visits[i] > 0) curve.rate[i] /= visits[i];
+    const double centre = (static_cast<double>(i) + 0.5) / bins * kTurn;
+    sum += std::polar(1.0, centre) * curve.rate[i];
+    total += curve.rate[i];
+  }
+  if (total > 0) curve.mean_vector_length = std::abs(sum) / total;
+  curve.preferred = wrapped(std::arg(sum));
+  return curve;
+}
+
+double spatialInformation(const RateMap& map) {
+  const double visits = map.visits.sum();
+  if (!(visits > 0)) return 0;
+  double mean = 0;
+  for (Eigen::Index i = 0; i < map.rate.size(); ++i) {
+    if (map.visits(i) > 0) mean += map.visits(i) / visits * map.rate(i);
+  }
+  if (!(mean > 0)) return 0;
+  double bits = 0;
+  for (Eigen::Index i = 0; i < map.rate.size(); ++i) {
+    const double ratio = map.visits(i) > 0 ? map.rate(i) / mean : 0;
+    if (ratio > 0) bits += map.visits(i) / visits * ratio * std::log2(ratio);
+  }
+  return bits;
+}
+
+int fields(const RateMap& map, double share) {
+  double highest = 0;
+  for (const double rate : map.rate.reshaped())
+    highest = std::isnan(rate) ? highest : std::max(highest, rate);
+  if (!(highest > 0)) return 0;
+  Eigen::MatrixXi fires =
+      map.rate.unaryExpr([&](double rate) { return rate > share * highest ? 1 : 0; });
+  int count = 0;
+  for (Eigen::Index i = 0; i < fires.rows(); ++i) {
+    for (Eigen::Index j = 0; j < fires.cols(); ++j) {
+      if (fires(i, j) == 0) continue;
+      ++count;
+      flood(fires, i, j);
+    }
+  }
+  return count;
+}
+
+}  // namespace tolman::report

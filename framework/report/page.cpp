@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "report/figures.hpp"
+#include "report/map_picture.hpp"
+#include "report/svg.hpp"
+
+namespace tolman::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --line: #8884; --soft: #8888; }
+body { font: 15px/1.45 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 1900px; }
+h1 { font-size: 1.5rem; margin: .5rem 0; } h2 { font-size: 1.1rem; margin: 1.5rem 0 .5rem; }
+.runs { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 36rem), 1fr)); }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+th, td { padding: .25rem .8rem .25rem 0; text-align: right; border-bottom: 1px solid var(--line); }
+th:first-child, td:first-child { text-align: left; }
+figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border-radius: 4px; }
+figcaption { color: var(--soft); font-size: .9rem; }
+pre { overflow: auto; padding: .8rem; border: 1px solid var(--line); border-radius: 4px; font-size: .8rem; }
+.wide { overflow-x: auto; }
+)";
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void addFigure(RunPage& page, const char* file, const char* caption, std::string svg) {
+  if (!svg.empty()) page.figures.push_back({file, caption, std::move(svg)});
+}
+
+Status addFigures(RunPage& page, const record::RunReader& reader) {
+  const RunData& data = page.data;
+  addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
+            svgText({data.name, data.truth, data.odometry, data.map, data.graph}));
+  addFigure(page, "error", "Distance to the truth at each frame.", errorFigure(data));
+  const auto places = reader.records<PlaceObservation>();
+  if (!places.isOk()) return places.status();
+  addFigure(page, "templates",
+            "New local view templates along the upper bound; familiar ones below it are places "
+            "seen again.",
+            templateFigure(places.value()));
+  const auto cells = readCells(reader);
+  if (!cells.isOk()) return cells.status();
+  const auto decisions = reader.records<Decision>();
+  if (!decisions.isOk()) return decisions.status();
+  addFigure(page, "activity",
+            "State of the attractor networks at four moments; the red hand is the estimate.",
+            activityFigure(cells.value(), decisions.value()));
+  addFigure(page, "firing", "Firing rate of single units where the robot was; dark is silent.",
+            firingFigure(cells.value(), data.map));
+  addFigure(page, "timing", "Time that each stage took for a frame, ms.",
+            timingFigure(data.metrics));
+  return Status::ok();
+}
+
+std::string number(const std::optional<double>& value, int decimals) {
+  return value ? fmt::format("{:.{}f}", *value, decimals) : "–";
+}
+
+std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
+  const auto of = [&](auto get) -> std::optional<double> {
+    if (!m.scores) return std::nullopt;
+    return get(*m.scores);
+  };
+  using S = evaluation::Scores;
+  const bool drift = m.scores && m.scores->kitti.segments > 0;
+  const auto drift_of = [&](double value) { return drift ? std::optional(value) : std::nullopt; };
+  return fmt::format(
+      "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+      "<td>{}</td><td>{}</td></tr>\n",
+      name, m.path_length_m, number(of([](const S& s) { return s.ate_m.rmse; }), 3),
+      number(of([](const S& s) { return s.ate_m.mean; }), 3),
+      number(of([](const S& s) { return s.ate_m.median; }), 3),
+      number(of([](const S& s) { return s.ate_m.max; }), 3),
+      number(drift_of(drift ? m.scores->kitti.t_rel_percent : 0), 3),
+      number(drift_of(drift ? m.scores->kitti.r_rel_deg_per_100m : 0), 3),
+      number(of([](const S& s) { return 100 * s.coverage; }), 1));
+}
+
+std::string errorTable(const evaluation::Metrics& metrics) {
+  return fmt::format(
+             "<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th><th>ATE "
+             "rmse "
+             "m</th><th>mean</th><th>median</th><th>max</th><th>t_rel %</th><th>r_rel °/100 m</th>"
+             "<th>matched %</th></tr>\n",
+             enumName(metrics.alignment)) +
+         errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) + "</table></div>\n";
+}
+
+std::string healthTable(const Json& provenance, const evaluation::Metrics& metrics) {
+  std::string rows;
+  const auto counters = provenance.find("counters");
+  if (provenance.is_object() && counters != provenance.end()) {
+    for (const auto& [key, value] : counters->items()) {
+      rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(value.dump()));
+    }
+  } else {  // a killed run has no last word
+    rows = fmt::format("<tr><td>frames</td><td>{}</td></tr><tr><td>loops</td><td>{}</td></tr>\n",
+                       metrics.frames, metrics.loops);
+  }
+  return "<table>" + rows + "</table>\n";
+}
+
+std::string section(const RunPage& run) {
+  std::string text = fmt::format("<section>\n<h1>{}</h1>\n", escaped(run.data.name));
+  text += errorTable(run.data.metrics);
+  for (const Figure& figure : run.figures) {
+    text += fmt::format("<figure id=\"{}\">\n{}<figcaption>{}</figcaption></figure>\n", figure.file,
+                        figure.svg, escaped(figure.caption));
+  }
+  text += "<h2>Health</h2>\n" + healthTable(run.provenance, run.data.metrics);
+  text += "<h2>Provenance</h2>\n<details><summary>run.json</summary><pre>" +
+          escaped(run.provenance.dump(2)) + "</pre></details>\n";
+  text += "<details><summary>config.resolved.yaml</summary><pre>" + escaped(run.config) +
+          "</pre></details>\n</section>\n";
+  return text;
+}
+
+}  // namespace
+
+Result<RunPage> makePage(const std::filesystem::path& directory,
+                         const config::EvaluationSettings& settings) {
+  const auto opened = record::RunReader::open(directory);
+  if (!opened.isOk()) return opened.status();
+  auto data = readRun(*opened.value(), settings);
+  if (!data.isOk()) return data.status();
+  RunPage page{std::move(data).value(), {}, nullptr, textOf(directory / "config.resolved.yaml")};
+  const Json provenance = Json::parse(textOf(directory / "run.json"), nullptr, false);
+  if (!provenance.is_discarded()) page.provenance = provenance;
+  const Status drawn = addFigures(page, *opened.value());
+  if (!drawn.isOk()) return drawn;
+  return page;
+}
+
+std::string html(const std::vector<RunPage>& runs) {
+  std::string title;
+  std::string body;
+  for (const RunPage& run : runs) {
+    title += (title.empty() ? "" : ", ") + run.data.name;
+    body += section(run);
+  }
+  return fmt::format(
+      "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+      "<title>Tolman: {}</title>\n<style>{}</style>\n</head>\n<body>\n<main class=\"runs\">\n{}"
+      "</main>\n</body>\n</html>\n",
+      escaped(title), kStyle, body);
+}
+
+}  // namespace tolman::report

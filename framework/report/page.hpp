@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One self-contained HTML page about one run, or several side by side.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "report/run_data.hpp"
+
+namespace tolman::report {
+
+struct Figure {
+  std::string file;  ///< name without extension, "error"
+  std::string caption;
+  std::string svg;
+};
+
+/// All that a page says about one run.
+struct RunPage {
+  RunData data;
+  std::vector<Figure> figures;
+  nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
+  std::string config;                 ///< config.resolved.yaml
+};
+
+/// Reads the record and draws every figure that it has something for.
+Result<RunPage> makePage(const std::filesystem::path& directory,
+                         const config::EvaluationSettings& settings);
+
+std::string html(const std::vector<RunPage>& runs);
+
+}  // namespace tolman::report

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/svg.hpp"
+
+#include <fmt/format.h>
+
+namespace tolman::report {
+
+std::string escaped(std::string_view text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '&':
+        safe += "&amp;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+Svg::Svg(double width, double height) : width_(width), height_(height) {}
+
+void Svg::line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view colour,
+               double thickness) {
+  body_ += fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
+      "stroke-width=\"{:g}\"/>\n",
+      from.x(), from.y(), to.x(), to.y(), colour, thickness);
+}
+
+void Svg::polyline(const std::vector<Eigen::Vector2d>& points, std::string_view colour,
+                   double thickness) {
+  std::string list;
+  for (const auto& p : points) list += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
+  body_ += fmt::format(
+      "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\" stroke-linejoin=\"round\" "
+      "points=\"{}\"/>\n",
+      colour, thickness, list);
+}
+
+void Svg::circle(const Eigen::Vector2d& centre, double radius, std::string_view fill,
+                 std::string_view stroke) {
+  body_ +=
+      fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:g}\" fill=\"{}\" stroke=\"{}\"/>\n",
+                  centre.x(), centre.y(), radius, fill, stroke);
+}
+
+void Svg::rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size,
+                    std::string_view fill, std::string_view stroke) {
+  body_ += fmt::format(
+      "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\" "
+      "stroke=\"{}\"/>\n",
+      corner.x(), corner.y(), size.x(), size.y(), fill, stroke);
+}
+
+void Svg::text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style) {
+  const char* anchor = style.anchor == Anchor::Start    ? "start"
+                       : style.anchor == Anchor::Middle ? "middle"
+                                                        : "end";
+  const std::string turn = style.turned_deg == 0
+                               ? ""
+                               : fmt::format(" transform=\"rotate({:g} {:.1f} {:.1f})\"",
+                                             style.turned_deg, at.x(), at.y());
+  body_ += fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{:g}\"{}{}>{}</text>\n",
+      at.x(), at.y(), anchor, style.size, style.bold ? " font-weight=\"bold\"" : "", turn,
+      escaped(text));
+}
+
+void Svg::beginGroup(std::string_view title) {
+  body_ += "<g><title>" + escaped(title) + "</title>\n";
+}
+
+std::string Svg::take() const {
+  return fmt::format(
+             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+             "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
+             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
+             width_, height_) +
+         body_ + "</svg>\n";
+}
+
+}  // namespace tolman::report

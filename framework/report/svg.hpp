@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A picture of lines and text, written as SVG. Pixels; x to the right, y down.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tolman::report {
+
+// Okabe and Ito's colours, which colour-blind people can tell apart.
+inline constexpr const char* kGrey = "#999999";
+inline constexpr const char* kOrange = "#E69F00";
+inline constexpr const char* kBlue = "#0072B2";
+inline constexpr const char* kGreen = "#009E73";
+inline constexpr const char* kVermilion = "#D55E00";
+inline constexpr const char* kPurple = "#CC79A7";
+
+/// Text that may stand in XML and HTML.
+std::string escaped(std::string_view text);
+
+enum class Anchor : std::uint8_t { Start, Middle, End };
+
+struct TextStyle {
+  Anchor anchor = Anchor::Start;
+  double size = 12;
+  double turned_deg = 0;
+  bool bold = false;
+};
+
+class Svg {
+ public:
+  Svg(double width, double height);
+  double width() const { return width_; }
+  double height() const { return height_; }
+
+  void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view colour,
+            double thickness = 1);
+  void polyline(const std::vector<Eigen::Vector2d>& points, std::string_view colour,
+                double thickness = 1.5);
+  void circle(const Eigen::Vector2d& centre, double radius, std::string_view fill,
+              std::string_view stroke = "none");
+  void rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view fill,
+                 std::string_view stroke = "none");
+  void text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style = {});
+  /// A title that a pointer shows over what is drawn between begin and end.
+  void beginGroup(std::string_view title);
+  void endGroup() { body_ += "</g>\n"; }
+
+  std::string take() const;
+
+ private:
+  double width_;
+  double height_;
+  std::string body_;
+};
+
+}  // namespace tolman::report

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/colour_map.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+using tolman::report::rateColour;
+
+namespace {
+
+/// Rec. 709 weights of the sRGB values: enough for an order.
+double brightness(const std::string& colour) {
+  const auto part = [&](std::size_t at) { return std::stoi(colour.substr(at, 2), nullptr, 16); };
+  return 0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5);
+}
+
+}  // namespace
+
+TEST_CASE("the ends are the published ones, and what is outside takes them") {
+  CHECK(rateColour(0) == "#440154");
+  CHECK(rateColour(1) == "#fde725");
+  CHECK(rateColour(-3) == rateColour(0));
+  CHECK(rateColour(7) == rateColour(1));
+  CHECK(rateColour(std::numeric_limits<double>::quiet_NaN()) == rateColour(0));
+}
+
+TEST_CASE("more is brighter, without exception: the map works in grey too") {
+  for (int i = 0; i < 100; ++i) {
+    CHECK(brightness(rateColour(i / 100.0)) < brightness(rateColour((i + 1) / 100.0)));
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The figures show the numbers of the record.
+#include "report/figures.hpp"
+
+#include <regex>
+
+#include "report/sample_pages.hpp"
+#include "report/svg.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::report;
+
+namespace {
+
+struct Sample {
+  test::TemporaryFolder folder;
+  std::unique_ptr<record::RunReader> reader;
+  RunData data;
+
+  Sample() {
+    test::recordRichRun(folder.path(), 12, "sample");
+    reader = record::RunReader::open(folder.path()).value();
+    data = readRun(*reader, {}).value();
+  }
+};
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("errors are those of the aligned frames") {
+  const Sample sample;
+  REQUIRE(sample.data.map_error.metres.size() == 12);
+  CHECK(sample.data.map_error.seconds.back() == Approx(1.1));
+  // Six frames are 1 cm off: the alignment shares it out.
+  for (const double metres : sample.data.map_error.metres)
+    CHECK(metres == Approx(0.005).margin(5e-4));
+  const std::string svg = errorFigure(sample.data);
+  CHECK(count(svg, "<polyline") == 2);
+  CHECK(svg.find("map, rmse 0.005 m") != std::string::npos);
+}
+
+TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
+  const Sample sample;
+  const auto places = sample.reader->records<PlaceObservation>().value();
+  const std::string svg = templateFigure(places);
+  CHECK(count(svg, "fill=\"" + std::string(kBlue) + "\"") == 6);
+  CHECK(count(svg, "fill=\"" + std::string(kVermilion) + "\"") == 6);
+}
+
+TEST_CASE("the activity of every unit is drawn at four moments") {
+  const Sample sample;
+  const CellHistory cells = readCells(*sample.reader).value();
+  REQUIRE(cells.ring.frames.size() == 12);
+  REQUIRE(cells.sheet.shape == std::vector<int>{2, 2});
+  const std::string svg = activityFigure(cells, sample.reader->records<Decision>().value());
+  CHECK(count(svg, "stroke-width=\"6\"") == 4 * 4);
+  CHECK(count(svg, "<rect x") == 4 * 4);
+  CHECK(svg.find("frame 11, heading 0.0 deg") != std::string::npos);
+}
+
+TEST_CASE("rates of two opposite head direction units and one grid unit") {
+  const Sample sample;
+  const std::string svg = firingFigure(readCells(*sample.reader).value(), sample.data.map);
+  CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
+  CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
+  CHECK(svg.find("grid unit (1, 1): fields 1, 0.00 bits") != std::string::npos);
+  CHECK(svg.find("nan") == std::string::npos);
+}
+
+TEST_CASE("times of stages are those recorded") {
+  const Sample sample;
+  CHECK(timingFigure(sample.data.metrics).find(">2 / 2<") != std::string::npos);
+}
+
+TEST_CASE("a run that has nothing of a kind has no figure of it") {
+  CHECK(errorFigure({}).empty());
+  CHECK(templateFigure({}).empty());
+  CHECK(activityFigure({}, {}).empty());
+  CHECK(firingFigure({}, {}).empty());
+  CHECK(timingFigure({}).empty());
+}

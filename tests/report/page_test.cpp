@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page.hpp"
+
+#include <fstream>
+#include <regex>
+
+#include "report/sample_pages.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::report;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a page holds figures, errors, health, provenance and configuration of a run") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 12, "sample");
+  std::ofstream(folder.path() / "run.json")
+      << R"({"seed": 7, "counters": {"frames": 12, "lost": 1}})";
+  std::ofstream(folder.path() / "config.resolved.yaml") << "name: sample\n";
+  const auto page = makePage(folder.path(), {});
+  REQUIRE(page.isOk());
+  std::vector<std::string> names;
+  for (const Figure& figure : page.value().figures) names.push_back(figure.file);
+  CHECK(names ==
+        std::vector<std::string>{"map", "error", "templates", "activity", "firing", "timing"});
+  const std::string text = html({page.value()});
+  CHECK(contains(text, "<title>Tolman: sample</title>"));
+  CHECK(contains(text, "<td>map</td><td>11.0</td><td>0.005</td>"));
+  CHECK(contains(text, "<td>lost</td><td>1</td>"));
+  CHECK(contains(text, "&quot;seed&quot;: 7"));
+  CHECK(contains(text, "name: sample"));
+}
+
+TEST_CASE("a page needs no network, and names in it are only text") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 3, "<script>alert(1)</script>");
+  const std::string text = html({makePage(folder.path(), {}).value()});
+  CHECK_FALSE(contains(text, "<script"));
+  const std::regex link("(src|href|url\\()[^>]*");
+  CHECK_FALSE(std::regex_search(text, link));
+}
+
+TEST_CASE("a killed run, without run.json and configuration, has a page too") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 5, "killed");
+  const std::string text = html({makePage(folder.path(), {}).value()});
+  CHECK(contains(text, "<td>frames</td><td>5</td>"));
+}
+
+TEST_CASE("several runs stand side by side") {
+  const test::TemporaryFolder one;
+  const test::TemporaryFolder two;
+  test::recordRichRun(one.path(), 5, "first");
+  test::recordRichRun(two.path(), 6, "second");
+  const std::string text =
+      html({makePage(one.path(), {}).value(), makePage(two.path(), {}).value()});
+  CHECK(contains(text, "<title>Tolman: first, second</title>"));
+  CHECK(contains(text, "<h1>first</h1>"));
+  CHECK(contains(text, "<h1>second</h1>"));
+}
+
+TEST_CASE("what is no run is one clear error") {
+  const test::TemporaryFolder folder;
+  const auto page = makePage(folder.path(), {});
+  REQUIRE_FALSE(page.isOk());
+  CHECK(contains(page.status().message(), "run.sqlite"));
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A recorded run with places, cells and truth, for the tests of reports.
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "record/sample_run.hpp"
+
+namespace tolman::test {
+
+/// Straight ahead at 1 m a frame; the truth is 1 cm farther at every odd frame. Every second view
+/// is novel. A ring of 4 units and a sheet of 2x2 fire.
+inline void recordRichRun(const std::filesystem::path& folder, std::int64_t frames,
+                          const std::string& name) {
+  auto recorder = record::Recorder::open(folder).value();
+  REQUIRE(recorder->meta("name", name).isOk());
+  for (std::int64_t i = 0; i < frames; ++i) {
+    Frame frame = frameAt(i);
+    frame.has_truth = true;
+    frame.T_world_camera_truth.translation().z() = static_cast<double>(i) + (i % 2 == 1 ? 0.01 : 0);
+    const Motion motion = motionAt(i);
+    PlaceObservation place;
+    place.frame = i;
+    place.stamp_ns = frame.stamp_ns;
+    place.recognition = i % 2 == 0 ? Recognition::Novel : Recognition::Familiar;
+    place.template_id = i / 2;
+    Decision decision;
+    decision.frame = i;
+    decision.stamp_ns = frame.stamp_ns;
+    decision.experience = 0;
+    MapUpdate update;
+    update.frame = i;
+    update.stamp_ns = frame.stamp_ns;
+    update.experience = 0;
+    update.T_experience_camera.translation().z() = static_cast<double>(i);
+    const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}};
+    const std::vector<NamedArray> cells = {{"hd.activity", {4}, {1, 0, 0.5F, 0}},
+                                           {"grid.activity", {2, 2}, {1, 0, 0, 0.25F}}};
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.motion = &motion;
+    snapshot.place = &place;
+    snapshot.decision = &decision;
+    snapshot.map = &update;
+    snapshot.cells = &cells;
+    snapshot.graph = i == 0 ? &graph : nullptr;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+    REQUIRE(recorder->timing(i, "odometry", 2'000'000).isOk());
+  }
+  REQUIRE(recorder->close().isOk());
+}
+
+}  // namespace tolman::test
