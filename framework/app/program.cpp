@@ -23,6 +23,7 @@ constexpr const char* kFooter =
     "folder\n"
     "  tolman bench configs/kitti.yaml --frames 200    how fast is the source, and every stage?\n"
     "  tolman report runs/demo                         figures and a page about a run, or several\n"
+    "  tolman plan runs/demo --from 0 --to 40,-120      the fastest way through a map\n"
     "  tolman eval truth.txt estimate.txt --align se3  errors of any TUM or KITTI trajectory\n"
     "\n"
     "Exit codes: 0 ok, 2 usage, 3 configuration, 4 plugin, 5 dataset, 6 tracking lost,\n"
@@ -50,6 +51,7 @@ int runProgram(int argc, const char* const* argv) {
   addEvalCommand(app, invocation);
   addExportCommand(app, invocation);
   addReportCommand(app, invocation);
+  addPlanCommand(app, invocation);
   addStageCommand(app);
   try {
     app.parse(argc, argv);

@@ -33,6 +33,7 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addEvalCommand(CLI::App& app, Invocation& invocation);
+void addPlanCommand(CLI::App& app, Invocation& invocation);
 void addReportCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
 void addStageCommand(CLI::App& app);  // hidden

@@ -10,8 +10,6 @@
 #include <system_error>
 #include <thread>
 
-extern char** environ;
-
 namespace tolman::isolation {
 namespace {
 
@@ -45,6 +43,7 @@ class SpawnPlan {
 
   pid_t start(std::vector<std::string> command) const {
     std::vector<char*> words;
+    words.reserve(command.size() + 1);
     for (std::string& word : command) words.push_back(word.data());
     words.push_back(nullptr);
     pid_t pid = -1;

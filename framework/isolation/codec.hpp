@@ -237,7 +237,8 @@ class Decoder {
 
 inline void Encoder::put(const Image& image) {
   putAll(image.width(), image.height(), image.format());
-  const auto row = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
+  const std::size_t row = static_cast<std::size_t>(image.width()) *
+                          static_cast<std::size_t>(bytesPerPixel(image.format()));
   for (int r = 0; r < image.height(); ++r) raw(image.row(r), row);
 }
 

@@ -155,7 +155,7 @@ std::unique_ptr<plugins::Instance> adopt(std::shared_ptr<Remote> remote, const s
   PluginObject object{proxy.get(), nullptr, nullptr};
   if (remote->hasArrays()) object.arrays = proxy.get();
   if (remote->hasState()) object.state = proxy.get();
-  proxy.release();
+  (void)proxy.release();  // the instance ends it
   return plugins::Instance::adopt(manifest, name, object, [](Plugin* plugin) {
     const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));
     return owned->remote().destroy();

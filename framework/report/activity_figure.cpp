@@ -50,7 +50,8 @@ void drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory&
   const double most = highest(activity);
   for (int r = 0; r < rows; ++r) {
     for (int c = 0; c < columns; ++c) {
-      const auto i = static_cast<std::size_t>(r * columns + c);
+      const std::size_t i = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) +
+                            static_cast<std::size_t>(c);
       // Overlapping a little: no seams.
       svg.rectangle(corner + cell * Eigen::Vector2d(r, columns - 1 - c), {cell + 0.4, cell + 0.4},
                     rateColour(activity[i] / most));

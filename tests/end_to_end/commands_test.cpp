@@ -137,6 +137,28 @@ TEST_CASE("report of runs that were made and moved; of what is none, one clear e
   CHECK(contains(none.err, "run.sqlite"));
 }
 
+TEST_CASE("plan leads from experience to experience, or to a place") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 60);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const auto out = folder.path() / "run";
+  REQUIRE(tolman::test::tolman(tinyRun(config, out)).exit_code == 0);
+  const Finished route =
+      tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "0,1000", "--json"});
+  INFO(route.err);
+  REQUIRE(route.exit_code == 0);
+  const auto plan = nlohmann::json::parse(route.out);
+  CHECK(plan["legs"].front()["experience"] == 0);
+  // Straight ahead at 10 m/s: way and time follow from the last place.
+  CHECK(plan["metres"].get<double>() ==
+        Approx(plan["legs"].back()["forward_m"].get<double>()).epsilon(1e-3));
+  CHECK(plan["seconds"].get<double>() == Approx(plan["metres"].get<double>() / 10).epsilon(1e-3));
+  const Finished nowhere =
+      tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "somewhere"});
+  CHECK(nowhere.exit_code == 2);
+  CHECK(contains(nowhere.err, "'somewhere' is no place"));
+}
+
 TEST_CASE("export of what is no run is one clear error") {
   TemporaryFolder folder;
   const Finished finished = tolman::test::tolman({"export", folder.path().string()});
