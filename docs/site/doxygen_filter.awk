@@ -1,5 +1,7 @@
 # What Doxygen is shown instead of a header, line by line the same: placeholders such as <name> are
-# no HTML tags, and a record's members are documented by the declaration of its fields.
+# no HTML tags, and a record's members are documented by the declaration of its fields. The comment
+# at the top of the file comes last, as the description of the file.
+NR > 1 && NR == heads + 2 && /^\/\// { head[++heads] = substr($0, 4) }
 {
   line[NR] = $0
   if (match($0, /struct [A-Za-z]+/)) record = substr($0, RSTART + 7, RLENGTH - 7)
@@ -25,4 +27,10 @@ END {
     }
     print text
   }
+
+  print "/** \\file"
+  print "\\brief " head[1]
+  print "\\verbatim"
+  for (i = 1; i <= heads; ++i) print head[i]
+  print "\\endverbatim */"
 }

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "config/system_config.hpp"
+
 using namespace tolman;
 using Json = nlohmann::ordered_json;
 
@@ -80,6 +82,20 @@ TEST_CASE("several plugins are alternatives") {
   const Json schema = app::stageSchema({toy(), pluginOf("other", Role::Cells, {})});
   REQUIRE(schema["anyOf"].size() == 2);
   CHECK(schema["anyOf"][1]["properties"]["plugin"]["const"] == "other");
+}
+
+TEST_CASE("the schema knows every key that the host knows") {
+  config::Loaded nothing;
+  nothing.tree.kind = config::Node::Kind::Map;
+  config::Problems problems;
+  const Json schema = app::fileSchema({});
+  for (const config::Section& section : config::parse(nothing, problems).sections) {
+    const Json& owner = section.key.empty() ? schema : schema["properties"][section.key];
+    for (const auto& [name, value] : section.values) {
+      INFO(section.key << "." << name);
+      CHECK(owner["properties"].contains(name));
+    }
+  }
 }
 
 TEST_CASE("a whole file has the host's sections and the stages") {

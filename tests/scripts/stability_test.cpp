@@ -45,7 +45,7 @@ class Repository {
   explicit Repository(bool with_tag = true) {
     write("sdk/include/tolman/version.hpp", kVersion);
     write("sdk/include/tolman/roles.hpp", kRoles);
-    write("CHANGELOG.md", "# Changelog\n\n### Migrations\n\nNothing yet.\n");
+    write("docs/changelog.md", "# Changelog\n\n### Migrations\n\nNothing yet.\n");
     shell("git init -q . && git add . && git -c user.name=a -c user.email=a@b commit -qm first");
     if (with_tag) shell("git tag v0.1.0");
   }
@@ -167,8 +167,8 @@ TEST_CASE("breaks ask for a major and a migration") {
   repository.version(0, 2);
   checkFails(repository, "taken away or changed", kRaiseMajor);
   repository.version(1, 0);
-  checkFails(repository, "taken away or changed", "Migrations in CHANGELOG.md, for SDK 1.0");
-  repository.write("CHANGELOG.md", "# Changelog\n\n### Migrations\n\n- SDK 1.0: rebuild.\n");
+  checkFails(repository, "taken away or changed", "Migrations in docs/changelog.md, for SDK 1.0");
+  repository.write("docs/changelog.md", "# Changelog\n\n### Migrations\n\n- SDK 1.0: rebuild.\n");
   checkPasses(repository, "SDK 1.0 against 0.1 of v0.1.0");
 }
 
