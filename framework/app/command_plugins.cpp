@@ -105,6 +105,13 @@ std::vector<plugins::LoadedPlugin> openUsable(const Invocation& invocation) {
   return opened;
 }
 
+/// One plugin as an object, several as a list.
+void describeJson(const std::vector<plugins::LoadedPlugin>& loaded) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const plugins::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
+  std::cout << (loaded.size() == 1 ? json.front() : json).dump(2) << "\n";
+}
+
 void describe(const Description& asked, Invocation& invocation) {
   if (asked.ids.empty()) {
     if (!asked.json_schema) throw CLI::RequiredError("id");
@@ -118,14 +125,11 @@ void describe(const Description& asked, Invocation& invocation) {
     std::cout << stageSchema(loaded).dump(2) << "\n";
     return;
   }
+  if (invocation.json) return describeJson(loaded);
   std::string separator;
   for (const plugins::LoadedPlugin& plugin : loaded) {
-    std::cout << std::exchange(separator, "\n");
-    if (invocation.json) {
-      std::cout << parametersJson(plugin).dump(2) << "\n";
-    } else {
-      std::cout << (asked.markdown ? parametersMarkdown(plugin) : parametersText(plugin));
-    }
+    std::cout << std::exchange(separator, "\n")
+              << (asked.markdown ? parametersMarkdown(plugin) : parametersText(plugin));
   }
 }
 

@@ -117,3 +117,14 @@ TEST_CASE("describe without an id is for the schema alone") {
   CHECK(finished.exit_code == 2);
   CHECK(contains(finished.err, "id is required"));
 }
+
+TEST_CASE("several plugins are described one after the other, as JSON in a list") {
+  const Finished text = tolman::test::tolman({"plugins", "describe", "kitti", "progress"});
+  CHECK(contains(text.out, "kitti "));
+  CHECK(contains(text.out, "\n\nprogress "));
+  const Finished json =
+      tolman::test::tolman({"--json", "plugins", "describe", "kitti", "progress"});
+  const auto plugins = nlohmann::json::parse(json.out);
+  REQUIRE(plugins.size() == 2);
+  CHECK(plugins[1]["id"] == "progress");
+}
