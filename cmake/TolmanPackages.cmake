@@ -32,9 +32,9 @@ set(CPACK_DEBIAN_SDK_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>= 3.22), g++")
 set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")
 
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
-install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman
-        COMPONENT program)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program
+        PATTERN site EXCLUDE)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman RENAME copyright
         COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libtolman-sdk-dev RENAME copyright

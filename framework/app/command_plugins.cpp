@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins: list (opens none), describe (opens one), doctor (one file, step by step), and
-// validate, which has a file of its own.
+// tolman plugins: list (opens none), describe (opens what it describes), doctor (one file, step by
+// step), and validate, which has a file of its own.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "app/assembly.hpp"
+#include "app/json_schema.hpp"
 #include "app/parameter_text.hpp"
 #include "app/program.hpp"
 #include "plugins/gate.hpp"
@@ -57,16 +61,75 @@ void list(Invocation& invocation) {
   }
 }
 
-void describe(const std::string& id, bool markdown, Invocation& invocation) {
-  const auto found = openCatalogue(invocation.plugin_paths).find(id);
-  if (const auto* refusal = std::get_if<Refusal>(&found)) return fail(invocation, *refusal);
-  const auto loaded = plugins::loadPlugin(std::get<Manifest>(found), HostIdentity::ofThisBuild());
-  if (const auto* refusal = std::get_if<Refusal>(&loaded)) return fail(invocation, *refusal);
-  const auto& plugin = std::get<plugins::LoadedPlugin>(loaded);
-  if (invocation.json) {
-    std::cout << parametersJson(plugin).dump(2) << "\n";
-  } else {
-    std::cout << (markdown ? parametersMarkdown(plugin) : parametersText(plugin));
+/// What `describe` was asked for.
+struct Description {
+  std::vector<std::string> ids;
+  bool markdown = false;
+  bool json_schema = false;
+};
+
+plugins::OrRefusal<plugins::LoadedPlugin> open(const plugins::Catalogue& catalogue,
+                                               const std::string& id) {
+  auto found = catalogue.find(id);
+  if (auto* refusal = std::get_if<Refusal>(&found)) return std::move(*refusal);
+  return plugins::loadPlugin(std::get<Manifest>(found), HostIdentity::ofThisBuild());
+}
+
+/// All plugins of these ids, or the reason why one of them cannot be opened.
+plugins::OrRefusal<std::vector<plugins::LoadedPlugin>> openAll(const std::vector<std::string>& ids,
+                                                               const Invocation& invocation) {
+  const plugins::Catalogue catalogue = openCatalogue(invocation.plugin_paths);
+  std::vector<plugins::LoadedPlugin> opened;
+  for (const std::string& id : ids) {
+    auto plugin = open(catalogue, id);
+    if (auto* refusal = std::get_if<Refusal>(&plugin)) return std::move(*refusal);
+    opened.push_back(std::get<plugins::LoadedPlugin>(std::move(plugin)));
+  }
+  return opened;
+}
+
+/// All that this host can use of what is installed.
+std::vector<plugins::LoadedPlugin> openUsable(const Invocation& invocation) {
+  const plugins::Catalogue catalogue = openCatalogue(invocation.plugin_paths);
+  std::set<std::string> ids;
+  for (const Manifest& manifest : catalogue.manifests()) ids.insert(manifest.id);
+  std::vector<plugins::LoadedPlugin> opened;
+  for (const std::string& id : ids) {
+    auto plugin = open(catalogue, id);
+    if (const auto* refusal = std::get_if<Refusal>(&plugin)) {
+      std::cerr << "left out: " << refusal->text() << "\n";
+    } else {
+      opened.push_back(std::get<plugins::LoadedPlugin>(std::move(plugin)));
+    }
+  }
+  return opened;
+}
+
+/// One plugin as an object, several as a list.
+void describeJson(const std::vector<plugins::LoadedPlugin>& loaded) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const plugins::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
+  std::cout << (loaded.size() == 1 ? json.front() : json).dump(2) << "\n";
+}
+
+void describe(const Description& asked, Invocation& invocation) {
+  if (asked.ids.empty()) {
+    if (!asked.json_schema) throw CLI::RequiredError("id");
+    std::cout << fileSchema(openUsable(invocation)).dump(2) << "\n";
+    return;
+  }
+  const auto opened = openAll(asked.ids, invocation);
+  if (const auto* refusal = std::get_if<Refusal>(&opened)) return fail(invocation, *refusal);
+  const auto& loaded = std::get<std::vector<plugins::LoadedPlugin>>(opened);
+  if (asked.json_schema) {
+    std::cout << stageSchema(loaded).dump(2) << "\n";
+    return;
+  }
+  if (invocation.json) return describeJson(loaded);
+  std::string separator;
+  for (const plugins::LoadedPlugin& plugin : loaded) {
+    std::cout << std::exchange(separator, "\n")
+              << (asked.markdown ? parametersMarkdown(plugin) : parametersText(plugin));
   }
 }
 
@@ -109,12 +172,14 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   command->add_subcommand("list", "Plugins on the search path; opens none of them")
       ->callback([&invocation] { list(invocation); });
 
-  CLI::App* one = command->add_subcommand("describe", "Parameters of a plugin");
-  auto id = std::make_shared<std::string>();
-  auto markdown = std::make_shared<bool>(false);
-  one->add_option("id", *id, "Plugin id")->required();
-  one->add_flag("--markdown", *markdown, "As a reference page");
-  one->callback([id, markdown, &invocation] { describe(*id, *markdown, invocation); });
+  CLI::App* one = command->add_subcommand("describe", "Parameters of plugins");
+  auto asked = std::make_shared<Description>();
+  one->add_option("id", asked->ids, "Plugin ids");
+  auto* markdown = one->add_flag("--markdown", asked->markdown, "As a reference page");
+  one->add_flag("--json-schema", asked->json_schema,
+                "As JSON Schema of a stage; without ids of a whole configuration file")
+      ->excludes(markdown);
+  one->callback([asked, &invocation] { describe(*asked, invocation); });
 
   CLI::App* doctor_command =
       command->add_subcommand("doctor", "Why does a plugin library (not) load?");

@@ -17,15 +17,21 @@ std::string_view typeName(const ParameterInfo& info) {
   return kTypeNames.at(static_cast<std::size_t>(info.type));
 }
 
-nlohmann::ordered_json toJson(const ParameterValue& value) {
+std::string defaultText(const ParameterInfo& info) {
+  return info.required ? "required" : valueJson(info.default_value).dump();
+}
+
+std::string headline(const plugins::LoadedPlugin& plugin) {
+  const auto& m = plugin.manifest;
+  return fmt::format("{} {} ({}): {}", m.id, m.version, enumName(m.role), m.summary);
+}
+
+}  // namespace
+
+nlohmann::ordered_json valueJson(const ParameterValue& value) {
   return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
 }
 
-std::string defaultText(const ParameterInfo& info) {
-  return info.required ? "required" : toJson(info.default_value).dump();
-}
-
-/// "1 to 512", ">= 0", "forward, backward", or nothing.
 std::string limitsText(const ParameterInfo& info) {
   std::string text;
   for (const std::string& choice : info.choices) text += (text.empty() ? "" : ", ") + choice;
@@ -37,13 +43,6 @@ std::string limitsText(const ParameterInfo& info) {
   if (high) return fmt::format("<= {}", info.max);
   return text;
 }
-
-std::string headline(const plugins::LoadedPlugin& plugin) {
-  const auto& m = plugin.manifest;
-  return fmt::format("{} {} ({}): {}", m.id, m.version, enumName(m.role), m.summary);
-}
-
-}  // namespace
 
 std::string parametersText(const plugins::LoadedPlugin& plugin) {
   std::string text = headline(plugin) + "\n";
@@ -79,7 +78,7 @@ nlohmann::ordered_json parametersJson(const plugins::LoadedPlugin& plugin) {
   json["parameters"] = nlohmann::ordered_json::array();
   for (const ParameterInfo& p : plugin.schema) {
     nlohmann::ordered_json one = {
-        {"name", p.name},         {"type", typeName(p)}, {"default", toJson(p.default_value)},
+        {"name", p.name},         {"type", typeName(p)}, {"default", valueJson(p.default_value)},
         {"required", p.required}, {"unit", p.unit},      {"doc", p.doc}};
     if (std::isfinite(p.min)) one["min"] = p.min;
     if (std::isfinite(p.max)) one["max"] = p.max;

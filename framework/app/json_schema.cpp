@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/json_schema.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "app/parameter_text.hpp"
+#include "config/settings.hpp"
+
+namespace tolman::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kDialect = "https://json-schema.org/draft/2020-12/schema";
+constexpr std::array kChain = {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map};
+
+// A text that the environment completes may stand for any value.
+constexpr const char* kVariable = R"(\$\{[^}]+\})";
+
+Json plainOrVariable(const char* type) {
+  return {{"type", {type, "string"}}, {"pattern", kVariable}};  // a number minds no pattern
+}
+
+Json oneOfOrVariable(const Json& names) {
+  return {{"anyOf", {{{"enum", names}}, {{"type", "string"}, {"pattern", kVariable}}}}};
+}
+
+Json limit(ParameterType type, double value) {
+  const bool whole = type == ParameterType::Integer && std::abs(value) < 0x1.0p53;
+  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json number(const ParameterInfo& info) {
+  Json schema = plainOrVariable(info.type == ParameterType::Integer ? "integer" : "number");
+  if (std::isfinite(info.min)) schema["minimum"] = limit(info.type, info.min);
+  if (std::isfinite(info.max)) schema["maximum"] = limit(info.type, info.max);
+  return schema;
+}
+
+Json valueSchema(const ParameterInfo& info) {
+  switch (info.type) {
+    case ParameterType::Bool:
+      return plainOrVariable("boolean");
+    case ParameterType::Choice:
+      return oneOfOrVariable(info.choices);
+    case ParameterType::RealList:
+      return {{"type", "array"}, {"items", number(info)}};
+    case ParameterType::Text:
+    case ParameterType::Path:  // a folder `06` is a number to YAML and a text to the host
+      return {{"type", {"string", "number", "boolean"}}};
+    default:
+      return number(info);
+  }
+}
+
+std::string description(const ParameterInfo& info) {
+  std::string text = info.doc;
+  if (!info.unit.empty()) text += " Unit: " + info.unit + ".";
+  const std::string limits = limitsText(info);
+  if (!limits.empty()) text += (info.choices.empty() ? " Range: " : " One of: ") + limits + ".";
+  if (info.required) text += " Required.";
+  return text;
+}
+
+Json propertySchema(const ParameterInfo& info) {
+  Json schema = valueSchema(info);
+  schema["description"] = description(info);
+  if (!info.required) schema["default"] = valueJson(info.default_value);
+  return schema;
+}
+
+Json propertiesOf(const Schema& declared) {
+  Json properties = Json::object();
+  for (const ParameterInfo& info : declared) properties[info.name] = propertySchema(info);
+  return properties;
+}
+
+Json objectOf(Json properties) {
+  return {
+      {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
+}
+
+/// A stage that is this plugin; nothing is required of it yet.
+Json alternative(const plugins::LoadedPlugin& plugin) {
+  Json properties = {{"plugin", {{"const", plugin.manifest.id}}}};
+  properties["plugin"]["description"] = plugin.manifest.summary;
+  properties.update(propertiesOf(plugin.schema));
+  Json host = propertiesOf(schemaOf<config::StageSettings>());
+  host.erase("plugin");
+  properties.update(host);
+  Json schema = objectOf(std::move(properties));
+  schema["title"] = plugin.manifest.id + " (" + std::string(enumName(plugin.manifest.role)) + ")";
+  return schema;
+}
+
+Json requiredBy(const plugins::LoadedPlugin& plugin) {
+  Json names = Json::array();
+  for (const ParameterInfo& info : plugin.schema) {
+    if (info.required) names.push_back(info.name);
+  }
+  return names;
+}
+
+/// Applies when the stage is this plugin.
+Json whenIs(const plugins::LoadedPlugin& plugin, Json then) {
+  const Json is_it = {{"properties", {{"plugin", {{"const", plugin.manifest.id}}}}},
+                      {"required", {"plugin"}}};
+  return {{"if", is_it}, {"then", std::move(then)}};
+}
+
+/// What a stage must have when no other file completes it.
+Json completeness(const std::vector<plugins::LoadedPlugin>& plugins, Role role) {
+  Json schema = {{"required", {"plugin"}}};
+  for (const auto& plugin : plugins) {
+    Json names = requiredBy(plugin);
+    if (plugin.manifest.role != role || names.empty()) continue;
+    schema["allOf"].push_back(whenIs(plugin, {{"required", std::move(names)}}));
+  }
+  return schema;
+}
+
+std::string reference(const std::string& name) { return "#/$defs/" + name; }
+
+/// Adds the plugins of one role, and under the role's name the choice among them. With conditions
+/// instead of a plain anyOf a validator names the very value that is wrong. A stage that leaves
+/// `plugin` to another file fits when some plugin knows its keys.
+void addRole(Json& definitions, const std::vector<plugins::LoadedPlugin>& plugins, Role role) {
+  const std::string name(enumName(role));
+  Json ids = Json::array();
+  Json conditions = Json::array();
+  Json any = Json::array();
+  for (const auto& plugin : plugins) {
+    if (plugin.manifest.role != role) continue;
+    const std::string own = name + "." + plugin.manifest.id;
+    definitions[own] = alternative(plugin);
+    ids.push_back(plugin.manifest.id);
+    any.push_back({{"$ref", reference(own)}});
+    conditions.push_back(whenIs(plugin, any.back()));
+  }
+  Json& choice = definitions[name] = {{"type", "object"}};
+  choice["properties"]["plugin"] = oneOfOrVariable(ids);
+  if (any.empty()) return;
+  conditions.push_back(
+      {{"if", {{"required", {"plugin"}}}}, {"then", true}, {"else", {{"anyOf", std::move(any)}}}});
+  choice["allOf"] = std::move(conditions);
+}
+
+/// Without `extends` all stages are there, and complete.
+Json wholeFile(const std::vector<plugins::LoadedPlugin>& plugins) {
+  Json schema;
+  for (const Role role : kChain) {
+    schema["required"].push_back(enumName(role));
+    schema["properties"][std::string(enumName(role))] = completeness(plugins, role);
+  }
+  schema["properties"]["observers"] = {{"items", completeness(plugins, Role::Observer)}};
+  return schema;
+}
+
+Json sections() {
+  Json properties = propertiesOf(schemaOf<config::GeneralSettings>());
+  const Json file = {{"type", "string"}};
+  properties["extends"] = {{"anyOf", {file, {{"type", "array"}, {"items", file}}}},
+                           {"description",
+                            "Files below this one, relative to it; the later wins, this one over "
+                            "all. A stage may then leave out what they say."}};
+  properties["pipeline"] = objectOf(propertiesOf(schemaOf<config::PipelineSettings>()));
+  properties["evaluation"] = objectOf(propertiesOf(schemaOf<config::EvaluationSettings>()));
+  Json& evaluation = properties["evaluation"]["properties"];  // a list there is segment_lengths
+  evaluation["segments"]["anyOf"].push_back(
+      {{"type", "array"}, {"items", evaluation["segment_lengths"]["items"]}});
+  properties["isolation"] = objectOf(propertiesOf(schemaOf<config::IsolationSettings>()));
+  properties["record"] = objectOf(propertiesOf(schemaOf<config::RecordSettings>()));
+  return properties;
+}
+
+}  // namespace
+
+Json stageSchema(const std::vector<plugins::LoadedPlugin>& plugins) {
+  Json schema = {{"$schema", kDialect}};
+  Json alternatives = Json::array();
+  for (const auto& plugin : plugins) {
+    Json one = alternative(plugin);
+    one["required"] = {"plugin"};
+    for (const Json& name : requiredBy(plugin)) one["required"].push_back(name);
+    alternatives.push_back(std::move(one));
+  }
+  if (alternatives.size() == 1) {
+    schema.update(alternatives.front());
+  } else {
+    schema["anyOf"] = std::move(alternatives);
+  }
+  return schema;
+}
+
+Json fileSchema(const std::vector<plugins::LoadedPlugin>& plugins) {
+  Json properties = sections();
+  for (const Role role : kChain) {
+    const std::string name(enumName(role));
+    properties[name] = {{"$ref", reference(name)}};
+  }
+  properties["observers"] = {{"type", "array"}, {"items", {{"$ref", reference("observer")}}}};
+  Json schema = {{"$schema", kDialect}, {"title", "Tolman configuration"}};
+  schema.update(objectOf(std::move(properties)));
+  schema["if"] = {{"not", {{"required", {"extends"}}}}};
+  schema["then"] = wholeFile(plugins);
+  Json& definitions = schema["$defs"];
+  for (const Role role : kChain) addRole(definitions, plugins, role);
+  addRole(definitions, plugins, Role::Observer);
+  return schema;
+}
+
+}  // namespace tolman::app
