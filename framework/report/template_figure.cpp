@@ -16,12 +16,14 @@ std::string templateFigure(const std::vector<PlaceObservation>& places) {
   Svg svg(900, 380);
   Axes axes(svg, {"Local view template over time", "data time (s)", "template", time, templates,
                   frame(70.0, 60.0, 880.0, 330.0)});
-  for (const PlaceObservation& place : places) {
-    if (place.recognition == Recognition::None) continue;
-    const double seconds = static_cast<double>(place.stamp_ns - places.front().stamp_ns) * 1e-9;
-    const bool novel = place.recognition == Recognition::Novel;
-    svg.circle(axes.at(seconds, static_cast<double>(place.template_id)), novel ? 1.2 : 1.8,
-               novel ? kBlue : kVermilion);
+  // Novel ones last: each is followed by familiar ones that would hide it.
+  for (const Recognition kind : {Recognition::Familiar, Recognition::Novel}) {
+    for (const PlaceObservation& place : places) {
+      if (place.recognition != kind) continue;
+      const double seconds = static_cast<double>(place.stamp_ns - places.front().stamp_ns) * 1e-9;
+      svg.circle(axes.at(seconds, static_cast<double>(place.template_id)), 1.6,
+                 kind == Recognition::Novel ? kBlue : kVermilion);
+    }
   }
   axes.legend({{kBlue, "novel"}, {kVermilion, "familiar"}});
   return svg.take();
