@@ -34,6 +34,8 @@ Status BayesianAttractor::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = std::move(bound).value();
   if (Status status = check(parameters_); !status.isOk()) return status;
+  evidence_ = ViewEvidence({parameters_.evidence_prior, parameters_.evidence_gate,
+                            parameters_.decisive_odds, 2 * parameters_.metres_per_cell});
   return reset();
 }
 
@@ -49,7 +51,8 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
   return {
       SpatialCells(HeadDirectionRing(networkSettings(p, p.energy_heading)),
                    GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
-      ViewLinks(habituation), ExperienceLog(experience)};
+      ViewLinks(habituation), ExperienceLog(experience),
+      PathMemory({p.drift_heading, p.drift_scale})};
 }
 
 Status BayesianAttractor::reset() {
@@ -91,8 +94,12 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
 }
 
 void BayesianAttractor::integrate(const Motion& motion) {
-  state_->cells.integrate(toPlanar(motion.T_previous_current));
+  const PlanarPose step = toPlanar(motion.T_previous_current);
+  state_->cells.integrate(step);
   state_->log.advance(motion.T_previous_current);
+  // Along the plane are x and z, up is -y; order translation, rotation.
+  const Matrix6d& claimed = motion.covariance;
+  state_->path.advance(step, 0.5 * (claimed(0, 0) + claimed(2, 2)), claimed(4, 4));
 }
 
 /// Injection, then inhibition and estimation. True when the view injected.
@@ -114,14 +121,46 @@ bool BayesianAttractor::perceive(const Motion& motion, const PlaceObservation& o
 
 bool BayesianAttractor::inject(const PlaceObservation& observation) {
   if (!state_->links.activate(observation.template_id)) return false;
-  const CellPose& learned = state_->links.find(observation.template_id)->learned;
-  const bool metric = observation.has_relative_pose;
-  const PlanarPose step = metric ? toPlanar(observation.T_template_current)
-                                 : PlanarPose{0, 0, observation.relative_yaw};
-  const double strength = metric ? parameters_.metric_strength : parameters_.injected_strength;
+  const ViewLink& link = *state_->links.find(observation.template_id);
+  const double strength = strengthOf(observation, link.mark);
   if (!(strength > 0)) return false;
-  state_->cells.inject(state_->cells.displaced(learned, step), strength);
+  const PlanarPose step = stepFromTemplate(observation).pose;
+  state_->cells.inject(state_->cells.displaced(link.learned, step), strength);
   return true;
+}
+
+/// Where the view puts the robot, seen from where its template was made.
+UncertainStep BayesianAttractor::stepFromTemplate(const PlaceObservation& observation) const {
+  const bool metric = observation.has_relative_pose;
+  const Parameters& p = parameters_;
+  const double position = metric ? p.measured_sigma_position : p.view_sigma_position;
+  const double heading = metric ? p.measured_sigma_heading : p.view_sigma_heading;
+  UncertainStep seen;
+  seen.pose = metric ? toPlanar(observation.T_template_current)
+                     : PlanarPose{0, 0, observation.relative_yaw};
+  seen.covariance.diagonal() << position * position, position * position, heading * heading;
+  if (metric) {
+    const Matrix6d& claimed = observation.covariance;
+    seen.covariance.diagonal() += Eigen::Vector3d(claimed(2, 2), claimed(0, 0), claimed(4, 4));
+  }
+  return seen;
+}
+
+/// Energy that the view may inject, in units of E.
+double BayesianAttractor::strengthOf(const PlaceObservation& observation,
+                                     const PathMark& learned) const {
+  const bool metric = observation.has_relative_pose;
+  const double alone = metric ? parameters_.metric_strength : parameters_.injected_strength;
+  if (!parameters_.path_evidence) return alone;
+  switch (evidence_.judge(state_->path, learned, stepFromTemplate(observation))) {
+    case Verdict::RuledOut:
+      return 0;
+    case Verdict::Plausible:
+      return parameters_.injected_strength;
+    case Verdict::Decisive:
+      break;
+  }
+  return alone;
 }
 
 void BayesianAttractor::closeLoop(const PlaceObservation& observation, const ViewLink& link,
@@ -137,6 +176,7 @@ void BayesianAttractor::closeLoop(const PlaceObservation& observation, const Vie
   decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
   decision.confidence = state_->cells.calibrationShare();
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
+  state_->path.close(link.mark, stepFromTemplate(observation), parameters_.evidence_gate);
 }
 
 /// One-shot learning: the new local view cell is linked to the present firing pattern.
@@ -145,6 +185,7 @@ void BayesianAttractor::learn(std::int64_t template_id) {
   link.learned = state_->cells.estimate();
   link.experience = state_->log.current();
   link.T_experience_template = state_->log.fromCurrent();
+  link.mark = state_->path.now();
   state_->links.learn(template_id, link);
 }
 
@@ -153,12 +194,13 @@ void BayesianAttractor::arrays(std::vector<NamedArray>& arrays) const {
 }
 
 Status BayesianAttractor::save(std::ostream& stream) const {
-  return saveState(parameters_, state_->cells, state_->links, state_->log, stream);
+  return saveState(parameters_, state_->cells, state_->links, state_->log, state_->path, stream);
 }
 
 Status BayesianAttractor::load(std::istream& stream) {
   State loaded = freshState();
-  if (Status status = loadState(parameters_, stream, loaded.cells, loaded.links, loaded.log);
+  if (Status status =
+          loadState(parameters_, stream, loaded.cells, loaded.links, loaded.log, loaded.path);
       !status.isOk()) {
     state_.emplace(freshState());
     return status;

@@ -7,8 +7,10 @@
 
 #include "experience_log.hpp"
 #include "parameters.hpp"
+#include "path_memory.hpp"
 #include "spatial_cells.hpp"
 #include "tolman/plugin.hpp"
+#include "view_evidence.hpp"
 #include "view_links.hpp"
 
 namespace tolman::bayesian_attractor {
@@ -35,16 +37,20 @@ class BayesianAttractor final : public Cells, public ArraySource, public StateKe
     SpatialCells cells;
     ViewLinks links;
     ExperienceLog log;
+    PathMemory path;
   };
 
   State freshState() const;
   void integrate(const Motion& motion);
   bool perceive(const Motion& motion, const PlaceObservation& observation);
   bool inject(const PlaceObservation& observation);
+  UncertainStep stepFromTemplate(const PlaceObservation& observation) const;
+  double strengthOf(const PlaceObservation& observation, const PathMark& learned) const;
   void closeLoop(const PlaceObservation& observation, const ViewLink& link, Decision& decision);
   void learn(std::int64_t template_id);
 
   Parameters parameters_;
+  ViewEvidence evidence_{EvidenceSettings{}};
   std::optional<State> state_;  ///< empty before configure()
 };
 

@@ -38,6 +38,16 @@ struct AttractorParameters {
   double decision_position = 1.0;
   double decision_share = 0.5;
   int patience = 10;
+  bool path_evidence = true;
+  double evidence_prior = 0.05;
+  double evidence_gate = 16;
+  double decisive_odds = 20;
+  double drift_heading = 1e-4;
+  double drift_scale = 0.01;
+  double view_sigma_position = 3;
+  double view_sigma_heading = 0.2;
+  double measured_sigma_position = 1;
+  double measured_sigma_heading = 0.1;
   int newest_ignored = 10;
   int first_views_ignored = 50;
   double habituation_increment = 1.0;
@@ -80,7 +90,7 @@ struct AttractorParameters {
             .doc("Energy that a familiar view injects, in units of E."),
         parameter("metric_strength", &P::metric_strength)
             .range(0, 100)
-            .doc("The same for a view with a measured relative pose; 4 lets one decide alone."),
+            .doc("The same for a decisive view with a measured pose; 4 lets one decide alone."),
         parameter("inhibition_of_calibration", &P::inhibition_of_calibration)
             .range(0, 1)
             .doc("Delta_cali: how strongly the integrator cells inhibit the calibration cells."),
@@ -116,6 +126,40 @@ struct AttractorParameters {
             .range(0, 1000000)
             .unit("views")
             .doc("A calibration that no view supports for longer is dropped."),
+        parameter("path_evidence", &P::path_evidence)
+            .doc("Weigh each familiar view against path integration; off as in the paper."),
+        parameter("evidence_prior", &P::evidence_prior)
+            .range(1e-6, 0.999)
+            .doc("Share of familiar views that are expected to be right."),
+        parameter("evidence_gate", &P::evidence_gate)
+            .range(0.1, 1e9)
+            .doc("Chi-square (3 degrees of freedom) from which path integration rules a view out."),
+        parameter("decisive_odds", &P::decisive_odds)
+            .range(1, 1e12)
+            .doc("Odds of right against wrong at which a view with a measured pose decides alone."),
+        parameter("drift_heading", &P::drift_heading)
+            .range(0, 1)
+            .unit("rad/m")
+            .doc("Standard deviation of a constant pull of odometry to one side."),
+        parameter("drift_scale", &P::drift_scale)
+            .range(0, 1)
+            .doc("Standard deviation of the scale of odometry."),
+        parameter("view_sigma_position", &P::view_sigma_position)
+            .range(1e-6, 1e6)
+            .unit("m")
+            .doc("How far from its template a view without measured pose may be."),
+        parameter("view_sigma_heading", &P::view_sigma_heading)
+            .range(1e-6, 10)
+            .unit("rad")
+            .doc("The same for its heading."),
+        parameter("measured_sigma_position", &P::measured_sigma_position)
+            .range(1e-6, 1e6)
+            .unit("m")
+            .doc("Doubt added to the measured pose of a view."),
+        parameter("measured_sigma_heading", &P::measured_sigma_heading)
+            .range(1e-6, 10)
+            .unit("rad")
+            .doc("The same for its heading."),
         parameter("newest_ignored", &P::newest_ignored)
             .range(0, 1000000)
             .unit("templates")

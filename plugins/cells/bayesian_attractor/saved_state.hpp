@@ -6,6 +6,7 @@
 
 #include "experience_log.hpp"
 #include "parameters.hpp"
+#include "path_memory.hpp"
 #include "spatial_cells.hpp"
 #include "tolman/status.hpp"
 #include "view_links.hpp"
@@ -13,10 +14,11 @@
 namespace tolman::bayesian_attractor {
 
 Status saveState(const AttractorParameters& parameters, const SpatialCells& cells,
-                 const ViewLinks& links, const ExperienceLog& log, std::ostream& stream);
+                 const ViewLinks& links, const ExperienceLog& log, const PathMemory& path,
+                 std::ostream& stream);
 
-/// Overwrites cells, links and log, which hold rubbish after a failure.
+/// Overwrites cells, links, log and path, which hold rubbish after a failure.
 Status loadState(const AttractorParameters& parameters, std::istream& stream, SpatialCells& cells,
-                 ViewLinks& links, ExperienceLog& log);
+                 ViewLinks& links, ExperienceLog& log, PathMemory& path);
 
 }  // namespace tolman::bayesian_attractor

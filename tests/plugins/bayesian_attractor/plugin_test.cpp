@@ -133,7 +133,8 @@ TEST_CASE("lost odometry: views take over sooner, in the whole plugin") {
   const auto shareAfterOneView = [](TrackingState state) {
     BayesianAttractor plugin;
     REQUIRE(configure(plugin, {{"first_views_ignored", std::int64_t{0}},
-                               {"newest_ignored", std::int64_t{0}}})
+                               {"newest_ignored", std::int64_t{0}},
+                               {"path_evidence", false}})
                 .isOk());
     step(plugin, motionOf({0, 0, 0}), novel(0));
     Motion motion = motionOf({20, 0, 0}, 1);
