@@ -196,8 +196,8 @@ Status saveState(const AttractorParameters& parameters, const SpatialCells& cell
   put<2>(writer, cells.torus());
   writer.put(static_cast<std::int64_t>(cells.unsupportedViews()));
   put(writer, links);
-  put(writer, log.state());
   put(writer, path);
+  put(writer, log.state());
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -216,8 +216,8 @@ Status loadState(const AttractorParameters& parameters, std::istream& stream, Sp
   get<2>(reader, cells.torus());
   cells.setUnsupportedViews(static_cast<int>(reader.get<std::int64_t>()));
   get(reader, links);
-  log.restore(getLog(reader));
   path.restore(getPath(reader));
+  log.restore(getLog(reader));
   if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
   return Status::ok();
 }

@@ -11,8 +11,8 @@ using namespace tolman::bayesian_attractor;
 namespace {
 
 constexpr double kStepSigma = 0.05;
-constexpr double kTurnSigma = 0.01;
-constexpr DriftSettings kDrift = {.heading = 2e-3, .scale = 0.02};
+constexpr double kTurnSigma = 0.004;
+constexpr DriftSettings kDrift = {.heading = 5e-4, .scale = 0.02};
 
 /// A drive with bends both ways, 2 m a step.
 PlanarPose trueStep(int k) { return {2, 0, 0.08 * std::sin(0.05 * k) + 0.02}; }
