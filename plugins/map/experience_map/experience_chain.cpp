@@ -70,25 +70,26 @@ void ExperienceChain::refresh(const MotionLog& log, std::size_t first) {
 Status ExperienceChain::correct(const MotionLog& log, int iterations, double tolerance) {
   pending_ = false;
   if (last_visit_ == 0) return Status::ok();
-  return optimiseAll(log, {.iterations = iterations, .tolerance = tolerance});
+  return optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Care::Brief);
 }
 
 Status ExperienceChain::judge(const MotionLog& log, int iterations, double tolerance) {
   pending_ = false;
   if (last_visit_ == 0) return Status::ok();
   Status status =
-      optimiseAll(log, {.iterations = iterations, .annealed = true, .tolerance = tolerance});
+      optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Care::Thorough);
   for (Anchor& anchor : anchors_) {
     anchor.taken_back = anchor.visit && anchor.offset_weight < parameters_.disbelief;
   }
   return status;
 }
 
-Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions options) {
+Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions options, Care care) {
+  std::vector<PlanarPose> reckoned;
   std::vector<PlanarPose> nodes;
-  nodes.reserve(anchors_.size());
   for (const Anchor& anchor : anchors_) {
-    nodes.push_back(compose(anchor.correction, toPlanar(log[anchor.slot].T_start_camera)));
+    reckoned.push_back(toPlanar(log[anchor.slot].T_start_camera));
+    nodes.push_back(compose(anchor.correction, reckoned.back()));
   }
   std::vector<PlanarLink> links;
   for (std::size_t i = 1; i < anchors_.size(); ++i) links.push_back(wayLink(log, i));
@@ -98,9 +99,11 @@ Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions optio
   options.loss = parameters_.loss;
   options.delta =
       options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale;
-  const Result<bool> converged = optimise(options, nodes, links);
-  if (!converged.isOk()) return converged.status();
-  pending_ = !converged.value();
+  const Result<Outcome> outcome = care == Care::Brief
+                                      ? optimise(options, nodes, links)
+                                      : experience_map::judge(options, reckoned, nodes, links);
+  if (!outcome.isOk()) return outcome.status();
+  pending_ = !outcome.value().converged;
   apply(log, nodes, links);
   return Status::ok();
 }

@@ -73,7 +73,8 @@ class ExperienceChain {
   const Anchor& home(std::int64_t experience) const;
   PlanarLink wayLink(const MotionLog& log, std::size_t i) const;
   PlanarLink loopLink(const MotionLog& log, std::size_t i) const;
-  Status optimiseAll(const MotionLog& log, OptimiserOptions options);
+  enum class Care : std::uint8_t { Brief, Thorough };
+  Status optimiseAll(const MotionLog& log, OptimiserOptions options, Care care);
   bool counts(const Anchor& anchor) const { return !anchor.visit || !anchor.taken_back; }
   Link foldedLink(const MotionLog& log, std::size_t before, std::size_t i) const;
   void apply(const MotionLog& log, const std::vector<PlanarPose>& nodes,

@@ -11,6 +11,8 @@
 namespace tolman::experience_map {
 namespace {
 
+constexpr double kDoubt = 1e-6;  ///< the weight of a loop that is not believed
+
 class Search {
  public:
   Search(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
@@ -53,6 +55,23 @@ class Search {
     return false;
   }
 
+  /// Of the loss, whatever the weights are now.
+  double energy() const {
+    const double bound = options_.delta * options_.delta;
+    double sum = 0;
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      const double chi = chiSquare(k);
+      if (!links_[k].robust) {
+        sum += chi;
+      } else if (options_.loss == Loss::GemanMcclure) {
+        sum += bound * chi / (bound + chi);
+      } else {
+        sum += chi <= bound ? chi : 2 * options_.delta * std::sqrt(chi) - bound;
+      }
+    }
+    return sum;
+  }
+
  private:
   double chiSquare(std::size_t k) const {
     const PlanarLink& link = links_[k];
@@ -78,22 +97,6 @@ class Search {
   double leastSquares() const {
     double sum = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) sum += links_[k].weight * chiSquare(k);
-    return sum;
-  }
-
-  double energy() const {
-    const double bound = options_.delta * options_.delta;
-    double sum = 0;
-    for (std::size_t k = 0; k < links_.size(); ++k) {
-      const double chi = chiSquare(k);
-      if (!links_[k].robust) {
-        sum += chi;
-      } else if (options_.loss == Loss::GemanMcclure) {
-        sum += bound * chi / (bound + chi);
-      } else {
-        sum += chi <= bound ? chi : 2 * options_.delta * std::sqrt(chi) - bound;
-      }
-    }
     return sum;
   }
 
@@ -132,17 +135,40 @@ class Search {
 
 }  // namespace
 
-Result<bool> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                      std::vector<PlanarLink>& links) {
+Result<Outcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
+                         std::vector<PlanarLink>& links) {
   std::vector<PlanarPose> improved = nodes;
   std::vector<PlanarLink> weighed = links;
   Search search(options, improved, weighed);
   const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
-  Result<bool> converged = annealed ? search.anneal() : search.descend(true);
-  if (!converged.isOk()) return converged;
+  const Result<bool> converged = annealed ? search.anneal() : search.descend(true);
+  if (!converged.isOk()) return converged.status();
+  const Outcome outcome = {converged.value(), search.energy()};
   nodes = std::move(improved);
   links = std::move(weighed);
-  return converged;
+  return outcome;
+}
+
+Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& reckoned,
+                      std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links) {
+  const std::vector<PlanarPose> start = nodes;
+  const std::vector<PlanarLink> as_it_is = links;
+  Result<Outcome> best = optimise(options, nodes, links);
+  if (options.loss == Loss::Huber) return best;  // convex enough: one minimum
+  const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> believed) {
+    const Result<Outcome> outcome = optimise(options, from, believed);
+    if (!outcome.isOk()) return;
+    if (best.isOk() && best.value().energy <= outcome.value().energy) return;
+    best = outcome;
+    nodes = std::move(from);
+    links = std::move(believed);
+  };
+  std::vector<PlanarLink> doubted = as_it_is;
+  for (PlanarLink& link : doubted) link.weight = link.robust ? kDoubt : 1;
+  attempt(reckoned, std::move(doubted));
+  options.annealed = true;
+  attempt(start, as_it_is);
+  return best;
 }
 
 }  // namespace tolman::experience_map

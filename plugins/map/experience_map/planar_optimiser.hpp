@@ -31,10 +31,21 @@ struct OptimiserOptions {
   double tolerance = 1e-10;  ///< relative change of the energy that ends the search
 };
 
+struct Outcome {
+  bool converged = false;
+  double energy = 0;  ///< sum of rho
+};
+
 /// min over e of 1/2 sum rho(|f(e_i, e_j, e_ij)|^2), node 0 held, by damped Gauss-Newton with
 /// weights from the loss. Improves `nodes` from where they are, and the weights from what they are
-/// (new links: 1, "believed at first"); leaves both alone when it fails. Says whether it converged.
-Result<bool> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                      std::vector<PlanarLink>& links);
+/// (new links: 1, "believed at first"); leaves both alone when it fails.
+Result<Outcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
+                         std::vector<PlanarLink>& links);
+
+/// The same with all the care that a redescending loss needs, which has many minima: the best of
+/// three ways, from `nodes` as they are, annealed, and from dead reckoning with no loop believed,
+/// below which no map may fall.
+Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& reckoned,
+                      std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links);
 
 }  // namespace tolman::experience_map
