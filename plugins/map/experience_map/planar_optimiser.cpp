@@ -11,7 +11,8 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr double kDoubt = 1e-6;  ///< the weight of a loop that is not believed
+constexpr double kDoubt = 1e-6;    ///< the weight of a loop that is not believed
+constexpr double kBelieved = 0.5;  ///< no other minimum is worth a search if all have more
 
 class Search {
  public:
@@ -155,6 +156,9 @@ Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& r
   const std::vector<PlanarLink> as_it_is = links;
   Result<Outcome> best = optimise(options, nodes, links);
   if (options.loss == Loss::Huber) return best;  // convex enough: one minimum
+  const bool all_believed =
+      std::ranges::all_of(links, [](const PlanarLink& link) { return link.weight > kBelieved; });
+  if (best.isOk() && best.value().converged && all_believed) return best;
   const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> believed) {
     const Result<Outcome> outcome = optimise(options, from, believed);
     if (!outcome.isOk()) return;
