@@ -19,6 +19,12 @@ NetworkSettings networkSettings(const AttractorParameters& p, double energy) {
           p.inhibition_of_integrator};
 }
 
+NetworkSettings ringSettings(const AttractorParameters& p) {
+  NetworkSettings settings = networkSettings(p, p.energy_heading);
+  settings.on_circle = p.ring_bump == RingBump::VonMises;
+  return settings;
+}
+
 Status check(const AttractorParameters& p) {
   const double half_period = 0.5 * p.period * p.metres_per_cell;
   if (p.experience_spacing < half_period && p.novel_spacing < half_period) return Status::ok();
@@ -34,8 +40,6 @@ Status BayesianAttractor::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = std::move(bound).value();
   if (Status status = check(parameters_); !status.isOk()) return status;
-  evidence_ = ViewEvidence({parameters_.evidence_prior, parameters_.evidence_gate,
-                            parameters_.decisive_odds, 2 * parameters_.metres_per_cell});
   return reset();
 }
 
@@ -48,11 +52,13 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
                                            p.newest_ignored, p.first_views_ignored};
   const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, p.novel_spacing,
                                          p.loop_minimum_travel, p.loop_spacing};
+  const EvidenceSettings evidence = {p.evidence_prior, p.evidence_views, p.evidence_gate,
+                                     p.decisive_odds, 2 * p.metres_per_cell};
   return {
-      SpatialCells(HeadDirectionRing(networkSettings(p, p.energy_heading)),
+      SpatialCells(HeadDirectionRing(ringSettings(p)),
                    GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
       ViewLinks(habituation), ExperienceLog(experience),
-      PathMemory({p.drift_heading, p.drift_scale})};
+      PathMemory({p.drift_heading, p.drift_scale}), ViewEvidence(evidence)};
 }
 
 Status BayesianAttractor::reset() {
@@ -82,7 +88,10 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
     decision.action = Action::CreateExperience;
     state_->log.create();
   }
-  if (familiar) state_->cells.adoptEstimate();
+  if (familiar) {
+    state_->evidence.confirm(state_->cells.support().views);
+    state_->cells.adoptEstimate();
+  }
   if (seen && link == nullptr) learn(observation.template_id);
 
   decision.experience = state_->log.current();
@@ -105,28 +114,41 @@ void BayesianAttractor::integrate(const Motion& motion) {
 /// Injection, then inhibition and estimation. True when the view injected.
 bool BayesianAttractor::perceive(const Motion& motion, const PlaceObservation& observation) {
   const bool seen = observation.recognition != Recognition::None;
-  bool injected = false;
+  Effect effect = Effect::None;
   if (seen) {
     state_->links.countView();
-    injected = observation.recognition == Recognition::Familiar && inject(observation);
-    if (!injected) state_->cells.noteUnsupportedView();
+    if (observation.recognition == Recognition::Familiar) effect = inject(observation);
+    if (effect != Effect::Injected) state_->cells.noteUnsupportedView();
   }
-  if (seen || parameters_.inhibition == Inhibition::EveryFrame) {
+  if (inhibits(observation.recognition, effect)) {
     const bool lost = motion.state == TrackingState::Lost;
     if (lost) state_->cells.weakenIntegrators(parameters_.lost_trust);
     state_->cells.settle();
   }
-  return injected;
+  return effect == Effect::Injected;
 }
 
-bool BayesianAttractor::inject(const PlaceObservation& observation) {
-  if (!state_->links.activate(observation.template_id)) return false;
+/// What is ruled out was no view of this place: the cells go on waiting for one.
+bool BayesianAttractor::inhibits(Recognition recognition, Effect effect) const {
+  switch (parameters_.inhibition) {
+    case Inhibition::EveryFrame:
+      return true;
+    case Inhibition::EveryView:
+      return recognition != Recognition::None && effect != Effect::RuledOut;
+    case Inhibition::FamiliarViews:
+      break;
+  }
+  return recognition == Recognition::Familiar && effect != Effect::RuledOut;
+}
+
+BayesianAttractor::Effect BayesianAttractor::inject(const PlaceObservation& observation) {
+  if (!state_->links.activate(observation.template_id)) return Effect::None;
   const ViewLink& link = *state_->links.find(observation.template_id);
   const double strength = strengthOf(observation, link.mark);
-  if (!(strength > 0)) return false;
+  if (!(strength > 0)) return Effect::RuledOut;
   const PlanarPose step = stepFromTemplate(observation).pose;
   state_->cells.inject(state_->cells.displaced(link.learned, step), strength);
-  return true;
+  return Effect::Injected;
 }
 
 /// Where the view puts the robot, seen from where its template was made.
@@ -147,12 +169,11 @@ UncertainStep BayesianAttractor::stepFromTemplate(const PlaceObservation& observ
 }
 
 /// Energy that the view may inject, in units of E.
-double BayesianAttractor::strengthOf(const PlaceObservation& observation,
-                                     const PathMark& learned) const {
+double BayesianAttractor::strengthOf(const PlaceObservation& observation, const PathMark& learned) {
   const bool metric = observation.has_relative_pose;
   const double alone = metric ? parameters_.metric_strength : parameters_.injected_strength;
   if (!parameters_.path_evidence) return alone;
-  switch (evidence_.judge(state_->path, learned, stepFromTemplate(observation))) {
+  switch (state_->evidence.judge(state_->path, learned, stepFromTemplate(observation))) {
     case Verdict::RuledOut:
       return 0;
     case Verdict::Plausible:
@@ -194,14 +215,12 @@ void BayesianAttractor::arrays(std::vector<NamedArray>& arrays) const {
 }
 
 Status BayesianAttractor::save(std::ostream& stream) const {
-  return saveState(parameters_, state_->cells, state_->links, state_->log, state_->path, stream);
+  return saveState(parameters_, *state_, stream);
 }
 
 Status BayesianAttractor::load(std::istream& stream) {
   State loaded = freshState();
-  if (Status status =
-          loadState(parameters_, stream, loaded.cells, loaded.links, loaded.log, loaded.path);
-      !status.isOk()) {
+  if (Status status = loadState(parameters_, stream, loaded); !status.isOk()) {
     state_.emplace(freshState());
     return status;
   }

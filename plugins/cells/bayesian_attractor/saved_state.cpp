@@ -187,22 +187,24 @@ ExperienceLog::State getLog(StateReader& reader) {
 
 }  // namespace
 
-Status saveState(const AttractorParameters& parameters, const SpatialCells& cells,
-                 const ViewLinks& links, const ExperienceLog& log, const PathMemory& path,
+Status saveState(const AttractorParameters& parameters, const AttractorState& state,
                  std::ostream& stream) {
   StateWriter writer;
   writer.putAll(std::span<const double>(manifold(parameters)));
-  put<1>(writer, cells.ring());
-  put<2>(writer, cells.torus());
-  writer.put(static_cast<std::int64_t>(cells.unsupportedViews()));
-  put(writer, links);
-  put(writer, path);
-  put(writer, log.state());
+  put<1>(writer, state.cells.ring());
+  put<2>(writer, state.cells.torus());
+  writer.put(state.cells.support().views);
+  writer.put(state.cells.support().unsupported);
+  put(writer, state.links);
+  put(writer, state.path);
+  writer.put(state.evidence.counts().views);
+  writer.put(state.evidence.counts().right);
+  put(writer, state.log.state());
   return writer.write(stream, kMagic, kStateVersion);
 }
 
-Status loadState(const AttractorParameters& parameters, std::istream& stream, SpatialCells& cells,
-                 ViewLinks& links, ExperienceLog& log, PathMemory& path) {
+Status loadState(const AttractorParameters& parameters, std::istream& stream,
+                 AttractorState& state) {
   Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
   if (!opened.isOk()) return opened.status();
   StateReader& reader = opened.value();
@@ -212,12 +214,19 @@ Status loadState(const AttractorParameters& parameters, std::istream& stream, Sp
     return Status::invalidInput(
         "the saved cells have another period, metres_per_cell or energy than configured");
   }
-  get<1>(reader, cells.ring());
-  get<2>(reader, cells.torus());
-  cells.setUnsupportedViews(static_cast<int>(reader.get<std::int64_t>()));
-  get(reader, links);
-  path.restore(getPath(reader));
-  log.restore(getLog(reader));
+  get<1>(reader, state.cells.ring());
+  get<2>(reader, state.cells.torus());
+  SpatialCells::Support support;
+  support.views = reader.get<std::int64_t>();
+  support.unsupported = reader.get<std::int64_t>();
+  state.cells.restore(support);
+  get(reader, state.links);
+  state.path.restore(getPath(reader));
+  ViewEvidence::Counts counts;
+  counts.views = reader.get<std::int64_t>();
+  counts.right = reader.get<std::int64_t>();
+  state.evidence.restore(counts);
+  state.log.restore(getLog(reader));
   if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
   return Status::ok();
 }

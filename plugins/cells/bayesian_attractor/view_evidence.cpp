@@ -13,10 +13,22 @@ double ViewEvidence::odds(const UncertainStep& predicted, const UncertainStep& s
   const double if_right = std::exp(-0.5 * chiSquare(predicted, seen)) /
                           std::sqrt(kTurn * kTurn * kTurn * covariance.determinant());
   const double if_wrong = 1 / (area * kTurn);  // anywhere, facing anywhere
-  return settings_.prior / (1 - settings_.prior) * if_right / if_wrong;
+  return prior() / (1 - prior()) * if_right / if_wrong;
+}
+
+double ViewEvidence::prior() const {
+  return (settings_.prior * settings_.prior_views + static_cast<double>(counts_.right)) /
+         (settings_.prior_views + static_cast<double>(counts_.views));
 }
 
 Verdict ViewEvidence::judge(const PathMemory& memory, const PathMark& learned,
+                            const UncertainStep& seen) {
+  const Verdict verdict = weigh(memory, learned, seen);
+  ++counts_.views;
+  return verdict;
+}
+
+Verdict ViewEvidence::weigh(const PathMemory& memory, const PathMark& learned,
                             const UncertainStep& seen) const {
   const UncertainStep predicted = memory.predict(learned);
   if (chiSquare(predicted, seen) <= settings_.gate) {

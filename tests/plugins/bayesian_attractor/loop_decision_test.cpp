@@ -149,6 +149,44 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("novel views between the familiar ones slow the decision only if they inhibit") {
+  const auto viewsNeeded = [](const char* inhibition) {
+    BayesianAttractor plugin;
+    ParameterValues parameters = kPlanted;
+    parameters["inhibition"] = std::string(inhibition);
+    REQUIRE(configure(plugin, parameters).isOk());
+    driveOut(plugin);
+    carryBack(plugin);
+    for (int views = 0; views < 15; ++views) {
+      const int frame = 21 + 2 * views;
+      const Motion motion = motionOf({views == 0 ? 0.0 : 5.0, 0, 0}, frame);
+      if (step(plugin, motion, familiar(views)).action == Action::CloseLoop) return views + 1;
+      step(plugin, motionOf({0, 0, 0}, frame + 1), novel(100 + views));
+    }
+    return 100;
+  };
+  CHECK(viewsNeeded("familiar_views") == 3);
+  CHECK(viewsNeeded("every_view") > 6);
+}
+
+TEST_CASE("look-alikes that path integration rules out do not disturb the true ones between them") {
+  BayesianAttractor plugin;
+  REQUIRE(configure(plugin, kPlanted).isOk());
+  driveOut(plugin);
+  carryBack(plugin);
+  int frame = 21;
+  Action action = Action::Stay;
+  for (int view = 0; view < 3; ++view) {
+    action = step(plugin, motionOf({view == 0 ? 0.0 : 5.0, 0, 0}, frame++), familiar(view)).action;
+    if (view == 2) break;
+    for (int lie = 0; lie < 4; ++lie) {  // templates 60 m and more away
+      step(plugin, motionOf({0, 0, 0}, frame++), familiar(12 + lie));
+      CHECK(arrayOf(plugin, "grid.injected")[2] == 0);
+    }
+  }
+  CHECK(action == Action::CloseLoop);
+}
+
 TEST_CASE("a long second lap gives loop links with spacing, all to old experiences") {
   BayesianAttractor plugin;
   REQUIRE(configure(plugin, kPlanted).isOk());

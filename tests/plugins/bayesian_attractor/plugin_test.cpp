@@ -101,7 +101,7 @@ TEST_CASE("reset equals a fresh instance, bit by bit") {
 
 TEST_CASE("the bumps as arrays: names, shapes, peaks") {
   BayesianAttractor plugin;
-  REQUIRE(configure(plugin, {}).isOk());
+  REQUIRE(configure(plugin, {{"inhibition", std::string("every_view")}}).isOk());
   step(plugin, motionOf({0, 0, 0}), novel(0));
   step(plugin, motionOf({25, 50, std::numbers::pi / 2}, 1), nothing());
   const auto ring = arrayOf(plugin, "hd.activity");

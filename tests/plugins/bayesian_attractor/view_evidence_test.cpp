@@ -65,8 +65,22 @@ TEST_CASE("the odds are calibrated: of views with odds about o, o / (1 + o) are 
   CHECK(right_views / double(views) == Approx(expected / views).margin(0.03));
 }
 
+TEST_CASE("the more look-alikes, the less a view is believed; right ones restore the trust") {
+  ViewEvidence evidence({});
+  const PathMemory memory = outAndBack(100, 1e-3);
+  CHECK(evidence.prior() == Approx(0.05));
+  for (int i = 0; i < 80; ++i) evidence.judge(memory, {}, at(40, 0, 0, 1, 0.1));
+  CHECK(evidence.prior() == Approx(1.0 / 100));
+  CHECK(evidence.judge(memory, {}, at(0, 0, 0, 1, 0.1)) == Verdict::Decisive);
+  CHECK(evidence.judge(memory, {}, at(2.5, 0, 0.1, 1, 0.1)) == Verdict::Plausible);
+  for (int i = 0; i < 98; ++i) evidence.judge(memory, {}, at(0, 0, 0, 1, 0.1));
+  evidence.confirm(100);
+  CHECK(evidence.prior() == Approx(101.0 / 200));
+  CHECK(evidence.judge(memory, {}, at(2.5, 0, 0.1, 1, 0.1)) == Verdict::Decisive);
+}
+
 TEST_CASE("sure path integration makes a view decide alone or rules it out") {
-  const ViewEvidence evidence({});
+  ViewEvidence evidence({});
   const PathMemory memory = outAndBack(100, 1e-3);
   CHECK(evidence.judge(memory, {}, at(0, 0, 0, 1, 0.1)) == Verdict::Decisive);
   CHECK(evidence.judge(memory, {}, at(2, 0, 0.1, 1, 0.1)) == Verdict::Decisive);
@@ -76,14 +90,14 @@ TEST_CASE("sure path integration makes a view decide alone or rules it out") {
 }
 
 TEST_CASE("unsure path integration lets no view decide alone") {
-  const ViewEvidence evidence({});
+  ViewEvidence evidence({});
   const PathMemory memory = outAndBack(100, 0.1);
   CHECK(evidence.judge(memory, {}, at(0, 0, 0, 1, 0.1)) == Verdict::Plausible);
   CHECK(evidence.judge(memory, {}, at(0, 0, 1.5, 1, 0.1)) == Verdict::Plausible);
 }
 
 TEST_CASE("a false loop cannot shut out for good what dead reckoning allows") {
-  const ViewEvidence evidence({});
+  ViewEvidence evidence({});
   PathMemory memory = outAndBack(100, 1e-2, 0.5);
   memory.close({}, at(30, 0, 0, 1, 0.1), 1e9);  // false: the robot is at the start
   CHECK(evidence.judge(memory, {}, at(30, 0, 0, 1, 0.1)) == Verdict::Decisive);
