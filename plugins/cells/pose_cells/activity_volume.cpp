@@ -84,7 +84,13 @@ void ActivityVolume::add(int x, int y, int theta, float activity) {
 }
 
 float ActivityVolume::total() const {
-  return std::accumulate(now_.values.begin(), now_.values.end(), 0.0F);
+  float sum = 0;
+  for (std::size_t r = 0; r < now_.active.size(); ++r) {
+    if (now_.active[r] == 0) continue;
+    const auto first = now_.values.begin() + static_cast<std::ptrdiff_t>(r) * side_;
+    sum = std::accumulate(first, first + side_, sum);
+  }
+  return sum;
 }
 
 void ActivityVolume::silence(Sheet& sheet) const {
@@ -170,7 +176,11 @@ void ActivityVolume::normalise() {
   const float sum = total();
   if (!(sum > 0)) return;
   const float scale = 1 / sum;
-  for (float& value : now_.values) value *= scale;
+  for (std::size_t r = 0; r < now_.active.size(); ++r) {
+    if (now_.active[r] == 0) continue;
+    float* cells = row(now_, r);
+    for (int i = 0; i < side_; ++i) cells[i] *= scale;
+  }
 }
 
 void ActivityVolume::move(double forward, double left) {
