@@ -160,6 +160,20 @@ Eigen::Isometry3d ExperienceChain::T_world_experience(const MotionLog& log,
   return fromPlanar(anchor.correction) * log[anchor.slot].T_start_camera;
 }
 
+Place ExperienceChain::place(const MotionLog& log, std::size_t slot) const {
+  auto i = static_cast<std::size_t>(log[slot].anchor);
+  while (i > 0 && anchors_[i].visit && anchors_[i].offset_weight < parameters_.disbelief) --i;
+  const Anchor& anchor = anchors_[i];
+  if (anchor.experience < 0) return {-1, T_world_camera(log, slot)};
+  // Before the map obeys the loop, the world is still apart there by all the drift.
+  const bool apart = anchor.visit && pending_;
+  const Eigen::Isometry3d T_experience_camera =
+      apart ? normalised(anchor.offset.T * log[anchor.slot].T_start_camera.inverse() *
+                         log[slot].T_start_camera)
+            : T_world_experience(log, anchor.experience).inverse() * T_world_camera(log, slot);
+  return {anchor.experience, T_experience_camera};
+}
+
 Link ExperienceChain::foldedLink(const MotionLog& log, std::size_t before, std::size_t i) const {
   constexpr double kLeastWeight = 1e-6;
   const Anchor& from = anchors_[before];

@@ -31,6 +31,12 @@ struct Anchor {
   PlanarPose correction;    ///< world = fromPlanar(correction) * dead reckoning, 3-D kept
 };
 
+/// Where a frame is seen from an experience; for good, however the experience moves.
+struct Place {
+  std::int64_t experience = -1;  ///< -1: seen from the world
+  Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
+};
+
 class ExperienceChain {
  public:
   explicit ExperienceChain(const Parameters& parameters = {}) : parameters_(parameters) {}
@@ -63,6 +69,8 @@ class ExperienceChain {
 
   Eigen::Isometry3d T_world_camera(const MotionLog& log, std::size_t slot) const;
   Eigen::Isometry3d T_world_experience(const MotionLog& log, std::int64_t experience) const;
+  /// Hangs a frame on the last experience that it is believed to have been at.
+  Place place(const MotionLog& log, std::size_t slot) const;
   /// The chain as a graph of experiences alone: visits are folded into the links.
   void graph(const MotionLog& log, MapGraph& graph) const;
 

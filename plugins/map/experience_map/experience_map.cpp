@@ -113,13 +113,10 @@ void ExperienceMap::report(MapUpdate& update) const {
   const LoggedFrame& logged = motions_[motions_.last()];
   update.frame = logged.frame;
   update.stamp_ns = logged.stamp_ns;
-  update.experience = chain_[logged.anchor].experience;
   update.T_world_camera = chain_.T_world_camera(motions_, motions_.last());
-  update.T_experience_camera = update.T_world_camera;
-  if (update.experience >= 0) {
-    update.T_experience_camera =
-        chain_.T_world_experience(motions_, update.experience).inverse() * update.T_world_camera;
-  }
+  const Place place = chain_.place(motions_, motions_.last());
+  update.experience = place.experience;
+  update.T_experience_camera = place.T_experience_camera;
   update.version = version_;
   update.experiences = chain_.experiences();
   update.links = chain_.links();
