@@ -57,6 +57,11 @@ std::vector<LoopLink> loopsOf(const fs::path& run) {
   return loops;
 }
 
+Finished runMotion(const std::string& config, const fs::path& folder, const fs::path& out) {
+  return tolman::test::tolman({"run", TOLMAN_SOURCE_DIR "/configs/" + config, "--set",
+                               "source.path=" + folder.string(), "--out", out.string(), "--quiet"});
+}
+
 struct Bar {
   const char* sequence;
   double rmse;
@@ -70,9 +75,7 @@ TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between dist
   if (!folder) return;
   const TemporaryFolder out;
   const fs::path run = out.path() / "run";
-  const Finished finished =
-      tolman({"run", TOLMAN_SOURCE_DIR "/configs/motion.yaml", "--set",
-              "source.path=" + folder->string(), "--out", run.string(), "--quiet"});
+  const Finished finished = runMotion("motion.yaml", *folder, run);
   INFO(bar.sequence << " " << finished.err);
   REQUIRE(finished.exit_code == 0);
   const auto metrics = readJson(run / "metrics.json");
@@ -99,9 +102,7 @@ TEST_CASE("KITTI motion: the printed equations run on the same data, worse on 05
   const auto folder = dataOrSkip("kitti_motion/05");
   if (!folder) return;
   const TemporaryFolder out;
-  const Finished finished = tolman({"run", TOLMAN_SOURCE_DIR "/configs/motion/paper.yaml", "--set",
-                                    "source.path=" + folder->string(), "--out",
-                                    (out.path() / "run").string(), "--quiet"});
+  const Finished finished = runMotion("motion/paper.yaml", *folder, out.path() / "run");
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
   const auto metrics = readJson(out.path() / "run/metrics.json");
