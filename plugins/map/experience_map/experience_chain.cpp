@@ -165,12 +165,9 @@ Place ExperienceChain::place(const MotionLog& log, std::size_t slot) const {
   while (i > 0 && anchors_[i].visit && anchors_[i].offset_weight < parameters_.disbelief) --i;
   const Anchor& anchor = anchors_[i];
   if (anchor.experience < 0) return {-1, T_world_camera(log, slot)};
-  // Before the map obeys the loop, the world is still apart there by all the drift.
-  const bool apart = anchor.visit && pending_;
+  // As the map sees it now, not as the loop says: a false loop then does no harm here.
   const Eigen::Isometry3d T_experience_camera =
-      apart ? normalised(anchor.offset.T * log[anchor.slot].T_start_camera.inverse() *
-                         log[slot].T_start_camera)
-            : T_world_experience(log, anchor.experience).inverse() * T_world_camera(log, slot);
+      T_world_experience(log, anchor.experience).inverse() * T_world_camera(log, slot);
   return {anchor.experience, T_experience_camera};
 }
 
