@@ -137,6 +137,9 @@ void Recorder::writeMotion(const Motion& motion) {
 }
 
 void Recorder::writeGraph(const MapGraph& graph) {
+  if (graph.links.size() < written_.links.size()) {  // a map may take loops back
+    database_.execute("DELETE FROM \"link\" WHERE \"id\" >= " + std::to_string(graph.links.size()));
+  }
   upsertChanged(store_, written_.experiences, graph.experiences);
   upsertChanged(store_, written_.links, graph.links);
 }

@@ -37,9 +37,13 @@ std::vector<int> shapeOf(const std::string& text) {
 
 std::string StoreWriter::upsertSql(const std::string& table, const Columns& columns) {
   std::string sql = insertSql(table, columns) + " ON CONFLICT (\"id\") DO UPDATE SET ";
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const std::string quoted = "\"" + columns[i].name + "\"";
-    sql.append(i == 0 ? "" : ", ").append(quoted).append(" = excluded.").append(quoted);
+  const char* separator = "";
+  for (const Column& column : columns) {
+    // Setting the key, even to itself, makes SQLite look for children: a scan of all links a row.
+    if (column.name == "id") continue;
+    const std::string quoted = "\"" + column.name + "\"";
+    sql.append(separator).append(quoted).append(" = excluded.").append(quoted);
+    separator = ", ";
   }
   return sql;
 }

@@ -90,6 +90,24 @@ TEST_CASE("a corrected map replaces what was known, and only that") {
   CHECK(read.links[0].weight == 0.25);
 }
 
+TEST_CASE("links that the map takes back leave the table") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+  MapGraph graph{1,
+                 {test::experienceAt(0, 0, 0), test::experienceAt(1, 2, 2)},
+                 {test::linkBetween(0, 0, 1, 1), test::linkBetween(1, 1, 0, 2)}};
+  REQUIRE(recorder->graph(graph).isOk());
+  graph.links.erase(graph.links.begin());
+  graph.links[0].id = 0;
+  REQUIRE(recorder->graph(graph).isOk());
+  REQUIRE(recorder->close().isOk());
+  const MapGraph read = RunReader::open(folder.path()).value()->graph().value();
+  REQUIRE(read.links.size() == 1);
+  CHECK(read.links[0].from == 1);
+  CHECK(read.links[0].frame == 2);
+}
+
 TEST_CASE("a row that breaks a rule fails its call alone") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();

@@ -16,6 +16,7 @@ struct NetworkSettings {
   double floor = 1e-4;                     ///< smallest precision of a population
   double inhibition_of_calibration = 0.2;  ///< Delta_cali
   double inhibition_of_integrator = 0.2;   ///< Delta_inte
+  bool on_circle = false;                  ///< bumps combine as von Mises, not as Gaussians
 };
 
 template <int Axes>
@@ -42,7 +43,7 @@ class AttractorNetwork {
   /// Equation (5): a familiar view adds `strength` * E to the calibration cells at `mean`.
   void inject(const Phase<Axes>& mean, double strength) {
     injected_ = {mean, strength * settings_.energy};
-    calibration_ = combined<Axes>(calibration_, injected_, settings_.period);
+    calibration_ = combine(calibration_, injected_);
   }
 
   /// Forgets the calibration. The integrator has no rival then, and all the energy.
@@ -101,7 +102,12 @@ class AttractorNetwork {
 
  private:
   /// Equation (6).
-  void estimate() { estimate_ = combined<Axes>(integrator_, calibration_, settings_.period); }
+  void estimate() { estimate_ = combine(integrator_, calibration_); }
+
+  Bump combine(const Bump& a, const Bump& b) const {
+    return settings_.on_circle ? combinedOnCircle<Axes>(a, b, settings_.period)
+                               : combined<Axes>(a, b, settings_.period);
+  }
 
   NetworkSettings settings_;
   Bump integrator_;

@@ -19,6 +19,12 @@ NetworkSettings networkSettings(const AttractorParameters& p, double energy) {
           p.inhibition_of_integrator};
 }
 
+NetworkSettings ringSettings(const AttractorParameters& p) {
+  NetworkSettings settings = networkSettings(p, p.energy_heading);
+  settings.on_circle = p.ring_bump == RingBump::VonMises;
+  return settings;
+}
+
 Status check(const AttractorParameters& p) {
   const double half_period = 0.5 * p.period * p.metres_per_cell;
   if (p.experience_spacing < half_period && p.novel_spacing < half_period) return Status::ok();
@@ -46,10 +52,13 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
                                            p.newest_ignored, p.first_views_ignored};
   const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, p.novel_spacing,
                                          p.loop_minimum_travel, p.loop_spacing};
+  const EvidenceSettings evidence = {p.evidence_prior, p.evidence_views, p.evidence_gate,
+                                     p.decisive_odds, 2 * p.metres_per_cell};
   return {
-      SpatialCells(HeadDirectionRing(networkSettings(p, p.energy_heading)),
+      SpatialCells(HeadDirectionRing(ringSettings(p)),
                    GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
-      ViewLinks(habituation), ExperienceLog(experience)};
+      ViewLinks(habituation), ExperienceLog(experience),
+      PathMemory({p.drift_heading, p.drift_scale}), ViewEvidence(evidence)};
 }
 
 Status BayesianAttractor::reset() {
@@ -79,7 +88,10 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
     decision.action = Action::CreateExperience;
     state_->log.create();
   }
-  if (familiar) state_->cells.adoptEstimate();
+  if (familiar) {
+    state_->evidence.confirm(state_->cells.support().views);
+    state_->cells.adoptEstimate();
+  }
   if (seen && link == nullptr) learn(observation.template_id);
 
   decision.experience = state_->log.current();
@@ -91,37 +103,85 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
 }
 
 void BayesianAttractor::integrate(const Motion& motion) {
-  state_->cells.integrate(toPlanar(motion.T_previous_current));
+  const PlanarPose step = toPlanar(motion.T_previous_current);
+  state_->cells.integrate(step);
   state_->log.advance(motion.T_previous_current);
+  // Along the plane are x and z, up is -y; order translation, rotation.
+  const Matrix6d& claimed = motion.covariance;
+  state_->path.advance(step, 0.5 * (claimed(0, 0) + claimed(2, 2)), claimed(4, 4));
 }
 
 /// Injection, then inhibition and estimation. True when the view injected.
 bool BayesianAttractor::perceive(const Motion& motion, const PlaceObservation& observation) {
   const bool seen = observation.recognition != Recognition::None;
-  bool injected = false;
+  Effect effect = Effect::None;
   if (seen) {
     state_->links.countView();
-    injected = observation.recognition == Recognition::Familiar && inject(observation);
-    if (!injected) state_->cells.noteUnsupportedView();
+    if (observation.recognition == Recognition::Familiar) effect = inject(observation);
+    if (effect != Effect::Injected) state_->cells.noteUnsupportedView();
   }
-  if (seen || parameters_.inhibition == Inhibition::EveryFrame) {
+  if (inhibits(observation.recognition, effect)) {
     const bool lost = motion.state == TrackingState::Lost;
     if (lost) state_->cells.weakenIntegrators(parameters_.lost_trust);
     state_->cells.settle();
   }
-  return injected;
+  return effect == Effect::Injected;
 }
 
-bool BayesianAttractor::inject(const PlaceObservation& observation) {
-  if (!state_->links.activate(observation.template_id)) return false;
-  const CellPose& learned = state_->links.find(observation.template_id)->learned;
+/// What is ruled out was no view of this place: the cells go on waiting for one.
+bool BayesianAttractor::inhibits(Recognition recognition, Effect effect) const {
+  switch (parameters_.inhibition) {
+    case Inhibition::EveryFrame:
+      return true;
+    case Inhibition::EveryView:
+      return recognition != Recognition::None && effect != Effect::RuledOut;
+    case Inhibition::FamiliarViews:
+      break;
+  }
+  return recognition == Recognition::Familiar && effect != Effect::RuledOut;
+}
+
+BayesianAttractor::Effect BayesianAttractor::inject(const PlaceObservation& observation) {
+  if (!state_->links.activate(observation.template_id)) return Effect::None;
+  const ViewLink& link = *state_->links.find(observation.template_id);
+  const double strength = strengthOf(observation, link.mark);
+  if (!(strength > 0)) return Effect::RuledOut;
+  const PlanarPose step = stepFromTemplate(observation).pose;
+  state_->cells.inject(state_->cells.displaced(link.learned, step), strength);
+  return Effect::Injected;
+}
+
+/// Where the view puts the robot, seen from where its template was made.
+UncertainStep BayesianAttractor::stepFromTemplate(const PlaceObservation& observation) const {
   const bool metric = observation.has_relative_pose;
-  const PlanarPose step = metric ? toPlanar(observation.T_template_current)
-                                 : PlanarPose{0, 0, observation.relative_yaw};
-  const double strength = metric ? parameters_.metric_strength : parameters_.injected_strength;
-  if (!(strength > 0)) return false;
-  state_->cells.inject(state_->cells.displaced(learned, step), strength);
-  return true;
+  const Parameters& p = parameters_;
+  const double position = metric ? p.measured_sigma_position : p.view_sigma_position;
+  const double heading = metric ? p.measured_sigma_heading : p.view_sigma_heading;
+  UncertainStep seen;
+  seen.pose = metric ? toPlanar(observation.T_template_current)
+                     : PlanarPose{0, 0, observation.relative_yaw};
+  seen.covariance.diagonal() << position * position, position * position, heading * heading;
+  if (metric) {
+    const Matrix6d& claimed = observation.covariance;
+    seen.covariance.diagonal() += Eigen::Vector3d(claimed(2, 2), claimed(0, 0), claimed(4, 4));
+  }
+  return seen;
+}
+
+/// Energy that the view may inject, in units of E.
+double BayesianAttractor::strengthOf(const PlaceObservation& observation, const PathMark& learned) {
+  const bool metric = observation.has_relative_pose;
+  const double alone = metric ? parameters_.metric_strength : parameters_.injected_strength;
+  if (!parameters_.path_evidence) return alone;
+  switch (state_->evidence.judge(state_->path, learned, stepFromTemplate(observation))) {
+    case Verdict::RuledOut:
+      return 0;
+    case Verdict::Plausible:
+      return parameters_.injected_strength;
+    case Verdict::Decisive:
+      break;
+  }
+  return alone;
 }
 
 void BayesianAttractor::closeLoop(const PlaceObservation& observation, const ViewLink& link,
@@ -137,6 +197,7 @@ void BayesianAttractor::closeLoop(const PlaceObservation& observation, const Vie
   decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
   decision.confidence = state_->cells.calibrationShare();
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
+  state_->path.close(link.mark, stepFromTemplate(observation), parameters_.evidence_gate);
 }
 
 /// One-shot learning: the new local view cell is linked to the present firing pattern.
@@ -145,6 +206,7 @@ void BayesianAttractor::learn(std::int64_t template_id) {
   link.learned = state_->cells.estimate();
   link.experience = state_->log.current();
   link.T_experience_template = state_->log.fromCurrent();
+  link.mark = state_->path.now();
   state_->links.learn(template_id, link);
 }
 
@@ -153,13 +215,12 @@ void BayesianAttractor::arrays(std::vector<NamedArray>& arrays) const {
 }
 
 Status BayesianAttractor::save(std::ostream& stream) const {
-  return saveState(parameters_, state_->cells, state_->links, state_->log, stream);
+  return saveState(parameters_, *state_, stream);
 }
 
 Status BayesianAttractor::load(std::istream& stream) {
   State loaded = freshState();
-  if (Status status = loadState(parameters_, stream, loaded.cells, loaded.links, loaded.log);
-      !status.isOk()) {
+  if (Status status = loadState(parameters_, stream, loaded); !status.isOk()) {
     state_.emplace(freshState());
     return status;
   }

@@ -5,11 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "experience_log.hpp"
+#include "attractor_state.hpp"
 #include "parameters.hpp"
-#include "spatial_cells.hpp"
 #include "tolman/plugin.hpp"
-#include "view_links.hpp"
 
 namespace tolman::bayesian_attractor {
 
@@ -31,16 +29,16 @@ class BayesianAttractor final : public Cells, public ArraySource, public StateKe
   Status load(std::istream& stream) override;
 
  private:
-  struct State {
-    SpatialCells cells;
-    ViewLinks links;
-    ExperienceLog log;
-  };
+  using State = AttractorState;
+  enum class Effect : std::uint8_t { None, Injected, RuledOut };
 
   State freshState() const;
   void integrate(const Motion& motion);
   bool perceive(const Motion& motion, const PlaceObservation& observation);
-  bool inject(const PlaceObservation& observation);
+  Effect inject(const PlaceObservation& observation);
+  bool inhibits(Recognition recognition, Effect effect) const;
+  UncertainStep stepFromTemplate(const PlaceObservation& observation) const;
+  double strengthOf(const PlaceObservation& observation, const PathMark& learned);
   void closeLoop(const PlaceObservation& observation, const ViewLink& link, Decision& decision);
   void learn(std::int64_t template_id);
 

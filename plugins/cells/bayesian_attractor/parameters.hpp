@@ -12,15 +12,23 @@ namespace tolman::bayesian_attractor {
 
 /// When the cells inhibit each other.
 enum class Inhibition : std::uint8_t {
-  EveryView,   ///< with each view: the pace does not depend on how often the recogniser looks
-  EveryFrame,  ///< with each frame, as in the paper, where every frame is a view
+  EveryView,      ///< with each view: the pace does not depend on how often the recogniser looks
+  EveryFrame,     ///< with each frame, as in the paper, where every frame is a view
+  FamiliarViews,  ///< with each view that may inject: novel ones only try the patience
 };
-inline constexpr std::array<std::string_view, 2> kInhibitionNames = {"every_view", "every_frame"};
+inline constexpr std::array<std::string_view, 3> kInhibitionNames = {"every_view", "every_frame",
+                                                                     "familiar_views"};
 constexpr std::span<const std::string_view> enumNames(Inhibition) { return kInhibitionNames; }
+
+/// How bumps on the head direction ring combine.
+enum class RingBump : std::uint8_t { Gaussian, VonMises };
+inline constexpr std::array<std::string_view, 2> kRingBumpNames = {"gaussian", "von_mises"};
+constexpr std::span<const std::string_view> enumNames(RingBump) { return kRingBumpNames; }
 
 struct AttractorParameters {
   double energy_heading = 100;
   double energy_position = 1;
+  RingBump ring_bump = RingBump::VonMises;
   double period = 15;
   double metres_per_cell = 10;
   double initial_calibration = 0.1;
@@ -29,7 +37,7 @@ struct AttractorParameters {
   double metric_strength = 4.0;
   double inhibition_of_calibration = 0.2;
   double inhibition_of_integrator = 0.2;
-  Inhibition inhibition = Inhibition::EveryView;
+  Inhibition inhibition = Inhibition::FamiliarViews;
   double lost_trust = 0.5;
   bool consistency_gate = true;
   double gate_heading = 0.1;
@@ -38,6 +46,17 @@ struct AttractorParameters {
   double decision_position = 1.0;
   double decision_share = 0.5;
   int patience = 10;
+  bool path_evidence = true;
+  double evidence_prior = 0.05;
+  double evidence_views = 20;
+  double evidence_gate = 16;
+  double decisive_odds = 20;
+  double drift_heading = 1e-4;
+  double drift_scale = 0.01;
+  double view_sigma_position = 3;
+  double view_sigma_heading = 0.2;
+  double measured_sigma_position = 1;
+  double measured_sigma_heading = 0.1;
   int newest_ignored = 10;
   int first_views_ignored = 50;
   double habituation_increment = 1.0;
@@ -61,6 +80,8 @@ struct AttractorParameters {
             .range(0.01, 1e6)
             .unit("1/cell^2")
             .doc("Total precision E of each axis of the grid torus."),
+        parameter("ring_bump", &P::ring_bump)
+            .doc("How head direction bumps combine; gaussian as in the paper."),
         parameter("period", &P::period)
             .range(1, 1e4)
             .unit("cells")
@@ -80,7 +101,7 @@ struct AttractorParameters {
             .doc("Energy that a familiar view injects, in units of E."),
         parameter("metric_strength", &P::metric_strength)
             .range(0, 100)
-            .doc("The same for a view with a measured relative pose; 4 lets one decide alone."),
+            .doc("The same for a decisive view with a measured pose; 4 lets one decide alone."),
         parameter("inhibition_of_calibration", &P::inhibition_of_calibration)
             .range(0, 1)
             .doc("Delta_cali: how strongly the integrator cells inhibit the calibration cells."),
@@ -116,6 +137,44 @@ struct AttractorParameters {
             .range(0, 1000000)
             .unit("views")
             .doc("A calibration that no view supports for longer is dropped."),
+        parameter("path_evidence", &P::path_evidence)
+            .doc("Weigh each familiar view against path integration; off as in the paper."),
+        parameter("evidence_prior", &P::evidence_prior)
+            .range(1e-6, 0.999)
+            .doc("Share of familiar views that is expected to be right, before any was seen."),
+        parameter("evidence_views", &P::evidence_views)
+            .range(0.1, 1e12)
+            .unit("views")
+            .doc("So many views weigh as much as that expectation."),
+        parameter("evidence_gate", &P::evidence_gate)
+            .range(0.1, 1e9)
+            .doc("Chi-square (3 degrees of freedom) from which path integration rules a view out."),
+        parameter("decisive_odds", &P::decisive_odds)
+            .range(1, 1e12)
+            .doc("Odds of right against wrong at which a view with a measured pose decides alone."),
+        parameter("drift_heading", &P::drift_heading)
+            .range(0, 1)
+            .unit("rad/m")
+            .doc("Standard deviation of a constant pull of odometry to one side."),
+        parameter("drift_scale", &P::drift_scale)
+            .range(0, 1)
+            .doc("Standard deviation of the scale of odometry."),
+        parameter("view_sigma_position", &P::view_sigma_position)
+            .range(1e-6, 1e6)
+            .unit("m")
+            .doc("How far from its template a view without measured pose may be."),
+        parameter("view_sigma_heading", &P::view_sigma_heading)
+            .range(1e-6, 10)
+            .unit("rad")
+            .doc("The same for its heading."),
+        parameter("measured_sigma_position", &P::measured_sigma_position)
+            .range(1e-6, 1e6)
+            .unit("m")
+            .doc("Doubt added to the measured pose of a view."),
+        parameter("measured_sigma_heading", &P::measured_sigma_heading)
+            .range(1e-6, 10)
+            .unit("rad")
+            .doc("The same for its heading."),
         parameter("newest_ignored", &P::newest_ignored)
             .range(0, 1000000)
             .unit("templates")

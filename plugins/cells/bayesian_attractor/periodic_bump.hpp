@@ -7,6 +7,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <complex>
+#include <numbers>
 
 #include "tolman/geometry.hpp"
 
@@ -54,6 +56,22 @@ PeriodicBump<Axes> combined(const PeriodicBump<Axes>& a, const PeriodicBump<Axes
   const Phase<Axes> mean = a.mean + share * shortWay<Axes>(a.mean, b.mean, period);
   sum.mean = wrapped<Axes>(mean, period);
   return sum;
+}
+
+/// The product of two von Mises bumps on the circle (kappa as precision): the same near by, but
+/// contradicting cues weaken each other instead of adding up, and there is no seam.
+template <int Axes>
+PeriodicBump<Axes> combinedOnCircle(const PeriodicBump<Axes>& a, const PeriodicBump<Axes>& b,
+                                    double period) {
+  const double turn = 2 * std::numbers::pi / period;
+  PeriodicBump<Axes> product;
+  for (int axis = 0; axis < Axes; ++axis) {
+    const std::complex<double> sum =
+        std::polar(a.precision, turn * a.mean(axis)) + std::polar(b.precision, turn * b.mean(axis));
+    product.mean(axis) = wrapPeriod(std::arg(sum) / turn, period);
+    product.precision += std::abs(sum) / Axes;  // one precision for all axes, as everywhere
+  }
+  return product;
 }
 
 }  // namespace tolman::bayesian_attractor

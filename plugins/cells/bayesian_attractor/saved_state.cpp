@@ -10,7 +10,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr std::uint64_t kStateVersion = 2;
 
 /// Phases are worthless on a manifold of another size.
 std::vector<double> manifold(const AttractorParameters& p) {
@@ -56,6 +56,75 @@ Eigen::Isometry3d getPose(StateReader& reader) {
   return T;
 }
 
+void put(StateWriter& writer, const PlanarPose& pose) {
+  for (const double number : {pose.x, pose.y, pose.theta}) writer.put(number);
+}
+
+PlanarPose getPlanar(StateReader& reader) {
+  PlanarPose pose;
+  for (double* number : {&pose.x, &pose.y, &pose.theta}) *number = reader.get<double>();
+  return pose;
+}
+
+template <class Matrix>
+void putMatrix(StateWriter& writer, const Matrix& matrix) {
+  writer.putAll(std::span<const double>(matrix.data(), static_cast<std::size_t>(matrix.size())));
+}
+
+template <class Matrix>
+void getMatrix(StateReader& reader, Matrix& matrix) {
+  reader.getAll(std::span<double>(matrix.data(), static_cast<std::size_t>(matrix.size())));
+}
+
+void put(StateWriter& writer, const PathMark& mark) {
+  writer.put(mark.step);
+  put(writer, mark.pose);
+  putMatrix(writer, mark.turns);
+  putMatrix(writer, mark.lengths);
+  writer.put(mark.step_variance);
+}
+
+PathMark getMark(StateReader& reader) {
+  PathMark mark;
+  mark.step = reader.get<std::int64_t>();
+  mark.pose = getPlanar(reader);
+  getMatrix(reader, mark.turns);
+  getMatrix(reader, mark.lengths);
+  mark.step_variance = reader.get<double>();
+  return mark;
+}
+
+void put(StateWriter& writer, const PathMemory& path) {
+  const PathMemory::State state = path.state();
+  put(writer, state.now);
+  putMatrix(writer, state.least);
+  putMatrix(writer, state.most);
+  writer.put(static_cast<std::int64_t>(state.loops.size()));
+  for (const ClosedLoop& loop : state.loops) {
+    put(writer, loop.home);
+    put(writer, loop.visit);
+    put(writer, loop.offset.pose);
+    putMatrix(writer, loop.offset.covariance);
+  }
+}
+
+PathMemory::State getPath(StateReader& reader) {
+  PathMemory::State state;
+  state.now = getMark(reader);
+  getMatrix(reader, state.least);
+  getMatrix(reader, state.most);
+  const auto count = reader.get<std::int64_t>();
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
+    ClosedLoop loop;
+    loop.home = getMark(reader);
+    loop.visit = getMark(reader);
+    loop.offset.pose = getPlanar(reader);
+    getMatrix(reader, loop.offset.covariance);
+    state.loops.push_back(loop);
+  }
+  return state;
+}
+
 void put(StateWriter& writer, const ViewLinks& links) {
   writer.put(links.views());
   writer.put(links.previous());
@@ -68,6 +137,7 @@ void put(StateWriter& writer, const ViewLinks& links) {
     writer.put(link.order);
     writer.put(link.experience);
     put(writer, link.T_experience_template);
+    put(writer, link.mark);
     writer.put(link.decay);
     writer.put(link.last_view);
   }
@@ -86,6 +156,7 @@ void get(StateReader& reader, ViewLinks& links) {
     link.order = reader.get<std::int64_t>();
     link.experience = reader.get<std::int64_t>();
     link.T_experience_template = getPose(reader);
+    link.mark = getMark(reader);
     link.decay = reader.get<double>();
     link.last_view = reader.get<std::int64_t>();
   }
@@ -116,20 +187,24 @@ ExperienceLog::State getLog(StateReader& reader) {
 
 }  // namespace
 
-Status saveState(const AttractorParameters& parameters, const SpatialCells& cells,
-                 const ViewLinks& links, const ExperienceLog& log, std::ostream& stream) {
+Status saveState(const AttractorParameters& parameters, const AttractorState& state,
+                 std::ostream& stream) {
   StateWriter writer;
   writer.putAll(std::span<const double>(manifold(parameters)));
-  put<1>(writer, cells.ring());
-  put<2>(writer, cells.torus());
-  writer.put(static_cast<std::int64_t>(cells.unsupportedViews()));
-  put(writer, links);
-  put(writer, log.state());
+  put<1>(writer, state.cells.ring());
+  put<2>(writer, state.cells.torus());
+  writer.put(state.cells.support().views);
+  writer.put(state.cells.support().unsupported);
+  put(writer, state.links);
+  put(writer, state.path);
+  writer.put(state.evidence.counts().views);
+  writer.put(state.evidence.counts().right);
+  put(writer, state.log.state());
   return writer.write(stream, kMagic, kStateVersion);
 }
 
-Status loadState(const AttractorParameters& parameters, std::istream& stream, SpatialCells& cells,
-                 ViewLinks& links, ExperienceLog& log) {
+Status loadState(const AttractorParameters& parameters, std::istream& stream,
+                 AttractorState& state) {
   Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
   if (!opened.isOk()) return opened.status();
   StateReader& reader = opened.value();
@@ -139,11 +214,19 @@ Status loadState(const AttractorParameters& parameters, std::istream& stream, Sp
     return Status::invalidInput(
         "the saved cells have another period, metres_per_cell or energy than configured");
   }
-  get<1>(reader, cells.ring());
-  get<2>(reader, cells.torus());
-  cells.setUnsupportedViews(static_cast<int>(reader.get<std::int64_t>()));
-  get(reader, links);
-  log.restore(getLog(reader));
+  get<1>(reader, state.cells.ring());
+  get<2>(reader, state.cells.torus());
+  SpatialCells::Support support;
+  support.views = reader.get<std::int64_t>();
+  support.unsupported = reader.get<std::int64_t>();
+  state.cells.restore(support);
+  get(reader, state.links);
+  state.path.restore(getPath(reader));
+  ViewEvidence::Counts counts;
+  counts.views = reader.get<std::int64_t>();
+  counts.right = reader.get<std::int64_t>();
+  state.evidence.restore(counts);
+  state.log.restore(getLog(reader));
   if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
   return Status::ok();
 }

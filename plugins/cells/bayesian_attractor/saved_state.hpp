@@ -4,19 +4,17 @@
 
 #include <iosfwd>
 
-#include "experience_log.hpp"
+#include "attractor_state.hpp"
 #include "parameters.hpp"
-#include "spatial_cells.hpp"
 #include "tolman/status.hpp"
-#include "view_links.hpp"
 
 namespace tolman::bayesian_attractor {
 
-Status saveState(const AttractorParameters& parameters, const SpatialCells& cells,
-                 const ViewLinks& links, const ExperienceLog& log, std::ostream& stream);
+Status saveState(const AttractorParameters& parameters, const AttractorState& state,
+                 std::ostream& stream);
 
-/// Overwrites cells, links and log, which hold rubbish after a failure.
-Status loadState(const AttractorParameters& parameters, std::istream& stream, SpatialCells& cells,
-                 ViewLinks& links, ExperienceLog& log);
+/// Overwrites the state, which holds rubbish after a failure.
+Status loadState(const AttractorParameters& parameters, std::istream& stream,
+                 AttractorState& state);
 
 }  // namespace tolman::bayesian_attractor

@@ -20,10 +20,12 @@ void SpatialCells::inject(const CellPose& pose, double strength) {
   if (settings_.consistency_gate && contradictsCalibration(pose)) {
     ring_.restartCalibration();
     torus_.restartCalibration();
+    support_.views = 0;
   }
   ring_.inject(Phase<1>(pose.heading), strength);
   torus_.inject(pose.position, strength);
-  unsupported_views_ = 0;
+  ++support_.views;
+  support_.unsupported = 0;
 }
 
 void SpatialCells::settle() {
@@ -45,14 +47,15 @@ bool SpatialCells::familiar() const {
 void SpatialCells::adoptEstimate() {
   ring_.adoptEstimate();
   torus_.adoptEstimate();
+  support_ = {};
 }
 
 void SpatialCells::noteUnsupportedView() {
   // With symmetric inhibition a calibration above half wins for good, right or wrong.
-  if (++unsupported_views_ <= settings_.patience) return;
+  if (++support_.unsupported <= settings_.patience) return;
   ring_.restartCalibration();
   torus_.restartCalibration();
-  unsupported_views_ = 0;
+  support_ = {};
 }
 
 CellPose SpatialCells::estimate() const {

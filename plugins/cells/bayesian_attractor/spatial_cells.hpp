@@ -3,6 +3,8 @@
 // the decision that a place is familiar.
 #pragma once
 
+#include <cstdint>
+
 #include "grid_torus.hpp"
 #include "head_direction_ring.hpp"
 
@@ -57,8 +59,13 @@ class SpatialCells {
   const GridTorus& torus() const { return torus_; }
   HeadDirectionRing& ring() { return ring_; }
   GridTorus& torus() { return torus_; }
-  int unsupportedViews() const { return unsupported_views_; }
-  void setUnsupportedViews(int count) { unsupported_views_ = count; }
+  /// Views that made the present calibration, and views since the last of them.
+  struct Support {
+    std::int64_t views = 0;
+    std::int64_t unsupported = 0;
+  };
+  const Support& support() const { return support_; }
+  void restore(const Support& support) { support_ = support; }
 
  private:
   bool contradictsCalibration(const CellPose& pose) const;
@@ -66,7 +73,7 @@ class SpatialCells {
   HeadDirectionRing ring_;
   GridTorus torus_;
   DecisionSettings settings_;
-  int unsupported_views_ = 0;
+  Support support_;
 };
 
 }  // namespace tolman::bayesian_attractor

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 
+#include "path_memory.hpp"
 #include "spatial_cells.hpp"
 #include "tolman/geometry.hpp"
 
@@ -24,6 +25,7 @@ struct ViewLink {
   std::int64_t experience = 0;  ///< the experience the robot was at
   /// Where it stood in the frame of that experience, by path integration.
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
+  PathMark mark;     ///< and when and where that was on the path
   double decay = 1;  ///< habituation, as of view number `last_view`
   std::int64_t last_view = 0;
 };

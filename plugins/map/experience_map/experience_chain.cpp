@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tolman::experience_map {
 
@@ -69,23 +70,40 @@ void ExperienceChain::refresh(const MotionLog& log, std::size_t first) {
 Status ExperienceChain::correct(const MotionLog& log, int iterations, double tolerance) {
   pending_ = false;
   if (last_visit_ == 0) return Status::ok();
+  return optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Care::Brief);
+}
+
+Status ExperienceChain::judge(const MotionLog& log, int iterations, double tolerance) {
+  pending_ = false;
+  if (last_visit_ == 0) return Status::ok();
+  Status status =
+      optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Care::Thorough);
+  for (Anchor& anchor : anchors_) {
+    anchor.taken_back = anchor.visit && anchor.offset_weight < parameters_.disbelief;
+  }
+  return status;
+}
+
+Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions options, Care care) {
+  std::vector<PlanarPose> reckoned;
   std::vector<PlanarPose> nodes;
-  nodes.reserve(anchors_.size());
   for (const Anchor& anchor : anchors_) {
-    nodes.push_back(compose(anchor.correction, toPlanar(log[anchor.slot].T_start_camera)));
+    reckoned.push_back(toPlanar(log[anchor.slot].T_start_camera));
+    nodes.push_back(compose(anchor.correction, reckoned.back()));
   }
   std::vector<PlanarLink> links;
   for (std::size_t i = 1; i < anchors_.size(); ++i) links.push_back(wayLink(log, i));
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     if (anchors_[i].visit) links.push_back(loopLink(log, i));
   }
-  OptimiserOptions options;
-  options.iterations = iterations;
-  options.tolerance = tolerance;
-  options.huber_delta = parameters_.huber_delta;
-  const Result<bool> converged = optimise(options, nodes, links);
-  if (!converged.isOk()) return converged.status();
-  pending_ = !converged.value();
+  options.loss = parameters_.loss;
+  options.delta =
+      options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale;
+  const Result<Outcome> outcome = care == Care::Brief
+                                      ? optimise(options, nodes, links)
+                                      : experience_map::judge(options, reckoned, nodes, links);
+  if (!outcome.isOk()) return outcome.status();
+  pending_ = !outcome.value().converged;
   apply(log, nodes, links);
   return Status::ok();
 }
@@ -111,7 +129,8 @@ PlanarLink ExperienceChain::wayLink(const MotionLog& log, std::size_t i) const {
       .to = i,
       .pose = tolman::between(from, toPlanar(T_start_to)),
       .covariance = planarCovariance(anchors_[i].way.covariance, T_start_to.linear(), from.theta),
-      .robust = parameters_.huber_odometry};
+      .robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber,
+      .weight = anchors_[i].way_weight};
 }
 
 PlanarLink ExperienceChain::loopLink(const MotionLog& log, std::size_t i) const {
@@ -123,7 +142,8 @@ PlanarLink ExperienceChain::loopLink(const MotionLog& log, std::size_t i) const 
       .from = of_experience_[static_cast<std::size_t>(visit.experience)],
       .to = i,
       .pose = tolman::between(from, toPlanar(T_start_visit)),
-      .covariance = planarCovariance(visit.offset.covariance, T_start_visit.linear(), from.theta)};
+      .covariance = planarCovariance(visit.offset.covariance, T_start_visit.linear(), from.theta),
+      .weight = visit.offset_weight};
 }
 
 const Anchor& ExperienceChain::home(std::int64_t experience) const {
@@ -140,15 +160,27 @@ Eigen::Isometry3d ExperienceChain::T_world_experience(const MotionLog& log,
   return fromPlanar(anchor.correction) * log[anchor.slot].T_start_camera;
 }
 
-Link ExperienceChain::foldedLink(const MotionLog& log, std::size_t i) const {
-  const Anchor& from = anchors_[i - 1];
+Place ExperienceChain::place(const MotionLog& log, std::size_t slot) const {
+  auto i = static_cast<std::size_t>(log[slot].anchor);
+  while (i > 0 && anchors_[i].visit && anchors_[i].offset_weight < parameters_.disbelief) --i;
+  const Anchor& anchor = anchors_[i];
+  if (anchor.experience < 0) return {-1, T_world_camera(log, slot)};
+  // As the map sees it now, not as the loop says: a false loop then does no harm here.
+  const Eigen::Isometry3d T_experience_camera =
+      T_world_experience(log, anchor.experience).inverse() * T_world_camera(log, slot);
+  return {anchor.experience, T_experience_camera};
+}
+
+Link ExperienceChain::foldedLink(const MotionLog& log, std::size_t before, std::size_t i) const {
+  constexpr double kLeastWeight = 1e-6;
+  const Anchor& from = anchors_[before];
   const Anchor& to = anchors_[i];
   UncertainPose pose;
   if (from.visit) {  // where the visit really was, as far as is known now
     pose.T = T_world_experience(log, from.experience).inverse() * T_world_camera(log, from.slot);
-    pose.covariance = from.offset.covariance / from.offset_weight;
+    pose.covariance = from.offset.covariance / std::max(from.offset_weight, kLeastWeight);
   }
-  pose = compose(pose, to.way);
+  pose = compose(pose, before + 1 == i ? to.way : log.between(from.slot, to.slot));
   if (to.visit) pose = compose(pose, inverse(to.offset));
   Link link;
   link.from = from.experience;
@@ -170,10 +202,13 @@ void ExperienceChain::graph(const MotionLog& log, MapGraph& graph) const {
     graph.experiences.push_back({anchor.experience, log[anchor.slot].frame, anchor.template_id,
                                  T_world_experience(log, anchor.experience)});
   }
+  std::size_t before = 0;
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    const std::int64_t from = anchors_[i - 1].experience;
+    if (!counts(anchors_[i])) continue;
+    const std::size_t previous = std::exchange(before, i);
+    const std::int64_t from = anchors_[previous].experience;
     if (from < 0 || from == anchors_[i].experience) continue;
-    Link link = foldedLink(log, i);
+    Link link = foldedLink(log, previous, i);
     link.id = static_cast<std::int64_t>(graph.links.size());
     graph.links.push_back(link);
   }

@@ -27,7 +27,14 @@ struct Anchor {
   bool assumed = false;  ///< the offset was not measured
   UncertainPose offset;  ///< of a visit: T_experience_anchor as first said
   double offset_weight = 1;
-  PlanarPose correction;  ///< world = fromPlanar(correction) * dead reckoning, 3-D kept
+  bool taken_back = false;  ///< a visit that the map does not believe
+  PlanarPose correction;    ///< world = fromPlanar(correction) * dead reckoning, 3-D kept
+};
+
+/// Where a frame is seen from an experience; for good, however the experience moves.
+struct Place {
+  std::int64_t experience = -1;  ///< -1: seen from the world
+  Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
 };
 
 class ExperienceChain {
@@ -57,9 +64,13 @@ class ExperienceChain {
   bool pending() const { return pending_; }
   /// Moves the anchors to the least energy. Leaves all alone when it fails.
   Status correct(const MotionLog& log, int iterations, double tolerance);
+  /// The last word: weighs all loops afresh against each other, and takes the false ones back.
+  Status judge(const MotionLog& log, int iterations, double tolerance);
 
   Eigen::Isometry3d T_world_camera(const MotionLog& log, std::size_t slot) const;
   Eigen::Isometry3d T_world_experience(const MotionLog& log, std::int64_t experience) const;
+  /// Hangs a frame on the last experience that it is believed to have been at.
+  Place place(const MotionLog& log, std::size_t slot) const;
   /// The chain as a graph of experiences alone: visits are folded into the links.
   void graph(const MotionLog& log, MapGraph& graph) const;
 
@@ -70,7 +81,10 @@ class ExperienceChain {
   const Anchor& home(std::int64_t experience) const;
   PlanarLink wayLink(const MotionLog& log, std::size_t i) const;
   PlanarLink loopLink(const MotionLog& log, std::size_t i) const;
-  Link foldedLink(const MotionLog& log, std::size_t i) const;
+  enum class Care : std::uint8_t { Brief, Thorough };
+  Status optimiseAll(const MotionLog& log, OptimiserOptions options, Care care);
+  bool counts(const Anchor& anchor) const { return !anchor.visit || !anchor.taken_back; }
+  Link foldedLink(const MotionLog& log, std::size_t before, std::size_t i) const;
   void apply(const MotionLog& log, const std::vector<PlanarPose>& nodes,
              const std::vector<PlanarLink>& links);
 

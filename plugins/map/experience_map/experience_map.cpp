@@ -35,7 +35,7 @@ Status ExperienceMap::update(const Motion& motion, const Decision& decision, Map
   if (motions_.size() == 0) chain_.start();
   motions_.append(motion, chain_.current());
   obey(decision);
-  if (correctionDue()) correct(parameters_.online_iterations, kRoughly);
+  if (correctionDue()) correct();
   report(update);
   return Status::ok();
 }
@@ -92,12 +92,8 @@ bool ExperienceMap::correctionDue() const {
   return parameters_.optimise && chain_.pending() && motions_.last() >= next_correction_;
 }
 
-void ExperienceMap::correct(int iterations, double tolerance) {
-  if (Status status = chain_.correct(motions_, iterations, tolerance); !status.isOk()) {
-    log_->warning("the map stays as it is, for the optimiser failed: " + status.message());
-  } else {
-    ++version_;
-  }
+void ExperienceMap::correct() {
+  noteCorrection(chain_.correct(motions_, parameters_.online_iterations, kRoughly));
   // A correction costs time in proportion to the nodes. Waiting in proportion, too, bounds the cost
   // of a frame however long the run.
   const auto growth = parameters_.interval_growth * static_cast<double>(chain_.current());
@@ -105,17 +101,22 @@ void ExperienceMap::correct(int iterations, double tolerance) {
                      static_cast<std::size_t>(growth);
 }
 
+void ExperienceMap::noteCorrection(const Status& status) {
+  if (status.isOk()) {
+    ++version_;
+  } else {
+    log_->warning("the map stays as it is, for the optimiser failed: " + status.message());
+  }
+}
+
 void ExperienceMap::report(MapUpdate& update) const {
   const LoggedFrame& logged = motions_[motions_.last()];
   update.frame = logged.frame;
   update.stamp_ns = logged.stamp_ns;
-  update.experience = chain_[logged.anchor].experience;
   update.T_world_camera = chain_.T_world_camera(motions_, motions_.last());
-  update.T_experience_camera = update.T_world_camera;
-  if (update.experience >= 0) {
-    update.T_experience_camera =
-        chain_.T_world_experience(motions_, update.experience).inverse() * update.T_world_camera;
-  }
+  const Place place = chain_.place(motions_, motions_.last());
+  update.experience = place.experience;
+  update.T_experience_camera = place.T_experience_camera;
   update.version = version_;
   update.experiences = chain_.experiences();
   update.links = chain_.links();
@@ -139,7 +140,8 @@ Status ExperienceMap::graph(MapGraph& graph) const {
 
 Status ExperienceMap::finish(const std::vector<MotionRevision>& revisions) {
   revise(revisions);
-  if (parameters_.optimise && chain_.visited()) correct(parameters_.final_iterations, kFully);
+  if (!parameters_.optimise || !chain_.visited()) return Status::ok();
+  noteCorrection(chain_.judge(motions_, parameters_.final_iterations, kFully));
   return Status::ok();
 }
 

@@ -28,7 +28,8 @@ class ExperienceMap final : public Map {
   Status check(const Motion& motion, const Decision& decision) const;
   void revise(const std::vector<MotionRevision>& revisions);
   void obey(const Decision& decision);
-  void correct(int iterations, double tolerance);
+  void correct();
+  void noteCorrection(const Status& status);
   bool correctionDue() const;
   void report(MapUpdate& update) const;
 

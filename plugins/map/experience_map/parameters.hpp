@@ -4,6 +4,8 @@
 
 #include <tolman/parameters.hpp>
 
+#include "planar_optimiser.hpp"
+
 namespace tolman::experience_map {
 
 struct Parameters {
@@ -12,7 +14,10 @@ struct Parameters {
   int final_iterations = 100;
   int interval = 10;
   double interval_growth = 0.02;
+  Loss loss = Loss::GemanMcclure;
   double huber_delta = 1.0;
+  double geman_mcclure_scale = 4.0;
+  double disbelief = 0.1;
   bool huber_odometry = false;
   double drift_translation = 0.01;
   double drift_rotation = 0.0005;
@@ -42,9 +47,16 @@ struct Parameters {
             .range(0, 100)
             .unit("frames")
             .doc("What each node adds to the interval, so that the cost of a frame stays bounded."),
+        parameter("loss", &P::loss).doc("How links lose trust; huber as in the paper."),
         parameter("huber_delta", &P::huber_delta)
             .range(1e-6, 1e9)
-            .doc("Whitened residual (in standard deviations) from which a link loses trust."),
+            .doc("Huber: residual, in standard deviations, from which a link loses trust."),
+        parameter("geman_mcclure_scale", &P::geman_mcclure_scale)
+            .range(1e-3, 1e9)
+            .doc("Geman-McClure: residual, in standard deviations, at which trust is a quarter."),
+        parameter("disbelief", &P::disbelief)
+            .range(0, 1)
+            .doc("Loops with less weight than this after the last frame are taken back."),
         parameter("huber_odometry", &P::huber_odometry)
             .doc("Whether odometry links may lose trust too, as in the paper."),
         parameter("drift_translation", &P::drift_translation)

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's residual of one link between two planar nodes, and the space the nodes live in.
+// The paper's residual of one link between two planar nodes.
 #pragma once
 
-#include <ceres/manifold.h>
-#include <ceres/sized_cost_function.h>
-
+#include <cstddef>
 #include <tolman/geometry.hpp>
 
 namespace tolman::experience_map {
 
-/// A node is the block (x m, y m, theta rad); theta stays in [-pi, pi) (paper, "s.t.").
-class PlanarManifold final : public ceres::Manifold {
- public:
-  int AmbientSize() const override { return 3; }
-  int TangentSize() const override { return 3; }
-  bool Plus(const double* x, const double* delta, double* x_plus_delta) const override;
-  bool PlusJacobian(const double* x, double* jacobian) const override;
-  bool Minus(const double* y, const double* x, double* y_minus_x) const override;
-  bool MinusJacobian(const double* x, double* jacobian) const override;
+struct PlanarLink {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  PlanarPose pose;             ///< of `to`, seen from `from`
+  Eigen::Matrix3d covariance;  ///< along the axes of `from`
+  bool robust = true;          ///< may lose weight; otherwise plain least squares
+  double weight = 1;           ///< what the loss leaves of its influence, in [0, 1]
 };
 
 /// f(e_i, e_j, e_ij) of the paper's section Cognitive Map,
@@ -26,22 +22,20 @@ class PlanarManifold final : public ceres::Manifold {
 ///   y_j - y_i - d sin(theta_i + heading)
 ///   theta_j - theta_i - facing            (wrapped)
 ///
-/// turned by -theta_i, so that it is seen along the axes of e_i in which the covariance is known,
-/// and whitened. Where the noise is isotropic the turn does not change its length.
-class PlanarLinkCost final : public ceres::SizedCostFunction<3, 3, 3> {
- public:
-  /// `link` is e_j seen from e_i: d and heading are its polar form, facing its theta.
-  PlanarLinkCost(const PlanarPose& link, const Eigen::Matrix3d& whitening)
-      : link_(link), whitening_(whitening) {}
-  bool Evaluate(double const* const* nodes, double* residuals, double** jacobians) const override;
+/// turned by -theta_i, so that it is seen along the axes of e_i in which the covariance is known.
+/// Where the noise is isotropic the turn does not change its length. The link's pose is e_j seen
+/// from e_i: d and heading are its polar form, facing its theta.
+Eigen::Vector3d residualOf(const PlanarLink& link, const PlanarPose& from, const PlanarPose& to);
 
- private:
-  PlanarPose link_;
-  Eigen::Matrix3d whitening_;
+/// Its derivatives by (x, y, theta) of both ends.
+struct LinkDerivatives {
+  Eigen::Matrix3d by_from;
+  Eigen::Matrix3d by_to;
 };
+LinkDerivatives derivativesOf(const PlanarPose& from, const PlanarPose& to);
 
-/// The symmetric W with W * covariance * W == identity. Standard deviations below 1e-6 count as
-/// 1e-6, so that a degenerate covariance cannot divide by zero.
-Eigen::Matrix3d whiteningOf(const Eigen::Matrix3d& covariance);
+/// Inverse of a covariance. Standard deviations below 1e-6 count as about 1e-6, so that a
+/// degenerate covariance cannot divide by zero.
+Eigen::Matrix3d informationOf(const Eigen::Matrix3d& covariance);
 
 }  // namespace tolman::experience_map

@@ -1,76 +1,178 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sets up and solves the Ceres problem.
+// Iteratively reweighted Gauss-Newton. Graduated non-convexity: Yang, Antonante, Tzoumas, Carlone,
+// "Graduated Non-Convexity for Robust Spatial Perception", RA-L 2020, with the Geman-McClure loss.
 #include "planar_optimiser.hpp"
 
-#include <ceres/loss_function.h>
-#include <ceres/problem.h>
-#include <ceres/solver.h>
-
 #include <algorithm>
-#include <array>
+#include <cmath>
 
-#include "planar_link.hpp"
+#include "chain_system.hpp"
 
 namespace tolman::experience_map {
 namespace {
 
-using Block = std::array<double, 3>;
+constexpr double kDoubt = 1e-6;    ///< the weight of a loop that is not believed
+constexpr double kBelieved = 0.5;  ///< no other minimum is worth a search if all have more
 
-ceres::Solver::Options solverOptions(const OptimiserOptions& options) {
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
-  solver.sparse_linear_algebra_library_type = ceres::EIGEN_SPARSE;  // no BLAS, hence no threads
-  solver.num_threads = 1;
-  solver.max_num_iterations = options.iterations;
-  solver.function_tolerance = options.tolerance;
-  solver.gradient_tolerance = 1e-12;
-  solver.parameter_tolerance = 1e-12;
-  solver.logging_type = ceres::SILENT;
-  return solver;
-}
+class Search {
+ public:
+  Search(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
+         std::vector<PlanarLink>& links)
+      : options_(options), nodes_(nodes), links_(links), system_(nodes.size(), links) {
+    for (const PlanarLink& link : links) information_.push_back(informationOf(link.covariance));
+  }
 
-/// Huber's loss is quadratic up to delta and then loses influence as delta / |f|.
-double huberWeight(const PlanarLink& link, const Block& from, const Block& to, double delta) {
-  if (!link.robust) return 1;
-  const PlanarLinkCost cost(link.pose, whiteningOf(link.covariance));
-  const std::array<const double*, 2> nodes = {from.data(), to.data()};
-  Eigen::Vector3d residual;
-  cost.Evaluate(nodes.data(), residual.data(), nullptr);
-  return std::min(1.0, delta / std::max(residual.norm(), 1e-300));
-}
+  /// From a convex loss to the sharp one. mu = 1 is Geman-McClure's own shape.
+  Result<bool> anneal() {
+    for (PlanarLink& link : links_) link.weight = 1;
+    if (Result<bool> rough = descend(false); !rough.isOk()) return rough;
+    double worst = 0;
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      if (links_[k].robust) worst = std::max(worst, chiSquare(k));
+    }
+    constexpr double kEase = 1.4;  // the authors' step
+    for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
+      reweigh(mu);
+      const Result<double> cost = step();
+      if (!cost.isOk()) return cost.status();
+    }
+    return descend(true);
+  }
+
+  /// Steps until the energy rests, or the iterations are spent.
+  Result<bool> descend(bool reweighing) {
+    double before = energy();
+    for (int iteration = 0; iteration < options_.iterations; ++iteration) {
+      if (reweighing && iteration > 0) reweigh(1);
+      if (Result<double> taken = step(); !taken.isOk()) return taken.status();
+      const double after = energy();
+      if (std::abs(before - after) <= options_.tolerance * before) {
+        if (reweighing) reweigh(1);
+        return true;
+      }
+      before = after;
+    }
+    if (reweighing) reweigh(1);
+    return false;
+  }
+
+  /// Of the loss, whatever the weights are now.
+  double energy() const {
+    const double bound = options_.delta * options_.delta;
+    double sum = 0;
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      const double chi = chiSquare(k);
+      if (!links_[k].robust) {
+        sum += chi;
+      } else if (options_.loss == Loss::GemanMcclure) {
+        sum += bound * chi / (bound + chi);
+      } else {
+        sum += chi <= bound ? chi : 2 * options_.delta * std::sqrt(chi) - bound;
+      }
+    }
+    return sum;
+  }
+
+ private:
+  double chiSquare(std::size_t k) const {
+    const PlanarLink& link = links_[k];
+    const Eigen::Vector3d error = residualOf(link, nodes_[link.from], nodes_[link.to]);
+    return error.dot(information_[k] * error);
+  }
+
+  void reweigh(double mu) {
+    const double delta = options_.delta;
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      if (!links_[k].robust) continue;
+      const double chi = chiSquare(k);
+      if (options_.loss == Loss::Huber) {
+        links_[k].weight = std::min(1.0, delta / std::max(std::sqrt(chi), 1e-300));
+      } else {
+        const double root = mu * delta * delta / (mu * delta * delta + chi);
+        links_[k].weight = root * root;
+      }
+    }
+  }
+
+  /// With the weights as they are.
+  double leastSquares() const {
+    double sum = 0;
+    for (std::size_t k = 0; k < links_.size(); ++k) sum += links_[k].weight * chiSquare(k);
+    return sum;
+  }
+
+  /// One step downhill with fixed weights; gives the damping that it took.
+  Result<double> step() {
+    constexpr double kLeastDamping = 1e-4;
+    constexpr double kMostDamping = 1e8;
+    const std::vector<PlanarPose> start = nodes_;
+    const double before = leastSquares();
+    system_.linearise(nodes_, links_);
+    for (double damping = damping_; damping < kMostDamping;
+         damping = std::max(kLeastDamping, 10 * damping)) {
+      if (!system_.solve(damping, step_)) continue;
+      for (std::size_t k = 0; k < nodes_.size(); ++k) {
+        nodes_[k] = {start[k].x + step_[k].x(), start[k].y + step_[k].y(),
+                     wrapAngle(start[k].theta + step_[k].z())};
+      }
+      if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
+        damping_ = damping > kLeastDamping ? 0.1 * damping : 0;
+        return damping;
+      }
+    }
+    nodes_ = start;  // at a minimum, as far as numbers can tell
+    if (before == 0 || system_.solve(0, step_)) return kMostDamping;
+    return Status::failed("the normal equations of the map are singular");
+  }
+
+  OptimiserOptions options_;
+  std::vector<PlanarPose>& nodes_;
+  std::vector<PlanarLink>& links_;
+  ChainSystem system_;
+  std::vector<Eigen::Matrix3d> information_;
+  std::vector<Eigen::Vector3d> step_;
+  double damping_ = 0;
+};
 
 }  // namespace
 
-Result<bool> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                      std::vector<PlanarLink>& links) {
-  std::vector<Block> blocks;
-  blocks.reserve(nodes.size());
-  for (const PlanarPose& node : nodes) blocks.push_back({node.x, node.y, node.theta});
+Result<Outcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
+                         std::vector<PlanarLink>& links) {
+  std::vector<PlanarPose> improved = nodes;
+  std::vector<PlanarLink> weighed = links;
+  Search search(options, improved, weighed);
+  const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
+  const Result<bool> converged = annealed ? search.anneal() : search.descend(true);
+  if (!converged.isOk()) return converged.status();
+  const Outcome outcome = {converged.value(), search.energy()};
+  nodes = std::move(improved);
+  links = std::move(weighed);
+  return outcome;
+}
 
-  PlanarManifold manifold;
-  ceres::HuberLoss huber(options.huber_delta);
-  ceres::Problem::Options ownership;
-  ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(ownership);
-  for (Block& block : blocks) problem.AddParameterBlock(block.data(), 3, &manifold);
-  problem.SetParameterBlockConstant(blocks.front().data());
-  for (const PlanarLink& link : links) {
-    problem.AddResidualBlock(new PlanarLinkCost(link.pose, whiteningOf(link.covariance)),
-                             link.robust ? &huber : nullptr, blocks[link.from].data(),
-                             blocks[link.to].data());
-  }
-
-  ceres::Solver::Summary summary;
-  ceres::Solve(solverOptions(options), &problem, &summary);
-  if (!summary.IsSolutionUsable()) return Status::failed(summary.message);
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    nodes[k] = {blocks[k][0], blocks[k][1], wrapAngle(blocks[k][2])};
-  }
-  for (PlanarLink& link : links) {
-    link.weight = huberWeight(link, blocks[link.from], blocks[link.to], options.huber_delta);
-  }
-  return summary.termination_type == ceres::CONVERGENCE;
+Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& reckoned,
+                      std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links) {
+  const std::vector<PlanarPose> start = nodes;
+  const std::vector<PlanarLink> as_it_is = links;
+  Result<Outcome> best = optimise(options, nodes, links);
+  if (options.loss == Loss::Huber) return best;  // convex enough: one minimum
+  const bool all_believed =
+      std::ranges::all_of(links, [](const PlanarLink& link) { return link.weight > kBelieved; });
+  if (best.isOk() && best.value().converged && all_believed) return best;
+  const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> believed) {
+    const Result<Outcome> outcome = optimise(options, from, believed);
+    if (!outcome.isOk()) return;
+    if (best.isOk() && best.value().energy <= outcome.value().energy) return;
+    best = outcome;
+    nodes = std::move(from);
+    links = std::move(believed);
+  };
+  std::vector<PlanarLink> doubted = as_it_is;
+  for (PlanarLink& link : doubted) link.weight = link.robust ? kDoubt : 1;
+  attempt(reckoned, std::move(doubted));
+  options.annealed = true;
+  attempt(start, as_it_is);
+  return best;
 }
 
 }  // namespace tolman::experience_map

@@ -10,10 +10,12 @@ Status PlaceReplay::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
+  seed_ = context.seed;
   return reset();
 }
 
 Status PlaceReplay::reset() {
+  random_ = RandomStream(seed_);
   views_.clear();
   templates_ = 0;
   owed_.reset();
@@ -28,8 +30,22 @@ void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_t
   observation.template_id = templates_++;
 }
 
+void PlaceReplay::claim(const View& view, const PlanarPose& here_in_earlier,
+                        PlaceObservation& observation) const {
+  const PlanarPose here = compose(view.in_template, here_in_earlier);
+  observation.recognition = Recognition::Familiar;
+  observation.template_id = view.template_id;
+  observation.relative_yaw = here.theta;
+  if (!parameters_.relative_pose) return;
+  observation.has_relative_pose = true;
+  observation.T_template_current = fromPlanar(here);
+  const double p = parameters_.sigma_position * parameters_.sigma_position;
+  const double h = parameters_.sigma_heading * parameters_.sigma_heading;
+  observation.covariance.diagonal() << p, p, p, h, h, h;
+}
+
 /// The first candidate whose view is known.
-bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) const {
+bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
   const auto alike =
       std::find_if(frame.sensors.begin(), frame.sensors.end(),
                    [](const NamedArray& array) { return array.name == "place.candidate"; });
@@ -38,29 +54,30 @@ bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) c
     const auto number = [&](std::size_t k) { return static_cast<double>(alike->values[i + k]); };
     const auto view = views_.find(std::llround(number(0)));
     if (view == views_.end()) continue;
+    if (parameters_.kept < 1 && random_.uniform() >= parameters_.kept) continue;
     // The edge leads from here to the earlier frame; we want ourselves seen from the template.
-    const PlanarPose here_in_earlier = between({number(1), number(2), number(3)}, {});
-    const PlanarPose here = compose(view->second.in_template, here_in_earlier);
-    observation.recognition = Recognition::Familiar;
-    observation.template_id = view->second.template_id;
-    observation.relative_yaw = here.theta;
-    if (parameters_.relative_pose) {
-      observation.has_relative_pose = true;
-      observation.T_template_current = fromPlanar(here);
-      const double p = parameters_.sigma_position * parameters_.sigma_position;
-      const double h = parameters_.sigma_heading * parameters_.sigma_heading;
-      observation.covariance.diagonal() << p, p, p, h, h, h;
-    }
+    claim(view->second, between({number(1), number(2), number(3)}, {}), observation);
     return true;
   }
   return false;
+}
+
+/// A look-alike that is not in the data: any old view, as if it stood just here.
+bool PlaceReplay::invent(const Frame& frame, PlaceObservation& observation) {
+  if (!(parameters_.invented > 0) || random_.uniform() >= parameters_.invented) return false;
+  const auto young = views_.lower_bound(frame.source_index - parameters_.invented_age);
+  const auto old = std::distance(views_.begin(), young);
+  if (old == 0) return false;
+  const auto pick = random_.below(static_cast<std::uint64_t>(old));
+  claim(std::next(views_.begin(), static_cast<std::ptrdiff_t>(pick))->second, {}, observation);
+  return true;
 }
 
 Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
                             PlaceObservation& observation) {
   observation.frame = frame.frame;
   observation.stamp_ns = frame.stamp_ns;
-  if (recognise(frame, observation)) {
+  if (recognise(frame, observation) || invent(frame, observation)) {
     owed_ = frame.source_index;
     return Status::ok();
   }

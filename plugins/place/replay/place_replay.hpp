@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
-#include <unordered_map>
 
 #include "tolman/roles.hpp"
 
@@ -15,6 +15,9 @@ struct ReplayParameters {
   bool relative_pose = false;
   double sigma_position = 1.0;
   double sigma_heading = 0.1;
+  double kept = 1;
+  double invented = 0;
+  int invented_age = 100;
 
   static constexpr auto declaration() {
     using P = ReplayParameters;
@@ -31,7 +34,17 @@ struct ReplayParameters {
                       parameter("sigma_heading", &P::sigma_heading)
                           .range(1e-4, 3)
                           .unit("rad")
-                          .doc("Reported standard deviation of its heading."));
+                          .doc("Reported standard deviation of its heading."),
+                      parameter("kept", &P::kept)
+                          .range(0, 1)
+                          .doc("Share of the recorded candidates that are handed on."),
+                      parameter("invented", &P::invented)
+                          .range(0, 1)
+                          .doc("Share of the other frames at which any old view is claimed."),
+                      parameter("invented_age", &P::invented_age)
+                          .range(1, 1e9)
+                          .unit("frames")
+                          .doc("How old such a view is at least."));
   }
 };
 
@@ -55,10 +68,15 @@ class PlaceReplay final : public Place {
   };
   void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                     PlaceObservation& observation);
-  bool recognise(const Frame& frame, PlaceObservation& observation) const;
+  bool recognise(const Frame& frame, PlaceObservation& observation);
+  bool invent(const Frame& frame, PlaceObservation& observation);
+  void claim(const View& view, const PlanarPose& here_in_earlier,
+             PlaceObservation& observation) const;
 
   Parameters parameters_;
-  std::unordered_map<std::int64_t, View> views_;  ///< by source index
+  std::uint64_t seed_ = 0;
+  RandomStream random_{0};
+  std::map<std::int64_t, View> views_;  ///< by source index
   std::int64_t templates_ = 0;
   std::optional<std::int64_t> owed_;  ///< source index of a recognised view without a template
 };

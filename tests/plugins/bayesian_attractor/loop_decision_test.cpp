@@ -98,7 +98,9 @@ TEST_CASE("standing before one view habituates: no decision however long") {
 TEST_CASE("one view with a measured pose decides alone, and the pose is the experience's") {
   // Injected 4 E: (3) w_inte = 1 - 0.2 * 4 = 0.2, w_cali = 4 - 0.2 = 3.8; share 0.95.
   BayesianAttractor plugin;
-  REQUIRE(configure(plugin, kPlanted).isOk());
+  ParameterValues parameters = kPlanted;
+  parameters["path_evidence"] = false;
+  REQUIRE(configure(plugin, parameters).isOk());
   driveOut(plugin);
   // Template 20 is made 0.6 m beyond experience 19: too near for one of its own.
   const Decision stay = step(plugin, motionOf({0.6, 0, 0.1}, 20), novel(20));
@@ -121,6 +123,68 @@ TEST_CASE("one view with a measured pose decides alone, and the pose is the expe
   CHECK(pose.theta == Approx(-0.2));
   CHECK(decision.relative_yaw == Approx(-0.2));
   CHECK(decision.covariance == seen.covariance);
+}
+
+TEST_CASE(
+    "a decisive view decides alone, a merely plausible one waits, an impossible one is not seen") {
+  // Odometry claims to be right within 1 % (a parameter); the view is measured within 1 m.
+  struct Case {
+    double off;  // m, how far odometry contradicts the view
+    double injected;
+    Action action;
+  };
+  for (const Case& c : {Case{1.0, 4.0, Action::CloseLoop}, Case{3.5, 0.4, Action::Stay},
+                        Case{30.0, 0.0, Action::CreateExperience}}) {
+    BayesianAttractor plugin;
+    REQUIRE(configure(plugin, kPlanted).isOk());
+    driveOut(plugin);
+    PlaceObservation seen = familiar(0);
+    seen.has_relative_pose = true;
+    Motion back = motionOf({-95 - c.off, 0, 0}, 20);
+    back.covariance.diagonal().setConstant(1e-4);
+    const Decision decision = step(plugin, back, seen);
+    INFO(c.off << " m off");
+    CHECK(arrayOf(plugin, "grid.injected")[2] == Approx(c.injected));
+    CHECK((decision.action == Action::CloseLoop) == (c.action == Action::CloseLoop));
+  }
+}
+
+TEST_CASE("novel views between the familiar ones slow the decision only if they inhibit") {
+  const auto viewsNeeded = [](const char* inhibition) {
+    BayesianAttractor plugin;
+    ParameterValues parameters = kPlanted;
+    parameters["inhibition"] = std::string(inhibition);
+    REQUIRE(configure(plugin, parameters).isOk());
+    driveOut(plugin);
+    carryBack(plugin);
+    for (int views = 0; views < 15; ++views) {
+      const int frame = 21 + 2 * views;
+      const Motion motion = motionOf({views == 0 ? 0.0 : 5.0, 0, 0}, frame);
+      if (step(plugin, motion, familiar(views)).action == Action::CloseLoop) return views + 1;
+      step(plugin, motionOf({0, 0, 0}, frame + 1), novel(100 + views));
+    }
+    return 100;
+  };
+  CHECK(viewsNeeded("familiar_views") == 3);
+  CHECK(viewsNeeded("every_view") > 6);
+}
+
+TEST_CASE("look-alikes that path integration rules out do not disturb the true ones between them") {
+  BayesianAttractor plugin;
+  REQUIRE(configure(plugin, kPlanted).isOk());
+  driveOut(plugin);
+  carryBack(plugin);
+  int frame = 21;
+  Action action = Action::Stay;
+  for (int view = 0; view < 3; ++view) {
+    action = step(plugin, motionOf({view == 0 ? 0.0 : 5.0, 0, 0}, frame++), familiar(view)).action;
+    if (view == 2) break;
+    for (int lie = 0; lie < 4; ++lie) {  // templates 60 m and more away
+      step(plugin, motionOf({0, 0, 0}, frame++), familiar(12 + lie));
+      CHECK(arrayOf(plugin, "grid.injected")[2] == 0);
+    }
+  }
+  CHECK(action == Action::CloseLoop);
 }
 
 TEST_CASE("a long second lap gives loop links with spacing, all to old experiences") {

@@ -114,3 +114,32 @@ TEST_CASE("no precision at all keeps the first mean") {
   CHECK(sum.mean(0) == 1);
   CHECK(sum.precision == 0);
 }
+
+TEST_CASE("von Mises bumps: as Gaussians near by, weaker in conflict, no seam") {
+  const double turn = 2 * std::numbers::pi;
+  const PeriodicBump<1> a = {Phase<1>(turn - 0.01), 100};
+  const PeriodicBump<1> near = {Phase<1>(0.02), 50};
+  const PeriodicBump<1> product = combinedOnCircle<1>(a, near, turn);
+  CHECK(distance<1>(product.mean, combined<1>(a, near, turn).mean, turn) < 1e-5);
+  CHECK(product.precision == Approx(150).epsilon(1e-3));
+
+  const PeriodicBump<1> across = {Phase<1>(turn - 0.01 - std::numbers::pi), 60};
+  const PeriodicBump<1> left = combinedOnCircle<1>(a, across, turn);
+  CHECK(left.mean(0) == Approx(turn - 0.01));
+  CHECK(left.precision == Approx(40));  // opposite cues cancel
+
+  // The product of the densities, sampled.
+  const PeriodicBump<1> b = {Phase<1>(1.1), 80};
+  const PeriodicBump<1> both = combinedOnCircle<1>(a, b, turn);
+  double best = -1e300;
+  double best_angle = 0;
+  for (int i = 0; i < 36000; ++i) {
+    const double angle = turn * i / 36000;
+    const double log_density = 100 * std::cos(angle + 0.01) + 80 * std::cos(angle - 1.1);
+    if (log_density <= best) continue;
+    best = log_density;
+    best_angle = angle;
+  }
+  CHECK(both.mean(0) == Approx(best_angle).margin(2e-4));
+  CHECK(both.precision == Approx(best).epsilon(1e-6));
+}

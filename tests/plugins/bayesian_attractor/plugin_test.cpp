@@ -101,7 +101,7 @@ TEST_CASE("reset equals a fresh instance, bit by bit") {
 
 TEST_CASE("the bumps as arrays: names, shapes, peaks") {
   BayesianAttractor plugin;
-  REQUIRE(configure(plugin, {}).isOk());
+  REQUIRE(configure(plugin, {{"inhibition", std::string("every_view")}}).isOk());
   step(plugin, motionOf({0, 0, 0}), novel(0));
   step(plugin, motionOf({25, 50, std::numbers::pi / 2}, 1), nothing());
   const auto ring = arrayOf(plugin, "hd.activity");
@@ -133,7 +133,8 @@ TEST_CASE("lost odometry: views take over sooner, in the whole plugin") {
   const auto shareAfterOneView = [](TrackingState state) {
     BayesianAttractor plugin;
     REQUIRE(configure(plugin, {{"first_views_ignored", std::int64_t{0}},
-                               {"newest_ignored", std::int64_t{0}}})
+                               {"newest_ignored", std::int64_t{0}},
+                               {"path_evidence", false}})
                 .isOk());
     step(plugin, motionOf({0, 0, 0}), novel(0));
     Motion motion = motionOf({20, 0, 0}, 1);

@@ -92,3 +92,32 @@ TEST_CASE("reset forgets every template") {
   replay.next = 0;
   CHECK(replay.look({0, 0, 0, 0}).template_id == 0);
 }
+
+TEST_CASE("candidates can be dropped and look-alikes invented, by the seed") {
+  const auto answers = [](const ParameterValues& values) {
+    Replay replay(values);
+    std::vector<std::int64_t> seen;
+    for (int i = 0; i < 1000; ++i) {
+      const float earlier = static_cast<float>(5 * (i / 100));
+      const bool alike = i > 200 && i % 10 == 0;
+      const PlaceObservation observation = alike ? replay.look({earlier, 1, 0, 0}) : replay.look();
+      if (observation.recognition != Recognition::Familiar) continue;
+      seen.push_back(i);
+      if (i % 10 == 0 && alike) continue;
+      CHECK(observation.template_id <= i - 100);               // invented ones are old
+      CHECK(toPlanar(observation.T_template_current).x <= 0);  // a late template lies ahead
+    }
+    return seen;
+  };
+  const std::size_t all = answers({{"relative_pose", true}}).size();
+  CHECK(all == 79);
+  const std::size_t few = answers({{"relative_pose", true}, {"kept", 0.25}}).size();
+  CHECK(few > 8);
+  CHECK(few < 35);
+  const ParameterValues lying = {
+      {"relative_pose", true}, {"invented", 0.3}, {"invented_age", std::int64_t{100}}};
+  const auto lies = answers(lying);
+  CHECK(lies.size() > all + 180);
+  CHECK(lies.size() < all + 320);
+  CHECK(lies == answers(lying));
+}

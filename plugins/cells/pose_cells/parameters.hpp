@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters of the pose cells; the defaults are those published for the car data set.
+#pragma once
+
+#include "tolman/parameters.hpp"
+
+namespace tolman::pose_cells {
+
+struct PoseCellParameters {
+  int side = 30;
+  int headings = 36;
+  double cell_size = 2;
+  int excitation_width = 7;
+  double excitation_variance = 1;
+  int inhibition_width = 5;
+  double inhibition_variance = 2;
+  double global_inhibition = 2e-5;
+  double injected_energy = 0.15;
+  double active_decay = 1;
+  double restore = 0.04;
+  int newest_ignored = 10;
+  double experience_threshold = 1;
+
+  static constexpr auto declaration() {
+    using P = PoseCellParameters;
+    return parameters(
+        parameter("side", &P::side).range(7, 200).unit("cells").doc("Cells in x and in y."),
+        parameter("headings", &P::headings).range(7, 360).unit("cells").doc("Cells in theta."),
+        parameter("cell_size", &P::cell_size)
+            .range(1e-4, 1e4)
+            .unit("m")
+            .doc("Side of a cell; 2 for a car, 0.015 for a toy."),
+        parameter("excitation_width", &P::excitation_width)
+            .range(1, 7)
+            .unit("cells")
+            .doc("Width of the excitatory kernel, odd."),
+        parameter("excitation_variance", &P::excitation_variance)
+            .range(0.01, 100)
+            .unit("cells^2")
+            .doc("Its variance."),
+        parameter("inhibition_width", &P::inhibition_width)
+            .range(1, 7)
+            .unit("cells")
+            .doc("Width of the inhibitory kernel, odd."),
+        parameter("inhibition_variance", &P::inhibition_variance)
+            .range(0.01, 100)
+            .unit("cells^2")
+            .doc("Its variance."),
+        parameter("global_inhibition", &P::global_inhibition)
+            .range(0, 1)
+            .doc("Taken from every cell in each step; the total activity is 1."),
+        parameter("injected_energy", &P::injected_energy)
+            .range(0, 10)
+            .doc("What a rested familiar view adds."),
+        parameter("active_decay", &P::active_decay)
+            .range(0, 30)
+            .doc("Habituation at rest, and what an immediate repetition adds."),
+        parameter("restore", &P::restore)
+            .range(0, 30)
+            .doc("Recovery from habituation with each view."),
+        parameter("newest_ignored", &P::newest_ignored)
+            .range(0, 1000000)
+            .unit("templates")
+            .doc("So many of the newest templates do not inject."),
+        parameter("experience_threshold", &P::experience_threshold)
+            .range(0.01, 1e4)
+            .unit("cells")
+            .doc("Experiences are at least so far apart."));
+  }
+};
+
+}  // namespace tolman::pose_cells

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One cycle: view, attractor dynamics, path integration, estimate, decision.
+#include "pose_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tolman::pose_cells {
+namespace {
+
+constexpr int kPeakRadius = 3;  // cells round the strongest one that count for the estimate
+
+void scaleToPeak(std::vector<float>& rates) {
+  const float peak = *std::ranges::max_element(rates);
+  if (!(peak > 0)) return;
+  for (float& rate : rates) rate /= peak;
+}
+
+}  // namespace
+
+Status PoseCells::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  if (parameters_.excitation_width % 2 == 0 || parameters_.inhibition_width % 2 == 0) {
+    return Status::invalidParameter("excitation_width and inhibition_width must be odd");
+  }
+  excitation_ = gaussianKernel(parameters_.excitation_width, parameters_.excitation_variance);
+  inhibition_ = gaussianKernel(parameters_.inhibition_width, parameters_.inhibition_variance);
+  return reset();
+}
+
+Status PoseCells::reset() {
+  const Parameters& p = parameters_;
+  state_.emplace(State{ActivityVolume(p.side, p.headings),
+                       ViewMemory({p.injected_energy, p.active_decay, p.restore, p.newest_ignored}),
+                       ExperienceMemory(p.experience_threshold),
+                       {}});
+  // In the middle, heading along x, as RatSLAM starts.
+  state_->volume.add(p.side / 2, p.side / 2, 0, 1);
+  state_->estimate = {0.5 * (p.side - p.side % 2), 0.5 * (p.side - p.side % 2), 0};
+  return Status::ok();
+}
+
+double PoseCells::headingCells(double angle) const {
+  return angle / (2 * std::numbers::pi) * parameters_.headings;
+}
+
+void PoseCells::attract() {
+  ActivityVolume& volume = state_->volume;
+  volume.excite(excitation_);
+  volume.inhibit(inhibition_);
+  volume.inhibitAll(static_cast<float>(parameters_.global_inhibition));
+  volume.normalise();
+}
+
+void PoseCells::integrate(const Motion& motion) {
+  const PlanarPose step = toPlanar(motion.T_previous_current);
+  state_->volume.move(step.x / parameters_.cell_size, step.y / parameters_.cell_size);
+  state_->volume.turn(headingCells(step.theta));
+}
+
+Status PoseCells::step(const Motion& motion, const PlaceObservation& observation,
+                       Decision& decision) {
+  const bool seen = observation.recognition != Recognition::None;
+  if (seen && observation.template_id < 0) {
+    return Status::invalidInput("a view was recognised, but its template_id is negative");
+  }
+  State& state = *state_;
+  decision.frame = motion.frame;
+  decision.stamp_ns = motion.stamp_ns;
+  integrate(motion);  // the motion leads to the view, so it comes first
+  const double turned = seen ? headingCells(observation.relative_yaw) : 0;
+  if (seen) {
+    const auto injection = state.views.see(observation.template_id, state.volume.peak(kPeakRadius));
+    if (injection) {
+      const CellPose& place = injection->place;
+      state.volume.add(static_cast<int>(std::lround(place.x)),
+                       static_cast<int>(std::lround(place.y)),
+                       static_cast<int>(std::lround(place.theta + turned)),
+                       static_cast<float>(injection->energy));
+    }
+  }
+  attract();
+  state.estimate = state.volume.peak(kPeakRadius);
+
+  if (seen) {
+    decision.template_id = observation.template_id;
+    decision.action =
+        state.experiences.decide(state.volume, state.estimate, turned, observation.template_id);
+    decision.relative_yaw = observation.relative_yaw;
+  } else if (state.experiences.current() < 0) {
+    state.experiences.createFirst(state.estimate);
+    decision.action = Action::CreateExperience;
+  }
+  decision.experience = state.experiences.current();
+  decision.heading = wrapPeriod(state.estimate.theta / parameters_.headings * 2 * std::numbers::pi,
+                                2 * std::numbers::pi);
+  return Status::ok();
+}
+
+void PoseCells::arrays(std::vector<NamedArray>& arrays) const {
+  const int side = parameters_.side;
+  const int headings = parameters_.headings;
+  const auto layer = static_cast<std::size_t>(side * side);
+  std::vector<float> ring(static_cast<std::size_t>(headings));
+  std::vector<float> sheet(layer);
+  const std::span<const float> values = state_->volume.values();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ring[i / layer] += values[i];
+    sheet[i % layer] += values[i];
+  }
+  scaleToPeak(ring);
+  scaleToPeak(sheet);
+  const CellPose& e = state_->estimate;
+  arrays.push_back({"hd.activity", {headings}, std::move(ring)});
+  arrays.push_back({"grid.activity", {side, side}, std::move(sheet)});
+  arrays.push_back(
+      {"pose.estimate",
+       {3},
+       {static_cast<float>(e.x), static_cast<float>(e.y), static_cast<float>(e.theta)}});
+}
+
+}  // namespace tolman::pose_cells

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells `pose_cells`: RatSLAM's network of pose cells and its experience decision.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "activity_volume.hpp"
+#include "experience_memory.hpp"
+#include "parameters.hpp"
+#include "tolman/plugin.hpp"
+#include "view_memory.hpp"
+
+namespace tolman::pose_cells {
+
+class PoseCells final : public Cells, public ArraySource {
+ public:
+  using Parameters = PoseCellParameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status step(const Motion& motion, const PlaceObservation& observation,
+              Decision& decision) override;
+  /// hd.activity {headings} and grid.activity {side, side}: sums over the other axes, peak 1; and
+  /// pose.estimate (x, y, theta in cells).
+  void arrays(std::vector<NamedArray>& arrays) const override;
+
+ private:
+  struct State {
+    ActivityVolume volume;
+    ViewMemory views;
+    ExperienceMemory experiences;
+    CellPose estimate;
+  };
+
+  void attract();
+  void integrate(const Motion& motion);
+  double headingCells(double angle) const;
+
+  Parameters parameters_;
+  std::vector<float> excitation_;
+  std::vector<float> inhibition_;
+  std::optional<State> state_;  ///< empty before configure()
+};
+
+}  // namespace tolman::pose_cells

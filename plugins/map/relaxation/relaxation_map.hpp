@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Map `relaxation`: RatSLAM's experience map behind the role.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "experience_graph.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::relaxation {
+
+struct Parameters {
+  int sweeps = 20;
+  double correction = 0.5;
+
+  static constexpr auto declaration() {
+    using P = Parameters;
+    return parameters(parameter("sweeps", &P::sweeps)
+                          .range(0, 10000)
+                          .doc("Sweeps over all links after each decision."),
+                      parameter("correction", &P::correction)
+                          .range(0, 0.5)
+                          .doc("Share of a disagreement that each end of a link takes up."));
+  }
+};
+
+class RelaxationMap final : public Map {
+ public:
+  using Parameters = relaxation::Parameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status update(const Motion& motion, const Decision& decision, MapUpdate& update) override;
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const override;
+  Status graph(MapGraph& graph) const override;
+  Status finish(const std::vector<MotionRevision>& revisions) override;
+
+ private:
+  struct PlacedFrame {
+    std::int64_t frame = -1;
+    std::int64_t experience = -1;
+    PlanarPose seen_from_experience;
+  };
+  struct Made {
+    std::int64_t frame = -1;
+    std::int64_t template_id = -1;
+  };
+  Status check(const Motion& motion, const Decision& decision) const;
+  void obey(const Motion& motion, const Decision& decision);
+  void arriveAt(std::int64_t experience, const PlanarPose& offset, std::int64_t stamp_ns);
+  PlanarPose inWorld(const PlanarPose& pose) const;
+  PlanarPose placeOf(const PlacedFrame& placed) const;
+
+  Parameters parameters_;
+  ExperienceGraph experiences_;
+  std::vector<Made> made_;
+  std::vector<PlacedFrame> frames_;
+  std::int64_t current_ = -1;
+  PlanarPose accumulated_;  ///< since the current experience, seen from it
+  std::int64_t left_ns_ = 0;
+  std::int64_t loops_ = 0;
+  std::int64_t version_ = 0;
+};
+
+}  // namespace tolman::relaxation

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The cognitive map on real KITTI motion: configs/motion.yaml, one preset for all sequences.
+#include <sqlite3.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <tolman/geometry.hpp>
+
+#include "end_to_end/process.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// True poses, chained from EDGE_SE2 lines.
+std::vector<tolman::PlanarPose> truthOf(const fs::path& folder) {
+  std::vector<tolman::PlanarPose> poses = {{}};
+  std::ifstream stream(folder / "ground_truth.g2o");
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream fields(line);
+    std::string tag;
+    int from = 0;
+    int to = 0;
+    tolman::PlanarPose step;
+    fields >> tag >> from >> to >> step.x >> step.y >> step.theta;
+    if (fields) poses.push_back(compose(poses.back(), step));
+  }
+  return poses;
+}
+
+struct LoopLink {
+  std::size_t from_frame = 0;
+  std::size_t to_frame = 0;
+};
+
+std::vector<LoopLink> loopsOf(const fs::path& run) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open_v2((run / "run.sqlite").c_str(), &database, SQLITE_OPEN_READONLY, nullptr) ==
+          SQLITE_OK);
+  sqlite3_stmt* rows = nullptr;
+  REQUIRE(sqlite3_prepare_v2(database,
+                             "SELECT a.frame, b.frame FROM link "
+                             "JOIN experience a ON a.id = link.\"from\" "
+                             "JOIN experience b ON b.id = link.\"to\" WHERE kind = 'loop'",
+                             -1, &rows, nullptr) == SQLITE_OK);
+  std::vector<LoopLink> loops;
+  while (sqlite3_step(rows) == SQLITE_ROW) {
+    loops.push_back({static_cast<std::size_t>(sqlite3_column_int64(rows, 0)),
+                     static_cast<std::size_t>(sqlite3_column_int64(rows, 1))});
+  }
+  sqlite3_finalize(rows);
+  sqlite3_close(database);
+  return loops;
+}
+
+Finished runMotion(const std::string& config, const fs::path& folder, const fs::path& out) {
+  return tolman::test::tolman({"run", TOLMAN_SOURCE_DIR "/configs/" + config, "--set",
+                               "source.path=" + folder.string(), "--out", out.string(), "--quiet"});
+}
+
+struct Bar {
+  const char* sequence;
+  double rmse;
+};
+
+}  // namespace
+
+TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between distant places") {
+  const Bar bar = GENERATE(Bar{"00", 2.4}, Bar{"05", 2.8}, Bar{"06", 2.5}, Bar{"07", 3.1});
+  const auto folder = dataOrSkip(std::string("kitti_motion/") + bar.sequence);
+  if (!folder) return;
+  const TemporaryFolder out;
+  const fs::path run = out.path() / "run";
+  const Finished finished = runMotion("motion.yaml", *folder, run);
+  INFO(bar.sequence << " " << finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto metrics = readJson(run / "metrics.json");
+  CHECK(metrics["alignment"] == "se2");
+  CHECK(metrics["coverage"] == 1);
+  const double map = metrics["map"]["ate"]["rmse_m"].get<double>();
+  const double odometry = metrics["odometry"]["ate"]["rmse_m"].get<double>();
+  CHECK(map <= bar.rmse);
+  CHECK(map < odometry);
+
+  const auto truth = truthOf(*folder);
+  const auto loops = loopsOf(run);
+  CHECK_FALSE(loops.empty());
+  for (const LoopLink& loop : loops) {
+    const auto apart = between(truth.at(loop.from_frame), truth.at(loop.to_frame));
+    INFO("frames " << loop.from_frame << " and " << loop.to_frame);
+    CHECK(std::hypot(apart.x, apart.y) <= 10);
+  }
+  WARN("KITTI " << bar.sequence << " RMSE: odometry " << odometry << " m, map " << map << " m, "
+                << loops.size() << " loops");
+}
+
+TEST_CASE("KITTI motion: the printed equations run on the same data, worse on 05") {
+  const auto folder = dataOrSkip("kitti_motion/05");
+  if (!folder) return;
+  const TemporaryFolder out;
+  const Finished finished = runMotion("motion/paper.yaml", *folder, out.path() / "run");
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto metrics = readJson(out.path() / "run/metrics.json");
+  CHECK(metrics["map"]["ate"]["rmse_m"].get<double>() > 2.8);
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plugin as the host sees it, on small drives.
+#include "pose_cells.hpp"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+#include <stdexcept>
+
+#include "support/context.hpp"
+
+using namespace tolman;
+using namespace tolman::pose_cells;
+
+namespace {
+
+Motion motionOf(const PlanarPose& step, std::int64_t frame) {
+  Motion motion;
+  motion.frame = frame;
+  motion.stamp_ns = 1000 + frame * 100'000'000;
+  motion.state = TrackingState::Tracking;
+  motion.T_previous_current = fromPlanar(step);
+  return motion;
+}
+
+PlaceObservation view(std::int64_t id, bool known) {
+  PlaceObservation seen;
+  seen.recognition = known ? Recognition::Familiar : Recognition::Novel;
+  seen.template_id = id;
+  return seen;
+}
+
+struct Fixture {
+  explicit Fixture(const ParameterValues& values = {}) : services(values) {
+    REQUIRE(cells.configure(services).isOk());
+  }
+  Decision drive(const PlanarPose& step, const PlaceObservation& seen = {}) {
+    Decision decision;
+    const Status status = cells.step(motionOf(step, frame++), seen, decision);
+    INFO(status.message());
+    REQUIRE(status.isOk());
+    REQUIRE(firstInvalidField(decision).empty());
+    return decision;
+  }
+  test::TestContext services;
+  PoseCells cells;
+  std::int64_t frame = 0;
+};
+
+/// A round course of 40 views, driven `laps` times; every step `drift` too long.
+int loopsOf(Fixture& fixture, int laps, double drift) {
+  int loops = 0;
+  for (int k = 0; k < 40 * laps; ++k) {
+    const PlanarPose step = {k == 0 ? 0 : 1.5 * (1 + drift), 0,
+                             k == 0 ? 0 : 2 * std::numbers::pi / 40};
+    const Decision decision = fixture.drive(step, view(k % 40, k >= 40));
+    if (decision.action != Action::CloseLoop) continue;
+    CHECK(std::abs(decision.experience - k % 40) <= 1);
+    ++loops;
+  }
+  return loops;
+}
+
+}  // namespace
+
+TEST_CASE("the first frame creates experience 0, with or without a view") {
+  Fixture blind;
+  const Decision first = blind.drive({0, 0, 0});
+  CHECK(first.action == Action::CreateExperience);
+  CHECK(first.experience == 0);
+  CHECK(blind.drive({1, 0, 0}).action == Action::Stay);
+  Fixture seeing;
+  CHECK(seeing.drive({0, 0, 0}, view(0, false)).experience == 0);
+}
+
+TEST_CASE("heading follows the turns, positive to the left, 0 at the start") {
+  Fixture fixture;
+  double heading = 0;
+  CHECK(fixture.drive({0, 0, 0}).heading == Approx(0).margin(1e-3));
+  for (int k = 0; k < 50; ++k) {
+    heading += 0.1;
+    const Decision decision = fixture.drive({0.2, 0, 0.1});
+    CHECK(std::abs(wrapAngle(decision.heading - heading)) < 0.09);  // half a cell of 10 deg
+  }
+}
+
+TEST_CASE("the second lap finds the experiences of the first") {
+  Fixture fixture;
+  CHECK(loopsOf(fixture, 3, 0) > 60);
+}
+
+TEST_CASE("stamps are the data's (defect 9), and a reset gives the same answers bit by bit") {
+  Fixture fixture;
+  const Decision decision = fixture.drive({0, 0, 0}, view(0, false));
+  CHECK(decision.stamp_ns == 1000);
+  REQUIRE(fixture.cells.reset().isOk());
+  fixture.frame = 0;
+  const int loops = loopsOf(fixture, 2, 0.02);
+  std::vector<NamedArray> first;
+  fixture.cells.arrays(first);
+  REQUIRE(fixture.cells.reset().isOk());
+  fixture.frame = 0;
+  CHECK(loopsOf(fixture, 2, 0.02) == loops);
+  std::vector<NamedArray> second;
+  fixture.cells.arrays(second);
+  REQUIRE(first.size() == second.size());
+  for (std::size_t i = 0; i < first.size(); ++i) CHECK(first[i].values == second[i].values);
+}
+
+TEST_CASE("one look-alike does not move the packet, three in a row do") {
+  Fixture fixture({{"newest_ignored", std::int64_t{0}}});
+  for (int k = 0; k < 12; ++k) fixture.drive({2, 0, 0}, view(k, false));
+  for (int k = 0; k < 3; ++k) fixture.drive({2, 0, 0});
+  const auto x = [&] {
+    std::vector<NamedArray> arrays;
+    fixture.cells.arrays(arrays);
+    return arrays[2].values[0];
+  };
+  const float before = x();
+  fixture.drive({0, 0, 0}, view(2, true));
+  CHECK(std::abs(x() - before) < 0.5F);
+  for (int k = 3; k < 6; ++k) fixture.drive({2, 0, 0}, view(k, true));
+  CHECK(std::abs(x() - before) > 5);
+}
+
+TEST_CASE("wrong input and parameters are refused with the reason") {
+  test::TestContext even({{"excitation_width", std::int64_t{6}}});
+  PoseCells cells;
+  CHECK(cells.configure(even).message() == "excitation_width and inhibition_width must be odd");
+  Fixture fixture;
+  Decision decision;
+  CHECK(fixture.cells.step(motionOf({}, 0), view(-1, true), decision).code() ==
+        StatusCode::InvalidInput);
+}
