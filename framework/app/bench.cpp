@@ -5,12 +5,15 @@
 #include <oneapi/tbb/info.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <fstream>
+#include <iostream>
 #include <optional>
 #include <string_view>
 
+#include "app/progress_line.hpp"
 #include "pipeline/run.hpp"
 
 namespace tolman::app {
@@ -55,8 +58,13 @@ class ScratchFolder {
 /// Frames that are then still in flight are finished and not counted.
 class Stopwatch : public pipeline::Listener, public Cancellation {
  public:
-  Stopwatch(const Clock& clock, const Cancellation& cancellation, std::int64_t frames)
-      : clock_(clock), cancellation_(cancellation), frames_(frames), begin_ns_(clock.steadyNs()) {}
+  Stopwatch(const Clock& clock, const Cancellation& cancellation, std::int64_t frames,
+            ProgressLine& progress)
+      : clock_(clock),
+        cancellation_(cancellation),
+        frames_(frames),
+        progress_(progress),
+        begin_ns_(clock.steadyNs()) {}
 
   bool requested() const override { return complete_ || cancellation_.requested(); }
 
@@ -67,6 +75,7 @@ class Stopwatch : public pipeline::Listener, public Cancellation {
     }
     pass_.seconds = static_cast<double>(clock_.steadyNs() - begin_ns_) * kSecondsPerNs;
     complete_ = ++pass_.frames == frames_;
+    progress_.step();
     return Status::ok();
   }
   void onEvent(const pipeline::Event&) override {}
@@ -89,6 +98,7 @@ class Stopwatch : public pipeline::Listener, public Cancellation {
   const Clock& clock_;
   const Cancellation& cancellation_;
   std::int64_t frames_;
+  ProgressLine& progress_;
   std::int64_t begin_ns_;
   std::atomic<bool> complete_ = false;
   BenchPass pass_;
@@ -132,7 +142,9 @@ class Runner {
     if (!informed.isOk()) return Failure{ExitCode::Dataset, informed.message()};
     bench_.name = assembly.system().config.general.name;
     bench_.source = info.description;
-    auto measured = scope == Scope::Source ? sourceAlone(assembly) : chain(assembly);
+    ProgressLine progress(std::cerr, clock_, options_.audience, framesOf(info));
+    auto measured =
+        scope == Scope::Source ? sourceAlone(assembly, progress) : chain(assembly, progress);
     (void)assembly.teardown();
     if (auto* failure = std::get_if<Failure>(&measured)) return *failure;
     // What an interruption has cut short says nothing.
@@ -140,7 +152,12 @@ class Runner {
     return std::nullopt;
   }
 
-  std::variant<BenchPass, Failure> sourceAlone(Assembly& assembly) {
+  std::int64_t framesOf(const SourceInfo& info) const {
+    if (info.frames < 0 || options_.frames < 0) return std::max(info.frames, options_.frames);
+    return std::min(info.frames, options_.frames);
+  }
+
+  std::variant<BenchPass, Failure> sourceAlone(Assembly& assembly, ProgressLine& progress) {
     const int threads = assembly.system().config.general.threads;
     const tbb::global_control limit(
         tbb::global_control::max_allowed_parallelism,
@@ -159,19 +176,20 @@ class Runner {
       if (!status.isOk()) return Failure{ExitCode::Dataset, status.message()};
       pass.seconds += static_cast<double>(durations_ns.back()) * kSecondsPerNs;
       ++pass.frames;
+      progress.step();
     }
     pass.peak_mib = peakMemoryMib();
     pass.stages["source"] = evaluation::stageTiming(durations_ns);
     return pass;
   }
 
-  std::variant<BenchPass, Failure> chain(Assembly& assembly) {
+  std::variant<BenchPass, Failure> chain(Assembly& assembly, ProgressLine& progress) {
     const config::SystemConfig& config = assembly.system().config;
     config::PipelineSettings settings = config.pipeline;
     settings.mode = config::PipelineMode::Lossless;
     const pipeline::Policies policies{assembly.policy(Role::Odometry), assembly.policy(Role::Place),
                                       assembly.policy(Role::Cells), assembly.policy(Role::Map)};
-    Stopwatch stopwatch(clock_, cancellation_, options_.frames);
+    Stopwatch stopwatch(clock_, cancellation_, options_.frames, progress);
     pipeline::Chain stages({assembly.source(), assembly.odometry(), assembly.place(),
                             assembly.cells(), assembly.map()},
                            policies, stopwatch);

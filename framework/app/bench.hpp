@@ -18,6 +18,7 @@ struct BenchOptions {
   std::int64_t frames = -1;  ///< measure so many at most; -1 for all
   int repeats = 3;
   bool source_only = false;
+  Audience audience;  ///< of the progress of each pass
 };
 
 /// One drive through the data. Nothing is recorded and no observer listens.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman bench: how fast is the source, and every stage?
+#include <unistd.h>
+
 #include <iostream>
 
 #include "app/bench.hpp"
@@ -39,6 +41,7 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
       ->check(CLI::Range(1, 1000));
   command->add_flag("--source-only", options->source_only, "Leave the other stages out");
   command->callback([reader, options, &invocation] {
+    options->audience = {isatty(STDERR_FILENO) == 1 && !invocation.quiet, invocation.quiet};
     invocation.exit_code = static_cast<int>(bench(reader->read(invocation), *options, invocation));
   });
 }
