@@ -96,6 +96,7 @@ Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions optio
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     if (anchors_[i].visit) links.push_back(loopLink(log, i));
   }
+  options.solver = parameters_.solver;
   options.loss = parameters_.loss;
   options.delta =
       options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale;

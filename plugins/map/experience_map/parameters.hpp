@@ -14,6 +14,7 @@ struct Parameters {
   int final_iterations = 100;
   int interval = 10;
   double interval_growth = 0.02;
+  Solver solver = Solver::Elimination;
   Loss loss = Loss::GemanMcclure;
   double huber_delta = 1.0;
   double geman_mcclure_scale = 4.0;
@@ -47,6 +48,8 @@ struct Parameters {
             .range(0, 100)
             .unit("frames")
             .doc("What each node adds to the interval, so that the cost of a frame stays bounded."),
+        parameter("solver", &P::solver)
+            .doc("Who solves the least squares: our own elimination, or Ceres as in the paper."),
         parameter("loss", &P::loss).doc("How links lose trust; huber as in the paper."),
         parameter("huber_delta", &P::huber_delta)
             .range(1e-6, 1e9)

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ceres_optimiser.hpp"
 #include "chain_system.hpp"
 
 namespace tolman::experience_map {
@@ -138,6 +139,7 @@ class Search {
 
 Result<Outcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
                          std::vector<PlanarLink>& links) {
+  if (options.solver == Solver::Ceres) return optimiseWithCeres(options, nodes, links);
   std::vector<PlanarPose> improved = nodes;
   std::vector<PlanarLink> weighed = links;
   Search search(options, improved, weighed);

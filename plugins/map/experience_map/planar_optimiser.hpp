@@ -23,7 +23,15 @@ enum class Loss : std::uint8_t {
 inline constexpr std::array<std::string_view, 2> kLossNames = {"huber", "geman_mcclure"};
 constexpr std::span<const std::string_view> enumNames(Loss) { return kLossNames; }
 
+enum class Solver : std::uint8_t {
+  Elimination,  ///< our own, which knows that the graph is a chain with loops (chain_system)
+  Ceres,        ///< the paper's, which knows any graph
+};
+inline constexpr std::array<std::string_view, 2> kSolverNames = {"elimination", "ceres"};
+constexpr std::span<const std::string_view> enumNames(Solver) { return kSolverNames; }
+
 struct OptimiserOptions {
+  Solver solver = Solver::Elimination;
   int iterations = 100;
   Loss loss = Loss::Huber;
   double delta = 1;          ///< Huber: r up to which the loss is quadratic; Geman-McClure: c
