@@ -32,8 +32,11 @@ set(CPACK_DEBIAN_SDK_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>= 3.22), g++")
 set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")
 
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program
+# Beside each other as in the repository, so that their links lead somewhere.
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program
         PATTERN site EXCLUDE)
+install(DIRECTORY sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman/sdk
+        COMPONENT program)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman RENAME copyright
         COMPONENT program)

@@ -73,6 +73,21 @@ plugins::OrRefusal<Opened> open(const plugins::Catalogue& catalogue,
   return Opened{std::move(std::get<plugins::LoadedPlugin>(loaded)), nullptr};
 }
 
+/// Only the plugin's object knows whether it saves its state.
+void prepareRestart(const config::StageConfig& stage, isolation::Remote& remote,
+                    config::Problems& problems) {
+  const config::Origin origin = stage.given.find("on_failure")->origin;
+  if (const auto refusal = remote.create()) {
+    problems.push_back({origin, stage.path + ".plugin", refusal->text()});
+  } else if (!remote.enableRestart()) {
+    problems.push_back(
+        {origin, stage.path + ".on_failure",
+         "plugin '" + stage.plugin +
+             "' cannot go on in a new process where an old one ended (a source never can; places, "
+             "cells and maps must save their state); use 'skip' or 'stop'"});
+  }
+}
+
 using MaybeInstance = std::variant<std::unique_ptr<plugins::Instance>, Failure>;
 
 MaybeInstance instantiate(const CheckedSystem& system, std::size_t i) {
@@ -82,12 +97,6 @@ MaybeInstance instantiate(const CheckedSystem& system, std::size_t i) {
                         : plugins::Instance::create(system.plugins[i], stage.instance);
   if (auto* refusal = std::get_if<plugins::Refusal>(&created)) {
     return Failure{ExitCode::Plugin, refusal->text()};
-  }
-  if (stage.on_failure == config::FailurePolicy::Restart && !remote->enableRestart()) {
-    return Failure{ExitCode::Configuration,
-                   stage.path + ".on_failure: plugin '" + stage.plugin +
-                       "' cannot go on in a new process where an old one ended (a source never "
-                       "can; places, cells and maps must save their state); use 'skip' or 'stop'"};
   }
   return std::move(std::get<std::unique_ptr<plugins::Instance>>(created));
 }
@@ -136,6 +145,9 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
     auto& opened = std::get<Opened>(found);
     checked.values[stage.instance] =
         config::check(stage, opened.plugin.schema, checked.config.places, problems);
+    if (opened.remote && stage.on_failure == config::FailurePolicy::Restart) {
+      prepareRestart(stage, *opened.remote, problems);
+    }
     checked.plugins.push_back(std::move(opened.plugin));
     checked.remotes.push_back(std::move(opened.remote));
   }

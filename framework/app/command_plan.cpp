@@ -36,7 +36,7 @@ Result<std::int64_t> experienceOf(const std::string& text, const MapGraph& graph
   Eigen::Vector2d place;
   const std::string_view all = text;
   if (comma == std::string::npos || !parse(all.substr(0, comma), place.x()) ||
-      !parse(all.substr(comma + 1), place.y())) {
+      !parse(all.substr(comma + 1), place.y()) || !place.allFinite()) {
     return Status::invalidParameter("'" + text +
                                     "' is no place: give an experience (17) or metres right and "
                                     "forward of the start (12.5,-30)");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/report_files.hpp"
 
+#include <set>
+#include <string>
+
 #include "config/loader.hpp"
 #include "config/system_config.hpp"
 #include "record/atomic_file.hpp"
@@ -22,6 +25,15 @@ config::EvaluationSettings settingsOf(const fs::path& run) {
   return problems.empty() ? system.evaluation : config::EvaluationSettings{};
 }
 
+/// The run's own name, also of "runs/demo/"; a number tells namesakes apart.
+std::string folderOf(const fs::path& run, std::set<std::string>& taken) {
+  const fs::path path = fs::absolute(run).lexically_normal();
+  const std::string name = (path.has_filename() ? path : path.parent_path()).filename().string();
+  std::string unique = name;
+  for (int i = 2; !taken.insert(unique).second; ++i) unique = name + "-" + std::to_string(i);
+  return unique;
+}
+
 Status writeFigures(const report::RunPage& page, const fs::path& folder,
                     std::vector<fs::path>& written) {
   std::error_code error;
@@ -40,12 +52,13 @@ Status writeFigures(const report::RunPage& page, const fs::path& folder,
 Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
                                           const fs::path& folder) {
   std::vector<report::RunPage> pages;
+  std::set<std::string> taken;
   std::vector<fs::path> written{folder / "report.html"};
   for (const fs::path& run : runs) {
     auto page = report::makePage(run, settingsOf(run));
     if (!page.isOk()) return page.status();
-    const fs::path figures =
-        runs.size() == 1 ? folder / "figures" : folder / "figures" / run.filename();
+    const std::string name = folderOf(run, taken);
+    const fs::path figures = runs.size() == 1 ? folder / "figures" : folder / "figures" / name;
     const Status status = writeFigures(page.value(), figures, written);
     if (!status.isOk()) return status;
     pages.push_back(std::move(page).value());

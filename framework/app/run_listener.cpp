@@ -2,6 +2,12 @@
 #include "app/run_listener.hpp"
 
 namespace tolman::app {
+namespace {
+
+constexpr int kMostFailuresTold =
+    10;  // an observer that fails at every frame must not fill the log
+
+}  // namespace
 
 template <class Call>
 Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
@@ -13,7 +19,11 @@ Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
       observing_ = false;
       return status;
     }
-    onEvent({frame, LogLevel::Warning, observer.stage.instance().name(), status.message()});
+    const std::string& name = observer.stage.instance().name();
+    const int told = ++failures_told_[name];
+    if (told > kMostFailuresTold) continue;
+    const char* last = told == kMostFailuresTold ? "; more are not told" : "";
+    onEvent({frame, LogLevel::Warning, name, status.message() + last});
   }
   return Status::ok();
 }

@@ -2,6 +2,8 @@
 // What happens in a run goes to the record, the log and the observers.
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
 #include "app/assembly.hpp"
@@ -35,6 +37,7 @@ class RunListener : public pipeline::Listener {
   RunLog& log_;
   int arrays_every_;
   Status record_status_;
+  std::map<std::string, int> failures_told_;  // by observer
   bool observing_ = true;  ///< until an observer stops the run; what is known is still recorded
 };
 

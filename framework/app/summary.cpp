@@ -34,7 +34,7 @@ std::string healthText(const pipeline::Outcome& outcome, double wall_seconds) {
 }
 
 std::string figuresText(const evaluation::Metrics& metrics) {
-  std::string text = fmt::format("{:<10}", "stages");
+  std::string text = fmt::format("{:<10}mean: ", "stages");
   for (const auto& [stage, timing] : metrics.timing) {
     text += fmt::format("{} {:.2f} ms  ", stage, timing.mean_ms);
   }

@@ -86,7 +86,13 @@ std::string writeReal(double value) {
   if (is_short_integer) return std::to_string(static_cast<std::int64_t>(value));
   std::array<char, 32> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), end};
+  std::string text(digits.data(), end);
+  // YAML 1.1, which many programs read, takes "5e-04" for a text.
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos && text.find('.') == std::string::npos) {
+    text.insert(exponent, ".0");
+  }
+  return text;
 }
 
 }  // namespace tolman::config

@@ -118,9 +118,13 @@ class OdometryDriver final : public DriverOf<plugins::OdometryStage> {
 class PlaceDriver final : public DriverOf<plugins::PlaceStage> {
  public:
   using DriverOf::DriverOf;
-  void begin() override { templates_ = 0; }
+  void begin() override {
+    stage_.expect();
+    templates_ = 0;
+  }
   void resume(const RoleDriver& other) override {
     templates_ = static_cast<const PlaceDriver&>(other).templates_;
+    stage_.expect(templates_);
   }
   Status work(const Moment& moment, Answer& answer) override {
     const bool wants_motion = stage_.input() == PlaceInput::FrameAndMotion;

@@ -47,11 +47,14 @@ std::string text(const CheckResult& result) {
 
 std::string summary(const Report& report) {
   const auto count = [&](Severity severity) { return std::to_string(report.count(severity)); };
-  std::string line = report.id + ": " + (report.conforms() ? "conforms" : "does not conform") +
-                     " at level " + std::to_string(report.level) + ": " + count(Severity::Ok) +
-                     " ok, " + count(Severity::Warning) + " warnings, " + count(Severity::Error) +
-                     " errors, " + count(Severity::Skip) + " skipped; seed " +
-                     std::to_string(report.seed);
+  const bool whole = report.checks.size() > 1;  // one asked-for check says nothing of the rest
+  const std::string verdict = !report.conforms() ? "does not conform at level "
+                              : whole            ? "conforms at level "
+                                                 : "one check made, of level ";
+  std::string line = report.id + ": " + verdict + std::to_string(report.level) + ": " +
+                     count(Severity::Ok) + " ok, " + count(Severity::Warning) + " warnings, " +
+                     count(Severity::Error) + " errors, " + count(Severity::Skip) +
+                     " skipped; seed " + std::to_string(report.seed);
   return line + "\n";
 }
 

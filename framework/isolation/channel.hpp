@@ -31,7 +31,7 @@ class Descriptor {
 /// One note. `size` bytes of the sender's buffer belong to it.
 struct Note {
   std::uint32_t kind = 0;
-  std::uint32_t detail = 0;  ///< level of a log line
+  std::uint32_t detail = 0;  ///< number of a call and of its reply; level of a log line
   std::uint64_t size = 0;
   std::string text;  ///< at most kMostText; longer texts are cut
 };

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstring>
 #include <system_error>
 #include <thread>
@@ -76,24 +77,36 @@ ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::v
 
 ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
 
-bool ChildProcess::reap(int options) {
+bool ChildProcess::hasEnded() const {
+  if (reaped_) return true;
+  siginfo_t state{};
+  const int answer = ::waitid(P_PID, static_cast<id_t>(pid_), &state, WEXITED | WNOHANG | WNOWAIT);
+  return answer == 0 && state.si_pid == pid_;
+}
+
+void ChildProcess::reap() {
   int state = 0;
-  if (::waitpid(pid_, &state, options) != pid_) return false;
+  pid_t answer = 0;
+  do {
+    answer = ::waitpid(pid_, &state, 0);
+  } while (answer < 0 && errno == EINTR);
+  reaped_ = true;
+  if (answer != pid_) return;
   end_.signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
   end_.exit_code = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
-  reaped_ = true;
-  return true;
 }
 
 ProcessEnd ChildProcess::end(std::chrono::milliseconds patience) {
   if (reaped_) return end_;
   const auto deadline = std::chrono::steady_clock::now() + patience;
-  while (!reap(WNOHANG) && std::chrono::steady_clock::now() < deadline) {
+  while (!hasEnded() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // Its group outlives it: what it has started goes with it.
+  // Its group outlives it: what it has started goes with it. It may have left the group itself.
+  // Both before reaping, while the number is still its own.
   ::kill(-pid_, SIGKILL);
-  if (!reaped_) reap(0);
+  ::kill(pid_, SIGKILL);
+  reap();
   return end_;
 }
 

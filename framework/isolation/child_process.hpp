@@ -31,11 +31,12 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
+  bool hasEnded() const;
   /// Kills it, and what it started, unless it is gone within `patience`.
   ProcessEnd end(std::chrono::milliseconds patience);
 
  private:
-  bool reap(int options);
+  void reap();
   pid_t pid_ = -1;
   bool reaped_ = false;
   ProcessEnd end_;

@@ -140,6 +140,8 @@ class Decoder {
  public:
   Decoder(const std::byte* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
   std::size_t remaining() const { return size_ - position_; }
+  /// The rest is of no interest.
+  void skip() { position_ = size_; }
 
   template <class... T>
   void getAll(T&... values) {

@@ -28,6 +28,7 @@ bool changesState(Call call) {
     case Call::FinishPlace:
     case Call::FinishCells:
     case Call::FinishMap:
+    case Call::Watch:
       return true;
     default:
       return false;
@@ -72,6 +73,7 @@ std::optional<plugins::Refusal> Remote::load() {
 }
 
 std::optional<plugins::Refusal> Remote::create() {
+  if (created_) return std::nullopt;
   RefusalMessage refusal;
   const Status status = worker_->ask(Call::Create, kNothing, [&](Decoder& decoder) {
     decoder.getAll(refusal, has_arrays_, has_state_);
@@ -82,6 +84,7 @@ std::optional<plugins::Refusal> Remote::create() {
                             "a constructor must be cheap: move work to configure()"};
   }
   if (!refusal.id.empty()) return refusalOf(refusal);
+  created_ = true;
   return std::nullopt;
 }
 
@@ -89,6 +92,7 @@ bool Remote::enableRestart() {
   const bool remembers =
       manifest_.role == Role::Place || manifest_.role == Role::Cells || manifest_.role == Role::Map;
   restart_ = manifest_.role != Role::Source && (has_state_ || !remembers);
+  if (restart_) worker_->keepRequests();
   return restart_;
 }
 
@@ -109,10 +113,17 @@ Status Remote::exchange(Call call, const Worker::Write& write, const Worker::Rea
     if (!status.isOk()) return status;
   }
   Status status = worker_->ask(call, write, read);
-  if (!worker_->gone()) {
-    keep(call);
-    return status;
+  if (worker_->gone()) {
+    // An observer that dies at the beginning would be called without one ever after.
+    if (call == Call::Begin) restart_ = false;
+    return mourn(status);
   }
+  keep(call);
+  return status;
+}
+
+/// Notes how the process ended; the failure says what comes next.
+Status Remote::mourn(const Status& status) {
   constexpr std::string_view kSubject = "its process ";
   const std::string& what = status.message();
   epitaph_ = what.starts_with(kSubject) ? what.substr(kSubject.size()) : what;
@@ -133,40 +144,59 @@ void Remote::keep(Call call) {
   }
 }
 
+/// A plugin that cannot save its state after all goes on, but cannot be restarted.
 void Remote::checkpoint() {
   std::string state;
   const Status status =
       worker_->ask(Call::Save, kNothing, [&](Decoder& decoder) { decoder.get(state); });
-  if (!status.isOk()) return;  // the older one and the calls since then still serve
-  checkpoint_ = std::move(state);
   since_.clear();
+  if (status.isOk()) {
+    checkpoint_ = std::move(state);
+    return;
+  }
+  restart_ = false;
+  log_->warning("its state cannot be saved, so it will not be restarted: " + status.message());
+  if (worker_->gone()) (void)mourn(status);
 }
 
+/// A failure of the plugin's own among the calls since the checkpoint was one before, too; only the
+/// death of the process counts. In the beginning all went well.
 Status Remote::replay(const std::vector<Kept>& calls) {
   for (const Kept& kept : calls) {
     Status status = worker_->ask(
-        kept.call, [&](Encoder& encoder) { encoder.append(kept.request); }, kNothing);
-    if (worker_->gone()) return status;
+        kept.call, [&](Encoder& encoder) { encoder.append(kept.request); },
+        [](Decoder& decoder) { decoder.skip(); });
+    if (worker_->gone() || (belongsToTheBeginning(kept.call) && !status.isOk())) return status;
   }
   return Status::ok();
 }
 
-/// A failure of the plugin's own in here was one before, too: only the death of the process counts.
-Status Remote::revive() {
-  ++restarts_;
+Status Remote::rebuild() {
+  created_ = false;
   auto refusal = load();
+  worker_->serve(nullptr, cancellation_);  // what is logged now was logged before
   if (!refusal) refusal = create();
-  if (refusal) return Status::failed("a new process cannot be started: " + refusal->message);
+  if (refusal) return Status::failed(refusal->message);
   Status status = replay(beginning_);
   if (status.isOk() && !checkpoint_.empty()) {
     status = worker_->ask(
         Call::Restore, [&](Encoder& encoder) { encoder.put(checkpoint_); }, kNothing);
   }
-  if (status.isOk()) status = replay(since_);
-  if (!status.isOk()) return Status::failed("a new process did not get far: " + status.message());
+  return status.isOk() ? replay(since_) : status;
+}
+
+Status Remote::revive() {
+  ++restarts_;
+  const Status status = rebuild();
+  if (!status.isOk()) {
+    worker_->abandon();  // half a plugin is none
+    return mourn(Status::failed("a new process did not get far: " + status.message()));
+  }
+  worker_->keepRequests();
   worker_->serve(log_, cancellation_);
   amnesia_ = !has_state_;
-  log_->warning(fmt::format("process {} of {} has taken over", restarts_ + 1, kMostRestarts + 1));
+  log_->warning(
+      fmt::format("a new process has taken over ({} of {} restarts)", restarts_, kMostRestarts));
   return Status::ok();
 }
 

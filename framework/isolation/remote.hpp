@@ -23,7 +23,7 @@ class Remote {
   /// library that brings its process down, plugin/no-process.
   static plugins::OrRefusal<std::shared_ptr<Remote>> start(const plugins::Manifest& manifest,
                                                            const Launch& launch);
-  /// Makes the plugin's object. Refusals: as Instance::create().
+  /// Makes the plugin's object, once. Refusals: as Instance::create().
   std::optional<plugins::Refusal> create();
   /// Calls are kept from now on. False when this plugin cannot go on in a new process: a source
   /// would begin anew, and what places, cells or maps know would be lost unless they save it.
@@ -35,6 +35,8 @@ class Remote {
   bool hasState() const { return has_state_; }
   /// Whether the plugin lost its memory since this was asked last.
   bool takeAmnesia() { return std::exchange(amnesia_, false); }
+  /// Whether the process outlived the last call.
+  bool alive() const { return !worker_->gone(); }
 
   Status configure(const Context& context);
   template <class... I, class... O>
@@ -58,6 +60,8 @@ class Remote {
   std::optional<plugins::Refusal> load();
   Status exchange(Call call, const Worker::Write& write, const Worker::Read& read);
   Status revive();
+  Status rebuild();
+  Status mourn(const Status& status);
   Status replay(const std::vector<Kept>& calls);
   void keep(Call call);
   void checkpoint();
@@ -66,6 +70,7 @@ class Remote {
   Launch launch_;
   Schema schema_;
   std::unique_ptr<Worker> worker_;
+  bool created_ = false;
   bool has_arrays_ = false;
   bool has_state_ = false;
   Logger* log_ = nullptr;

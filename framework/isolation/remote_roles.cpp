@@ -62,15 +62,21 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
  public:
   using RemoteRole::RemoteRole;
   Status track(const Frame& frame, Motion& motion) override {
+    const double dt = static_cast<double>(frame.stamp_ns - asked_ns_) * 1e-9;
+    asked_ns_ = frame.stamp_ns;
     const Status status = ask(Call::Track, std::tie(frame), std::tie(motion));
-    if (!status.isOk()) return status;
-    // A fresh start would say that the robot stood still.
-    if (remote_->takeAmnesia() && motion.state == TrackingState::Initialising && seen_) {
-      motion.state = TrackingState::Lost;
-      motion.T_previous_current = last_.T_previous_current;
-      motion.covariance = Matrix6d::Identity();
-      setPlanarVelocity(motion, static_cast<double>(frame.stamp_ns - last_.stamp_ns) * 1e-9);
+    if (!status.isOk()) {
+      if (!remote_->alive()) ++missed_;
+      return status;
     }
+    forgetful_ = (forgetful_ || remote_->takeAmnesia()) &&
+                 motion.state == TrackingState::Initialising && seen_;
+    if (forgetful_) {
+      predict(motion, dt);
+    } else if (missed_ > 0) {
+      takeOutMissed(motion, dt);
+    }
+    missed_ = 0;
     last_ = motion;
     seen_ = true;
     return status;
@@ -80,7 +86,26 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
   }
 
  private:
+  /// A fresh start would say that the robot stood still.
+  void predict(Motion& motion, double dt) const {
+    motion.state = TrackingState::Lost;
+    motion.T_previous_current = last_.T_previous_current;
+    motion.covariance = Matrix6d::Identity();
+    setPlanarVelocity(motion, dt);
+  }
+  /// A plugin that was restored never saw the fatal frames, so its motion spans them. For those
+  /// frames the host has put in the last motion: that part is not this frame's.
+  void takeOutMissed(Motion& motion, double dt) const {
+    for (int i = 0; i < missed_; ++i) {
+      motion.T_previous_current = last_.T_previous_current.inverse() * motion.T_previous_current;
+    }
+    setPlanarVelocity(motion, dt);
+  }
+
   Motion last_;
+  std::int64_t asked_ns_ = 0;
+  int missed_ = 0;  ///< frames that no process has survived
+  bool forgetful_ = false;
   bool seen_ = false;
 };
 

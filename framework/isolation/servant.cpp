@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isolation/servant.hpp"
 
+#include <fcntl.h>
 #include <oneapi/tbb/global_control.h>
 #include <poll.h>
 #include <signal.h>
@@ -57,11 +58,13 @@ class LateArtefacts : public ArtefactWriter {
 /// Ends this process, and what the plugin started, as soon as the host is no more: the plugin may
 /// be in a call that never ends.
 void followHost(int socket) {
-  std::thread([socket] {
+  // The group as it was made: a plugin that changes its own must not take the host's with it.
+  std::thread([socket, group = ::getpid()] {
     pollfd watched{socket, 0, 0};  // only that it was hung up
     while (::poll(&watched, 1, -1) <= 0) {
     }
-    ::kill(0, SIGKILL);
+    ::kill(-group, SIGKILL);
+    ::kill(group, SIGKILL);
   }).detach();
 }
 
@@ -95,6 +98,9 @@ class Servant {
         services_(services),
         log_(socket_),
         cancellation_(*reinterpret_cast<const ControlBlock*>(control_.view(sizeof(ControlBlock)))) {
+    for (const int descriptor : descriptors) {
+      ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);  // what the plugin starts must not hold them
+    }
     followHost(socket_.descriptor());
     addOwnCalls();
   }
@@ -120,6 +126,7 @@ class Servant {
     }
     Note reply;
     reply.kind = static_cast<std::uint32_t>(Word::Reply);
+    reply.detail = question.detail;
     reply.size = out.size();
     (void)socket_.send(reply);
   }

@@ -66,7 +66,7 @@ const std::byte* SharedBuffer::view(std::size_t size) {
   if (size <= mapped_) return memory_;
   const std::size_t there = sizeOf(descriptor_);
   if (there < size) throw std::runtime_error("a message longer than its memory");
-  map(there);
+  map(std::min(there, (size + kStep - 1) / kStep * kStep));
   return memory_;
 }
 

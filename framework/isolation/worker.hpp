@@ -38,8 +38,11 @@ class Worker {
   /// One call. The status is the plugin's, or says what became of the process; `read` gets the
   /// answers when it is Ok.
   Status ask(Call call, const Write& write, const Read& read);
-  /// What the last call carried.
-  std::string lastRequest();
+  /// From now on what a call carried is kept until the next.
+  void keepRequests() { keep_requests_ = true; }
+  const std::string& lastRequest() const { return kept_request_; }
+  /// Ends the process.
+  void abandon();
   /// The process has ended or was ended.
   bool gone() const { return gone_; }
 
@@ -59,6 +62,9 @@ class Worker {
   Logger* log_ = nullptr;
   const Cancellation* cancellation_ = nullptr;
   std::size_t request_size_ = 0;
+  std::uint32_t serial_ = 0;  ///< of the last call
+  bool keep_requests_ = false;
+  std::string kept_request_;
   bool gone_ = false;
 };
 

@@ -61,8 +61,8 @@ bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int
   const int told = ++failures_told_[std::string(role)];
   if (told > kMostFailuresTold) return true;
   const char* last = told == kMostFailuresTold ? "; more are counted, not told" : "";
-  listener_.onEvent(
-      {frame, LogLevel::Warning, std::string(role), status.message() + "; frame skipped" + last});
+  listener_.onEvent({frame, LogLevel::Warning, std::string(role),
+                     status.message() + (frame < 0 ? "; going on" : "; frame skipped") + last});
   return true;
 }
 
@@ -108,14 +108,18 @@ bool Chain::takePlace(Packet& packet) {
 
 bool Chain::decide(Packet& packet) {
   Status status;
+  Status arrays;
   {
     const StageTimer timer(packet.times, Role::Cells);
     status = stages_.cells.step(packet.motion, packet.place, packet.decision);
     if (status.isOk()) {
-      status = stages_.cells.instance().arrays(packet.frame.frame, packet.cells);
+      arrays = stages_.cells.instance().arrays(packet.frame.frame, packet.cells);
     }
   }
   if (!resolve(status, policies_.cells, packet.frame.frame, "cells")) return false;
+  // A decision that was taken stands, whatever becomes of the pictures.
+  if (!resolve(arrays, policies_.cells, packet.frame.frame, "cells")) return false;
+  if (!arrays.isOk()) packet.cells.clear();
   if (!status.isOk()) {
     packet.decision = Decision{};
     packet.decision.frame = packet.frame.frame;
@@ -206,7 +210,10 @@ void Chain::finish() {
   step(stages_.map.finish(revisions), policies_.map, "map");
   const Status status = stages_.map.graph(graph);
   step(status, policies_.map, "map");
-  if (!status.isOk()) return;
+  if (!status.isOk()) {
+    if (policies_.map == config::FailurePolicy::Stop) return;
+    graph = MapGraph();  // what was published stays; the others still hear of the end
+  }
   const Status told = listener_.onFinish(revisions, graph);
   if (!told.isOk()) fail(told);
 }

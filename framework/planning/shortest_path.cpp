@@ -2,6 +2,7 @@
 #include "planning/shortest_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <queue>
@@ -38,9 +39,10 @@ Network networkOf(const MapGraph& graph) {
   const double speed = meanSpeed(graph);
   Network network(graph.experiences.size());
   for (const Link& link : graph.links) {
-    if (link.weight < kLeastWeight) continue;
     const double metres = lengthOf(link);
     const double seconds = link.duration > 0 ? link.duration : metres / speed;
+    // Neither do those that a damaged record has made endless.
+    if (link.weight < kLeastWeight || !std::isfinite(metres) || !std::isfinite(seconds)) continue;
     const auto from = static_cast<std::size_t>(link.from);
     const auto to = static_cast<std::size_t>(link.to);
     network.at(from).push_back({to, seconds, metres});

@@ -138,10 +138,38 @@ PlaceInput PlaceStage::input() {
 
 Status PlaceStage::observe(const Frame& frame, const Motion* motion,
                            PlaceObservation& observation) {
-  return instance_->call<Place>("observe", frame.frame, [&](Place& place) {
-    const Status status = place.observe(frame, motion, observation);
-    return status.isOk() ? checkAnswer(frame, observation) : status;
+  const Status answered = instance_->call<Place>("observe", frame.frame, [&](Place& place) {
+    Status status = place.observe(frame, motion, observation);
+    if (status.isOk()) status = checkAnswer(frame, observation);
+    if (status.isOk()) status = check(observation);
+    return status;
   });
+  if (!answered.isOk()) {
+    templates_ = -1;  // it may have made one nevertheless
+  } else if (observation.recognition == Recognition::Novel) {
+    templates_ = observation.template_id + 1;
+  }
+  return answered;
+}
+
+Status PlaceStage::check(const PlaceObservation& observation) const {
+  const std::string id = std::to_string(observation.template_id);
+  if (observation.recognition == Recognition::None) {
+    return observation.template_id == -1
+               ? Status::ok()
+               : Status::failed("has no view, but template " + id + "; None has template_id -1");
+  }
+  if (observation.template_id < 0) return Status::failed("there is no template " + id);
+  if (templates_ < 0) return Status::ok();
+  if (observation.recognition == Recognition::Novel) {
+    return observation.template_id == templates_
+               ? Status::ok()
+               : Status::failed("made template " + id + "; ids are dense, the next one is " +
+                                std::to_string(templates_));
+  }
+  return observation.template_id < templates_
+             ? Status::ok()
+             : Status::failed("recognised template " + id + ", which was never made");
 }
 
 Status PlaceStage::finish() {

@@ -52,8 +52,16 @@ class PlaceStage : public Stage {
   using Stage::Stage;
   /// Constant after configure(); a throwing plugin counts as PlaceInput::Frame.
   PlaceInput input();
+  /// Checks that template ids are dense and known.
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
   Status finish();
+  /// How many templates there are after reset() (none); -1 after a saved state was loaded, or an
+  /// answer was lost: the next new one tells.
+  void expect(std::int64_t templates = 0) { templates_ = templates; }
+
+ private:
+  Status check(const PlaceObservation& observation) const;
+  std::int64_t templates_ = 0;
 };
 
 class CellsStage : public Stage {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a recorded run means: trajectories, graph, counters.
+#include <algorithm>
 #include <unordered_map>
 
 #include "record/run_reader.hpp"
@@ -91,6 +92,12 @@ const Result<MapGraph>& RunReader::graph() const {
     MapGraph graph;
     graph.experiences = denseRows<Experience>(database_);
     graph.links = denseRows<Link>(database_);
+    const auto count = static_cast<std::int64_t>(graph.experiences.size());
+    for (const Link& link : graph.links) {
+      if (std::min(link.from, link.to) < 0 || std::max(link.from, link.to) >= count) {
+        throw BadRow("link " + std::to_string(link.id) + " ends at no experience");
+      }
+    }
     graph.version =
         integerOf(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
     return graph;

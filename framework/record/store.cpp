@@ -83,7 +83,17 @@ std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
     array.shape = shapeOf(rows.text());
     const std::vector<std::byte> bytes = rows.blob();
     if (bytes.size() % sizeof(float) != 0) throw BadRow("an array has a broken number of bytes");
-    array.values.resize(bytes.size() / sizeof(float));
+    std::size_t size = 1;
+    for (const int side : array.shape) {
+      if (side < 0 || (side > 0 && size > bytes.size() / static_cast<std::size_t>(side))) {
+        throw BadRow("an array's shape does not fit its values");
+      }
+      size *= static_cast<std::size_t>(side);
+    }
+    if (size != bytes.size() / sizeof(float)) {
+      throw BadRow("an array's shape does not fit its values");
+    }
+    array.values.resize(size);
     if (!bytes.empty()) std::memcpy(array.values.data(), bytes.data(), bytes.size());
   }
   return arrays;

@@ -19,7 +19,13 @@ constexpr double kRing = 170;
 constexpr double kTop = 60;
 
 float highest(const std::vector<float>& values) {
-  return values.empty() ? 1 : std::max(*std::max_element(values.begin(), values.end()), 1e-9F);
+  float most = 1e-9F;
+  for (const float value : values) most = std::isfinite(value) ? std::max(most, value) : most;
+  return most;
+}
+
+double shareOf(float value, float most) {
+  return std::isfinite(value) ? static_cast<double>(value) / most : 0;
 }
 
 /// Units of the ring as sectors, unit 0 ahead (up), to the left as headings grow; the sector's
@@ -33,10 +39,10 @@ void drawRing(Svg& svg, const Eigen::Vector2d& centre, const std::vector<float>&
   };
   svg.circle(centre, inner, "none", "#bbbbbb");
   const double step = 2 * std::numbers::pi / static_cast<double>(activity.size());
-  const double most = highest(activity);
+  const float most = highest(activity);
   for (std::size_t i = 0; i < activity.size(); ++i) {
     const double angle = step * static_cast<double>(i);
-    const double share = activity[i] / most;
+    const double share = shareOf(activity[i], most);
     svg.line(at(angle, inner), at(angle, inner + share * (outer - inner)), rateColour(share), 6);
   }
   svg.line(centre, at(heading, inner), kVermilion, 2.5);
@@ -47,14 +53,14 @@ void drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory&
   const int rows = sheet.shape[0];
   const int columns = sheet.shape[1];
   const double cell = kRing / std::max(rows, columns);
-  const double most = highest(activity);
+  const float most = highest(activity);
   for (int r = 0; r < rows; ++r) {
     for (int c = 0; c < columns; ++c) {
       const std::size_t i = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) +
                             static_cast<std::size_t>(c);
       // Overlapping a little: no seams.
       svg.rectangle(corner + cell * Eigen::Vector2d(r, columns - 1 - c), {cell + 0.4, cell + 0.4},
-                    rateColour(activity[i] / most));
+                    rateColour(shareOf(activity[i], most)));
     }
   }
 }

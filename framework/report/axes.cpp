@@ -35,10 +35,10 @@ std::vector<double> ticks(const Range& range, int wanted) {
   if (!(range.length() > 0) || !std::isfinite(range.length())) return {range.low};
   const double step = stepOf(range, wanted);
   const double slack = 1e-9 * range.length();
+  const double first = std::ceil((range.low - slack) / step);
+  if (std::abs(first) > 1e12) return {range.low};  // the steps are lost in the digits
   std::vector<double> values;
-  for (double i = std::ceil((range.low - slack) / step); i * step <= range.high + slack; ++i) {
-    values.push_back(i * step);
-  }
+  for (double i = first; i * step <= range.high + slack; ++i) values.push_back(i * step);
   return values;
 }
 

@@ -16,7 +16,8 @@ namespace tolman::report {
 namespace {
 
 constexpr int kMostBins = 70;
-constexpr double kPanel = 430;  // px
+constexpr double kFarthest = 1e7;  // m
+constexpr double kPanel = 430;     // px
 
 /// The path of the map with the rate of one unit on it.
 std::vector<Sample> samplesOf(const PopulationHistory& population, std::size_t unit,
@@ -28,6 +29,7 @@ std::vector<Sample> samplesOf(const PopulationHistory& population, std::size_t u
     const auto pose = poses.find(population.frames[i]);
     if (pose == poses.end() || unit >= population.activity[i].size()) continue;
     const Eigen::Vector3d p = pose->second->translation();
+    if (!(p.cwiseAbs().maxCoeff() < kFarthest)) continue;  // a map that has run away
     samples.push_back(
         {{p.x(), p.z()}, toPlanar(*pose->second).theta, population.activity[i][unit]});
   }

@@ -38,7 +38,7 @@ RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side) {
   RateMap map;
   Eigen::AlignedBox2d box;
   for (const Sample& sample : samples) box.extend(sample.position);
-  if (box.isEmpty()) return map;
+  if (box.isEmpty() || !box.sizes().allFinite()) return map;
   map.corner = box.min();
   map.bin = std::max(box.sizes().maxCoeff() / bins_on_the_long_side, 1e-6);
   const auto bins = [&](double length) { return static_cast<Eigen::Index>(length / map.bin) + 1; };

@@ -92,7 +92,9 @@ std::string errorTable(const evaluation::Metrics& metrics) {
   return fmt::format(
              "<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th><th>ATE "
              "rmse "
-             "m</th><th>mean</th><th>median</th><th>max</th><th>t_rel %</th><th>r_rel °/100 m</th>"
+             "m</th><th>mean</th><th>median</th><th>max</th><th title=\"KITTI drift: mean "
+             "translation error of sub-paths\">t_rel %</th><th title=\"KITTI drift: mean rotation "
+             "error of sub-paths\">r_rel °/100 m</th>"
              "<th>matched %</th></tr>\n",
              enumName(metrics.alignment)) +
          errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) + "</table></div>\n";
@@ -112,8 +114,22 @@ std::string healthTable(const Json& provenance, const evaluation::Metrics& metri
   return "<table>" + rows + "</table>\n";
 }
 
+/// What tells one run from another: where it lies, and which plugins did the work.
+std::string subtitle(const RunPage& run) {
+  std::string text = run.directory;
+  const auto plugins = run.provenance.find("plugins");
+  if (!run.provenance.is_object() || plugins == run.provenance.end()) return text;
+  for (const Json& plugin : *plugins) {
+    if (plugin.is_object()) {
+      text += " · " + plugin.value("stage", "?") + ": " + plugin.value("id", "?");
+    }
+  }
+  return text;
+}
+
 std::string section(const RunPage& run) {
-  std::string text = fmt::format("<section>\n<h1>{}</h1>\n", escaped(run.data.name));
+  std::string text = fmt::format("<section>\n<h1>{}</h1>\n<p>{}</p>\n", escaped(run.data.name),
+                                 escaped(subtitle(run)));
   text += errorTable(run.data.metrics);
   for (const Figure& figure : run.figures) {
     text += fmt::format("<figure id=\"{}\">\n{}<figcaption>{}</figcaption></figure>\n", figure.file,
@@ -135,7 +151,11 @@ Result<RunPage> makePage(const std::filesystem::path& directory,
   if (!opened.isOk()) return opened.status();
   auto data = readRun(*opened.value(), settings);
   if (!data.isOk()) return data.status();
-  RunPage page{std::move(data).value(), {}, nullptr, textOf(directory / "config.resolved.yaml")};
+  RunPage page{std::move(data).value(),
+               directory.filename().string(),
+               {},
+               nullptr,
+               textOf(directory / "config.resolved.yaml")};
   const Json provenance = Json::parse(textOf(directory / "run.json"), nullptr, false);
   if (!provenance.is_discarded()) page.provenance = provenance;
   const Status drawn = addFigures(page, *opened.value());

@@ -26,7 +26,7 @@ std::string timingFigure(const evaluation::Metrics& metrics) {
     svg.rectangle({110, y + 5}, {axes.pixelsX(timing.median_ms), 20}, kBlue);
     svg.text({102, y + 19}, stage, {Anchor::End});
     svg.text({116 + axes.pixelsX(timing.p90_ms), y + 19},
-             fmt::format("{:.2g} / {:.2g}", timing.median_ms, timing.p90_ms), {Anchor::Start, 11});
+             fmt::format("{:.3g} / {:.3g}", timing.median_ms, timing.p90_ms), {Anchor::Start, 11});
     y += 30;
   }
   axes.legend({{kBlue, "median"}, {"#cfe3f1", "90th percentile"}});

@@ -73,7 +73,7 @@ TEST_CASE("the packages say what they need and hold what they should") {
   for (const char* file :
        {"./usr/bin/tolman\n", "/tolman/plugins/tolman_source_town.so\n",
         "./usr/share/tolman/configs/demo.yaml\n", "./usr/share/doc/tolman/copyright\n",
-        "./usr/share/doc/tolman/write-a-plugin.md\n"}) {
+        "./usr/share/doc/tolman/docs/write-a-plugin.md\n"}) {
     INFO(file);
     CHECK(contains(program, file));
     CHECK_FALSE(contains(sdk, file));
