@@ -49,7 +49,7 @@ struct AttractorParameters {
   int patience = 10;
   bool path_evidence = true;
   double evidence_prior = 0.05;
-  double evidence_views = 20;
+  double evidence_views = 100;
   double evidence_gate = 16;
   double decisive_odds = 20;
   double drift_heading = 1e-4;
