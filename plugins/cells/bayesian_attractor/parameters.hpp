@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 #include <string_view>
+#include <tuple>
 
 #include "tolman/parameters.hpp"
 
@@ -48,7 +49,7 @@ struct AttractorParameters {
   int patience = 10;
   bool path_evidence = true;
   double evidence_prior = 0.05;
-  double evidence_views = 20;
+  double evidence_views = 100;
   double evidence_gate = 16;
   double decisive_odds = 20;
   double drift_heading = 1e-4;
@@ -69,7 +70,8 @@ struct AttractorParameters {
   int ring_units = 36;
   int sheet_units = 30;
 
-  static constexpr auto declaration() {
+ private:
+  static constexpr auto networkParameters() {
     using P = AttractorParameters;
     return parameters(
         parameter("energy_heading", &P::energy_heading)
@@ -111,7 +113,12 @@ struct AttractorParameters {
         parameter("inhibition", &P::inhibition).doc("When inhibition acts."),
         parameter("lost_trust", &P::lost_trust)
             .range(0, 1)
-            .doc("Factor on the integrator's precision at each view while odometry is lost."),
+            .doc("Factor on the integrator's precision at each view while odometry is lost."));
+  }
+
+  static constexpr auto decisionParameters() {
+    using P = AttractorParameters;
+    return parameters(
         parameter("consistency_gate", &P::consistency_gate)
             .doc("A view that contradicts the calibration starts it afresh; off as in the paper."),
         parameter("gate_heading", &P::gate_heading)
@@ -137,6 +144,25 @@ struct AttractorParameters {
             .range(0, 1000000)
             .unit("views")
             .doc("A calibration that no view supports for longer is dropped."),
+        parameter("newest_ignored", &P::newest_ignored)
+            .range(0, 1000000)
+            .unit("templates")
+            .doc("So many of the newest templates do not inject."),
+        parameter("first_views_ignored", &P::first_views_ignored)
+            .range(0, 1000000)
+            .unit("views")
+            .doc("No view injects before so many have been seen."),
+        parameter("habituation_increment", &P::habituation_increment)
+            .range(0, 30)
+            .doc("Habituation of a view that comes twice in a row."),
+        parameter("habituation_recovery", &P::habituation_recovery)
+            .range(0, 30)
+            .doc("Recovery from habituation with each view."));
+  }
+
+  static constexpr auto evidenceParameters() {
+    using P = AttractorParameters;
+    return parameters(
         parameter("path_evidence", &P::path_evidence)
             .doc("Weigh each familiar view against path integration; off as in the paper."),
         parameter("evidence_prior", &P::evidence_prior)
@@ -174,21 +200,12 @@ struct AttractorParameters {
         parameter("measured_sigma_heading", &P::measured_sigma_heading)
             .range(1e-6, 10)
             .unit("rad")
-            .doc("The same for its heading."),
-        parameter("newest_ignored", &P::newest_ignored)
-            .range(0, 1000000)
-            .unit("templates")
-            .doc("So many of the newest templates do not inject."),
-        parameter("first_views_ignored", &P::first_views_ignored)
-            .range(0, 1000000)
-            .unit("views")
-            .doc("No view injects before so many have been seen."),
-        parameter("habituation_increment", &P::habituation_increment)
-            .range(0, 30)
-            .doc("Habituation of a view that comes twice in a row."),
-        parameter("habituation_recovery", &P::habituation_recovery)
-            .range(0, 30)
-            .doc("Recovery from habituation with each view."),
+            .doc("The same for its heading."));
+  }
+
+  static constexpr auto experienceParameters() {
+    using P = AttractorParameters;
+    return parameters(
         parameter("experience_spacing", &P::experience_spacing)
             .range(0, 1e6)
             .unit("m")
@@ -217,6 +234,12 @@ struct AttractorParameters {
             .range(2, 512)
             .unit("cells")
             .doc("Grid cells along each side of the recorded sheet."));
+  }
+
+ public:
+  static constexpr auto declaration() {
+    return std::tuple_cat(networkParameters(), decisionParameters(), evidenceParameters(),
+                          experienceParameters());
   }
 };
 

@@ -10,11 +10,11 @@
 namespace tolman::bayesian_attractor {
 
 struct EvidenceSettings {
-  double prior = 0.05;      ///< share of familiar views that are right, before any was seen
-  double prior_views = 20;  ///< so many views weigh as much as that expectation
-  double gate = 16;         ///< chi-square of three degrees of freedom; 16 is 99.9 %
-  double decisive = 20;     ///< odds at which a view with a measured pose decides alone
-  double margin = 20;       ///< m around the path that count as explored
+  double prior = 0.05;       ///< share of familiar views that are right, before any was seen
+  double prior_views = 100;  ///< so many views weigh as much as that expectation
+  double gate = 16;          ///< chi-square of three degrees of freedom; 16 is 99.9 %
+  double decisive = 20;      ///< odds at which a view with a measured pose decides alone
+  double margin = 20;        ///< m around the path that count as explored
 };
 
 enum class Verdict : std::uint8_t {

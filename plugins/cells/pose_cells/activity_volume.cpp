@@ -65,7 +65,8 @@ ActivityVolume::ActivityVolume(int side, int headings) : side_(side), headings_(
 }
 
 std::size_t ActivityVolume::rowOf(int y, int theta) const {
-  return static_cast<std::size_t>(wrapped(theta, headings_) * side_ + wrapped(y, side_));
+  return static_cast<std::size_t>(wrapped(theta, headings_)) * static_cast<std::size_t>(side_) +
+         static_cast<std::size_t>(wrapped(y, side_));
 }
 
 float* ActivityVolume::row(Sheet& sheet, std::size_t index) const {
@@ -114,9 +115,9 @@ void ActivityVolume::spreadInto(Sheet& spread, std::span<const float> kernel) {
     for (int y = 0; y < side_; ++y) {
       const std::size_t from = rowOf(y, theta);
       if (now_.active[from] == 0) continue;
-      for (int k = -radius; k <= radius; ++k) {
-        addRow(kernel[static_cast<std::size_t>(k + radius)], row(now_, from), between_,
-               rowOf(y, theta + k));
+      for (std::size_t tap = 0; tap < kernel.size(); ++tap) {
+        const int off = static_cast<int>(tap) - radius;
+        addRow(kernel[tap], row(now_, from), between_, rowOf(y, theta + off));
       }
     }
   }
@@ -124,9 +125,9 @@ void ActivityVolume::spreadInto(Sheet& spread, std::span<const float> kernel) {
     for (int y = 0; y < side_; ++y) {
       const std::size_t from = rowOf(y, theta);
       if (between_.active[from] == 0) continue;
-      for (int k = -radius; k <= radius; ++k) {
-        addRow(kernel[static_cast<std::size_t>(k + radius)], row(between_, from), spread,
-               rowOf(y + k, theta));
+      for (std::size_t tap = 0; tap < kernel.size(); ++tap) {
+        const int off = static_cast<int>(tap) - radius;
+        addRow(kernel[tap], row(between_, from), spread, rowOf(y + off, theta));
       }
     }
   }
@@ -227,7 +228,7 @@ CellPose ActivityVolume::peak(int radius) const {
   const int x = best % side_;
   const int y = best / side_ % side_;
   const int theta = best / (side_ * side_);
-  const auto width = static_cast<std::size_t>(2 * radius + 1);
+  const std::size_t width = 2 * static_cast<std::size_t>(radius) + 1;
   std::vector<double> along_x(width);
   std::vector<double> along_y(width);
   std::vector<double> along_theta(width);

@@ -103,7 +103,7 @@ Status PoseCells::step(const Motion& motion, const PlaceObservation& observation
 void PoseCells::arrays(std::vector<NamedArray>& arrays) const {
   const int side = parameters_.side;
   const int headings = parameters_.headings;
-  const auto layer = static_cast<std::size_t>(side * side);
+  const auto layer = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   std::vector<float> ring(static_cast<std::size_t>(headings));
   std::vector<float> sheet(layer);
   const std::span<const float> values = state_->volume.values();

@@ -29,8 +29,7 @@ ChainSystem::ChainSystem(std::size_t nodes, const std::vector<PlanarLink>& links
     knots_.push_back(link.to);
   }
   std::ranges::sort(knots_);
-  const auto rest = std::ranges::unique(knots_);
-  knots_.erase(rest.begin(), rest.end());
+  knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
 
   const auto knotOf = [&](std::size_t node) {
     return static_cast<std::size_t>(std::ranges::lower_bound(knots_, node) - knots_.begin());

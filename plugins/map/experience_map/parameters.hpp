@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tolman/parameters.hpp>
+#include <tuple>
 
 #include "planar_optimiser.hpp"
 
@@ -30,7 +31,8 @@ struct Parameters {
   double measured_sigma_translation = 0.1;
   double measured_sigma_rotation = 0.01;
 
-  static constexpr auto declaration() {
+ private:
+  static constexpr auto optimiserParameters() {
     using P = Parameters;
     return parameters(
         parameter("optimise", &P::optimise).doc("Correct the map when loops close."),
@@ -61,7 +63,12 @@ struct Parameters {
             .range(0, 1)
             .doc("Loops with less weight than this after the last frame are taken back."),
         parameter("huber_odometry", &P::huber_odometry)
-            .doc("Whether odometry links may lose trust too, as in the paper."),
+            .doc("Whether odometry links may lose trust too, as in the paper."));
+  }
+
+  static constexpr auto trustParameters() {
+    using P = Parameters;
+    return parameters(
         parameter("drift_translation", &P::drift_translation)
             .range(1e-9, 1)
             .doc("Standard deviation of a link, m per m travelled, added to what odometry says."),
@@ -97,6 +104,11 @@ struct Parameters {
             .range(1e-9, 10)
             .unit("rad")
             .doc("The same for its rotation."));
+  }
+
+ public:
+  static constexpr auto declaration() {
+    return std::tuple_cat(optimiserParameters(), trustParameters());
   }
 };
 

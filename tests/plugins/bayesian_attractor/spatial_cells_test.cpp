@@ -112,3 +112,35 @@ TEST_CASE("a pose is displaced in its own frame") {
   CHECK(pose.position.y() == Approx(0.5));
   CHECK(pose.heading == Approx(2.5 * std::numbers::pi - 2));
 }
+
+TEST_CASE("support counts the views of the present calibration") {
+  SpatialCells cells = cellsWith({.patience = 2});
+  CHECK(cells.support().views == 0);
+  see(cells, {0, {2, 2}});
+  see(cells, {0.01, {2.1, 2}});
+  CHECK(cells.support().views == 2);
+  cells.noteUnsupportedView();
+  CHECK(cells.support().unsupported == 1);
+  see(cells, {0, {7, 2}});  // contradicts: starts afresh
+  CHECK(cells.support().views == 1);
+  CHECK(cells.support().unsupported == 0);
+  for (int i = 0; i < 3; ++i) cells.noteUnsupportedView();
+  CHECK(cells.support().views == 0);  // patience is over
+  see(cells, {0, {2, 2}});
+  cells.adoptEstimate();
+  CHECK(cells.support().views == 0);  // decided
+}
+
+TEST_CASE("on the circle a view from behind is no average: the ring keeps its side") {
+  SpatialCells gaussian = cellsWith({.consistency_gate = false});
+  SpatialCells von_mises = {
+      HeadDirectionRing({.energy = 100, .initial_calibration = 0, .on_circle = true}),
+      GridTorus({.period = 15, .initial_calibration = 0}, 10),
+      {.consistency_gate = false}};
+  for (SpatialCells* cells : {&gaussian, &von_mises}) see(*cells, {2.9, {0, 0}});
+  CHECK(gaussian.estimate().heading == Approx(0.179 * 2.9).epsilon(0.01));
+  // 0.821 at 0 against 0.179 at 2.9 rad: nearly opposite, and outvoted.
+  const double expected = std::atan2(0.179 * std::sin(2.9), 0.821 + 0.179 * std::cos(2.9));
+  CHECK(von_mises.estimate().heading == Approx(expected).epsilon(0.02));
+  CHECK(von_mises.ring().estimated().precision < 70);  // 100 if they agreed
+}

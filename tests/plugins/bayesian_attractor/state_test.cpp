@@ -52,6 +52,37 @@ TEST_CASE("a loaded instance decides as the saved one would, in the middle of a 
   CHECK(arrayOf(saved, "grid.calibration") == arrayOf(loaded, "grid.calibration"));
 }
 
+TEST_CASE("what path integration knows is saved: measured views are judged alike after loading") {
+  const auto frameOf = [](BayesianAttractor& plugin, int frame) {
+    PlaceObservation seen = frame < 60 ? novel(frame) : familiar((frame * 7) % 60);
+    if (frame >= 60 && frame % 3 == 0) seen = familiar(frame % 60);
+    seen.has_relative_pose = frame >= 60;
+    seen.covariance.diagonal().setConstant(0.01);
+    Motion motion = motionOf({4, 0.02, 2 * std::numbers::pi / 60}, frame);
+    motion.covariance.diagonal().setConstant(1e-4);
+    return step(plugin, motion, seen);
+  };
+  BayesianAttractor saved;
+  BayesianAttractor loaded;
+  REQUIRE(configure(saved, {}).isOk());
+  REQUIRE(configure(loaded, {}).isOk());
+  for (int frame = 0; frame < 90; ++frame) frameOf(saved, frame);
+  std::ostringstream stream;
+  REQUIRE(saved.save(stream).isOk());
+  REQUIRE(loadText(loaded, stream.str()).isOk());
+  int loops = 0;
+  for (int frame = 90; frame < 200; ++frame) {
+    const Decision a = frameOf(saved, frame);
+    const Decision b = frameOf(loaded, frame);
+    CHECK(a.action == b.action);
+    CHECK(a.experience == b.experience);
+    CHECK(a.heading == b.heading);
+    CHECK(arrayOf(saved, "grid.injected") == arrayOf(loaded, "grid.injected"));
+    loops += a.action == Action::CloseLoop ? 1 : 0;
+  }
+  CHECK(loops > 10);
+}
+
 TEST_CASE("damaged and foreign states are refused, and the instance is as after reset") {
   BayesianAttractor plugin;
   REQUIRE(configure(plugin, {}).isOk());

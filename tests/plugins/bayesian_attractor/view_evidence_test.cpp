@@ -66,7 +66,7 @@ TEST_CASE("the odds are calibrated: of views with odds about o, o / (1 + o) are 
 }
 
 TEST_CASE("the more look-alikes, the less a view is believed; right ones restore the trust") {
-  ViewEvidence evidence({});
+  ViewEvidence evidence({.prior_views = 20});
   const PathMemory memory = outAndBack(100, 1e-3);
   CHECK(evidence.prior() == Approx(0.05));
   for (int i = 0; i < 80; ++i) evidence.judge(memory, {}, at(40, 0, 0, 1, 0.1));

@@ -2,6 +2,7 @@
 // The plugin as the host sees it, on small drives.
 #include "pose_cells.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <stdexcept>
@@ -130,4 +131,39 @@ TEST_CASE("wrong input and parameters are refused with the reason") {
   Decision decision;
   CHECK(fixture.cells.step(motionOf({}, 0), view(-1, true), decision).code() ==
         StatusCode::InvalidInput);
+}
+
+// The packet sticks a little to the cells: places are right within a third of one.
+TEST_CASE("the arrays: sums over the other axes, peak one, where the robot is") {
+  Fixture fixture({{"side", std::int64_t{20}}, {"headings", std::int64_t{24}}});
+  fixture.drive({0, 0, 0});
+  for (int k = 0; k < 6; ++k) fixture.drive({2, 0, 0});                      // 6 cells along x
+  for (int k = 0; k < 6; ++k) fixture.drive({0, 0, std::numbers::pi / 12});  // a quarter turn
+  for (int k = 0; k < 3; ++k) fixture.drive({2, 0, 0});                      // 3 cells along y
+  std::vector<NamedArray> arrays;
+  fixture.cells.arrays(arrays);
+  REQUIRE(arrays.size() == 3);
+  CHECK(arrays[0].name == "hd.activity");
+  REQUIRE(arrays[0].values.size() == 24);
+  const auto ring = std::max_element(arrays[0].values.begin(), arrays[0].values.end());
+  CHECK(*ring == 1);
+  CHECK(ring - arrays[0].values.begin() == 6);
+  CHECK(arrays[1].shape == std::vector<int>{20, 20});
+  const auto sheet = std::max_element(arrays[1].values.begin(), arrays[1].values.end());
+  CHECK(sheet - arrays[1].values.begin() == 13 * 20 + 16);  // from the middle, (10, 10)
+  CHECK(arrays[2].values[0] == Approx(16).margin(0.3));
+  CHECK(arrays[2].values[1] == Approx(13).margin(0.3));
+  CHECK(arrays[2].values[2] == Approx(6).margin(0.3));
+}
+
+TEST_CASE("a torus: after a whole period straight on the packet is back") {
+  Fixture fixture({{"side", std::int64_t{15}}, {"cell_size", 1.0}});
+  fixture.drive({0, 0, 0});
+  std::vector<NamedArray> start;
+  fixture.cells.arrays(start);
+  for (int k = 0; k < 20; ++k) fixture.drive({0.75, 0, 0});
+  std::vector<NamedArray> round;
+  fixture.cells.arrays(round);
+  CHECK(round[2].values[0] == Approx(start[2].values[0]).margin(0.3));
+  CHECK(round[2].values[1] == Approx(start[2].values[1]).margin(0.3));
 }
