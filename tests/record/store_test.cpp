@@ -90,16 +90,13 @@ TEST_CASE("arrays keep name, shape and every bit, and know their source") {
 }
 
 TEST_CASE("a shape or a blob that cannot be is refused") {
-  for (const char* shape : {"axb", "2x", "x2", "2xx3", "2 x 3", "99999999999"}) {
+  for (const char* shape : {"axb", "2x", "x2", "2xx3", "2 x 3", "99999999999", "7", "3000x3000",
+                            "65536x65536x65536x65536", "-2x-3"}) {
     INFO(shape);
     Tables tables;
     tables.store.insertArrays(0, "cells", {{"a", {2, 3}, {1, 2, 3, 4, 5, 6}}});
     tables.database.execute("UPDATE array SET shape = '" + std::string(shape) + "'");
-    if (std::string(shape) == "2x") {  // an end after the last 'x' is no size, and no harm
-      CHECK(readArrays(tables.database, 0, "cells").at(0).shape == std::vector{2});
-    } else {
-      CHECK_THROWS_AS(readArrays(tables.database, 0, "cells"), BadRow);
-    }
+    CHECK_THROWS_AS(readArrays(tables.database, 0, "cells"), BadRow);
   }
   Tables tables;
   tables.store.insertArrays(0, "cells", {{"a", {1}, {1}}});
