@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Spacing, refinement in parallel, and the move into the window.
+#include "activation.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
+
+struct Landing {
+  bool inside = false;
+  float u = 0;
+  float v = 0;
+};
+
+Landing land(const PairGeometry& pair, const GradientImage& image, float u, float v, float d) {
+  const auto& m = pair.warp;
+  const float z = m[6] * u + m[7] * v + m[8] + pair.shift[2] * d;
+  if (!(z > 1e-3F)) return {};
+  const float x = (m[0] * u + m[1] * v + m[2] + pair.shift[0] * d) / z;
+  const float y = (m[3] * u + m[4] * v + m[5] + pair.shift[1] * d) / z;
+  return {image.contains(x, y, kPatternRadius + 1), x, y};
+}
+
+enum class Readiness { Ready, Wait, Hopeless };
+
+Readiness readiness(const ImmaturePoint& point) {
+  constexpr int kMostFailures = 3;
+  constexpr float kLargestRelativeSigma = 0.2F;
+  constexpr float kFarSigma = 0.01F;  // 1/m
+  if (point.failures >= kMostFailures) return Readiness::Hopeless;
+  const bool sharp = point.sigma < kLargestRelativeSigma * point.inverse_depth + kFarSigma;
+  return point.has_depth && sharp ? Readiness::Ready : Readiness::Wait;
+}
+
+}  // namespace
+
+void Occupancy::reset(int width, int height, float spacing) {
+  spacing_ = std::max(spacing, 1.0F);
+  columns_ = static_cast<int>(static_cast<float>(width) / spacing_) + 1;
+  rows_ = static_cast<int>(static_cast<float>(height) / spacing_) + 1;
+  cells_.assign(static_cast<std::size_t>(columns_ * rows_), Cell());
+}
+
+bool Occupancy::claim(float u, float v) {
+  const int column = static_cast<int>(u / spacing_);
+  const int row = static_cast<int>(v / spacing_);
+  for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
+    for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
+      const Cell& cell = cells_[index(r * columns_ + c)];
+      const float du = cell.u - u;
+      const float dv = cell.v - v;
+      if (du * du + dv * dv < spacing_ * spacing_) return false;
+    }
+  }
+  cells_[index(row * columns_ + column)] = {u, v};
+  return true;
+}
+
+std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings& settings,
+                                     const Window& window, int host,
+                                     const std::vector<PairGeometry>& pairs,
+                                     const ImmaturePoint& candidate) {
+  constexpr int kIterations = 4;
+  constexpr float kLeastInformation = 100;
+  const Keyframe& keyframe = window.keyframe(host);
+  Point point;
+  point.u = candidate.u;
+  point.v = candidate.v;
+  point.pattern = candidate.pattern;
+  point.inverse_depth = std::max(candidate.inverse_depth, 1e-5F);
+  const StereoGeometry stereo{static_cast<float>(rig.pinhole.fx * rig.baseline),
+                              static_cast<float>(window.offset.value()), keyframe.right_gain,
+                              keyframe.right_offset};
+  const bool use_stereo = keyframe.has_right && settings.lambda > 0;
+  for (int i = 0; i < kIterations; ++i) {
+    float information = 1e-3F;
+    float gradient = 0;
+    int good = 0;
+    PixelSums sums;
+    for (const int target : window.order()) {
+      if (target == host) continue;
+      const PairGeometry& pair = pairs[index(host * kSlots + target)];
+      ResidualState& state = point.temporal[index(target)];
+      state = ResidualState::Absent;
+      if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) continue;
+      if (sums.energy > window.energy_threshold) continue;
+      const CentreJacobian J =
+          centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
+      const float ju = J.u_by_depth;
+      const float jv = J.v_by_depth;
+      information += ju * ju * sums.xx + 2 * ju * jv * sums.xy + jv * jv * sums.yy;
+      gradient += ju * sums.xr + jv * sums.yr;
+      state = ResidualState::Good;
+      ++good;
+    }
+    point.stereo = ResidualState::Absent;
+    if (use_stereo && stereoSums(stereo, keyframe.right.level(0), point, sums) &&
+        sums.energy <= window.energy_threshold) {
+      information += settings.lambda * stereo.focal_baseline * stereo.focal_baseline * sums.xx;
+      gradient -= settings.lambda * stereo.focal_baseline * sums.xr;
+      point.stereo = ResidualState::Good;
+      ++good;
+    }
+    const bool alone = window.size() == 1;
+    const bool enough = good >= 2 || (good == 1 && (alone || !use_stereo));
+    if (!enough || information < kLeastInformation) return std::nullopt;
+    const float limit = 0.3F * point.inverse_depth + 0.01F;
+    const float step = std::clamp(-gradient / information, -limit, limit);
+    point.inverse_depth = std::max(point.inverse_depth + step, 1e-5F);
+    point.information = information;
+    if (std::fabs(step) < 1e-3F * point.inverse_depth) break;
+  }
+  return point;
+}
+
+void Activator::adaptSpacing(const CameraRig& rig, int wanted, std::size_t present) {
+  if (spacing_ == 0) {
+    spacing_ = static_cast<float>(
+        0.6 * std::sqrt(static_cast<double>(rig.width) * rig.height / static_cast<double>(wanted)));
+  }
+  const double ratio = static_cast<double>(present) / wanted;
+  if (present > 0) spacing_ *= static_cast<float>(std::clamp(0.5 + 0.5 * ratio, 0.8, 1.25));
+  spacing_ = std::clamp(spacing_, 2.0F, 40.0F);
+}
+
+void Activator::chooseFrom(int host, Window& window, const PairGeometry* to_newest) {
+  const GradientImage& newest = window.newest().gradients;
+  std::vector<ImmaturePoint>& immature = window.keyframe(host).immature;
+  for (std::size_t i = 0; i < immature.size(); ++i) {
+    ImmaturePoint& point = immature[i];
+    if (readiness(point) != Readiness::Ready) continue;
+    Landing place{true, point.u, point.v};
+    if (to_newest != nullptr) {
+      place = land(*to_newest, newest, point.u, point.v, point.inverse_depth);
+    }
+    if (!place.inside || !occupancy_.claim(place.u, place.v)) continue;
+    chosen_.push_back({host, i});
+  }
+}
+
+void Activator::activate(const CameraRig& rig, const SystemSettings& settings, int wanted,
+                         Window& window) {
+  const int newest = window.newestSlot();
+  adaptSpacing(rig, wanted, window.pointCount());
+  occupancy_.reset(rig.width, rig.height, spacing_);
+  pairs_.resize(kSlots * kSlots);
+  for (const int host : window.order()) {
+    for (const int target : window.order()) {
+      if (host == target) continue;
+      pairs_[index(host * kSlots + target)] =
+          pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(target));
+    }
+    if (host == newest) continue;
+    const PairGeometry& pair = pairs_[index(host * kSlots + newest)];
+    for (Point& point : window.keyframe(host).points) {
+      point.temporal[index(newest)] = ResidualState::Good;
+      const Landing place =
+          land(pair, window.newest().gradients, point.u, point.v, point.inverse_depth);
+      if (place.inside) occupancy_.claim(place.u, place.v);
+    }
+  }
+  chosen_.clear();
+  for (const int host : window.order()) {
+    chooseFrom(host, window, host == newest ? nullptr : &pairs_[index(host * kSlots + newest)]);
+  }
+  refined_.assign(chosen_.size(), std::nullopt);
+  tbb::parallel_for(std::size_t{0}, chosen_.size(), [&](std::size_t i) {
+    const ImmaturePoint& candidate = window.keyframe(chosen_[i].host).immature[chosen_[i].index];
+    refined_[i] = refineCandidate(rig, settings, window, chosen_[i].host, pairs_, candidate);
+  });
+  for (std::size_t i = 0; i < chosen_.size(); ++i) {
+    Keyframe& keyframe = window.keyframe(chosen_[i].host);
+    keyframe.immature[chosen_[i].index].failures = 1000;  // used up, or wrong
+    if (!refined_[i]) continue;
+    keyframe.points.push_back(*refined_[i]);
+    ++keyframe.points_made;
+  }
+  for (const int host : window.order()) {
+    std::erase_if(window.keyframe(host).immature, [](const ImmaturePoint& point) {
+      return readiness(point) == Readiness::Hopeless;
+    });
+  }
+}
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Levenberg-Marquardt over pose and brightness, all samples in lanes of eight.
+#include "alignment.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr std::size_t kLanes = ReferenceLevel::kGroup;
+constexpr std::size_t kGroupsPerChunk = 128;  // fixed, for the same sums with any thread count
+constexpr float kCutoff = 20;                 // grey levels
+constexpr std::array<int, Pyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
+
+using Lanes = std::array<float, kLanes>;
+
+/// T_current_reference and the camera of one level, in float.
+struct LevelView {
+  std::array<float, 9> R;
+  std::array<float, 3> t;
+  float fx, fy, cx, cy;
+  float gain, offset;
+};
+
+LevelView levelView(const CameraRig& rig, int l, const AlignmentState& state) {
+  LevelView view{};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      view.R[static_cast<std::size_t>(3 * r + c)] =
+          static_cast<float>(state.T_current_reference.linear()(r, c));
+    }
+    view.t[static_cast<std::size_t>(r)] =
+        static_cast<float>(state.T_current_reference.translation()[r]);
+  }
+  const float scale = 1.0F / static_cast<float>(1 << l);
+  view.fx = static_cast<float>(rig.pinhole.fx) * scale;
+  view.fy = static_cast<float>(rig.pinhole.fy) * scale;
+  view.cx = toLevel(static_cast<float>(rig.pinhole.cx), l);
+  view.cy = toLevel(static_cast<float>(rig.pinhole.cy), l);
+  view.gain = static_cast<float>(std::exp(state.brightness.a));
+  view.offset = static_cast<float>(state.brightness.b);
+  return view;
+}
+
+/// Pixels of eight samples, and their grey levels; weight 0 where out of view.
+void lookUp(const LevelView& view, const ReferenceLevel& level, const GrayLevel& image,
+            std::size_t first, Lanes& grey, Lanes& weight) {
+  alignas(32) Lanes u;
+  alignas(32) Lanes v;
+  alignas(32) Lanes z;
+  const float* x = level.x.data() + first;
+  const float* y = level.y.data() + first;
+  const float* d = level.d.data() + first;
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    z[k] = view.R[6] * x[k] + view.R[7] * y[k] + view.R[8] + view.t[2] * d[k];
+    const float inverse = 1.0F / z[k];
+    const float px = view.R[0] * x[k] + view.R[1] * y[k] + view.R[2] + view.t[0] * d[k];
+    const float py = view.R[3] * x[k] + view.R[4] * y[k] + view.R[5] + view.t[1] * d[k];
+    u[k] = view.fx * px * inverse + view.cx;
+    v[k] = view.fy * py * inverse + view.cy;
+  }
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const bool seen = z[k] > 1e-3F && image.contains(u[k], v[k], 1.0F);
+    weight[k] = seen ? level.weight[first + k] : 0.0F;
+    grey[k] = seen ? image.at(u[k], v[k]) : 0.0F;
+  }
+}
+
+}  // namespace
+
+void Aligner::sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
+                       int l, const AlignmentState& state, float cutoff, std::size_t begin,
+                       std::size_t end, Sums& sums) {
+  const LevelView view = levelView(rig, l, state);
+  alignas(32) std::array<Lanes, kSums> lanes{};
+  alignas(32) std::array<Lanes, kColumns> column;
+  alignas(32) Lanes grey;
+  alignas(32) Lanes weight;
+  alignas(32) Lanes w;
+  for (std::size_t group = begin; group < end; ++group) {
+    const std::size_t first = group * kLanes;
+    lookUp(view, level, image, first, grey, weight);
+    constexpr std::size_t n = kSums - 4;
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const float scene = view.gain * level.value[first + k];
+      const float r = grey[k] - scene - view.offset;
+      const float size = std::fabs(r);
+      const float huber = size <= kHuber ? 1.0F : kHuber / size;
+      const float in = size < cutoff ? 1.0F : 0.0F;
+      const float capped = size < cutoff ? size : cutoff;
+      const float capped_huber = capped <= kHuber ? 1.0F : kHuber / capped;
+      w[k] = in * weight[k] * huber;
+      column[6][k] = -scene;
+      column[7][k] = -1.0F;
+      column[8][k] = r;
+      const float seen = weight[k] > 0 ? 1.0F : 0.0F;
+      lanes[n][k] += weight[k] * capped_huber * (2.0F - capped_huber) * capped * capped;
+      lanes[n + 1][k] += seen * capped * capped;
+      lanes[n + 2][k] += seen * in;
+      lanes[n + 3][k] += seen;
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+      const float* J = level.by_twist[i].data() + first;
+      for (std::size_t k = 0; k < kLanes; ++k) column[i][k] = -view.gain * J[k];
+    }
+    std::size_t s = 0;
+    for (std::size_t i = 0; i < kColumns; ++i) {
+      alignas(32) Lanes wi;
+      for (std::size_t k = 0; k < kLanes; ++k) wi[k] = w[k] * column[i][k];
+      for (std::size_t j = i; j < kColumns; ++j, ++s) {
+        for (std::size_t k = 0; k < kLanes; ++k) lanes[s][k] += wi[k] * column[j][k];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < kSums; ++i) {
+    sums[i] = 0;
+    for (const float value : lanes[i]) sums[i] += value;
+  }
+}
+
+void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
+                       int l, const AlignmentState& state, float cutoff, Normal& normal) {
+  const std::size_t groups = level.groups();
+  chunks_.resize((groups + kGroupsPerChunk - 1) / kGroupsPerChunk);
+  tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t i) {
+    const std::size_t begin = i * kGroupsPerChunk;
+    sumChunk(rig, level, image, l, state, cutoff, begin, std::min(begin + kGroupsPerChunk, groups),
+             chunks_[i]);
+  });
+  std::array<double, kSums> total{};
+  for (const Sums& chunk : chunks_) {
+    for (std::size_t i = 0; i < kSums; ++i) total[i] += chunk[i];
+  }
+  std::size_t s = 0;
+  for (int i = 0; i < 9; ++i) {
+    for (int j = i; j < 9; ++j, ++s) {
+      if (j < 8) normal.H(i, j) = normal.H(j, i) = total[s];
+      if (j == 8 && i < 8) normal.b[i] = total[s];
+    }
+  }
+  normal.in_view = total[s + 3];
+  const double count = std::max(normal.in_view, 1.0);
+  normal.energy = total[s] / count;
+  normal.squares = total[s + 1] / count;
+  normal.inliers = total[s + 2];
+}
+
+void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
+                         int l, AlignmentState& state, Normal& normal) {
+  float cutoff = kCutoff;
+  evaluate(rig, level, image, l, state, cutoff, normal);
+  while (normal.inliers < 0.4 * normal.in_view && cutoff < 6 * kCutoff) {
+    cutoff *= 2;
+    evaluate(rig, level, image, l, state, cutoff, normal);
+  }
+  double lambda = 0.01;
+  Normal next;
+  for (int i = 0; i < kIterations[static_cast<std::size_t>(l)]; ++i) {
+    Eigen::Matrix<double, 8, 8> damped = normal.H;
+    damped.diagonal() *= 1 + lambda;
+    damped.diagonal().array() += 1e-6;
+    const Vector8d scale = damped.diagonal().array().rsqrt();
+    const Eigen::Matrix<double, 8, 8> scaled = scale.asDiagonal() * damped * scale.asDiagonal();
+    const Vector8d step = -scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(normal.b)));
+    if (!step.allFinite()) return;
+    AlignmentState moved = state;
+    const Vector6d twist = -step.head<6>();
+    moved.T_current_reference = normalised(state.T_current_reference * expSe3(twist));
+    moved.brightness.a += step[6];
+    moved.brightness.b += step[7];
+    evaluate(rig, level, image, l, moved, cutoff, next);
+    const bool better = next.energy < normal.energy && next.in_view > 0.5 * normal.in_view;
+    if (better) {
+      const double gain = 1 - next.energy / normal.energy;
+      state = moved;
+      std::swap(normal, next);
+      lambda = std::max(lambda * 0.5, 1e-5);
+      if (gain < 1e-4) return;
+    } else {
+      lambda *= 4;
+    }
+    if (step.head<6>().norm() < 1e-4 || lambda > 100) return;
+  }
+}
+
+AlignmentResult Aligner::align(const CameraRig& rig, const AlignmentReference& reference,
+                               const Pyramid& image, const AlignmentState& guess, int coarsest,
+                               int finest) {
+  AlignmentResult result;
+  result.state = guess;
+  Normal normal;
+  for (int l = std::min(coarsest, reference.levels() - 1); l >= finest; --l) {
+    alignLevel(rig, reference.level(l), image.level(l), l, result.state, normal);
+  }
+  const auto all = static_cast<double>(std::max<std::size_t>(reference.level(finest).count, 1));
+  result.rms = std::sqrt(normal.squares);
+  result.in_view = normal.in_view / all;
+  result.inlier_fraction = normal.inliers / std::max(normal.in_view, 1.0);
+  result.samples = static_cast<int>(normal.inliers);
+  result.information = normal.H;
+  return result;
+}
+
+void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
+                 AlignmentResult& result) {
+  const ReferenceLevel& level = reference.level(0);
+  const Eigen::Matrix3d R = result.state.T_current_reference.linear();
+  const Eigen::Vector3d t = result.state.T_current_reference.translation();
+  const Eigen::Vector2d focal(rig.pinhole.fx, rig.pinhole.fy);
+  double flow = 0;
+  double translation_flow = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < level.count; i += 16) {
+    const Eigen::Vector3d ray(level.x[i], level.y[i], 1);
+    const double d = level.d[i];
+    const Eigen::Vector3d full = R * ray + t * d;
+    const Eigen::Vector3d shifted = ray + t * d;
+    if (full.z() < 1e-3 || shifted.z() < 1e-3) continue;
+    flow += focal.cwiseProduct(full.head<2>() / full.z() - ray.head<2>()).squaredNorm();
+    translation_flow +=
+        focal.cwiseProduct(shifted.head<2>() / shifted.z() - ray.head<2>()).squaredNorm();
+    ++count;
+  }
+  result.flow = std::sqrt(flow / std::max(count, 1.0));
+  result.translation_flow = std::sqrt(translation_flow / std::max(count, 1.0));
+}
+
+}  // namespace tolman::direct_sparse

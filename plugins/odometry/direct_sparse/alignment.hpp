@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tracking: the pose of a frame against the newest keyframe by direct image alignment, coarse to
+// fine, with affine brightness (paper, tracking; algorithms: 5.4).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "alignment_reference.hpp"
+#include "tolman/geometry.hpp"
+
+namespace tolman::direct_sparse {
+
+/// Pose and brightness of a frame against the reference.
+struct AlignmentState {
+  Eigen::Isometry3d T_current_reference = Eigen::Isometry3d::Identity();
+  Affine brightness;  ///< current = e^a * reference + b
+};
+
+struct AlignmentResult {
+  AlignmentState state;
+  double rms = 0;              ///< grey levels, of the samples in view, cut off ones included
+  double inlier_fraction = 0;  ///< of the samples in view
+  double in_view = 0;          ///< fraction of all samples
+  int samples = 0;             ///< inliers at the finest level
+  Eigen::Matrix<double, 8, 8> information = Eigen::Matrix<double, 8, 8>::Zero();
+  double flow = 0;              ///< px, root mean square against the reference
+  double translation_flow = 0;  ///< px, as if the camera had not turned
+};
+
+class Aligner {
+ public:
+  /// Levels from `coarsest` down to `finest`, starting at `guess`.
+  AlignmentResult align(const CameraRig& rig, const AlignmentReference& reference,
+                        const Pyramid& image, const AlignmentState& guess, int coarsest,
+                        int finest);
+
+ private:
+  struct Normal {
+    Eigen::Matrix<double, 8, 8> H;
+    Vector8d b;
+    double energy = 0;  ///< mean over the samples in view
+    double squares = 0;
+    double inliers = 0;
+    double in_view = 0;
+  };
+  void evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
+                const AlignmentState& state, float cutoff, Normal& normal);
+  void alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
+                  AlignmentState& state, Normal& normal);
+
+  /// Sums of a chunk: upper triangle of [J a b r]' W [J a b r], energy, squares, inliers, in view.
+  static constexpr std::size_t kColumns = 9;
+  static constexpr std::size_t kSums = kColumns * (kColumns + 1) / 2 + 4;
+  using Sums = std::array<float, kSums>;
+  static void sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
+                       int l, const AlignmentState& state, float cutoff, std::size_t begin,
+                       std::size_t end, Sums& sums);
+  std::vector<Sums> chunks_;
+};
+
+/// Flow of the samples of the level between reference and current frame, in pixels of level 0.
+void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
+                 AlignmentResult& result);
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Projection into the newest keyframe and the derivatives of each sample.
+#include "alignment_reference.hpp"
+
+#include <algorithm>
+
+#include "photometric_residual.hpp"
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr float kMargin = 2;  // px, for the central differences
+
+struct Offset {
+  float u;
+  float v;
+};
+/// Neighbours share the point's depth: diagonal ones where pixels are small, closer ones above.
+constexpr std::array<Offset, 5> kFine = {{{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+constexpr std::array<Offset, 5> kCoarse = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
+
+}  // namespace
+
+void ReferenceLevel::clear() {
+  for (auto* array : {&x, &y, &d, &value, &weight}) array->clear();
+  for (auto& array : by_twist) array.clear();
+  count = 0;
+}
+
+void ReferenceLevel::pad() {
+  count = x.size();
+  const std::size_t size = (count + kGroup - 1) / kGroup * kGroup;
+  for (auto* array : {&x, &y, &d, &value, &weight}) array->resize(size, 0);
+  for (auto& array : by_twist) array.resize(size, 0);
+}
+
+void AlignmentReference::project(const CameraRig& rig, const Window& window) {
+  projected_.clear();
+  const Keyframe& newest = window.newest();
+  for (const int host : window.order()) {
+    const Keyframe& keyframe = window.keyframe(host);
+    if (host == window.newestSlot()) {
+      for (const Point& p : keyframe.points) projected_.push_back({p.u, p.v, p.inverse_depth});
+      continue;
+    }
+    const PairGeometry pair = pairGeometry(rig.pinhole, keyframe, newest);
+    const auto& m = pair.warp;
+    for (const Point& p : keyframe.points) {
+      const auto slot = static_cast<std::size_t>(window.newestSlot());
+      if (p.temporal[slot] != ResidualState::Good) continue;
+      const float z = m[6] * p.u + m[7] * p.v + m[8] + pair.shift[2] * p.inverse_depth;
+      if (!(z > 1e-3F)) continue;
+      projected_.push_back({(m[0] * p.u + m[1] * p.v + m[2] + pair.shift[0] * p.inverse_depth) / z,
+                            (m[3] * p.u + m[4] * p.v + m[5] + pair.shift[1] * p.inverse_depth) / z,
+                            p.inverse_depth / z});
+    }
+  }
+}
+
+void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& image, int l) {
+  ReferenceLevel& level = samples_[static_cast<std::size_t>(l)];
+  level.clear();
+  taken_.assign(image.pixels.size(), 0);
+  const float scale = 1.0F / static_cast<float>(1 << l);
+  const float fx = static_cast<float>(rig.pinhole.fx) * scale;
+  const float fy = static_cast<float>(rig.pinhole.fy) * scale;
+  const float cx = toLevel(static_cast<float>(rig.pinhole.cx), l);
+  const float cy = toLevel(static_cast<float>(rig.pinhole.cy), l);
+  const auto& offsets = l < 2 ? kFine : kCoarse;
+  for (const Projected& point : projected_) {
+    for (const Offset& offset : offsets) {
+      const float u = toLevel(point.u, l) + offset.u;
+      const float v = toLevel(point.v, l) + offset.v;
+      if (!image.contains(u, v, kMargin)) continue;
+      const auto pixel = static_cast<std::size_t>(static_cast<int>(v + 0.5F) * image.width +
+                                                  static_cast<int>(u + 0.5F));
+      if (taken_[pixel] != 0) continue;
+      taken_[pixel] = 1;
+      const float gx = 0.5F * (image.at(u + 1, v) - image.at(u - 1, v));
+      const float gy = 0.5F * (image.at(u, v + 1) - image.at(u, v - 1));
+      const float x = (u - cx) / fx;
+      const float y = (v - cy) / fy;
+      const float gu = fx * gx;
+      const float gv = fy * gy;
+      const float along = x * gu + y * gv;
+      level.x.push_back(x);
+      level.y.push_back(y);
+      level.d.push_back(point.d);
+      level.value.push_back(image.at(u, v));
+      level.weight.push_back(gradientWeight(gx * gx + gy * gy));
+      const std::array<float, 6> J = {gu * point.d,    gv * point.d,   -along * point.d,
+                                      -gv - y * along, gu + x * along, x * gv - y * gu};
+      for (std::size_t i = 0; i < 6; ++i) level.by_twist[i].push_back(J[i]);
+    }
+  }
+  level.pad();
+}
+
+void AlignmentReference::build(const CameraRig& rig, const Window& window) {
+  project(rig, window);
+  const Pyramid& pyramid = window.newest().left;
+  levels_ = pyramid.levels();
+  frame_ = window.newest().frame;
+  for (int l = 0; l < levels_; ++l) sampleLevel(rig, pyramid.level(l), l);
+}
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tracking needs of the newest keyframe: every active point as samples on each pyramid level,
+// with derivatives that stay the same for all frames (inverse composition; Baker and Matthews,
+// IJCV 2004).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "tolman/camera.hpp"
+#include "window.hpp"
+
+namespace tolman::direct_sparse {
+
+/// Samples of one level as parallel arrays, padded to whole SIMD groups with weight 0.
+struct ReferenceLevel {
+  static constexpr std::size_t kGroup = 8;
+  std::vector<float> x, y, d;  ///< ray (x, y, 1) and inverse depth in the keyframe
+  std::vector<float> value;    ///< grey level
+  std::vector<float> weight;
+  std::array<std::vector<float>, 6> by_twist;  ///< of the value, when the scene point is moved
+  std::size_t count = 0;                       ///< without padding
+
+  std::size_t groups() const { return x.size() / kGroup; }
+  void clear();
+  void pad();
+};
+
+class AlignmentReference {
+ public:
+  /// Projects all points of the window into its newest keyframe.
+  void build(const CameraRig& rig, const Window& window);
+  int levels() const { return levels_; }
+  const ReferenceLevel& level(int l) const { return samples_[static_cast<std::size_t>(l)]; }
+  std::int64_t frame() const { return frame_; }
+  void clear() { levels_ = 0; }
+
+ private:
+  struct Projected {
+    float u = 0;
+    float v = 0;
+    float d = 0;
+  };
+  void project(const CameraRig& rig, const Window& window);
+  void sampleLevel(const CameraRig& rig, const GrayLevel& image, int l);
+
+  std::array<ReferenceLevel, Pyramid::kMostLevels> samples_;
+  std::vector<Projected> projected_;
+  std::vector<unsigned char> taken_;  ///< pixels of the level that have a sample
+  int levels_ = 0;
+  std::int64_t frame_ = -1;
+};
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Gauss-Newton steps of the window.
+#include "bundle_adjustment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+/// Root mean squares over the frames, of the step's parts.
+struct StepSize {
+  double metres = 0;
+  double radians = 0;
+  double a = 0;
+  double b = 0;
+};
+
+StepSize apply(Window& window, const SystemVector& step) {
+  StepSize size;
+  for (const int slot : window.order()) {
+    Keyframe& keyframe = window.keyframe(slot);
+    const Vector8d part = step.segment<kFrameVariables>(kFrameVariables * slot);
+    keyframe.change += part;
+    // Nothing holds on to its first estimate yet, so the best one is the present one.
+    if (!keyframe.has_prior) keyframe.relinearise();
+    size.metres += part.head<3>().squaredNorm();
+    size.radians += part.segment<3>(3).squaredNorm();
+    size.a += part[6] * part[6];
+    size.b += part[7] * part[7];
+  }
+  window.offset.change += step[kOffsetIndex];
+  const double frames = window.size();
+  return {std::sqrt(size.metres / frames), std::sqrt(size.radians / frames),
+          std::sqrt(size.a / frames), std::sqrt(size.b / frames)};
+}
+
+}  // namespace
+
+AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& settings,
+                              Window& window, LinearSystem& system) {
+  AdjustmentResult result;
+  const std::vector<PointRange> points = allPoints(window);
+  for (int i = 0; i < settings.iterations; ++i) {
+    system.build(rig, settings.system, window, points);
+    result = {i + 1, system.energy(), system.residuals()};
+    const SystemVector step = solve(window, system.H(), system.b());
+    const double depth_change = system.applyToDepths(window, step);
+    const StepSize size = apply(window, step);
+    const bool small = size.metres < 2e-4 && size.radians < 1e-5 && size.a < 6e-4 &&
+                       size.b < 0.06 && depth_change < 1e-3;
+    if (small) break;
+  }
+  if (settings.iterations > 0) {
+    system.storeInformation(window);
+    window.energy_threshold = system.outlierThreshold();
+  }
+  return result;
+}
+
+void dropOutliers(Window& window) {
+  for (const int slot : window.order()) {
+    Keyframe& keyframe = window.keyframe(slot);
+    std::erase_if(keyframe.points, [](Point& point) {
+      int left = 0;
+      for (ResidualState& state : point.temporal) {
+        if (state != ResidualState::Good) state = ResidualState::Absent;
+        left += state == ResidualState::Good ? 1 : 0;
+      }
+      if (point.stereo != ResidualState::Good) point.stereo = ResidualState::Absent;
+      left += point.stereo == ResidualState::Good ? 1 : 0;
+      return left == 0;
+    });
+  }
+}
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Normal equations of some points of one host, summed in float: the hot loop of the window.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "photometric_residual.hpp"
+#include "window.hpp"
+
+namespace tolman::direct_sparse {
+
+/// Variables padded to whole SIMD registers.
+inline constexpr std::size_t kPadded = 72;
+static_assert(kPadded >= kVariables && kPadded % 8 == 0);
+
+/// How one point's inverse depth couples with all other variables (first estimate).
+struct PointTerms {
+  alignas(32) std::array<float, kPadded> coupling{};
+  float information = 0;    ///< H_dd
+  float gradient = 0;       ///< b_d
+  std::uint32_t slots = 0;  ///< bit mask: whose variables have a coupling
+  int good = 0;             ///< residuals in the sums
+};
+
+/// Points of one host are added one after the other; a chunk is small enough that floats do.
+class ChunkSystem {
+ public:
+  void clear(int host);
+  int host() const { return host_; }
+
+  void addTemporal(int target, const PairGeometry& pair, const PixelSums& sums,
+                   const CentreJacobian& J, PointTerms& terms);
+  /// `sums` of stereoSums, `coupling` is the paper's lambda.
+  void addStereo(const PixelSums& sums, float focal_baseline, float lambda, PointTerms& terms);
+  /// After the point's residuals: its Schur complement.
+  void eliminate(PointTerms& terms);
+
+  /// Sum over points: relative variables (rows 0 to 7: twist, a, b; column 8: gradient).
+  using RelativeBlock = std::array<std::array<float, 12>, 8>;
+  const RelativeBlock& relative(int target) const {
+    return relative_[static_cast<std::size_t>(target)];
+  }
+  bool hasTarget(int target) const { return (targets_ >> static_cast<unsigned>(target)) & 1U; }
+  /// What elimination takes away, blocks (i, j) with slot(i) <= slot(j) only, and the offset row.
+  const std::array<std::array<float, kPadded>, kPadded>& schur() const { return schur_; }
+  const std::array<float, kPadded>& schurGradient() const { return schur_gradient_; }
+  float offset_information = 0;
+  float offset_gradient = 0;
+  double energy = 0;
+  int residuals = 0;
+  std::array<int, 128> histogram{};  ///< of square roots of pattern energies, outliers too
+
+ private:
+  int host_ = 0;
+  std::uint32_t targets_ = 0;
+  alignas(32) std::array<RelativeBlock, kSlots> relative_;
+  alignas(32) std::array<std::array<float, kPadded>, kPadded> schur_;
+  alignas(32) std::array<float, kPadded> schur_gradient_;
+};
+
+}  // namespace tolman::direct_sparse

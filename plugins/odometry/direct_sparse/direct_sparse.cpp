@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One frame after the other: track, map, answer.
+#include "direct_sparse.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr float kWeakestContrast = 3;  // grey levels
+
+/// Of a predicted motion: a tenth of a metre and some of the way, a degree or two, more with each
+/// frame without sight.
+Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) {
+  const double metres = lost_frames * (0.1 + 0.3 * motion.translation().norm());
+  const double radians = lost_frames * 0.03;
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(metres * metres),
+      Eigen::Vector3d::Constant(radians * radians);
+  return variances.asDiagonal();
+}
+
+Matrix6d adjoint(const Eigen::Isometry3d& T) {
+  Matrix6d A = Matrix6d::Zero();
+  A.topLeftCorner<3, 3>() = T.linear();
+  A.bottomRightCorner<3, 3>() = T.linear();
+  A.topRightCorner<3, 3>() = skew(T.translation()) * T.linear();
+  return A;
+}
+
+/// Brightness of a frame that is seen through `relative` from a frame of brightness `reference`.
+Affine absolute(const Affine& reference, const Affine& relative) {
+  return {reference.a + relative.a, relative.b + std::exp(relative.a) * reference.b};
+}
+
+Affine relative(const Affine& reference, const Affine& other) {
+  const double a = other.a - reference.a;
+  return {a, other.b - std::exp(a) * reference.b};
+}
+
+}  // namespace
+
+Status DirectSparse::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  rig_ = context.rig;
+  if (Status status = checkRig(); !status.isOk()) return status;
+  log_ = &context.log;
+  MapperSettings settings;
+  settings.points = parameters_.points;
+  settings.candidates = parameters_.candidates;
+  settings.window = parameters_.window;
+  const double disparity = rig_.pinhole.fx * rig_.baseline / parameters_.nearest;
+  settings.max_disparity =
+      static_cast<int>(std::clamp(disparity + 1, 8.0, static_cast<double>(kMostDisparities)));
+  settings.marginal_weight = parameters_.marginal_weight;
+  settings.offset_sigma = parameters_.offset_sigma;
+  settings.adjustment.iterations = parameters_.iterations;
+  settings.adjustment.system.lambda = static_cast<float>(parameters_.coupling);
+  mapper_.configure(rig_, settings);
+  return reset();
+}
+
+Status DirectSparse::reset() {
+  mapper_.reset();
+  tracker_.reset();
+  trajectory_.clear();
+  brightness_ = Affine();
+  reference_brightness_ = Affine();
+  velocity_.setZero();
+  pose_covariance_.setZero();
+  has_velocity_ = false;
+  can_track_ = false;
+  last_stamp_ns_ = -1;
+  first_lost_ = -1;
+  lost_frames_ = 0;
+  unrecognised_ = 0;
+  return Status::ok();
+}
+
+Status DirectSparse::checkRig() const {
+  if (!rig_.calibrated || !rig_.isStereo()) {
+    return Status::unsupported(std::string("the cameras are ") +
+                               (rig_.calibrated ? "not a stereo pair" : "not calibrated") +
+                               "; use an odometry plugin for such cameras, or a source of "
+                               "calibrated, rectified stereo images");
+  }
+  constexpr int kSmallest = 48;
+  if (std::min(rig_.width, rig_.height) >= kSmallest) return Status::ok();
+  return Status::unsupported("images of " + std::to_string(rig_.width) + "x" +
+                             std::to_string(rig_.height) + " pixels are too small; give at least " +
+                             std::to_string(kSmallest) + " pixels each way");
+}
+
+Status DirectSparse::checkFrame(const Frame& frame) const {
+  if (!frame.left.empty() && frame.right.empty() && frame.defect.empty()) {
+    return Status::unsupported(
+        "the frame has no right image; use a monocular odometry plugin, or a stereo source");
+  }
+  for (const Image* image : {&frame.left, &frame.right}) {
+    if (image->empty() || (image->width() == rig_.width && image->height() == rig_.height))
+      continue;
+    return Status::invalidInput("the image has " + std::to_string(image->width()) + "x" +
+                                std::to_string(image->height()) + " pixels, its calibration " +
+                                std::to_string(rig_.width) + "x" + std::to_string(rig_.height) +
+                                "; give images as they were calibrated");
+  }
+  return Status::ok();
+}
+
+bool DirectSparse::look(const Frame& frame) {
+  if (frame.left.empty()) return false;
+  current_.build(frame.left);
+  return grayStatistics(current_.level(0)).deviation >= kWeakestContrast;
+}
+
+void DirectSparse::lookRight(const Frame& frame) {
+  right_ = Pyramid();
+  if (frame.right.empty()) return;
+  right_.build(frame.right, 1);
+  if (grayStatistics(right_.level(0)).deviation < kWeakestContrast) right_ = Pyramid();
+}
+
+Status DirectSparse::track(const Frame& frame, Motion& motion) {
+  if (Status status = checkFrame(frame); !status.isOk()) return status;
+  motion.frame = frame.frame;
+  motion.stamp_ns = frame.stamp_ns;
+  motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * static_cast<double>(frame.stamp_ns - last_stamp_ns_);
+  last_stamp_ns_ = frame.stamp_ns;
+  answer(look(frame), frame, motion);
+  setPlanarVelocity(motion, motion.dt);
+  return Status::ok();
+}
+
+Expectation DirectSparse::expect(double dt) const {
+  const Window& window = mapper_.window();
+  Expectation expectation;
+  expectation.T_reference_previous = window.newest().T_camera_world() * trajectory_.lastPose();
+  if (has_velocity_) expectation.T_previous_current = expSe3(velocity_ * dt);
+  expectation.has_velocity = has_velocity_;
+  expectation.brightness = reference_brightness_;
+  return expectation;
+}
+
+void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
+  if (trajectory_.empty()) {
+    if (visible) restart(frame, motion);
+    motion.state = TrackingState::Initialising;
+    if (motion.dt > 0) motion.covariance = predictionCovariance(motion.T_previous_current, 100);
+    return;
+  }
+  if (visible && can_track_) {
+    if (const auto tracked = tracker_.track(rig_, current_, expect(motion.dt))) {
+      answerMeasured(*tracked, frame, motion);
+      return;
+    }
+    ++unrecognised_;
+  }
+  answerPredicted(motion);
+  constexpr int kPatience = 2;  // frames; one strange image must not cost the window
+  if (visible && (!can_track_ || unrecognised_ >= kPatience)) restart(frame, motion);
+}
+
+Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
+  std::vector<MotionRevision> owed = trajectory_.finish();
+  revisions.insert(revisions.end(), owed.begin(), owed.end());
+  return Status::ok();
+}
+
+bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
+  const double size = rig_.width + rig_.height;
+  const double change =
+      parameters_.keyframe_weight * (44.8 * tracked.translation_flow + 22.4 * tracked.flow) / size +
+      2 * std::fabs(tracked.state.brightness.a);
+  return change > 1 || tracked.rms > 2 * tracker_.firstRms() || tracked.in_view < 0.5;
+}
+
+void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& frame,
+                                  Motion& motion) {
+  const Keyframe& reference = mapper_.window().newest();
+  const Eigen::Isometry3d T_world_camera =
+      normalised(reference.T_world_camera() * tracked.state.T_current_reference.inverse());
+  if (first_lost_ >= 0) trajectory_.bridge(first_lost_, T_world_camera);
+  brightness_ = absolute(reference.affine(), tracked.state.brightness);
+  const Eigen::Isometry3d T_previous_current =
+      normalised(trajectory_.lastPose().inverse() * T_world_camera);
+  motion.covariance = motionCovariance(tracked, T_previous_current);
+  motion.tracked = tracked.samples;
+  motion.state = TrackingState::Tracking;
+  Eigen::Isometry3d T_world_final = T_world_camera;
+  if (wantsKeyframe(tracked)) {
+    makeKeyframe(frame, T_world_camera, brightness_, motion);
+    T_world_final = mapper_.window().newest().T_world_camera();
+    pose_covariance_.setZero();
+    motion.revisions = trajectory_.retire(mapper_.window());
+  } else {
+    mapper_.observe(T_world_camera, brightness_, current_);
+  }
+  const std::vector<MotionRevision> changed = trajectory_.revisions();
+  motion.revisions.insert(motion.revisions.end(), changed.begin(), changed.end());
+  motion.T_previous_current =
+      trajectory_.add(frame.frame, T_world_final, mapper_.window().newest(), motion.covariance);
+  reference_brightness_ = relative(mapper_.window().newest().affine(), brightness_);
+  if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
+  has_velocity_ = motion.dt > 0;
+  if (first_lost_ >= 0) log_->info("tracking again");
+  first_lost_ = -1;
+  lost_frames_ = 0;
+  unrecognised_ = 0;
+}
+
+void DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
+                                const Affine& affine, Motion& motion) {
+  lookRight(frame);
+  mapper_.addKeyframe(frame.frame, T_world_camera, affine, current_, right_);
+  can_track_ = tracker_.setReference(rig_, mapper_.window());
+  trajectory_.follow(mapper_.window());
+  brightness_ = mapper_.window().newest().affine();
+  motion.is_keyframe = true;
+  publishPoints(motion);
+}
+
+void DirectSparse::answerPredicted(Motion& motion) {
+  if (first_lost_ < 0) {
+    first_lost_ = motion.frame;
+    log_->warning("tracking lost; going on as before until the images are good again");
+  }
+  ++lost_frames_;
+  const Eigen::Isometry3d step = expSe3(velocity_ * motion.dt);
+  motion.state = TrackingState::Lost;
+  motion.covariance = predictionCovariance(step, lost_frames_);
+  motion.T_previous_current =
+      trajectory_.add(motion.frame, normalised(trajectory_.lastPose() * step),
+                      mapper_.window().newest(), motion.covariance);
+}
+
+void DirectSparse::restart(const Frame& frame, Motion& motion) {
+  const bool first = trajectory_.empty();
+  const Eigen::Isometry3d T_world_camera =
+      first ? Eigen::Isometry3d::Identity() : trajectory_.lastPose();
+  mapper_.reset();
+  tracker_.reset();
+  makeKeyframe(frame, T_world_camera, Affine(), motion);
+  brightness_ = reference_brightness_ = Affine();
+  if (first) {
+    trajectory_.add(frame.frame, T_world_camera, mapper_.window().newest(), motion.covariance);
+  }
+  motion.revisions = trajectory_.retire(mapper_.window());
+  unrecognised_ = 0;
+}
+
+Matrix6d DirectSparse::motionCovariance(const AlignmentResult& tracked,
+                                        const Eigen::Isometry3d& T_previous_current) {
+  // Neighbouring samples err together: as if there were a part of them only.
+  constexpr double kCorrelation = 20;
+  Eigen::Matrix<double, 8, 8> information = tracked.information;
+  information.diagonal().array() += 1e-6;
+  const Eigen::Matrix<double, 8, 8> covariance = information.ldlt().solve(
+      Eigen::Matrix<double, 8, 8>::Identity() * (kCorrelation * tracked.rms * tracked.rms));
+  // The aligner moves the scene in the reference; the record wants the arriving frame.
+  const Matrix6d A = adjoint(tracked.state.T_current_reference);
+  const Matrix6d own = A * covariance.topLeftCorner<6, 6>() * A.transpose();
+  const Matrix6d B = adjoint(T_previous_current.inverse());
+  Matrix6d both = own + B * pose_covariance_ * B.transpose();
+  both = (0.5 * (both + both.transpose())).eval();
+  both.diagonal().array() += 1e-12;
+  pose_covariance_ = own;
+  return both;
+}
+
+void DirectSparse::publishPoints(Motion& motion) const {
+  constexpr float kGreyVariance = 16;
+  const Keyframe& newest = mapper_.window().newest();
+  motion.points_frame = motion.frame;
+  motion.points.resize(4, static_cast<Eigen::Index>(newest.points.size()));
+  for (std::size_t i = 0; i < newest.points.size(); ++i) {
+    const Point& p = newest.points[i];
+    motion.points.col(static_cast<Eigen::Index>(i)) =
+        Eigen::Vector4f(p.u, p.v, p.inverse_depth, kGreyVariance / std::max(p.information, 1e-3F));
+  }
+}
+
+}  // namespace tolman::direct_sparse

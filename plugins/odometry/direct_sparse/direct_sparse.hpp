@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The plugin: from frames to motions, keyframes and revisions.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mapper.hpp"
+#include "parameters.hpp"
+#include "tolman/roles.hpp"
+#include "tracker.hpp"
+#include "trajectory.hpp"
+
+namespace tolman::direct_sparse {
+
+class DirectSparse : public Odometry {
+ public:
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status track(const Frame& frame, Motion& motion) override;
+  Status finish(std::vector<MotionRevision>& revisions) override;
+
+  /// What the disparities are believed to be off by, px.
+  double disparityOffset() const { return mapper_.window().offset.value(); }
+
+ private:
+  Status checkRig() const;
+  Status checkFrame(const Frame& frame) const;
+  /// Builds current_ (and right_ where the image shows something); false when it shows nothing.
+  bool look(const Frame& frame);
+
+  void answer(bool visible, const Frame& frame, Motion& motion);
+  void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
+  void answerPredicted(Motion& motion);
+  void restart(const Frame& frame, Motion& motion);
+  Expectation expect(double dt) const;
+  bool wantsKeyframe(const AlignmentResult& tracked) const;
+  void makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
+                    const Affine& affine, Motion& motion);
+  void lookRight(const Frame& frame);
+  Matrix6d motionCovariance(const AlignmentResult& tracked,
+                            const Eigen::Isometry3d& T_previous_current);
+  void publishPoints(Motion& motion) const;
+
+  Parameters parameters_;
+  CameraRig rig_;
+  Logger* log_ = nullptr;
+
+  // All that decides the future, beside the above.
+  Mapper mapper_;
+  Tracker tracker_;
+  Trajectory trajectory_;
+  Pyramid current_;
+  Pyramid right_;
+  Affine brightness_;                            ///< of the last measured frame
+  Affine reference_brightness_;                  ///< against the reference
+  Vector6d velocity_ = Vector6d::Zero();         ///< twist per second, of the last measured motion
+  Matrix6d pose_covariance_ = Matrix6d::Zero();  ///< of the last frame against its keyframe
+  bool has_velocity_ = false;
+  bool can_track_ = false;
+  std::int64_t last_stamp_ns_ = -1;  ///< -1 before the first frame
+  std::int64_t first_lost_ = -1;     ///< frame index; -1 while tracking
+  int lost_frames_ = 0;
+  int unrecognised_ = 0;  ///< frames in a row that show something, but not the reference
+};
+
+}  // namespace tolman::direct_sparse

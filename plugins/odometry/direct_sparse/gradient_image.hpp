@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Grey value and gradient of each pixel side by side, so that one bilinear fetch gives all three.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "pyramid.hpp"
+
+namespace tolman::direct_sparse {
+
+struct GradientSample {
+  float value = 0;
+  float gx = 0;  ///< grey levels a pixel
+  float gy = 0;
+};
+
+/// Central differences. Whole numbers: value, I(u+1) - I(u-1), I(v+1) - I(v-1), nothing.
+/// The outermost pixels have no gradient.
+class GradientImage {
+ public:
+  void build(const GrayLevel& image);
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const std::int16_t* pixel(int u, int v) const {
+    return quads_.data() +
+           4 * (static_cast<std::ptrdiff_t>(v) * width_ + static_cast<std::ptrdiff_t>(u));
+  }
+  /// Squared gradient at a pixel, (grey levels / px)^2.
+  float gradientSquared(int u, int v) const {
+    const std::int16_t* p = pixel(u, v);
+    return 0.25F * static_cast<float>(p[1] * p[1] + p[2] * p[2]);
+  }
+  bool contains(float u, float v, float margin) const {
+    return u >= margin && v >= margin && u < static_cast<float>(width_) - 1.0F - margin &&
+           v < static_cast<float>(height_) - 1.0F - margin;
+  }
+  /// Bilinear; (u, v) must lie in [0, width - 1) x [0, height - 1).
+  GradientSample at(float u, float v) const {
+    const int x = static_cast<int>(u);
+    const int y = static_cast<int>(v);
+    const float fx = u - static_cast<float>(x);
+    const float fy = v - static_cast<float>(y);
+    const std::int16_t* p = pixel(x, y);
+    const std::int16_t* q = p + 4 * static_cast<std::ptrdiff_t>(width_);
+    const Four value = (1.0F - fy) * ((1.0F - fx) * load(p) + fx * load(p + 4)) +
+                       fy * ((1.0F - fx) * load(q) + fx * load(q + 4));
+    return {value[0], 0.5F * value[1], 0.5F * value[2]};
+  }
+
+ private:
+  using Four = float __attribute__((vector_size(16)));
+  using Quad = std::int16_t __attribute__((vector_size(8)));
+  static Four load(const std::int16_t* p) {
+    Quad quad;
+    std::memcpy(&quad, p, sizeof quad);
+    return __builtin_convertvector(quad, Four);
+  }
+
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<std::int16_t> quads_;
+};
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the window keeps of a keyframe: images, points, pose and brightness.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "gradient_image.hpp"
+#include "pattern.hpp"
+#include "pyramid.hpp"
+#include "tolman/geometry.hpp"
+
+namespace tolman::direct_sparse {
+
+/// Places for keyframes in the window, also the places of their variables in the linear system.
+inline constexpr int kSlots = 8;
+
+using Vector8d = Eigen::Matrix<double, 8, 1>;
+
+/// Brightness of a frame: a scene value I is seen as e^a I + b.
+struct Affine {
+  double a = 0;
+  double b = 0;  ///< grey levels
+};
+
+enum class ResidualState : std::uint8_t {
+  Absent,  ///< never looked for, or given up
+  Good,
+  Outlier,  ///< the images disagree
+  Outside,  ///< projects out of the image
+};
+
+/// Grey values and weights of a point's pattern in its host.
+struct Pattern {
+  alignas(32) std::array<float, kPatternSize> value{};
+  alignas(32) std::array<float, kPatternSize> weight{};
+};
+
+/// A point whose inverse depth is a variable of the window.
+struct Point {
+  float u = 0;  ///< px in the host
+  float v = 0;
+  float inverse_depth = 0;  ///< 1/m
+  float information = 0;    ///< of the inverse depth, from all residuals of the last solution
+  Pattern pattern;
+  std::array<ResidualState, kSlots> temporal{};  ///< by the target's slot
+  ResidualState stereo = ResidualState::Absent;
+  int seen_good = 0;  ///< how many residuals were good so far
+};
+
+/// A selected pixel that waits for a depth good enough to become a Point.
+struct ImmaturePoint {
+  float u = 0;
+  float v = 0;
+  float inverse_depth = 0;  ///< 1/m
+  float sigma = 0;          ///< 1/m
+  float quality = 0;        ///< second best match over best match
+  float last_interval = 0;  ///< px that the last search had to cover
+  int failures = 0;
+  bool has_depth = false;  ///< else any inverse depth is possible
+  Pattern pattern;
+};
+
+struct Keyframe {
+  std::int64_t frame = -1;
+  Pyramid left;
+  Pyramid right;
+  GradientImage gradients;  ///< of left, level 0
+  bool has_right = false;
+  float right_gain = 1;    ///< right image = gain * left image + offset
+  float right_offset = 0;  ///< grey levels
+
+  /// State = first estimate moved by `change`: exp(change.head<6>()) * T0, a0 + ..., b0 + ...
+  Eigen::Isometry3d T0_camera_world = Eigen::Isometry3d::Identity();
+  Affine affine0;
+  Vector8d change = Vector8d::Zero();
+  bool has_prior = false;  ///< marginalised terms hold on to it: T0 must not move any more
+
+  std::vector<Point> points;
+  std::vector<ImmaturePoint> immature;
+  int points_made = 0;  ///< how many points it ever hosted
+
+  Eigen::Isometry3d T_camera_world() const {
+    const Vector6d twist = change.head<6>();
+    return normalised(expSe3(twist) * T0_camera_world);
+  }
+  Eigen::Isometry3d T_world_camera() const { return T_camera_world().inverse(); }
+  Affine affine() const { return {affine0.a + change[6], affine0.b + change[7]}; }
+  /// Makes the present state the first estimate.
+  void relinearise() {
+    T0_camera_world = T_camera_world();
+    affine0 = affine();
+    change.setZero();
+  }
+};
+
+/// The grey values around a pixel, with the gradient weights; the pixel must be kPatternRadius + 1
+/// away from the border.
+inline Pattern patternAt(const GradientImage& image, int u, int v) {
+  Pattern pattern;
+  for (std::size_t k = 0; k < kPatternSize; ++k) {
+    const int x = u + kPatternU[k];
+    const int y = v + kPatternV[k];
+    pattern.value[k] = static_cast<float>(image.pixel(x, y)[0]);
+    pattern.weight[k] = gradientWeight(image.gradientSquared(x, y));
+  }
+  return pattern;
+}
+
+}  // namespace tolman::direct_sparse

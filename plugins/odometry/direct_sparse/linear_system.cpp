@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parallel evaluation, ordered sums, and the dense solution.
+#include "linear_system.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr int kChunk = 128;  // points; fixed, for the same sums with any number of threads
+
+std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
+
+using RelativeSum = Eigen::Matrix<double, 8, 9>;
+
+RelativeSum symmetric(const ChunkSystem::RelativeBlock& block) {
+  RelativeSum sum;
+  for (int r = 0; r < 8; ++r) {
+    for (int c = 0; c < 9; ++c) {
+      const bool lower = c < r;
+      sum(r, c) = lower ? block[index(c)][index(r)] : block[index(r)][index(c)];
+    }
+  }
+  return sum;
+}
+
+void mapToAbsolute(int host, int target, const PairGeometry& pair, const RelativeSum& sum,
+                   SystemMatrix& H, SystemVector& b) {
+  const Eigen::Matrix<double, 8, 8> M = pair.relative_by_host.cast<double>();
+  const auto D = sum.leftCols<8>();
+  const Vector8d g = sum.col(8);
+  const int h = kFrameVariables * host;
+  const int t = kFrameVariables * target;
+  const Eigen::Matrix<double, 8, 8> across = M.transpose() * D;
+  H.block<8, 8>(t, t) += D;
+  H.block<8, 8>(h, h) += across * M;
+  H.block<8, 8>(h, t) += across;
+  H.block<8, 8>(t, h) += across.transpose();
+  b.segment<8>(t) += g;
+  b.segment<8>(h) += M.transpose() * g;
+}
+
+}  // namespace
+
+std::vector<PointRange> allPoints(const Window& window) {
+  std::vector<PointRange> ranges;
+  for (const int slot : window.order()) {
+    ranges.push_back({slot, 0, static_cast<int>(window.keyframe(slot).points.size())});
+  }
+  return ranges;
+}
+
+void LinearSystem::prepare(const CameraRig& rig, const Window& window,
+                           const std::vector<PointRange>& points) {
+  chunks_.clear();
+  std::size_t count = 0;
+  for (const PointRange& range : points) {
+    for (int begin = range.begin; begin < range.end; begin += kChunk) {
+      const int end = std::min(begin + kChunk, range.end);
+      chunks_.push_back({{range.host, begin, end}, count});
+      count += static_cast<std::size_t>(end - begin);
+    }
+  }
+  if (systems_.size() < chunks_.size()) systems_.resize(chunks_.size());
+  terms_.resize(count);
+  pairs_.resize(kSlots * kSlots);
+  stereos_.resize(kSlots);
+  for (const int host : window.order()) {
+    const Keyframe& keyframe = window.keyframe(host);
+    stereos_[index(host)] = {static_cast<float>(rig.pinhole.fx * rig.baseline),
+                             static_cast<float>(window.offset.value()), keyframe.right_gain,
+                             keyframe.right_offset};
+    for (const int target : window.order()) {
+      if (host == target) continue;
+      pairs_[index(host * kSlots + target)] =
+          pairGeometry(rig.pinhole, keyframe, window.keyframe(target));
+    }
+  }
+}
+
+void LinearSystem::build(const CameraRig& rig, const SystemSettings& settings, Window& window,
+                         const std::vector<PointRange>& points) {
+  prepare(rig, window, points);
+  tbb::parallel_for(std::size_t{0}, chunks_.size(),
+                    [&](std::size_t i) { evaluateChunk(rig, settings, window, i); });
+  sumUp(window);
+}
+
+void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& settings,
+                                 Window& window, std::size_t i) {
+  const Chunk& chunk = chunks_[i];
+  ChunkSystem& system = systems_[i];
+  const int host = chunk.range.host;
+  system.clear(host);
+  Keyframe& keyframe = window.keyframe(host);
+  const auto judge = [&system, threshold = window.energy_threshold](const PixelSums& sums) {
+    // Without gradient there is nothing to say; with too much energy it says something wrong.
+    const float root = std::min(std::sqrt(sums.energy), 127.0F);
+    ++system.histogram[static_cast<std::size_t>(root)];
+    const bool outlier = sums.energy > threshold || sums.xx + sums.yy < 2;
+    system.energy += std::min(sums.energy, threshold);
+    if (!outlier) ++system.residuals;
+    return outlier ? ResidualState::Outlier : ResidualState::Good;
+  };
+  for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
+    Point& point = keyframe.points[index(k)];
+    PointTerms& terms = terms_[chunk.first_term + index(k - chunk.range.begin)];
+    terms = PointTerms();
+    PixelSums sums;
+    for (const int target : window.order()) {
+      ResidualState& state = point.temporal[index(target)];
+      if (target == host || state == ResidualState::Absent) continue;
+      const PairGeometry& pair = pairs_[index(host * kSlots + target)];
+      if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) {
+        state = ResidualState::Outside;
+        continue;
+      }
+      state = judge(sums);
+      if (state != ResidualState::Good) continue;
+      const CentreJacobian J =
+          centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
+      system.addTemporal(target, pair, sums, J, terms);
+    }
+    if (point.stereo != ResidualState::Absent && settings.lambda > 0) {
+      const StereoGeometry& stereo = stereos_[index(host)];
+      const bool inside = stereoSums(stereo, keyframe.right.level(0), point, sums);
+      point.stereo = inside ? judge(sums) : ResidualState::Outside;
+      if (point.stereo == ResidualState::Good) {
+        system.addStereo(sums, stereo.focal_baseline, settings.lambda, terms);
+      }
+    }
+    system.eliminate(terms);
+  }
+}
+
+void LinearSystem::sumUp(const Window& window) {
+  H_.setZero();
+  b_.setZero();
+  energy_ = 0;
+  residuals_ = 0;
+  SystemMatrix schur = SystemMatrix::Zero();
+  std::vector<RelativeSum> relative(kSlots * kSlots, RelativeSum::Zero());
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    const ChunkSystem& system = systems_[i];
+    for (const int target : window.order()) {
+      if (!system.hasTarget(target)) continue;
+      relative[index(system.host() * kSlots + target)] += symmetric(system.relative(target));
+    }
+    for (int r = 0; r < kVariables; ++r) {
+      for (int c = r - r % kFrameVariables; c < kVariables; ++c) {
+        schur(r, c) += system.schur()[index(r)][index(c)];
+      }
+      b_[r] -= system.schurGradient()[index(r)];
+    }
+    H_(kOffsetIndex, kOffsetIndex) += system.offset_information;
+    b_[kOffsetIndex] += system.offset_gradient;
+    energy_ += system.energy;
+    residuals_ += system.residuals;
+  }
+  for (const int host : window.order()) {
+    for (const int target : window.order()) {
+      const std::size_t pair = index(host * kSlots + target);
+      if (host == target || relative[pair].isZero(0)) continue;
+      mapToAbsolute(host, target, pairs_[pair], relative[pair], H_, b_);
+    }
+  }
+  // Only one side of the diagonal was summed.
+  H_ -= SystemMatrix(schur.selfadjointView<Eigen::Upper>());
+}
+
+double LinearSystem::applyToDepths(Window& window, const SystemVector& step) const {
+  const Eigen::Matrix<float, kVariables, 1> x = step.cast<float>();
+  double relative = 0;
+  for (const Chunk& chunk : chunks_) {
+    Keyframe& keyframe = window.keyframe(chunk.range.host);
+    for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
+      const PointTerms& terms = terms_[chunk.first_term + index(k - chunk.range.begin)];
+      Point& point = keyframe.points[index(k)];
+      float dot = terms.gradient + terms.coupling[kOffsetIndex] * x[kOffsetIndex];
+      for (int slot = 0; slot < kSlots; ++slot) {
+        if (((terms.slots >> static_cast<unsigned>(slot)) & 1U) == 0) continue;
+        const float* c = terms.coupling.data() + kFrameVariables * slot;
+        for (int i = 0; i < kFrameVariables; ++i) dot += c[i] * x[kFrameVariables * slot + i];
+      }
+      const float limit = 0.5F * point.inverse_depth + 0.01F;
+      const float change = std::clamp(-dot / terms.information, -limit, limit);
+      point.inverse_depth = std::max(point.inverse_depth + change, 1e-5F);
+      relative += std::fabs(change) / (point.inverse_depth + 1e-3F);
+    }
+  }
+  return terms_.empty() ? 0 : relative / static_cast<double>(terms_.size());
+}
+
+void LinearSystem::storeInformation(Window& window) const {
+  for (const Chunk& chunk : chunks_) {
+    Keyframe& keyframe = window.keyframe(chunk.range.host);
+    for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
+      const PointTerms& terms = terms_[chunk.first_term + index(k - chunk.range.begin)];
+      Point& point = keyframe.points[index(k)];
+      point.information = terms.good > 0 ? terms.information : 0;
+      point.seen_good += terms.good;
+    }
+  }
+}
+
+float LinearSystem::outlierThreshold() const {
+  std::array<int, 128> histogram{};
+  int count = 0;
+  for (std::size_t i = 0; i < chunks_.size(); ++i) {
+    for (std::size_t bin = 0; bin < histogram.size(); ++bin) {
+      histogram[bin] += systems_[i].histogram[bin];
+      count += systems_[i].histogram[bin];
+    }
+  }
+  std::size_t bin = 0;
+  for (int below = histogram[0]; bin + 1 < histogram.size() && 10 * below < 7 * count;) {
+    below += histogram[++bin];
+  }
+  const float root = 13.0F + 0.75F * (static_cast<float>(bin) + 0.5F);
+  return root * root;
+}
+
+SystemVector changes(const Window& window) {
+  SystemVector x = SystemVector::Zero();
+  for (const int slot : window.order()) {
+    x.segment<kFrameVariables>(kFrameVariables * slot) = window.keyframe(slot).change;
+  }
+  x[kOffsetIndex] = window.offset.change;
+  return x;
+}
+
+SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b) {
+  SystemMatrix whole = H + window.prior.H;
+  SystemVector rhs = -(b + window.prior.b + window.prior.H * changes(window));
+  for (int i = 0; i < kVariables; ++i) {
+    if (whole(i, i) > 0) continue;
+    whole.row(i).setZero();
+    whole.col(i).setZero();
+    whole(i, i) = 1;
+    rhs[i] = 0;
+  }
+  const SystemVector scale = (whole.diagonal().array() + 1e-9).rsqrt();
+  whole = scale.asDiagonal() * whole * scale.asDiagonal();
+  whole.diagonal().array() += 1e-10;
+  const Eigen::LDLT<SystemMatrix> factors(whole);
+  const SystemVector step = scale.cwiseProduct(factors.solve(scale.cwiseProduct(rhs)));
+  return step.allFinite() ? step : SystemVector::Zero().eval();
+}
+
+}  // namespace tolman::direct_sparse

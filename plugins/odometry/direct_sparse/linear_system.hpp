@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window's linear system: all residuals of given points, inverse depths eliminated.
+#pragma once
+
+#include <vector>
+
+#include "chunk_system.hpp"
+#include "tolman/camera.hpp"
+#include "window.hpp"
+
+namespace tolman::direct_sparse {
+
+struct SystemSettings {
+  float lambda = 1;  ///< weight of the static term against the temporal ones; 0 without it
+};
+
+/// Points begin ... end - 1 of the keyframe in slot `host`.
+struct PointRange {
+  int host = 0;
+  int begin = 0;
+  int end = 0;
+};
+
+/// Every point of the window.
+std::vector<PointRange> allPoints(const Window& window);
+
+/// H dx = -b over the variables of window.hpp, with its prior kept apart. Residuals are evaluated
+/// in parallel, in chunks of fixed size, and summed in fixed order: the same bits for any number of
+/// threads.
+class LinearSystem {
+ public:
+  /// Evaluates the residuals of the points at the present state and sets their states.
+  void build(const CameraRig& rig, const SystemSettings& settings, Window& window,
+             const std::vector<PointRange>& points);
+
+  const SystemMatrix& H() const { return H_; }
+  const SystemVector& b() const { return b_; }
+  double energy() const { return energy_; }
+  int residuals() const { return residuals_; }
+  /// The change of each inverse depth that goes with `step`; applied to the points.
+  /// Returns the mean relative size.
+  double applyToDepths(Window& window, const SystemVector& step) const;
+  /// H_dd and counts into the points.
+  void storeInformation(Window& window) const;
+  /// Pattern energy that tells outliers, from the 70th percentile of the last residuals.
+  float outlierThreshold() const;
+  /// Couplings of point `i` (in the order of the ranges).
+  const PointTerms& terms(std::size_t i) const { return terms_[i]; }
+
+ private:
+  void prepare(const CameraRig& rig, const Window& window, const std::vector<PointRange>& points);
+  void evaluateChunk(const CameraRig& rig, const SystemSettings& settings, Window& window,
+                     std::size_t index);
+  void sumUp(const Window& window);
+
+  struct Chunk {
+    PointRange range;
+    std::size_t first_term = 0;
+  };
+  std::vector<Chunk> chunks_;
+  std::vector<ChunkSystem> systems_;
+  std::vector<PointTerms> terms_;
+  std::vector<PairGeometry> pairs_;      ///< host * kSlots + target
+  std::vector<StereoGeometry> stereos_;  ///< by host
+  SystemMatrix H_ = SystemMatrix::Zero();
+  SystemVector b_ = SystemVector::Zero();
+  double energy_ = 0;
+  int residuals_ = 0;
+};
+
+/// H, b plus the window's prior at the present change, solved; unused variables stay 0.
+SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b);
+
+/// Present changes of all variables from their first estimates.
+SystemVector changes(const Window& window);
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Order of the steps at a keyframe and between keyframes.
+#include "mapper.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "epipolar_search.hpp"
+#include "marginalisation.hpp"
+
+namespace tolman::direct_sparse {
+namespace {
+
+/// Variance of grey levels that turns a standard deviation into the energy's units.
+constexpr double kGreyVariance = 16;
+
+}  // namespace
+
+void Mapper::configure(const CameraRig& rig, const MapperSettings& settings) {
+  rig_ = rig;
+  settings_ = settings;
+  reset();
+}
+
+void Mapper::reset() {
+  window_.clear();
+  selector_.reset();
+  activator_.reset();
+}
+
+void Mapper::holdGauge(Keyframe& first) {
+  constexpr double kHold = 1e13;
+  const int i = kFrameVariables * window_.newestSlot();
+  window_.prior.H.diagonal().segment<kFrameVariables>(i).setConstant(kHold);
+  first.has_prior = true;
+  const double sigma = std::max(settings_.offset_sigma, 1e-6);
+  window_.prior.H(kOffsetIndex, kOffsetIndex) = kGreyVariance / (sigma * sigma);
+}
+
+std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                                const Affine& affine, Pyramid& left, Pyramid& right) {
+  Keyframe& keyframe = window_.add();
+  keyframe.frame = frame;
+  keyframe.T0_camera_world = T_world_camera.inverse();
+  keyframe.affine0 = affine;
+  std::swap(keyframe.left, left);
+  std::swap(keyframe.right, right);
+  keyframe.gradients.build(keyframe.left.level(0));
+  keyframe.has_right = !keyframe.right.empty();
+  if (window_.size() == 1) holdGauge(keyframe);
+  selectCandidates(keyframe);
+  if (keyframe.has_right) matchCandidates(keyframe);
+  activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
+  adjustWindow(rig_, settings_.adjustment, window_, system_);
+  dropOutliers(window_);
+  shrink();
+  return window_.pointCount();
+}
+
+void Mapper::selectCandidates(Keyframe& keyframe) {
+  const std::vector<Pixel>& pixels =
+      selector_.select(keyframe.gradients, settings_.candidates, kStereoBorder);
+  keyframe.immature.resize(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    ImmaturePoint point;
+    point.u = static_cast<float>(pixels[i].u);
+    point.v = static_cast<float>(pixels[i].v);
+    point.pattern = patternAt(keyframe.gradients, pixels[i].u, pixels[i].v);
+    keyframe.immature[i] = point;
+  }
+}
+
+void Mapper::matchCandidates(Keyframe& keyframe) {
+  StereoSearch search;
+  search.max_disparity = settings_.max_disparity;
+  balanceBrightness(keyframe.left.level(0), keyframe.right.level(0), search);
+  matches_.assign(keyframe.immature.size(), std::nullopt);
+  tbb::parallel_for(std::size_t{0}, matches_.size(), [&](std::size_t i) {
+    const ImmaturePoint& point = keyframe.immature[i];
+    matches_[i] = matchStereo(keyframe.left.level(0), keyframe.right.level(0),
+                              static_cast<int>(point.u), static_cast<int>(point.v), search);
+  });
+  balanceRight(keyframe, search);
+  const auto focal_baseline = static_cast<float>(rig_.pinhole.fx * rig_.baseline);
+  const auto offset = static_cast<float>(window_.offset.value());
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    if (!matches_[i]) continue;
+    ImmaturePoint& point = keyframe.immature[i];
+    point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);
+    point.sigma = matches_[i]->sigma / focal_baseline;
+    point.quality = matches_[i]->quality;
+    point.has_depth = true;
+  }
+}
+
+void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) const {
+  double gain = search.gain;
+  double offset = search.offset;
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < matches_.size(); ++i) {
+      if (!matches_[i]) continue;
+      const ImmaturePoint& point = keyframe.immature[i];
+      const float u = point.u - matches_[i]->disparity;
+      if (!keyframe.right.level(0).contains(u, point.v, kPatternRadius)) continue;
+      for (std::size_t k = 0; k < kPatternSize; ++k) {
+        const double x = point.pattern.value[k];
+        const double y = keyframe.right.level(0).at(u + static_cast<float>(kPatternU[k]),
+                                                    point.v + static_cast<float>(kPatternV[k]));
+        const double w = huberWeight(static_cast<float>(y - gain * x - offset));
+        n += w;
+        sx += w * x;
+        sy += w * y;
+        sxx += w * x * x;
+        sxy += w * x * y;
+      }
+    }
+    const double spread = n * sxx - sx * sx;
+    if (!(n > 100) || !(spread > n * n)) break;
+    gain = std::clamp((n * sxy - sx * sy) / spread, 0.3, 3.0);
+    offset = (sy - gain * sx) / n;
+  }
+  keyframe.right_gain = static_cast<float>(gain);
+  keyframe.right_offset = static_cast<float>(offset);
+}
+
+void Mapper::shrink() {
+  const std::vector<int> leaving = chooseLeaving(window_, settings_.window);
+  marginalisePoints(rig_, settings_.adjustment.system, leaving, settings_.marginal_weight, window_,
+                    system_);
+  for (const int slot : leaving) marginaliseKeyframe(slot, window_);
+}
+
+void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,
+                     const Pyramid& left) {
+  observer_.T0_camera_world = T_world_camera.inverse();
+  observer_.affine0 = affine;
+  EpipolarSettings settings;
+  settings.longest = 0.03F * static_cast<float>(rig_.width + rig_.height);
+  for (const int slot : window_.order()) {
+    Keyframe& keyframe = window_.keyframe(slot);
+    const PairGeometry pair = pairGeometry(rig_.pinhole, keyframe, observer_);
+    tbb::parallel_for(std::size_t{0}, keyframe.immature.size(), [&](std::size_t i) {
+      observeImmature(pair, left.level(0), settings, keyframe.immature[i]);
+    });
+  }
+}
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Schur complements of points and frames onto the prior.
+#include "marginalisation.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+bool contains(const std::vector<int>& slots, int slot) {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+double distance(const Keyframe& a, const Keyframe& b) {
+  return (a.T_world_camera().translation() - b.T_world_camera().translation()).norm();
+}
+
+/// Index in order() of the first of the two newest keyframes.
+std::size_t protectedFrom(const Window& window) { return window.order().size() - 2; }
+
+/// High for a keyframe close to others and far from the newest.
+double crowding(const Window& window, int slot) {
+  const Keyframe& keyframe = window.keyframe(slot);
+  double sum = 0;
+  for (const int other : window.order()) {
+    if (other == slot || other == window.newestSlot()) continue;
+    sum += 1 / (1e-5 + distance(keyframe, window.keyframe(other)));
+  }
+  return sum * std::sqrt(distance(keyframe, window.newest()));
+}
+
+bool exhausted(const Window& window, int slot) {
+  constexpr double kFewest = 0.05;
+  constexpr double kBrightnessChange = 0.7;  // of the logarithm
+  const Keyframe& keyframe = window.keyframe(slot);
+  const double kept = static_cast<double>(keyframe.points.size() + keyframe.immature.size());
+  const double made = static_cast<double>(keyframe.points_made) + kept;
+  return kept < kFewest * made ||
+         std::fabs(keyframe.affine().a - window.newest().affine().a) > kBrightnessChange;
+}
+
+/// Not seen by the two latest keyframes, and not hosted by them.
+bool outOfSight(const Window& window, int host, const Point& point) {
+  const std::vector<int>& order = window.order();
+  for (std::size_t i = protectedFrom(window); i < order.size(); ++i) {
+    if (order[i] == host) return false;
+    if (point.temporal[static_cast<std::size_t>(order[i])] == ResidualState::Good) return false;
+  }
+  return true;
+}
+
+bool worthKeeping(const Point& point) {
+  constexpr float kLeastInformation = 50;
+  return point.information > kLeastInformation && point.seen_good >= 3;
+}
+
+}  // namespace
+
+std::vector<int> chooseLeaving(const Window& window, int most) {
+  std::vector<int> leaving;
+  if (window.size() <= 2) return leaving;
+  const std::vector<int>& order = window.order();
+  const int fewest = std::max(2, most - 2);
+  for (std::size_t i = 0; i < protectedFrom(window); ++i) {
+    const int left = window.size() - static_cast<int>(leaving.size());
+    if (left > fewest && exhausted(window, order[i])) leaving.push_back(order[i]);
+  }
+  while (window.size() - static_cast<int>(leaving.size()) > most) {
+    int worst = -1;
+    double worst_score = -1;
+    for (std::size_t i = 0; i < protectedFrom(window); ++i) {
+      const double score = crowding(window, order[i]);
+      if (contains(leaving, order[i]) || score <= worst_score) continue;
+      worst = order[i];
+      worst_score = score;
+    }
+    leaving.push_back(worst);
+  }
+  return leaving;
+}
+
+void marginalisePoints(const CameraRig& rig, const SystemSettings& settings,
+                       const std::vector<int>& leaving, double weight, Window& window,
+                       LinearSystem& system) {
+  if (window.size() < 2) return;
+  std::vector<PointRange> ranges;
+  for (const int slot : window.order()) {
+    std::vector<Point>& points = window.keyframe(slot).points;
+    const bool host_leaves = contains(leaving, slot);
+    const auto goes = [&](const Point& p) { return host_leaves || outOfSight(window, slot, p); };
+    std::erase_if(points, [&](const Point& p) { return goes(p) && !worthKeeping(p); });
+    const auto first = std::stable_partition(points.begin(), points.end(),
+                                             [&](const Point& p) { return !goes(p); });
+    ranges.push_back(
+        {slot, static_cast<int>(first - points.begin()), static_cast<int>(points.size())});
+  }
+  system.build(rig, settings, window, ranges);
+  // The gradient there is that of the present state; the prior's is that of the first estimates.
+  window.prior.H += weight * system.H();
+  window.prior.b += weight * (system.b() - system.H() * changes(window));
+  for (const PointRange& range : ranges) {
+    std::vector<Point>& points = window.keyframe(range.host).points;
+    points.erase(points.begin() + range.begin, points.end());
+  }
+  for (const int slot : window.order()) {
+    const int i = kFrameVariables * slot;
+    Keyframe& keyframe = window.keyframe(slot);
+    keyframe.has_prior = keyframe.has_prior || window.prior.H(i, i) > 0;
+  }
+}
+
+void marginaliseKeyframe(int slot, Window& window) {
+  constexpr int n = kFrameVariables;
+  const int i = n * slot;
+  SystemMatrix& H = window.prior.H;
+  SystemVector& b = window.prior.b;
+  using Block = Eigen::Matrix<double, n, n>;
+  const Block own = 0.5 * (H.block<n, n>(i, i) + H.block<n, n>(i, i).transpose());
+  const Eigen::Matrix<double, n, 1> scale = (own.diagonal().array() + 1e-3).rsqrt();
+  Block scaled = scale.asDiagonal() * own * scale.asDiagonal();
+  scaled.diagonal().array() += 1e-9;
+  const Block inverse =
+      scale.asDiagonal() * Eigen::LDLT<Block>(scaled).solve(Block::Identity()) * scale.asDiagonal();
+  const Eigen::Matrix<double, kVariables, n> across = H.middleCols<n>(i);
+  const Eigen::Matrix<double, kVariables, n> gain = across * inverse;
+  b -= gain * b.segment<n>(i);
+  H -= gain * across.transpose();
+  H.middleRows<n>(i).setZero();
+  H.middleCols<n>(i).setZero();
+  b.segment<n>(i).setZero();
+  H = (0.5 * (H + H.transpose())).eval();
+  window.remove(slot);
+}
+
+}  // namespace tolman::direct_sparse

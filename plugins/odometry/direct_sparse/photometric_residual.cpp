@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Projection, interpolation and weighted sums over the pattern.
+#include "photometric_residual.hpp"
+
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+using Lanes = std::array<float, kPatternSize>;
+
+constexpr float kBorder = 2;             // px that projections keep from the border
+constexpr float kSmallestDepth = 1e-3F;  // of the host's depth
+
+struct Samples {
+  alignas(32) Lanes value;
+  alignas(32) Lanes gx;
+  alignas(32) Lanes gy;
+};
+
+/// Pixels of the pattern in the target; false when one is not usable.
+bool projectPattern(const PairGeometry& pair, const GradientImage& target, const Point& point,
+                    Lanes& us, Lanes& vs) {
+  const auto& m = pair.warp;
+  const float d = point.inverse_depth;
+  const float x0 = m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d;
+  const float y0 = m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d;
+  const float z0 = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
+  const float width = static_cast<float>(target.width()) - 1.0F - kBorder;
+  const float height = static_cast<float>(target.height()) - 1.0F - kBorder;
+  if (!(z0 > kSmallestDepth)) return false;
+  bool inside = true;
+  for (std::size_t k = 0; k < kPatternSize; ++k) {
+    const auto du = static_cast<float>(kPatternU[k]);
+    const auto dv = static_cast<float>(kPatternV[k]);
+    const float scale = 1.0F / (z0 + m[6] * du + m[7] * dv);
+    us[k] = (x0 + m[0] * du + m[1] * dv) * scale;
+    vs[k] = (y0 + m[3] * du + m[4] * dv) * scale;
+    inside = inside && us[k] >= kBorder && vs[k] >= kBorder && us[k] < width && vs[k] < height;
+  }
+  return inside;
+}
+
+void addUp(const PairGeometry& pair, const Pattern& pattern, const Samples& samples,
+           PixelSums& sums) {
+  PixelSums s;
+  for (std::size_t k = 0; k < kPatternSize; ++k) {
+    const float scene = pair.gain * (pattern.value[k] - pair.host_b);
+    const float r = samples.value[k] - scene - pair.target_b;
+    const float huber = huberWeight(r);
+    const float w = pattern.weight[k] * huber;
+    const float wx = w * samples.gx[k];
+    const float wy = w * samples.gy[k];
+    const float wa = -w * scene;
+    s.xx += wx * samples.gx[k];
+    s.xy += wx * samples.gy[k];
+    s.yy += wy * samples.gy[k];
+    s.xa -= wx * scene;
+    s.ya -= wy * scene;
+    s.x1 += wx;
+    s.y1 += wy;
+    s.aa -= wa * scene;
+    s.a1 += wa;
+    s.w += w;
+    s.xr += wx * r;
+    s.yr += wy * r;
+    s.ar += wa * r;
+    s.r1 += w * r;
+    s.energy += pattern.weight[k] * huberEnergy(r, huber);
+  }
+  sums = s;
+}
+
+/// Catmull-Rom value and central-difference slope between p[1] and p[2]. Bilinear values are
+/// blurred by an amount that changes with the fraction, which pulls disparities to half pixels.
+struct RowSample {
+  float value;
+  float slope;
+};
+RowSample rowSample(const std::uint8_t* p, float f) {
+  const auto a = static_cast<float>(p[0]);
+  const auto b = static_cast<float>(p[1]);
+  const auto c = static_cast<float>(p[2]);
+  const auto d = static_cast<float>(p[3]);
+  const float left = 0.5F * (c - a);
+  const float right = 0.5F * (d - b);
+  const float k2 = 3 * (c - b) - 2 * left - right;
+  const float k3 = left + right - 2 * (c - b);
+  return {b + f * (left + f * (k2 + f * k3)), left + f * (right - left)};
+}
+
+}  // namespace
+
+PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Keyframe& target) {
+  PairGeometry pair;
+  const Eigen::Isometry3d T = target.T_camera_world() * host.T_world_camera();
+  const Eigen::Isometry3d T0 = target.T0_camera_world * host.T0_camera_world.inverse();
+  Eigen::Matrix3d K = Eigen::Matrix3d::Identity();
+  K(0, 0) = camera.fx;
+  K(1, 1) = camera.fy;
+  K(0, 2) = camera.cx;
+  K(1, 2) = camera.cy;
+  const Eigen::Matrix3d warp = K * T.linear() * K.inverse();
+  const Eigen::Vector3d shift = K * T.translation();
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) {
+      pair.warp[static_cast<std::size_t>(3 * r + c)] = static_cast<float>(warp(r, c));
+    }
+    pair.shift[static_cast<std::size_t>(r)] = static_cast<float>(shift[r]);
+  }
+  pair.gain = static_cast<float>(std::exp(target.affine().a - host.affine().a));
+  pair.host_b = static_cast<float>(host.affine().b);
+  pair.target_b = static_cast<float>(target.affine().b);
+  pair.R0 = T0.linear().cast<float>();
+  pair.t0 = T0.translation().cast<float>();
+  // T_target_host becomes exp(xi_t) T exp(-xi_h), so the relative twist is xi_t - Ad(T) xi_h.
+  Eigen::Matrix<double, 8, 8> by_host = Eigen::Matrix<double, 8, 8>::Zero();
+  by_host.block<3, 3>(0, 0) = -T0.linear();
+  by_host.block<3, 3>(3, 3) = -T0.linear();
+  by_host.block<3, 3>(0, 3) = -skew(T0.translation()) * T0.linear();
+  by_host(6, 6) = -1;
+  by_host(7, 7) = -std::exp(target.affine0.a - host.affine0.a);
+  pair.relative_by_host = by_host.cast<float>();
+  return pair;
+}
+
+bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
+                  PixelSums& sums) {
+  Lanes us;
+  Lanes vs;
+  if (!projectPattern(pair, target, point, us, vs)) return false;
+  Samples samples;
+  for (std::size_t k = 0; k < kPatternSize; ++k) {
+    const GradientSample sample = target.at(us[k], vs[k]);
+    samples.value[k] = sample.value;
+    samples.gx[k] = sample.gx;
+    samples.gy[k] = sample.gy;
+  }
+  addUp(pair, point.pattern, samples, sums);
+  return true;
+}
+
+CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
+                              float inverse_depth) {
+  const auto fx = static_cast<float>(camera.fx);
+  const auto fy = static_cast<float>(camera.fy);
+  const Eigen::Vector3f ray((u - static_cast<float>(camera.cx)) / fx,
+                            (v - static_cast<float>(camera.cy)) / fy, 1.0F);
+  const Eigen::Vector3f p = pair.R0 * ray + pair.t0 * inverse_depth;
+  const float scale = 1.0F / p.z();
+  const float x = p.x() * scale;
+  const float y = p.y() * scale;
+  const float d = inverse_depth * scale;  // in the target
+  CentreJacobian J;
+  J.u_by_twist = {fx * d, 0, -fx * d * x, -fx * x * y, fx * (1 + x * x), -fx * y};
+  J.v_by_twist = {0, fy * d, -fy * d * y, -fy * (1 + y * y), fy * x * y, fy * x};
+  J.u_by_depth = fx * scale * (pair.t0.x() - x * pair.t0.z());
+  J.v_by_depth = fy * scale * (pair.t0.y() - y * pair.t0.z());
+  return J;
+}
+
+bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
+                PixelSums& sums) {
+  const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
+  constexpr float kMargin = kPatternRadius + 1;
+  if (!right.contains(u, point.v, kMargin)) return false;
+  const int x = static_cast<int>(u);
+  const int y = static_cast<int>(point.v);
+  const float f = u - static_cast<float>(x);
+  PixelSums s;
+  for (std::size_t k = 0; k < kPatternSize; ++k) {
+    const RowSample sample = rowSample(right.row(y + kPatternV[k]) + x + kPatternU[k] - 1, f);
+    const float r = sample.value - stereo.gain * point.pattern.value[k] - stereo.brightness;
+    const float huber = huberWeight(r);
+    const float w = point.pattern.weight[k] * huber;
+    s.xx += w * sample.slope * sample.slope;
+    s.xr += w * sample.slope * r;
+    s.energy += point.pattern.weight[k] * huberEnergy(r, huber);
+  }
+  sums = s;
+  return true;
+}
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One point seen in another keyframe, or in the right image of its own: residuals of the eight
+// pattern pixels, and their sums for the normal equations (paper, temporal and static terms).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+
+#include "keyframe.hpp"
+#include "tolman/camera.hpp"
+
+namespace tolman::direct_sparse {
+
+using Matrix8f = Eigen::Matrix<float, 8, 8>;
+using Vector8f = Eigen::Matrix<float, 8, 1>;
+
+/// Everything about a pair (host, target) that its points share.
+///
+/// Residuals use the present state, derivatives the first estimate (first-estimate Jacobians).
+/// Relative variables: left twist of T_target_host, then a and b of the target.
+struct PairGeometry {
+  std::array<float, 9> warp{};   ///< K R K^-1, row-major
+  std::array<float, 3> shift{};  ///< K t
+  float gain = 1;                ///< e^(a_target - a_host)
+  float host_b = 0;
+  float target_b = 0;
+  Eigen::Matrix3f R0 = Eigen::Matrix3f::Identity();
+  Eigen::Vector3f t0 = Eigen::Vector3f::Zero();
+  /// Relative variables by those of the host; by those of the target it is the identity.
+  Matrix8f relative_by_host = Matrix8f::Zero();
+};
+
+PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Keyframe& target);
+
+/// Weighted sums over the pattern: gradient (x, y), derivative by a of the residual (a), residual
+/// (r), weight (1). The derivative by b is -1.
+struct PixelSums {
+  float xx = 0, xy = 0, yy = 0, xa = 0, ya = 0, x1 = 0, y1 = 0, aa = 0, a1 = 0, w = 0;
+  float xr = 0, yr = 0, ar = 0, r1 = 0;
+  float energy = 0;
+};
+
+/// Derivatives of the pixel of the pattern's centre.
+struct CentreJacobian {
+  std::array<float, 6> u_by_twist{};
+  std::array<float, 6> v_by_twist{};
+  float u_by_depth = 0;  ///< inverse depth
+  float v_by_depth = 0;
+};
+
+/// False when the pattern leaves the image or lies behind the camera.
+bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
+                  PixelSums& sums);
+CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
+                              float inverse_depth);
+
+/// The right image as a target: pixel (u - focal * baseline * inverse_depth + offset, v).
+struct StereoGeometry {
+  float focal_baseline = 0;  ///< px m
+  float offset = 0;          ///< px
+  float gain = 1;
+  float brightness = 0;  ///< right = gain * left + brightness
+};
+
+/// Only xx, xr and energy are filled: the row is the only direction.
+bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
+                PixelSums& sums);
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Thresholds of 32x32 blocks, and the strongest pixel of each cell.
+#include "point_selection.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr int kBlock = 32;         // px
+constexpr int kCap = 48;           // grey levels / px; stronger ones are all alike
+constexpr float kAboveMedian = 7;  // grey levels / px
+constexpr int kDirections = 16;
+
+/// A direction for a cell: all directions of gradient shall be there, not the strongest alone.
+std::array<float, 2> direction(int u, int v) {
+  const auto hash =
+      static_cast<std::uint32_t>(u) * 73856093U ^ static_cast<std::uint32_t>(v) * 19349663U;
+  const float angle = static_cast<float>((hash >> 7U) % kDirections) * 3.14159265F / kDirections;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace
+
+void PointSelector::measure(const GradientImage& image) {
+  width_ = image.width();
+  height_ = image.height();
+  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  for (int v = 0; v < height_; ++v) {
+    const std::int16_t* in = image.pixel(0, v);
+    std::uint8_t* out = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
+    for (int u = 0; u < width_; ++u) {
+      const int squared = in[4 * u + 1] * in[4 * u + 1] + in[4 * u + 2] * in[4 * u + 2];
+      out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(squared)));
+    }
+  }
+}
+
+void PointSelector::findThresholds() {
+  blocks_u_ = std::max(1, width_ / kBlock);
+  blocks_v_ = std::max(1, height_ / kBlock);
+  raw_.assign(static_cast<std::size_t>(blocks_u_ * blocks_v_), 0);
+  thresholds_ = raw_;
+  for (int j = 0; j < blocks_v_; ++j) {
+    for (int i = 0; i < blocks_u_; ++i) {
+      std::array<int, kCap + 1> histogram{};
+      int count = 0;
+      for (int v = j * kBlock; v < std::min((j + 1) * kBlock, height_); v += 2) {
+        const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
+        for (int u = i * kBlock; u < std::min((i + 1) * kBlock, width_); u += 2, ++count) {
+          ++histogram[static_cast<std::size_t>(std::min<int>(row[u], kCap))];
+        }
+      }
+      int median = 0;
+      for (int below = histogram[0]; 2 * below < count;) {
+        below += histogram[static_cast<std::size_t>(++median)];
+      }
+      raw_[static_cast<std::size_t>(j * blocks_u_ + i)] = static_cast<float>(median) + kAboveMedian;
+    }
+  }
+  for (int j = 0; j < blocks_v_; ++j) {
+    for (int i = 0; i < blocks_u_; ++i) {
+      float sum = 0;
+      float count = 0;
+      for (int y = std::max(0, j - 1); y <= std::min(blocks_v_ - 1, j + 1); ++y) {
+        for (int x = std::max(0, i - 1); x <= std::min(blocks_u_ - 1, i + 1); ++x, ++count) {
+          sum += raw_[static_cast<std::size_t>(y * blocks_u_ + x)];
+        }
+      }
+      thresholds_[static_cast<std::size_t>(j * blocks_u_ + i)] = sum / count;
+    }
+  }
+}
+
+float PointSelector::thresholdAt(int u, int v) const {
+  const int i = std::min(u / kBlock, blocks_u_ - 1);
+  const int j = std::min(v / kBlock, blocks_v_ - 1);
+  return thresholds_[static_cast<std::size_t>(j * blocks_u_ + i)];
+}
+
+void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int size, int border,
+                                 float relax) {
+  const int u_begin = std::max(u0, border);
+  const int v_begin = std::max(v0, border);
+  const int u_end = std::min(u0 + size, width_ - border);
+  const int v_end = std::min(v0 + size, height_ - border);
+  if (u_begin >= u_end || v_begin >= v_end) return;
+  const float threshold = relax * thresholdAt((u_begin + u_end) / 2, (v_begin + v_end) / 2);
+  const std::array<float, 2> along = direction(u0, v0);
+  Pixel best;
+  float best_projection = 0;
+  for (int v = v_begin; v < v_end; ++v) {
+    const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
+    for (int u = u_begin; u < u_end; ++u) {
+      if (static_cast<float>(row[u]) <= threshold) continue;
+      const std::int16_t* p = image.pixel(u, v);
+      const float projection =
+          std::fabs(along[0] * static_cast<float>(p[1]) + along[1] * static_cast<float>(p[2]));
+      if (projection <= best_projection) continue;
+      best_projection = projection;
+      best = {u, v};
+    }
+  }
+  if (best_projection > 0) pixels_.push_back(best);
+}
+
+void PointSelector::pickFromCells(const GradientImage& image, int border) {
+  pixels_.clear();
+  constexpr float kRelax = 0.75F;
+  const int large = 4 * cell_;
+  for (int v = 0; v < height_; v += large) {
+    for (int u = 0; u < width_; u += large) {
+      const std::size_t before = pixels_.size();
+      for (int j = 0; j < 4; j += 2) {
+        for (int i = 0; i < 4; i += 2) {
+          const std::size_t before_middle = pixels_.size();
+          for (int k = 0; k < 4; ++k) {
+            pickFromCell(image, u + (i + k % 2) * cell_, v + (j + k / 2) * cell_, cell_, border, 1);
+          }
+          if (pixels_.size() > before_middle) continue;
+          pickFromCell(image, u + i * cell_, v + j * cell_, 2 * cell_, border, kRelax);
+        }
+      }
+      if (pixels_.size() == before) pickFromCell(image, u, v, large, border, kRelax * kRelax);
+    }
+  }
+}
+
+const std::vector<Pixel>& PointSelector::select(const GradientImage& image, int wanted,
+                                                int border) {
+  measure(image);
+  findThresholds();
+  if (cell_ == 0) {
+    const double area = static_cast<double>(width_) * height_ / std::max(1, wanted);
+    cell_ = std::max(2, static_cast<int>(0.7 * std::sqrt(area)));
+  }
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    pickFromCells(image, border);
+    const double ratio = static_cast<double>(pixels_.size()) / wanted;
+    if (ratio > 0.8 && ratio < 1.5) break;
+    // The count goes like 1 / (cell + 1)^2.
+    const int better = static_cast<int>(std::lround((cell_ + 1) * std::sqrt(ratio))) - 1;
+    const int next = std::clamp(better, 2, 64);
+    if (next == cell_) break;
+    cell_ = next;
+    if (attempt > 0) break;  // the next keyframe starts from there
+  }
+  return pixels_;
+}
+
+}  // namespace tolman::direct_sparse

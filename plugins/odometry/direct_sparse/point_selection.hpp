@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Candidate points: pixels with a gradient above what is usual around them (paper, frame
+// management; algorithms: 5.2).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gradient_image.hpp"
+
+namespace tolman::direct_sparse {
+
+struct Pixel {
+  int u = 0;
+  int v = 0;
+};
+
+/// Keeps its buffers from keyframe to keyframe, and the cell size that gave about the wanted count.
+class PointSelector {
+ public:
+  void reset() { cell_ = 0; }
+  /// About `wanted` pixels, at least `border` away from the image's edge, in the order of cells.
+  const std::vector<Pixel>& select(const GradientImage& image, int wanted, int border);
+
+ private:
+  void measure(const GradientImage& image);
+  void findThresholds();
+  void pickFromCells(const GradientImage& image, int border);
+  void pickFromCell(const GradientImage& image, int u0, int v0, int size, int border, float relax);
+  float thresholdAt(int u, int v) const;
+
+  int width_ = 0;
+  int height_ = 0;
+  int blocks_u_ = 0;
+  int blocks_v_ = 0;
+  int cell_ = 0;                        ///< px; 0 before the first image
+  std::vector<std::uint8_t> strength_;  ///< size of the gradient, grey levels / px
+  std::vector<float> raw_;
+  std::vector<float> thresholds_;
+  std::vector<Pixel> pixels_;
+};
+
+}  // namespace tolman::direct_sparse

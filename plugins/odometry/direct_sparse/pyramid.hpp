@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The image pyramid: grey bytes, each level the mean of 2x2 pixels of the one below. An odd last
+// row or column is left out of the next level, so every image size has a full pyramid.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tolman/image.hpp"
+
+namespace tolman::direct_sparse {
+
+/// One level. Pixels are packed; a few bytes behind the last one may be read (they are zero).
+struct GrayLevel {
+  static constexpr std::size_t kPadding = 32;
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> pixels;
+
+  void resize(int new_width, int new_height);
+  const std::uint8_t* row(int v) const {
+    return pixels.data() + static_cast<std::ptrdiff_t>(v) * width;
+  }
+  std::uint8_t* row(int v) { return pixels.data() + static_cast<std::ptrdiff_t>(v) * width; }
+  /// Whether a bilinear value, with a border of `margin` pixels around, lies inside.
+  bool contains(float u, float v, float margin) const {
+    return u >= margin && v >= margin && u < static_cast<float>(width) - 1.0F - margin &&
+           v < static_cast<float>(height) - 1.0F - margin;
+  }
+  /// Bilinear; (u, v) must lie in [0, width - 1) x [0, height - 1).
+  float at(float u, float v) const {
+    const int x = static_cast<int>(u);
+    const int y = static_cast<int>(v);
+    const float fx = u - static_cast<float>(x);
+    const float fy = v - static_cast<float>(y);
+    const std::uint8_t* p = row(y) + x;
+    const std::uint8_t* q = p + width;
+    const auto p0 = static_cast<float>(p[0]);
+    const auto q0 = static_cast<float>(q[0]);
+    const float top = p0 + fx * (static_cast<float>(p[1]) - p0);
+    const float bottom = q0 + fx * (static_cast<float>(q[1]) - q0);
+    return top + fy * (bottom - top);
+  }
+};
+
+/// What a level's image coordinates are in pixels of level 0 and back: pixel centres are whole
+/// numbers on every level.
+inline float toLevel(float pixel, int level) {
+  return (pixel + 0.5F) / static_cast<float>(1 << level) - 0.5F;
+}
+
+class Pyramid {
+ public:
+  static constexpr int kMostLevels = 6;
+
+  /// Reuses its memory. Levels stop before a side falls below 16 px, or at `most`.
+  void build(const Image& image, int most = kMostLevels);
+  int levels() const { return levels_; }
+  const GrayLevel& level(int l) const { return images_[l]; }
+  bool empty() const { return levels_ == 0; }
+
+ private:
+  GrayLevel images_[kMostLevels];
+  int levels_ = 0;
+};
+
+/// Contrast of an image: standard deviation of grey levels on a grid of pixels, and their mean.
+struct GrayStatistics {
+  float mean = 0;
+  float deviation = 0;
+};
+GrayStatistics grayStatistics(const GrayLevel& image);
+
+}  // namespace tolman::direct_sparse

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Hypotheses of motion and the judgement of their result.
+#include "tracker.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr int kFewestSamples = 100;
+
+bool believable(const AlignmentResult& result) {
+  constexpr double kLeastInliers = 0.6;
+  constexpr double kLeastInView = 0.15;
+  constexpr double kMostGain = 1.2;  // of the logarithm
+  return result.samples >= kFewestSamples && result.inlier_fraction > kLeastInliers &&
+         result.in_view > kLeastInView && std::fabs(result.state.brightness.a) < kMostGain;
+}
+
+/// Motions of the camera since the last frame that are worth a try when the expected one fails.
+std::vector<Eigen::Isometry3d> hypotheses(const Expectation& expectation) {
+  const Eigen::Isometry3d& expected = expectation.T_previous_current;
+  std::vector<Eigen::Isometry3d> motions = {Eigen::Isometry3d::Identity()};
+  if (expectation.has_velocity) {
+    const Vector6d twist = logSe3(expected);
+    for (const double factor : {1.0, 0.5, 2.0, -1.0}) motions.push_back(expSe3(factor * twist));
+    motions.push_back(expectation.T_reference_previous.inverse());  // as the keyframe
+  }
+  for (const double metres : {0.3, 0.6, 1.0, 1.5, 2.0, 2.6, 3.3}) {
+    for (const double sign : {1.0, -1.0}) {
+      motions.emplace_back(Eigen::Translation3d(0, 0, sign * metres));
+    }
+  }
+  const Eigen::Isometry3d base = expectation.has_velocity ? expected : motions.front();
+  for (const double radians : {0.02, 0.05, 0.1}) {
+    for (const double sign : {1.0, -1.0}) {
+      for (const Eigen::Vector3d& axis :
+           {Eigen::Vector3d::UnitX().eval(), Eigen::Vector3d::UnitY().eval(),
+            Eigen::Vector3d::UnitZ().eval()}) {
+        motions.push_back(base * Eigen::AngleAxisd(sign * radians, axis));
+      }
+    }
+  }
+  return motions;
+}
+
+}  // namespace
+
+void Tracker::reset() {
+  reference_.clear();
+  last_rms_ = 0;
+  first_rms_ = 0;
+}
+
+bool Tracker::setReference(const CameraRig& rig, const Window& window) {
+  reference_.build(rig, window);
+  first_rms_ = 0;
+  return reference_.level(0).count >= static_cast<std::size_t>(kFewestSamples);
+}
+
+AlignmentResult Tracker::bestOf(const CameraRig& rig, const Pyramid& image,
+                                const Expectation& expectation) {
+  const int coarsest = reference_.levels() - 1;
+  const int finest = std::max(0, std::min(2, coarsest));
+  AlignmentResult best;
+  double best_rms = std::numeric_limits<double>::max();
+  for (const Eigen::Isometry3d& motion : hypotheses(expectation)) {
+    AlignmentState guess;
+    guess.T_current_reference = (expectation.T_reference_previous * motion).inverse();
+    guess.brightness = expectation.brightness;
+    const AlignmentResult result = aligner_.align(rig, reference_, image, guess, coarsest, finest);
+    if (result.in_view < 0.3 || result.rms >= best_rms) continue;
+    best_rms = result.rms;
+    best = result;
+  }
+  if (best_rms == std::numeric_limits<double>::max()) return best;
+  return aligner_.align(rig, reference_, image, best.state, std::max(0, finest - 1), 0);
+}
+
+std::optional<AlignmentResult> Tracker::track(const CameraRig& rig, const Pyramid& image,
+                                              const Expectation& expectation) {
+  constexpr double kRmsGrowth = 1.5;
+  AlignmentResult result;
+  bool good = false;
+  if (expectation.has_velocity) {
+    AlignmentState guess;
+    guess.T_current_reference =
+        (expectation.T_reference_previous * expectation.T_previous_current).inverse();
+    guess.brightness = expectation.brightness;
+    result = aligner_.align(rig, reference_, image, guess, reference_.levels() - 1, 0);
+    good = believable(result) && (last_rms_ == 0 || result.rms < kRmsGrowth * last_rms_);
+  }
+  if (!good) {
+    const AlignmentResult other = bestOf(rig, image, expectation);
+    const bool better = believable(other) && (!believable(result) || other.rms < result.rms);
+    if (better) result = other;
+  }
+  if (!believable(result)) return std::nullopt;
+  last_rms_ = result.rms;
+  if (first_rms_ == 0) first_rms_ = result.rms;
+  measureFlow(rig, reference_, result);
+  return result;
+}
+
+}  // namespace tolman::direct_sparse

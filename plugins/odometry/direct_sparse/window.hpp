@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The active window: keyframes in fixed slots, and what marginalised ones left behind.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "keyframe.hpp"
+#include "tolman/camera.hpp"
+
+namespace tolman::direct_sparse {
+
+/// Variables of the linear system: eight a slot (pose, a, b), then the disparity offset.
+inline constexpr int kFrameVariables = 8;
+inline constexpr int kOffsetIndex = kSlots * kFrameVariables;
+inline constexpr int kVariables = kOffsetIndex + 1;
+
+using SystemMatrix = Eigen::Matrix<double, kVariables, kVariables>;
+using SystemVector = Eigen::Matrix<double, kVariables, 1>;
+
+/// Quadratic energy in the changes of the variables from their first estimates:
+/// x' H x / 2 + b' x.
+struct Prior {
+  SystemMatrix H = SystemMatrix::Zero();
+  SystemVector b = SystemVector::Zero();
+};
+
+/// All disparities of the right camera may be off by one amount, from rectification. It is the one
+/// intrinsic value that the window estimates; an error of it would be an error of scale.
+struct DisparityOffset {
+  double first = 0;   ///< px
+  double change = 0;  ///< px
+  double value() const { return first + change; }
+};
+
+class Window {
+ public:
+  static constexpr float kFirstThreshold = 12 * 12 * kPatternSize;
+
+  void clear();
+  bool empty() const { return order_.empty(); }
+  int size() const { return static_cast<int>(order_.size()); }
+  /// Slots from the oldest keyframe to the newest.
+  const std::vector<int>& order() const { return order_; }
+  Keyframe& keyframe(int slot) { return keyframes_[static_cast<std::size_t>(slot)]; }
+  const Keyframe& keyframe(int slot) const { return keyframes_[static_cast<std::size_t>(slot)]; }
+  Keyframe& newest() { return keyframe(order_.back()); }
+  const Keyframe& newest() const { return keyframe(order_.back()); }
+  int newestSlot() const { return order_.back(); }
+  const Keyframe* find(std::int64_t frame) const;
+
+  /// A free slot becomes the newest keyframe, its buffers emptied but not freed. There must be one.
+  Keyframe& add();
+  /// Frees the slot; whoever calls this has marginalised its variables.
+  void remove(int slot);
+  std::size_t pointCount() const;
+
+  Prior prior;
+  DisparityOffset offset;
+  float energy_threshold = kFirstThreshold;  ///< pattern energy above which a residual is wrong
+
+ private:
+  std::array<Keyframe, kSlots> keyframes_;
+  std::vector<int> order_;
+};
+
+}  // namespace tolman::direct_sparse
