@@ -15,7 +15,7 @@ struct Parameters {
   double keyframe_weight = 1;
   double nearest = 2.5;
   double marginal_weight = 0.5;
-  double offset_sigma = 0.2;
+  double offset_sigma = 0;
 
   static constexpr auto declaration() {
     using P = Parameters;
