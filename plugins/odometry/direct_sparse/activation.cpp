@@ -27,6 +27,8 @@ Landing land(const PairGeometry& pair, const GradientImage& image, float u, floa
   return {image.contains(x, y, kPatternRadius + 1), x, y};
 }
 
+constexpr int kGone = 1000;  // failures of a candidate that is not looked at again
+
 enum class Readiness { Ready, Wait, Hopeless };
 
 Readiness readiness(const ImmaturePoint& point) {
@@ -82,6 +84,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
     float information = 1e-3F;
     float gradient = 0;
     int good = 0;
+    int seen = 0;
     PixelSums sums;
     for (const int target : window.order()) {
       if (target == host) continue;
@@ -89,6 +92,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
       ResidualState& state = point.temporal[index(target)];
       state = ResidualState::Absent;
       if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) continue;
+      ++seen;
       if (sums.energy > window.energy_threshold) continue;
       const CentreJacobian J =
           centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
@@ -105,10 +109,9 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
       information += settings.lambda * stereo.focal_baseline * stereo.focal_baseline * sums.xx;
       gradient -= settings.lambda * stereo.focal_baseline * sums.xr;
       point.stereo = ResidualState::Good;
-      ++good;
     }
-    const bool alone = window.size() == 1;
-    const bool enough = good >= 2 || (good == 1 && (alone || !use_stereo));
+    // The right camera alone will do for what no other keyframe could see.
+    const bool enough = good > 0 || (seen == 0 && point.stereo == ResidualState::Good);
     if (!enough || information < kLeastInformation) return std::nullopt;
     const float limit = 0.3F * point.inverse_depth + 0.01F;
     const float step = std::clamp(-gradient / information, -limit, limit);
@@ -119,13 +122,13 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
   return point;
 }
 
-void Activator::adaptSpacing(const CameraRig& rig, int wanted, std::size_t present) {
+void Activator::adaptSpacing(const CameraRig& rig, int wanted) {
   if (spacing_ == 0) {
     spacing_ = static_cast<float>(
         0.6 * std::sqrt(static_cast<double>(rig.width) * rig.height / static_cast<double>(wanted)));
   }
-  const double ratio = static_cast<double>(present) / wanted;
-  if (present > 0) spacing_ *= static_cast<float>(std::clamp(0.5 + 0.5 * ratio, 0.8, 1.25));
+  const double ratio = static_cast<double>(last_count_) / wanted;
+  if (last_count_ > 0) spacing_ *= static_cast<float>(std::clamp(ratio, 0.8, 1.25));
   spacing_ = std::clamp(spacing_, 2.0F, 40.0F);
 }
 
@@ -134,12 +137,12 @@ void Activator::chooseFrom(int host, Window& window, const PairGeometry* to_newe
   std::vector<ImmaturePoint>& immature = window.keyframe(host).immature;
   for (std::size_t i = 0; i < immature.size(); ++i) {
     ImmaturePoint& point = immature[i];
-    if (readiness(point) != Readiness::Ready) continue;
     Landing place{true, point.u, point.v};
     if (to_newest != nullptr) {
       place = land(*to_newest, newest, point.u, point.v, point.inverse_depth);
     }
-    if (!place.inside || !occupancy_.claim(place.u, place.v)) continue;
+    if (!place.inside) point.failures = kGone;
+    if (readiness(point) != Readiness::Ready || !occupancy_.claim(place.u, place.v)) continue;
     chosen_.push_back({host, i});
   }
 }
@@ -147,7 +150,7 @@ void Activator::chooseFrom(int host, Window& window, const PairGeometry* to_newe
 void Activator::activate(const CameraRig& rig, const SystemSettings& settings, int wanted,
                          Window& window) {
   const int newest = window.newestSlot();
-  adaptSpacing(rig, wanted, window.pointCount());
+  adaptSpacing(rig, wanted);
   occupancy_.reset(rig.width, rig.height, spacing_);
   pairs_.resize(kSlots * kSlots);
   for (const int host : window.order()) {
@@ -176,7 +179,7 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
   });
   for (std::size_t i = 0; i < chosen_.size(); ++i) {
     Keyframe& keyframe = window.keyframe(chosen_[i].host);
-    keyframe.immature[chosen_[i].index].failures = 1000;  // used up, or wrong
+    keyframe.immature[chosen_[i].index].failures = kGone;  // used up, or wrong
     if (!refined_[i]) continue;
     keyframe.points.push_back(*refined_[i]);
     ++keyframe.points_made;
@@ -186,6 +189,7 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
       return readiness(point) == Readiness::Hopeless;
     });
   }
+  last_count_ = window.pointCount();
 }
 
 }  // namespace tolman::direct_sparse

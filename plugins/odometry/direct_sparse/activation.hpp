@@ -37,7 +37,10 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
 /// Chooses and activates; keeps what it needs from keyframe to keyframe.
 class Activator {
  public:
-  void reset() { spacing_ = 0; }
+  void reset() {
+    spacing_ = 0;
+    last_count_ = 0;
+  }
   /// Aims at `wanted` points in the window. Every point of the window gets a residual to the newest
   /// keyframe before.
   void activate(const CameraRig& rig, const SystemSettings& settings, int wanted, Window& window);
@@ -47,10 +50,11 @@ class Activator {
     int host = 0;
     std::size_t index = 0;
   };
-  void adaptSpacing(const CameraRig& rig, int wanted, std::size_t present);
+  void adaptSpacing(const CameraRig& rig, int wanted);
   void chooseFrom(int host, Window& window, const PairGeometry* to_newest);
 
-  float spacing_ = 0;  ///< px; 0 before the first keyframe
+  float spacing_ = 0;           ///< px; 0 before the first keyframe
+  std::size_t last_count_ = 0;  ///< points in the window after the last activation
   Occupancy occupancy_;
   std::vector<Candidate> chosen_;
   std::vector<std::optional<Point>> refined_;

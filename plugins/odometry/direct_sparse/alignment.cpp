@@ -26,6 +26,32 @@ struct LevelView {
   float gain, offset;
 };
 
+constexpr double kLargestFlow = 0.06;  // of width + height
+
+/// Counts which parts of the image have samples.
+class Cells {
+ public:
+  explicit Cells(const CameraRig& rig) : rig_(rig) {}
+  void add(const Eigen::Vector3d& ray) {
+    const Eigen::Vector2d pixel = rig_.pinhole.project(ray);
+    const double column = pixel.x() / rig_.width * kColumns;
+    const double row = pixel.y() / rig_.height * kRows;
+    if (!(column >= 0 && column < kColumns && row >= 0 && row < kRows)) return;
+    bool& cell =
+        taken_[static_cast<std::size_t>(row) * kColumns + static_cast<std::size_t>(column)];
+    count_ += cell ? 0 : 1;
+    cell = true;
+  }
+  int taken() const { return count_; }
+
+ private:
+  static constexpr int kColumns = 16;
+  static constexpr int kRows = 8;
+  const CameraRig& rig_;
+  std::array<bool, kColumns * kRows> taken_{};
+  int count_ = 0;
+};
+
 LevelView levelView(const CameraRig& rig, int l, const AlignmentState& state) {
   LevelView view{};
   for (int r = 0; r < 3; ++r) {
@@ -210,23 +236,32 @@ void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
   const ReferenceLevel& level = reference.level(0);
   const Eigen::Matrix3d R = result.state.T_current_reference.linear();
   const Eigen::Vector3d t = result.state.T_current_reference.translation();
-  const Eigen::Vector2d focal(rig.pinhole.fx, rig.pinhole.fy);
+  const double cap = kLargestFlow * (rig.width + rig.height);
+  const auto flowOf = [&](const Eigen::Vector3d& moved, const Eigen::Vector3d& ray) {
+    const double du = rig.pinhole.fx * (moved.x() / moved.z() - ray.x());
+    const double dv = rig.pinhole.fy * (moved.y() / moved.z() - ray.y());
+    return std::min(du * du + dv * dv, cap * cap);
+  };
+  Cells before(rig);
+  Cells now(rig);
   double flow = 0;
   double translation_flow = 0;
   double count = 0;
-  for (std::size_t i = 0; i < level.count; i += 16) {
+  for (std::size_t i = 0; i < level.count; i += 5) {
     const Eigen::Vector3d ray(level.x[i], level.y[i], 1);
     const double d = level.d[i];
     const Eigen::Vector3d full = R * ray + t * d;
     const Eigen::Vector3d shifted = ray + t * d;
+    before.add(ray);
     if (full.z() < 1e-3 || shifted.z() < 1e-3) continue;
-    flow += focal.cwiseProduct(full.head<2>() / full.z() - ray.head<2>()).squaredNorm();
-    translation_flow +=
-        focal.cwiseProduct(shifted.head<2>() / shifted.z() - ray.head<2>()).squaredNorm();
+    now.add(full / full.z());
+    flow += flowOf(full, ray);
+    translation_flow += flowOf(shifted, ray);
     ++count;
   }
   result.flow = std::sqrt(flow / std::max(count, 1.0));
   result.translation_flow = std::sqrt(translation_flow / std::max(count, 1.0));
+  result.coverage = static_cast<double>(now.taken()) / std::max(1, before.taken());
 }
 
 }  // namespace tolman::direct_sparse

@@ -26,6 +26,7 @@ struct AlignmentResult {
   Eigen::Matrix<double, 8, 8> information = Eigen::Matrix<double, 8, 8>::Zero();
   double flow = 0;              ///< px, root mean square against the reference
   double translation_flow = 0;  ///< px, as if the camera had not turned
+  double coverage = 1;          ///< part of the reference's image area that still has samples
 };
 
 class Aligner {
@@ -59,7 +60,8 @@ class Aligner {
   std::vector<Sums> chunks_;
 };
 
-/// Flow of the samples of the level between reference and current frame, in pixels of level 0.
+/// Fills flow and coverage. Flow is in pixels of level 0; large ones are capped, or a few near
+/// points would speak for the scene.
 void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
                  AlignmentResult& result);
 

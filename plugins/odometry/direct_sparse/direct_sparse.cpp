@@ -174,11 +174,13 @@ bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
   const double change =
       parameters_.keyframe_weight * (44.8 * tracked.translation_flow + 22.4 * tracked.flow) / size +
       2 * std::fabs(tracked.state.brightness.a);
-  return change > 1 || tracked.rms > 2 * tracker_.firstRms() || tracked.in_view < 0.5;
+  return change > 1 || tracked.rms > 2 * tracker_.firstRms() || tracked.in_view < 0.6 ||
+         tracked.coverage < 0.8;
 }
 
 void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& frame,
                                   Motion& motion) {
+  if (getenv("DSOD")) fprintf(stderr, "DBG f %ld rms %.2f inl %.3f view %.3f n %d flow %.1f tflow %.1f cov %.2f pts %zu win %d a %.3f b %.2f z %.3f\n", (long)frame.frame, tracked.rms, tracked.inlier_fraction, tracked.in_view, tracked.samples, tracked.flow, tracked.translation_flow, tracked.coverage, mapper_.window().pointCount(), mapper_.window().size(), tracked.state.brightness.a, tracked.state.brightness.b, tracked.state.T_current_reference.translation().z());
   const Keyframe& reference = mapper_.window().newest();
   const Eigen::Isometry3d T_world_camera =
       normalised(reference.T_world_camera() * tracked.state.T_current_reference.inverse());
