@@ -180,7 +180,14 @@ bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
 
 void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& frame,
                                   Motion& motion) {
-  if (getenv("DSOD")) fprintf(stderr, "DBG f %ld rms %.2f inl %.3f view %.3f n %d flow %.1f tflow %.1f cov %.2f pts %zu win %d a %.3f b %.2f z %.3f\n", (long)frame.frame, tracked.rms, tracked.inlier_fraction, tracked.in_view, tracked.samples, tracked.flow, tracked.translation_flow, tracked.coverage, mapper_.window().pointCount(), mapper_.window().size(), tracked.state.brightness.a, tracked.state.brightness.b, tracked.state.T_current_reference.translation().z());
+  if (getenv("DSOD"))
+    fprintf(stderr,
+            "DBG f %ld rms %.2f inl %.3f view %.3f n %d flow %.1f tflow %.1f cov %.2f pts %zu win "
+            "%d a %.3f b %.2f z %.3f\n",
+            (long)frame.frame, tracked.rms, tracked.inlier_fraction, tracked.in_view,
+            tracked.samples, tracked.flow, tracked.translation_flow, tracked.coverage,
+            mapper_.window().pointCount(), mapper_.window().size(), tracked.state.brightness.a,
+            tracked.state.brightness.b, tracked.state.T_current_reference.translation().z());
   const Keyframe& reference = mapper_.window().newest();
   const Eigen::Isometry3d T_world_camera =
       normalised(reference.T_world_camera() * tracked.state.T_current_reference.inverse());

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
+#include "four.hpp"
 #include "pyramid.hpp"
 
 namespace tolman::direct_sparse {
@@ -36,28 +36,26 @@ class GradientImage {
     return u >= margin && v >= margin && u < static_cast<float>(width_) - 1.0F - margin &&
            v < static_cast<float>(height_) - 1.0F - margin;
   }
-  /// Bilinear; (u, v) must lie in [0, width - 1) x [0, height - 1).
+  /// Bilinear value, difference in u, difference in v at a fraction (fx, fy) right and below of a
+  /// pixel; differences are twice the gradient.
+  Four at(int x, int y, float fx, float fy) const {
+    const std::int16_t* p = pixel(x, y);
+    const std::int16_t* q = p + 4 * static_cast<std::ptrdiff_t>(width_);
+    const Four p0 = loadShorts(p);
+    const Four q0 = loadShorts(q);
+    const Four top = p0 + fx * (loadShorts(p + 4) - p0);
+    const Four bottom = q0 + fx * (loadShorts(q + 4) - q0);
+    return top + fy * (bottom - top);
+  }
+  /// The same; (u, v) must lie in [0, width - 1) x [0, height - 1).
   GradientSample at(float u, float v) const {
     const int x = static_cast<int>(u);
     const int y = static_cast<int>(v);
-    const float fx = u - static_cast<float>(x);
-    const float fy = v - static_cast<float>(y);
-    const std::int16_t* p = pixel(x, y);
-    const std::int16_t* q = p + 4 * static_cast<std::ptrdiff_t>(width_);
-    const Four value = (1.0F - fy) * ((1.0F - fx) * load(p) + fx * load(p + 4)) +
-                       fy * ((1.0F - fx) * load(q) + fx * load(q + 4));
+    const Four value = at(x, y, u - static_cast<float>(x), v - static_cast<float>(y));
     return {value[0], 0.5F * value[1], 0.5F * value[2]};
   }
 
  private:
-  using Four = float __attribute__((vector_size(16)));
-  using Quad = std::int16_t __attribute__((vector_size(8)));
-  static Four load(const std::int16_t* p) {
-    Quad quad;
-    std::memcpy(&quad, p, sizeof quad);
-    return __builtin_convertvector(quad, Four);
-  }
-
   int width_ = 0;
   int height_ = 0;
   std::vector<std::int16_t> quads_;

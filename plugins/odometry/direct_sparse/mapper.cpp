@@ -52,13 +52,22 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
   if (window_.size() == 1) holdGauge(keyframe);
   selectCandidates(keyframe);
   if (keyframe.has_right) matchCandidates(keyframe);
-  size_t nd=0; for (auto& q: keyframe.immature) nd+=q.has_depth; size_t ni=keyframe.immature.size(), n0=window_.pointCount();
+  size_t nd = 0;
+  for (auto& q : keyframe.immature) nd += q.has_depth;
+  size_t ni = keyframe.immature.size(), n0 = window_.pointCount();
   activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
-  size_t n1=window_.pointCount();
-  auto R=adjustWindow(rig_, settings_.adjustment, window_, system_);
+  size_t n1 = window_.pointCount();
+  auto R = adjustWindow(rig_, settings_.adjustment, window_, system_);
   dropOutliers(window_);
-  size_t n2=window_.pointCount(); size_t im=0; for (int k: window_.order()) im+=window_.keyframe(k).immature.size();
-  if (getenv("DSOD")) fprintf(stderr,"DBG   KF cand %zu depth %zu pts before %zu activated %zu after %zu immature %zu its %d E/r %.2f thr %.1f gain %.3f %.2f\n", ni, nd, n0, n1, n2, im, R.iterations, R.energy/R.residuals, window_.energy_threshold, keyframe.right_gain, keyframe.right_offset);
+  size_t n2 = window_.pointCount();
+  size_t im = 0;
+  for (int k : window_.order()) im += window_.keyframe(k).immature.size();
+  if (getenv("DSOD"))
+    fprintf(stderr,
+            "DBG   KF cand %zu depth %zu pts before %zu activated %zu after %zu immature %zu its "
+            "%d E/r %.2f thr %.1f gain %.3f %.2f\n",
+            ni, nd, n0, n1, n2, im, R.iterations, R.energy / R.residuals, window_.energy_threshold,
+            keyframe.right_gain, keyframe.right_offset);
   shrink();
   return window_.pointCount();
 }

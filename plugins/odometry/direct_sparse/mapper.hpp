@@ -19,7 +19,7 @@ struct MapperSettings {
   int window = 7;
   int max_disparity = 160;  ///< px
   double marginal_weight = 0.5;
-  double offset_sigma = 0;    ///< px, 0: the disparity offset is held
+  double offset_sigma = 0;  ///< px, 0: the disparity offset is held
   AdjustmentSettings adjustment;
 };
 

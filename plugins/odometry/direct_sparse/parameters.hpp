@@ -12,7 +12,7 @@ struct Parameters {
   int window = 7;
   int iterations = 6;
   double coupling = 1;
-  double keyframe_weight = 1;
+  double keyframe_weight = 0.4;
   double nearest = 2.5;
   double marginal_weight = 0.5;
   double offset_sigma = 0;

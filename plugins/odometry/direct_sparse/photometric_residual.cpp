@@ -7,68 +7,67 @@
 namespace tolman::direct_sparse {
 namespace {
 
-using Lanes = std::array<float, kPatternSize>;
-
 constexpr float kBorder = 2;             // px that projections keep from the border
 constexpr float kSmallestDepth = 1e-3F;  // of the host's depth
 
-struct Samples {
-  alignas(32) Lanes value;
-  alignas(32) Lanes gx;
-  alignas(32) Lanes gy;
+/// Half of the pattern in the target.
+struct Half {
+  Four u;
+  Four v;
 };
 
 /// Pixels of the pattern in the target; false when one is not usable.
 bool projectPattern(const PairGeometry& pair, const GradientImage& target, const Point& point,
-                    Lanes& us, Lanes& vs) {
+                    std::array<Half, 2>& halves) {
+  static constexpr std::array<Four, 2> kU = {Four{0, -1, 1, -2}, Four{0, 2, -1, 0}};
+  static constexpr std::array<Four, 2> kV = {Four{-2, -1, -1, 0}, Four{0, 0, 1, 2}};
   const auto& m = pair.warp;
   const float d = point.inverse_depth;
   const float x0 = m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d;
   const float y0 = m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d;
   const float z0 = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
+  if (!(z0 > kSmallestDepth)) return false;
   const float width = static_cast<float>(target.width()) - 1.0F - kBorder;
   const float height = static_cast<float>(target.height()) - 1.0F - kBorder;
-  if (!(z0 > kSmallestDepth)) return false;
-  bool inside = true;
-  for (std::size_t k = 0; k < kPatternSize; ++k) {
-    const auto du = static_cast<float>(kPatternU[k]);
-    const auto dv = static_cast<float>(kPatternV[k]);
-    const float scale = 1.0F / (z0 + m[6] * du + m[7] * dv);
-    us[k] = (x0 + m[0] * du + m[1] * dv) * scale;
-    vs[k] = (y0 + m[3] * du + m[4] * dv) * scale;
-    inside = inside && us[k] >= kBorder && vs[k] >= kBorder && us[k] < width && vs[k] < height;
+  FourInts inside = {-1, -1, -1, -1};
+  for (std::size_t h = 0; h < 2; ++h) {
+    const Four scale = 1.0F / (z0 + m[6] * kU[h] + m[7] * kV[h]);
+    const Four u = (x0 + m[0] * kU[h] + m[1] * kV[h]) * scale;
+    const Four v = (y0 + m[3] * kU[h] + m[4] * kV[h]) * scale;
+    inside &= (u >= kBorder) & (v >= kBorder) & (u < width) & (v < height);
+    halves[h] = {u, v};
   }
-  return inside;
+  return all(inside);
 }
 
-void addUp(const PairGeometry& pair, const Pattern& pattern, const Samples& samples,
-           PixelSums& sums) {
-  PixelSums s;
-  for (std::size_t k = 0; k < kPatternSize; ++k) {
-    const float scene = pair.gain * (pattern.value[k] - pair.host_b);
-    const float r = samples.value[k] - scene - pair.target_b;
-    const float huber = huberWeight(r);
-    const float w = pattern.weight[k] * huber;
-    const float wx = w * samples.gx[k];
-    const float wy = w * samples.gy[k];
-    const float wa = -w * scene;
-    s.xx += wx * samples.gx[k];
-    s.xy += wx * samples.gy[k];
-    s.yy += wy * samples.gy[k];
-    s.xa -= wx * scene;
-    s.ya -= wy * scene;
-    s.x1 += wx;
-    s.y1 += wy;
-    s.aa -= wa * scene;
-    s.a1 += wa;
-    s.w += w;
-    s.xr += wx * r;
-    s.yr += wy * r;
-    s.ar += wa * r;
-    s.r1 += w * r;
-    s.energy += pattern.weight[k] * huberEnergy(r, huber);
-  }
-  sums = s;
+/// What one half of the pattern adds to the sums, lane by lane.
+struct HalfSums {
+  Four xx, xy, yy, xa, ya, x1, y1, aa, a1, w, xr, yr, ar, r1, energy;
+};
+
+HalfSums addUp(const PairGeometry& pair, const Pattern& pattern, std::size_t h, Four value, Four gx,
+               Four gy) {
+  const Four omega = loadFour(pattern.weight.data() + 4 * h);
+  const Four scene = pair.gain * (loadFour(pattern.value.data() + 4 * h) - pair.host_b);
+  const Four r = value - scene - pair.target_b;
+  const Four size = absolute(r);
+  const Four huber = smaller(four(1.0F), kHuber / (size + 1e-6F));
+  const Four w = omega * huber;
+  const Four wx = w * gx;
+  const Four wy = w * gy;
+  const Four wa = -w * scene;
+  return {wx * gx, wx * gy, wy * gy,     -wx * scene, -wy * scene,
+          wx,      wy,      -wa * scene, wa,          w,
+          wx * r,  wy * r,  wa * r,      w * r,       w * (2.0F - huber) * r * r};
+}
+
+PixelSums combined(const HalfSums& a, const HalfSums& b) {
+  const Four s0 = sums(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, a.xa + b.xa);
+  const Four s1 = sums(a.ya + b.ya, a.x1 + b.x1, a.y1 + b.y1, a.aa + b.aa);
+  const Four s2 = sums(a.a1 + b.a1, a.w + b.w, a.xr + b.xr, a.yr + b.yr);
+  const Four s3 = sums(a.ar + b.ar, a.r1 + b.r1, a.energy + b.energy, four(0));
+  return {s0[0], s0[1], s0[2], s0[3], s1[0], s1[1], s1[2], s1[3],
+          s2[0], s2[1], s2[2], s2[3], s3[0], s3[1], s3[2]};
 }
 
 /// Catmull-Rom value and central-difference slope between p[1] and p[2]. Bilinear values are
@@ -126,17 +125,22 @@ PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Key
 
 bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
                   PixelSums& sums) {
-  Lanes us;
-  Lanes vs;
-  if (!projectPattern(pair, target, point, us, vs)) return false;
-  Samples samples;
-  for (std::size_t k = 0; k < kPatternSize; ++k) {
-    const GradientSample sample = target.at(us[k], vs[k]);
-    samples.value[k] = sample.value;
-    samples.gx[k] = sample.gx;
-    samples.gy[k] = sample.gy;
+  std::array<Half, 2> halves;
+  if (!projectPattern(pair, target, point, halves)) return false;
+  std::array<HalfSums, 2> parts;
+  for (std::size_t h = 0; h < 2; ++h) {
+    const FourInts x = truncated(halves[h].u);
+    const FourInts y = truncated(halves[h].v);
+    const Four fx = halves[h].u - toFloat(x);
+    const Four fy = halves[h].v - toFloat(y);
+    Four value = target.at(x[0], y[0], fx[0], fy[0]);
+    Four gx = target.at(x[1], y[1], fx[1], fy[1]);
+    Four gy = target.at(x[2], y[2], fx[2], fy[2]);
+    Four nothing = target.at(x[3], y[3], fx[3], fy[3]);
+    transpose(value, gx, gy, nothing);
+    parts[h] = addUp(pair, point.pattern, h, value, 0.5F * gx, 0.5F * gy);
   }
-  addUp(pair, point.pattern, samples, sums);
+  sums = combined(parts[0], parts[1]);
   return true;
 }
 

@@ -38,7 +38,7 @@ PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Key
 struct PixelSums {
   float xx = 0, xy = 0, yy = 0, xa = 0, ya = 0, x1 = 0, y1 = 0, aa = 0, a1 = 0, w = 0;
   float xr = 0, yr = 0, ar = 0, r1 = 0;
-  float energy = 0;
+  float energy = 0;  ///< of the Huber norm
 };
 
 /// Derivatives of the pixel of the pattern's centre.

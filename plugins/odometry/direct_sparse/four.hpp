@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Four floats at once, by the compiler's vectors: SSE2 on x86-64, whatever there is elsewhere.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace tolman::direct_sparse {
+
+using Four = float __attribute__((vector_size(16)));
+using FourInts = std::int32_t __attribute__((vector_size(16)));
+
+inline Four loadFour(const float* p) {
+  Four value;
+  std::memcpy(&value, p, sizeof value);
+  return value;
+}
+inline Four four(float value) { return Four{value, value, value, value}; }
+inline FourInts truncated(Four value) { return __builtin_convertvector(value, FourInts); }
+inline Four toFloat(FourInts value) { return __builtin_convertvector(value, Four); }
+inline bool all(FourInts mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
+inline Four absolute(Four value) { return value < 0.0F ? -value : value; }
+inline Four smaller(Four a, Four b) { return a < b ? a : b; }
+
+/// Four whole numbers of 16 bits, as floats.
+inline Four loadShorts(const std::int16_t* p) {
+#if defined(__SSE2__)
+  const __m128i packed = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+  return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(packed, packed), 16));
+#else
+  return Four{float(p[0]), float(p[1]), float(p[2]), float(p[3])};
+#endif
+}
+
+/// Rows become columns.
+inline void transpose(Four& a, Four& b, Four& c, Four& d) {
+  const Four ab_low = __builtin_shuffle(a, b, FourInts{0, 4, 1, 5});
+  const Four ab_high = __builtin_shuffle(a, b, FourInts{2, 6, 3, 7});
+  const Four cd_low = __builtin_shuffle(c, d, FourInts{0, 4, 1, 5});
+  const Four cd_high = __builtin_shuffle(c, d, FourInts{2, 6, 3, 7});
+  a = __builtin_shuffle(ab_low, cd_low, FourInts{0, 1, 4, 5});
+  b = __builtin_shuffle(ab_low, cd_low, FourInts{2, 3, 6, 7});
+  c = __builtin_shuffle(ab_high, cd_high, FourInts{0, 1, 4, 5});
+  d = __builtin_shuffle(ab_high, cd_high, FourInts{2, 3, 6, 7});
+}
+
+/// The sums of the four lanes of each.
+inline Four sums(Four a, Four b, Four c, Four d) {
+  transpose(a, b, c, d);
+  return (a + b) + (c + d);
+}
+
+}  // namespace tolman::direct_sparse
