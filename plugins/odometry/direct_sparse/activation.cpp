@@ -68,7 +68,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
                                      const Window& window, int host,
                                      const std::vector<PairGeometry>& pairs,
                                      const ImmaturePoint& candidate) {
-  constexpr int kIterations = 4;
+  constexpr int kIterations = 3;
   constexpr float kLeastInformation = 100;
   const Keyframe& keyframe = window.keyframe(host);
   Point point;

@@ -99,8 +99,8 @@ void lookUp(const LevelView& view, const ReferenceLevel& level, const GrayLevel&
 }  // namespace
 
 void Aligner::sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
-                       int l, const AlignmentState& state, float cutoff, std::size_t begin,
-                       std::size_t end, Sums& sums) {
+                       int l, const AlignmentState& state, float cutoff, Sought sought,
+                       std::size_t begin, std::size_t end, Sums& sums) {
   const LevelView view = levelView(rig, l, state);
   alignas(32) std::array<Lanes, kSums> lanes{};
   alignas(32) std::array<Lanes, kColumns> column;
@@ -137,7 +137,9 @@ void Aligner::sumChunk(const CameraRig& rig, const ReferenceLevel& level, const 
     for (std::size_t i = 0; i < kColumns; ++i) {
       alignas(32) Lanes wi;
       for (std::size_t k = 0; k < kLanes; ++k) wi[k] = w[k] * column[i][k];
-      for (std::size_t j = i; j < kColumns; ++j, ++s) {
+      const std::size_t skipped = sought == Sought::Gradient ? kColumns - 1 - i : 0;
+      s += skipped;
+      for (std::size_t j = i + skipped; j < kColumns; ++j, ++s) {
         for (std::size_t k = 0; k < kLanes; ++k) lanes[s][k] += wi[k] * column[j][k];
       }
     }
@@ -149,12 +151,13 @@ void Aligner::sumChunk(const CameraRig& rig, const ReferenceLevel& level, const 
 }
 
 void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
-                       int l, const AlignmentState& state, float cutoff, Normal& normal) {
+                       int l, const AlignmentState& state, float cutoff, Sought sought,
+                       Normal& normal) {
   const std::size_t groups = level.groups();
   chunks_.resize((groups + kGroupsPerChunk - 1) / kGroupsPerChunk);
   tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t i) {
     const std::size_t begin = i * kGroupsPerChunk;
-    sumChunk(rig, level, image, l, state, cutoff, begin, std::min(begin + kGroupsPerChunk, groups),
+    sumChunk(rig, level, image, l, state, cutoff, sought, begin, std::min(begin + kGroupsPerChunk, groups),
              chunks_[i]);
   });
   std::array<double, kSums> total{};
@@ -164,7 +167,7 @@ void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const 
   std::size_t s = 0;
   for (int i = 0; i < 9; ++i) {
     for (int j = i; j < 9; ++j, ++s) {
-      if (j < 8) normal.H(i, j) = normal.H(j, i) = total[s];
+      if (j < 8 && sought == Sought::GradientAndH) normal.H(i, j) = normal.H(j, i) = total[s];
       if (j == 8 && i < 8) normal.b[i] = total[s];
     }
   }
@@ -178,10 +181,10 @@ void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const 
 void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
                          int l, AlignmentState& state, Normal& normal) {
   float cutoff = kCutoff;
-  evaluate(rig, level, image, l, state, cutoff, normal);
+  evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
   while (normal.inliers < 0.4 * normal.in_view && cutoff < 6 * kCutoff) {
     cutoff *= 2;
-    evaluate(rig, level, image, l, state, cutoff, normal);
+    evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
   }
   double lambda = 0.01;
   Normal next;
@@ -198,12 +201,13 @@ void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, cons
     moved.T_current_reference = normalised(state.T_current_reference * expSe3(twist));
     moved.brightness.a += step[6];
     moved.brightness.b += step[7];
-    evaluate(rig, level, image, l, moved, cutoff, next);
+    evaluate(rig, level, image, l, moved, cutoff, Sought::Gradient, next);
     const bool better = next.energy < normal.energy && next.in_view > 0.5 * normal.in_view;
     if (better) {
       const double gain = 1 - next.energy / normal.energy;
       state = moved;
-      std::swap(normal, next);
+      next.H = normal.H;
+      normal = next;
       lambda = std::max(lambda * 0.5, 1e-5);
       if (gain < 1e-4) return;
     } else {

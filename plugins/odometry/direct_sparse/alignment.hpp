@@ -45,8 +45,10 @@ class Aligner {
     double inliers = 0;
     double in_view = 0;
   };
+  /// Derivatives hardly change within a level, so H is needed once; the gradient always is.
+  enum class Sought : std::uint8_t { GradientAndH, Gradient };
   void evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
-                const AlignmentState& state, float cutoff, Normal& normal);
+                const AlignmentState& state, float cutoff, Sought sought, Normal& normal);
   void alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
                   AlignmentState& state, Normal& normal);
 
@@ -55,8 +57,8 @@ class Aligner {
   static constexpr std::size_t kSums = kColumns * (kColumns + 1) / 2 + 4;
   using Sums = std::array<float, kSums>;
   static void sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
-                       int l, const AlignmentState& state, float cutoff, std::size_t begin,
-                       std::size_t end, Sums& sums);
+                       int l, const AlignmentState& state, float cutoff, Sought sought,
+                       std::size_t begin, std::size_t end, Sums& sums);
   std::vector<Sums> chunks_;
 };
 

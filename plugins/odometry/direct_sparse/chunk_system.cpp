@@ -2,6 +2,9 @@
 // Expansion of pattern sums to derivatives by pose, brightness and inverse depth.
 #include "chunk_system.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace tolman::direct_sparse {
 
 void ChunkSystem::clear(int host) {
@@ -17,6 +20,17 @@ void ChunkSystem::clear(int host) {
   energy = 0;
   residuals = 0;
   histogram.fill(0);
+}
+
+ResidualState ChunkSystem::judge(const PixelSums& sums, float threshold) {
+  constexpr float kLeastGradient = 2;
+  const float root = std::min(std::sqrt(sums.energy), 127.0F);
+  ++histogram[static_cast<std::size_t>(root)];
+  energy += std::min(sums.energy, threshold);
+  // Without gradient there is nothing to say; with too much energy it says something wrong.
+  if (sums.energy > threshold || sums.xx + sums.yy < kLeastGradient) return ResidualState::Outlier;
+  ++residuals;
+  return ResidualState::Good;
 }
 
 void ChunkSystem::addTemporal(int target, const PairGeometry& pair, const PixelSums& s,

@@ -29,6 +29,8 @@ class ChunkSystem {
   void clear(int host);
   int host() const { return host_; }
 
+  /// Good or Outlier; counts energy and residuals.
+  ResidualState judge(const PixelSums& sums, float threshold);
   void addTemporal(int target, const PairGeometry& pair, const PixelSums& sums,
                    const CentreJacobian& J, PointTerms& terms);
   /// `sums` of stereoSums, `coupling` is the paper's lambda.

@@ -117,10 +117,10 @@ bool DirectSparse::look(const Frame& frame) {
 }
 
 void DirectSparse::lookRight(const Frame& frame) {
-  right_ = Pyramid();
+  right_.clear();
   if (frame.right.empty()) return;
   right_.build(frame.right, 1);
-  if (grayStatistics(right_.level(0)).deviation < kWeakestContrast) right_ = Pyramid();
+  if (grayStatistics(right_.level(0)).deviation < kWeakestContrast) right_.clear();
 }
 
 Status DirectSparse::track(const Frame& frame, Motion& motion) {

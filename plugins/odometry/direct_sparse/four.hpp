@@ -37,6 +37,19 @@ inline Four loadShorts(const std::int16_t* p) {
 #endif
 }
 
+/// Four bytes, as floats.
+inline Four loadBytes(const std::uint8_t* p) {
+#if defined(__SSE2__)
+  std::int32_t bytes = 0;
+  std::memcpy(&bytes, p, sizeof bytes);
+  const __m128i zero = _mm_setzero_si128();
+  const __m128i shorts = _mm_unpacklo_epi8(_mm_cvtsi32_si128(bytes), zero);
+  return _mm_cvtepi32_ps(_mm_unpacklo_epi16(shorts, zero));
+#else
+  return Four{float(p[0]), float(p[1]), float(p[2]), float(p[3])};
+#endif
+}
+
 /// Rows become columns.
 inline void transpose(Four& a, Four& b, Four& c, Four& d) {
   const Four ab_low = __builtin_shuffle(a, b, FourInts{0, 4, 1, 5});

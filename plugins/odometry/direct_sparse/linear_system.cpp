@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tolman::direct_sparse {
 namespace {
@@ -94,46 +95,53 @@ void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& set
                                  Window& window, std::size_t i) {
   const Chunk& chunk = chunks_[i];
   ChunkSystem& system = systems_[i];
+  system.clear(chunk.range.host);
+  const std::size_t count = index(chunk.range.end - chunk.range.begin);
+  const std::span<PointTerms> terms(terms_.data() + chunk.first_term, count);
+  std::fill(terms.begin(), terms.end(), PointTerms());
+  // One target after the other: neighbouring points lie close together in its image, too.
+  for (const int target : window.order()) {
+    if (target != chunk.range.host) addTarget(rig, window, chunk, target, system, terms);
+  }
+  if (settings.lambda > 0) addRight(settings, window, chunk, system, terms);
+  for (PointTerms& point : terms) system.eliminate(point);
+}
+
+void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& chunk, int target,
+                             ChunkSystem& system, std::span<PointTerms> terms) const {
   const int host = chunk.range.host;
-  system.clear(host);
-  Keyframe& keyframe = window.keyframe(host);
-  const auto judge = [&system, threshold = window.energy_threshold](const PixelSums& sums) {
-    // Without gradient there is nothing to say; with too much energy it says something wrong.
-    const float root = std::min(std::sqrt(sums.energy), 127.0F);
-    ++system.histogram[static_cast<std::size_t>(root)];
-    const bool outlier = sums.energy > threshold || sums.xx + sums.yy < 2;
-    system.energy += std::min(sums.energy, threshold);
-    if (!outlier) ++system.residuals;
-    return outlier ? ResidualState::Outlier : ResidualState::Good;
-  };
-  for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
-    Point& point = keyframe.points[index(k)];
-    PointTerms& terms = terms_[chunk.first_term + index(k - chunk.range.begin)];
-    terms = PointTerms();
-    PixelSums sums;
-    for (const int target : window.order()) {
-      ResidualState& state = point.temporal[index(target)];
-      if (target == host || state == ResidualState::Absent) continue;
-      const PairGeometry& pair = pairs_[index(host * kSlots + target)];
-      if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) {
-        state = ResidualState::Outside;
-        continue;
-      }
-      state = judge(sums);
-      if (state != ResidualState::Good) continue;
-      const CentreJacobian J =
-          centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
-      system.addTemporal(target, pair, sums, J, terms);
+  const PairGeometry& pair = pairs_[index(host * kSlots + target)];
+  const GradientImage& image = window.keyframe(target).gradients;
+  PixelSums sums;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    Point& point = window.keyframe(host).points[index(chunk.range.begin) + k];
+    ResidualState& state = point.temporal[index(target)];
+    if (state == ResidualState::Absent) continue;
+    if (!temporalSums(pair, image, point, sums)) {
+      state = ResidualState::Outside;
+      continue;
     }
-    if (point.stereo != ResidualState::Absent && settings.lambda > 0) {
-      const StereoGeometry& stereo = stereos_[index(host)];
-      const bool inside = stereoSums(stereo, keyframe.right.level(0), point, sums);
-      point.stereo = inside ? judge(sums) : ResidualState::Outside;
-      if (point.stereo == ResidualState::Good) {
-        system.addStereo(sums, stereo.focal_baseline, settings.lambda, terms);
-      }
-    }
-    system.eliminate(terms);
+    state = system.judge(sums, window.energy_threshold);
+    if (state != ResidualState::Good) continue;
+    const CentreJacobian J =
+        centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
+    system.addTemporal(target, pair, sums, J, terms[k]);
+  }
+}
+
+void LinearSystem::addRight(const SystemSettings& settings, Window& window, const Chunk& chunk,
+                            ChunkSystem& system, std::span<PointTerms> terms) const {
+  Keyframe& keyframe = window.keyframe(chunk.range.host);
+  const StereoGeometry& stereo = stereos_[index(chunk.range.host)];
+  PixelSums sums;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    Point& point = keyframe.points[index(chunk.range.begin) + k];
+    if (point.stereo == ResidualState::Absent) continue;
+    const bool inside = stereoSums(stereo, keyframe.right.level(0), point, sums);
+    point.stereo =
+        inside ? system.judge(sums, window.energy_threshold) : ResidualState::Outside;
+    if (point.stereo != ResidualState::Good) continue;
+    system.addStereo(sums, stereo.focal_baseline, settings.lambda, terms[k]);
   }
 }
 

@@ -2,6 +2,7 @@
 // The window's linear system: all residuals of given points, inverse depths eliminated.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "chunk_system.hpp"
@@ -48,15 +49,19 @@ class LinearSystem {
   const PointTerms& terms(std::size_t i) const { return terms_[i]; }
 
  private:
-  void prepare(const CameraRig& rig, const Window& window, const std::vector<PointRange>& points);
-  void evaluateChunk(const CameraRig& rig, const SystemSettings& settings, Window& window,
-                     std::size_t index);
-  void sumUp(const Window& window);
-
   struct Chunk {
     PointRange range;
     std::size_t first_term = 0;
   };
+  void prepare(const CameraRig& rig, const Window& window, const std::vector<PointRange>& points);
+  void evaluateChunk(const CameraRig& rig, const SystemSettings& settings, Window& window,
+                     std::size_t index);
+  void addTarget(const CameraRig& rig, Window& window, const Chunk& chunk, int target,
+                 ChunkSystem& system, std::span<PointTerms> terms) const;
+  void addRight(const SystemSettings& settings, Window& window, const Chunk& chunk,
+                ChunkSystem& system, std::span<PointTerms> terms) const;
+  void sumUp(const Window& window);
+
   std::vector<Chunk> chunks_;
   std::vector<ChunkSystem> systems_;
   std::vector<PointTerms> terms_;

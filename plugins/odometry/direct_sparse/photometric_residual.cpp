@@ -70,21 +70,17 @@ PixelSums combined(const HalfSums& a, const HalfSums& b) {
           s2[0], s2[1], s2[2], s2[3], s3[0], s3[1], s3[2]};
 }
 
-/// Catmull-Rom value and central-difference slope between p[1] and p[2]. Bilinear values are
-/// blurred by an amount that changes with the fraction, which pulls disparities to half pixels.
-struct RowSample {
-  float value;
-  float slope;
+/// Catmull-Rom value and central-difference slope between b and c. Bilinear values are blurred by
+/// an amount that changes with the fraction, which pulls disparities to half pixels.
+struct RowSamples {
+  Four value;
+  Four slope;
 };
-RowSample rowSample(const std::uint8_t* p, float f) {
-  const auto a = static_cast<float>(p[0]);
-  const auto b = static_cast<float>(p[1]);
-  const auto c = static_cast<float>(p[2]);
-  const auto d = static_cast<float>(p[3]);
-  const float left = 0.5F * (c - a);
-  const float right = 0.5F * (d - b);
-  const float k2 = 3 * (c - b) - 2 * left - right;
-  const float k3 = left + right - 2 * (c - b);
+RowSamples rowSamples(Four a, Four b, Four c, Four d, float f) {
+  const Four left = 0.5F * (c - a);
+  const Four right = 0.5F * (d - b);
+  const Four k3 = left + right - 2.0F * (c - b);
+  const Four k2 = (c - b) - left - k3;
   return {b + f * (left + f * (k2 + f * k3)), left + f * (right - left)};
 }
 
@@ -171,17 +167,30 @@ bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Poin
   const int x = static_cast<int>(u);
   const int y = static_cast<int>(point.v);
   const float f = u - static_cast<float>(x);
-  PixelSums s;
-  for (std::size_t k = 0; k < kPatternSize; ++k) {
-    const RowSample sample = rowSample(right.row(y + kPatternV[k]) + x + kPatternU[k] - 1, f);
-    const float r = sample.value - stereo.gain * point.pattern.value[k] - stereo.brightness;
-    const float huber = huberWeight(r);
-    const float w = point.pattern.weight[k] * huber;
-    s.xx += w * sample.slope * sample.slope;
-    s.xr += w * sample.slope * r;
-    s.energy += point.pattern.weight[k] * huberEnergy(r, huber);
+  const auto row = [&](std::size_t k) {
+    return loadBytes(right.row(y + kPatternV[k]) + x + kPatternU[k] - 1);
+  };
+  std::array<Four, 3> parts{};
+  for (std::size_t h = 0; h < 2; ++h) {
+    Four a = row(4 * h);
+    Four b = row(4 * h + 1);
+    Four c = row(4 * h + 2);
+    Four d = row(4 * h + 3);
+    transpose(a, b, c, d);
+    const RowSamples samples = rowSamples(a, b, c, d, f);
+    const Four scene = stereo.gain * loadFour(point.pattern.value.data() + 4 * h);
+    const Four r = samples.value - scene - stereo.brightness;
+    const Four huber = smaller(four(1.0F), kHuber / (absolute(r) + 1e-6F));
+    const Four w = loadFour(point.pattern.weight.data() + 4 * h) * huber;
+    parts[0] += w * samples.slope * samples.slope;
+    parts[1] += w * samples.slope * r;
+    parts[2] += w * (2.0F - huber) * r * r;
   }
-  sums = s;
+  const Four total = direct_sparse::sums(parts[0], parts[1], parts[2], four(0));
+  sums = PixelSums();
+  sums.xx = total[0];
+  sums.xr = total[1];
+  sums.energy = total[2];
   return true;
 }
 

@@ -56,6 +56,8 @@ class Pyramid {
 
   /// Reuses its memory. Levels stop before a side falls below 16 px, or at `most`.
   void build(const Image& image, int most = kMostLevels);
+  /// Empty from now on; the memory stays.
+  void clear() { levels_ = 0; }
   int levels() const { return levels_; }
   const GrayLevel& level(int l) const { return images_[l]; }
   bool empty() const { return levels_ == 0; }
