@@ -157,8 +157,8 @@ void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const 
   chunks_.resize((groups + kGroupsPerChunk - 1) / kGroupsPerChunk);
   tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t i) {
     const std::size_t begin = i * kGroupsPerChunk;
-    sumChunk(rig, level, image, l, state, cutoff, sought, begin, std::min(begin + kGroupsPerChunk, groups),
-             chunks_[i]);
+    sumChunk(rig, level, image, l, state, cutoff, sought, begin,
+             std::min(begin + kGroupsPerChunk, groups), chunks_[i]);
   });
   std::array<double, kSums> total{};
   for (const Sums& chunk : chunks_) {

@@ -77,11 +77,13 @@ Status DirectSparse::reset() {
   first_lost_ = -1;
   lost_frames_ = 0;
   unrecognised_ = 0;
+  draft_frames_ = 0;
+  known_ = false;
   return Status::ok();
 }
 
 Status DirectSparse::checkRig() const {
-  if (!rig_.calibrated || !rig_.isStereo()) {
+  if (!rig_.calibrated || (cameras_ == Cameras::Stereo && !rig_.isStereo())) {
     return Status::unsupported(std::string("the cameras are ") +
                                (rig_.calibrated ? "not a stereo pair" : "not calibrated") +
                                "; use an odometry plugin for such cameras, or a source of "
@@ -95,7 +97,8 @@ Status DirectSparse::checkRig() const {
 }
 
 Status DirectSparse::checkFrame(const Frame& frame) const {
-  if (!frame.left.empty() && frame.right.empty() && frame.defect.empty()) {
+  const bool needs_right = cameras_ == Cameras::Stereo && frame.defect.empty();
+  if (!frame.left.empty() && frame.right.empty() && needs_right) {
     return Status::unsupported(
         "the frame has no right image; use a monocular odometry plugin, or a stereo source");
   }
@@ -118,7 +121,7 @@ bool DirectSparse::look(const Frame& frame) {
 
 void DirectSparse::lookRight(const Frame& frame) {
   right_.clear();
-  if (frame.right.empty()) return;
+  if (frame.right.empty() || cameras_ == Cameras::Single) return;
   right_.build(frame.right, 1);
   if (grayStatistics(right_.level(0)).deviation < kWeakestContrast) right_.clear();
 }
@@ -127,6 +130,7 @@ Status DirectSparse::track(const Frame& frame, Motion& motion) {
   if (Status status = checkFrame(frame); !status.isOk()) return status;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
+  motion.scale_known = cameras_ == Cameras::Stereo;
   motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * static_cast<double>(frame.stamp_ns - last_stamp_ns_);
   last_stamp_ns_ = frame.stamp_ns;
   answer(look(frame), frame, motion);
@@ -147,6 +151,7 @@ Expectation DirectSparse::expect(double dt) const {
 void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
   if (trajectory_.empty()) {
     if (visible) restart(frame, motion);
+    motion.T_previous_current.setIdentity();
     motion.state = TrackingState::Initialising;
     if (motion.dt > 0) motion.covariance = predictionCovariance(motion.T_previous_current, 100);
     return;
@@ -170,6 +175,8 @@ Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
 }
 
 bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
+  constexpr int kDraftFrames = 4;  // that a drafted scene is looked at before it is believed
+  if (mapper_.isDraft() && draft_frames_ < kDraftFrames) return false;
   const double size = rig_.width + rig_.height;
   const double change =
       parameters_.keyframe_weight * (44.8 * tracked.translation_flow + 22.4 * tracked.flow) / size +
@@ -180,14 +187,6 @@ bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
 
 void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& frame,
                                   Motion& motion) {
-  if (getenv("DSOD"))
-    fprintf(stderr,
-            "DBG f %ld rms %.2f inl %.3f view %.3f n %d flow %.1f tflow %.1f cov %.2f pts %zu win "
-            "%d a %.3f b %.2f z %.3f\n",
-            (long)frame.frame, tracked.rms, tracked.inlier_fraction, tracked.in_view,
-            tracked.samples, tracked.flow, tracked.translation_flow, tracked.coverage,
-            mapper_.window().pointCount(), mapper_.window().size(), tracked.state.brightness.a,
-            tracked.state.brightness.b, tracked.state.T_current_reference.translation().z());
   const Keyframe& reference = mapper_.window().newest();
   const Eigen::Isometry3d T_world_camera =
       normalised(reference.T_world_camera() * tracked.state.T_current_reference.inverse());
@@ -206,24 +205,39 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
     motion.revisions = trajectory_.retire(mapper_.window());
   } else {
     mapper_.observe(T_world_camera, brightness_, current_);
+    if (mapper_.isDraft()) can_track_ = tracker_.setReference(rig_, mapper_.window());
   }
-  const std::vector<MotionRevision> changed = trajectory_.revisions();
-  motion.revisions.insert(motion.revisions.end(), changed.begin(), changed.end());
   motion.T_previous_current =
       trajectory_.add(frame.frame, T_world_final, mapper_.window().newest(), motion.covariance);
   reference_brightness_ = relative(mapper_.window().newest().affine(), brightness_);
   if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
   has_velocity_ = motion.dt > 0;
+  if (mapper_.isDraft()) {
+    answerDraft(motion);
+  } else {
+    const std::vector<MotionRevision> changed = trajectory_.revisions();
+    motion.revisions.insert(motion.revisions.end(), changed.begin(), changed.end());
+  }
   if (first_lost_ >= 0) log_->info("tracking again");
   first_lost_ = -1;
   lost_frames_ = 0;
   unrecognised_ = 0;
 }
 
+void DirectSparse::answerDraft(Motion& motion) {
+  ++draft_frames_;
+  if (known_) return;  // after a loss: the draft's motion is better than none
+  trajectory_.answeredNothing();
+  motion.state = TrackingState::Initialising;
+  motion.T_previous_current.setIdentity();
+  motion.covariance = predictionCovariance(motion.T_previous_current, 100);
+}
+
 void DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
                                 const Affine& affine, Motion& motion) {
   lookRight(frame);
   mapper_.addKeyframe(frame.frame, T_world_camera, affine, current_, right_);
+  known_ = true;
   can_track_ = tracker_.setReference(rig_, mapper_.window());
   trajectory_.follow(mapper_.window());
   brightness_ = mapper_.window().newest().affine();
@@ -251,7 +265,14 @@ void DirectSparse::restart(const Frame& frame, Motion& motion) {
       first ? Eigen::Isometry3d::Identity() : trajectory_.lastPose();
   mapper_.reset();
   tracker_.reset();
-  makeKeyframe(frame, T_world_camera, Affine(), motion);
+  if (cameras_ == Cameras::Single) {
+    mapper_.draftKeyframe(frame.frame, T_world_camera, parameters_.camera_height, current_);
+    can_track_ = tracker_.setReference(rig_, mapper_.window());
+    motion.is_keyframe = true;
+    draft_frames_ = 0;
+  } else {
+    makeKeyframe(frame, T_world_camera, Affine(), motion);
+  }
   brightness_ = reference_brightness_ = Affine();
   if (first) {
     trajectory_.add(frame.frame, T_world_camera, mapper_.window().newest(), motion.covariance);

@@ -13,8 +13,11 @@
 
 namespace tolman::direct_sparse {
 
+enum class Cameras : std::uint8_t { Stereo, Single };
+
 class DirectSparse : public Odometry {
  public:
+  explicit DirectSparse(Cameras cameras) : cameras_(cameras) {}
   Status configure(const Context& context) override;
   Status reset() override;
   Status track(const Frame& frame, Motion& motion) override;
@@ -31,6 +34,8 @@ class DirectSparse : public Odometry {
 
   void answer(bool visible, const Frame& frame, Motion& motion);
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
+  /// While the scene is a draft, nothing is known of the motion; it is revised later.
+  void answerDraft(Motion& motion);
   void answerPredicted(Motion& motion);
   void restart(const Frame& frame, Motion& motion);
   Expectation expect(double dt) const;
@@ -42,6 +47,7 @@ class DirectSparse : public Odometry {
                             const Eigen::Isometry3d& T_previous_current);
   void publishPoints(Motion& motion) const;
 
+  Cameras cameras_;
   Parameters parameters_;
   CameraRig rig_;
   Logger* log_ = nullptr;
@@ -61,6 +67,8 @@ class DirectSparse : public Odometry {
   std::int64_t last_stamp_ns_ = -1;  ///< -1 before the first frame
   std::int64_t first_lost_ = -1;     ///< frame index; -1 while tracking
   int lost_frames_ = 0;
+  int draft_frames_ = 0;  ///< that were tracked against a drafted scene
+  bool known_ = false;    ///< some scene was no draft
   int unrecognised_ = 0;  ///< frames in a row that show something, but not the reference
 };
 

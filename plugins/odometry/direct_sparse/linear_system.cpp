@@ -138,8 +138,7 @@ void LinearSystem::addRight(const SystemSettings& settings, Window& window, cons
     Point& point = keyframe.points[index(chunk.range.begin) + k];
     if (point.stereo == ResidualState::Absent) continue;
     const bool inside = stereoSums(stereo, keyframe.right.level(0), point, sums);
-    point.stereo =
-        inside ? system.judge(sums, window.energy_threshold) : ResidualState::Outside;
+    point.stereo = inside ? system.judge(sums, window.energy_threshold) : ResidualState::Outside;
     if (point.stereo != ResidualState::Good) continue;
     system.addStereo(sums, stereo.focal_baseline, settings.lambda, terms[k]);
   }
@@ -253,7 +252,7 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
   }
   const SystemVector scale = (whole.diagonal().array() + 1e-9).rsqrt();
   whole = scale.asDiagonal() * whole * scale.asDiagonal();
-  whole.diagonal().array() += 1e-10;
+  whole.diagonal().array() += 1e-8;
   const Eigen::LDLT<SystemMatrix> factors(whole);
   const SystemVector step = scale.cwiseProduct(factors.solve(scale.cwiseProduct(rhs)));
   return step.allFinite() ? step : SystemVector::Zero().eval();

@@ -9,6 +9,7 @@
 
 #include "epipolar_search.hpp"
 #include "marginalisation.hpp"
+#include "monocular_start.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -28,6 +29,7 @@ void Mapper::reset() {
   window_.clear();
   selector_.reset();
   activator_.reset();
+  draft_ = false;
 }
 
 void Mapper::holdGauge(Keyframe& first) {
@@ -39,37 +41,40 @@ void Mapper::holdGauge(Keyframe& first) {
   window_.prior.H(kOffsetIndex, kOffsetIndex) = kGreyVariance / (sigma * sigma);
 }
 
-std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                                const Affine& affine, Pyramid& left, Pyramid& right) {
+Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                         const Affine& affine, Pyramid& left) {
   Keyframe& keyframe = window_.add();
   keyframe.frame = frame;
   keyframe.T0_camera_world = T_world_camera.inverse();
   keyframe.affine0 = affine;
   std::swap(keyframe.left, left);
-  std::swap(keyframe.right, right);
   keyframe.gradients.build(keyframe.left.level(0));
-  keyframe.has_right = !keyframe.right.empty();
   if (window_.size() == 1) holdGauge(keyframe);
   selectCandidates(keyframe);
+  return keyframe;
+}
+
+std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                                const Affine& affine, Pyramid& left, Pyramid& right) {
+  if (draft_) window_.newest().points.clear();
+  draft_ = false;
+  Keyframe& keyframe = insert(frame, T_world_camera, affine, left);
+  std::swap(keyframe.right, right);
+  keyframe.has_right = !keyframe.right.empty();
   if (keyframe.has_right) matchCandidates(keyframe);
-  size_t nd = 0;
-  for (auto& q : keyframe.immature) nd += q.has_depth;
-  size_t ni = keyframe.immature.size(), n0 = window_.pointCount();
   activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
-  size_t n1 = window_.pointCount();
-  auto R = adjustWindow(rig_, settings_.adjustment, window_, system_);
+  adjustWindow(rig_, settings_.adjustment, window_, system_);
   dropOutliers(window_);
-  size_t n2 = window_.pointCount();
-  size_t im = 0;
-  for (int k : window_.order()) im += window_.keyframe(k).immature.size();
-  if (getenv("DSOD"))
-    fprintf(stderr,
-            "DBG   KF cand %zu depth %zu pts before %zu activated %zu after %zu immature %zu its "
-            "%d E/r %.2f thr %.1f gain %.3f %.2f\n",
-            ni, nd, n0, n1, n2, im, R.iterations, R.energy / R.residuals, window_.energy_threshold,
-            keyframe.right_gain, keyframe.right_offset);
   shrink();
   return window_.pointCount();
+}
+
+void Mapper::draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                           double camera_height, Pyramid& left) {
+  Keyframe& keyframe = insert(frame, T_world_camera, Affine(), left);
+  draftDepths(rig_, camera_height, keyframe);
+  draftPoints(keyframe);
+  draft_ = true;
 }
 
 void Mapper::selectCandidates(Keyframe& keyframe) {
@@ -159,6 +164,7 @@ void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affi
       observeImmature(pair, left.level(0), settings, keyframe.immature[i]);
     });
   }
+  if (draft_) draftPoints(window_.newest());
 }
 
 }  // namespace tolman::direct_sparse

@@ -35,10 +35,17 @@ class Mapper {
   /// The first keyframe of an empty window holds the gauge. Returns the points in the window.
   std::size_t addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                           const Affine& affine, Pyramid& left, Pyramid& right);
+  /// The first keyframe of a single camera, with a drafted scene of this camera height. The next
+  /// addKeyframe() replaces the draft by the depths that observe() has found.
+  void draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                     double camera_height, Pyramid& left);
+  bool isDraft() const { return draft_; }
   /// Refines the candidates of all keyframes with a frame of known pose.
   void observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine, const Pyramid& left);
 
  private:
+  Keyframe& insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                   const Affine& affine, Pyramid& left);
   void holdGauge(Keyframe& first);
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
@@ -48,6 +55,7 @@ class Mapper {
   CameraRig rig_;
   MapperSettings settings_;
   Window window_;
+  bool draft_ = false;
   PointSelector selector_;
   Activator activator_;
   LinearSystem system_;

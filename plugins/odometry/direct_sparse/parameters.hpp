@@ -10,12 +10,13 @@ struct Parameters {
   int points = 2000;
   int candidates = 1500;
   int window = 7;
-  int iterations = 6;
+  int iterations = 4;
   double coupling = 1;
   double keyframe_weight = 0.4;
   double nearest = 2.5;
   double marginal_weight = 0.5;
   double offset_sigma = 0;
+  double camera_height = 1.65;
 
   static constexpr auto declaration() {
     using P = Parameters;
@@ -50,7 +51,12 @@ struct Parameters {
         parameter("offset_sigma", &P::offset_sigma)
             .range(0, 5)
             .unit("px")
-            .doc("How far all disparities may be off together; estimated; 0 trusts the source."));
+            .doc("How far all disparities may be off together; estimated; 0 trusts the source."),
+        parameter("camera_height", &P::camera_height)
+            .range(0.01, 100)
+            .unit("m")
+            .doc("Single camera: its assumed height above the ground, which sets the scale of the "
+                 "first draft of the scene."));
   }
 };
 

@@ -26,6 +26,8 @@ class Trajectory {
   /// added before, which counts as answered with this covariance.
   Eigen::Isometry3d add(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                         const Keyframe& keyframe, const Matrix6d& covariance);
+  /// The last frame's motion was answered as the identity: nothing was known yet.
+  void answeredNothing() { entries_.back().answered.setIdentity(); }
   const Eigen::Isometry3d& lastPose() const { return entries_.back().T_world_camera; }
 
   /// Moves the frames along with their keyframes.
