@@ -199,8 +199,11 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   motion.state = TrackingState::Tracking;
   Eigen::Isometry3d T_world_final = T_world_camera;
   if (wantsKeyframe(tracked)) {
+    const std::int64_t draft = mapper_.isDraft() ? mapper_.window().newest().frame : -1;
     makeKeyframe(frame, T_world_camera, brightness_, motion);
     T_world_final = mapper_.window().newest().T_world_camera();
+    // Frames that were placed in a draft have its wrong lengths.
+    if (draft >= 0) trajectory_.bridge(draft + 1, T_world_final);
     pose_covariance_.setZero();
     motion.revisions = trajectory_.retire(mapper_.window());
   } else {

@@ -146,8 +146,15 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
       {pair.shift[0], pair.shift[1], pair.shift[2]}};
   const float reach = 2 * point.sigma;
   const float low = point.has_depth ? std::max(point.inverse_depth - reach, 1e-5F) : 1e-5F;
-  const float high = point.has_depth ? point.inverse_depth + reach : settings.largest_inverse_depth;
-  if (!line.inFront(low) || !line.inFront(high)) return;
+  // Nothing is looked for that the frame would see five times nearer than the host.
+  constexpr float kNearest = 0.2F;
+  const float ahead_limit = line.shift.z() < 0
+                                ? (kNearest * line.start.z() - line.start.z()) / line.shift.z()
+                                : settings.largest_inverse_depth;
+  const float wanted =
+      point.has_depth ? point.inverse_depth + reach : settings.largest_inverse_depth;
+  const float high = std::min(wanted, ahead_limit);
+  if (!(high > low) || !line.inFront(low) || !line.inFront(high)) return;
   const Eigen::Vector2f from = line.pixel(low);
   const Eigen::Vector2f way = line.pixel(high) - from;
   const float length = way.norm();
