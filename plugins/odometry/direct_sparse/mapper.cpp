@@ -103,14 +103,18 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   balanceRight(keyframe, search);
   const auto focal_baseline = static_cast<float>(rig_.pinhole.fx * rig_.baseline);
   const auto offset = static_cast<float>(window_.offset.value());
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
+    // What is ambiguous along the row mostly is so along other lines, too.
     if (!matches_[i]) continue;
     ImmaturePoint& point = keyframe.immature[i];
     point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);
     point.sigma = matches_[i]->sigma / focal_baseline;
     point.quality = matches_[i]->quality;
     point.has_depth = true;
+    keyframe.immature[kept++] = point;
   }
+  keyframe.immature.resize(kept);
 }
 
 void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) const {
