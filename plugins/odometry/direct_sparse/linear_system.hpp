@@ -12,7 +12,7 @@
 namespace tolman::direct_sparse {
 
 struct SystemSettings {
-  float lambda = 1;  ///< weight of the static term against the temporal ones; 0 without it
+  float lambda = 1.5F;  ///< weight of the static term against the temporal ones; 0 without it
 };
 
 /// Points begin ... end - 1 of the keyframe in slot `host`.

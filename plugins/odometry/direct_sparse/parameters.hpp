@@ -11,10 +11,10 @@ struct Parameters {
   int candidates = 1500;
   int window = 7;
   int iterations = 4;
-  double coupling = 1;
+  double coupling = 1.5;
   double keyframe_weight = 0.4;
   double nearest = 2.5;
-  double marginal_weight = 0.5;
+  double marginal_weight = 0.1;
   double offset_sigma = 0;
   double camera_height = 1.65;
 
