@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The eliminated system against a dense one with all inverse depths, and equal bits for any number
+// of threads.
+#include "linear_system.hpp"
+
+#include <tbb/global_control.h>
+
+#include <Eigen/Cholesky>
+#include <catch2/catch.hpp>
+
+#include "street.hpp"
+
+using namespace tolman;
+using namespace tolman::direct_sparse;
+
+namespace {
+
+constexpr double kHold = 1e12;
+
+std::unique_ptr<Window> threeKeyframes(int points) {
+  auto window = test::streetWindow(
+      {test::streetPose(0), test::streetPose(0.5, 0.01), test::streetPose(1.0, 0.015)});
+  test::addTruePoints(*window, points);
+  window->prior.H.diagonal().head<8>().setConstant(kHold);
+  window->prior.H(kOffsetIndex, kOffsetIndex) = 1e4;
+  // Off the optimum, so that there is a step.
+  window->keyframe(1).T0_camera_world =
+      expSe3((Vector6d() << 0.01, -0.005, 0.01, 0.001, 0.001, 0).finished()) *
+      window->keyframe(1).T0_camera_world;
+  return window;
+}
+
+/// Normal equations of everything, depths included, from one residual after the other.
+struct Dense {
+  Eigen::MatrixXd H;
+  Eigen::VectorXd b;
+};
+
+Dense denseSystem(const CameraRig& rig, float lambda, Window& window) {
+  const auto points = static_cast<Eigen::Index>(window.pointCount());
+  Dense dense{Eigen::MatrixXd::Zero(kVariables + points, kVariables + points),
+              Eigen::VectorXd::Zero(kVariables + points)};
+  // Rows of derivatives by all variables for the two image directions, and by a and b.
+  const auto add = [&](const Eigen::MatrixXd& J, const Eigen::MatrixXd& W,
+                       const Eigen::VectorXd& g) {
+    dense.H += J.transpose() * W * J;
+    dense.b += J.transpose() * g;
+  };
+  Eigen::Index p = kVariables;
+  const double fb = rig.pinhole.fx * rig.baseline;
+  for (const int host : window.order()) {
+    for (Point& point : window.keyframe(host).points) {
+      PixelSums s;
+      for (const int target : window.order()) {
+        if (target == host) continue;
+        const PairGeometry pair =
+            pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(target));
+        if (!temporalSums(pair, window.keyframe(target).gradients, point, s)) continue;
+        if (s.energy > window.energy_threshold || s.xx + s.yy < 2) continue;
+        const CentreJacobian C =
+            centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
+        Eigen::MatrixXd relative = Eigen::MatrixXd::Zero(4, 8);
+        for (int i = 0; i < 6; ++i) {
+          relative(0, i) = C.u_by_twist[static_cast<std::size_t>(i)];
+          relative(1, i) = C.v_by_twist[static_cast<std::size_t>(i)];
+        }
+        relative(2, 6) = relative(3, 7) = 1;
+        Eigen::MatrixXd J = Eigen::MatrixXd::Zero(4, dense.H.cols());
+        J.middleCols(8 * target, 8) = relative;
+        J.middleCols(8 * host, 8) = relative * pair.relative_by_host.cast<double>();
+        J(0, p) = C.u_by_depth;
+        J(1, p) = C.v_by_depth;
+        Eigen::Matrix4d W;             // gradient u, gradient v, by a, by b
+        W << s.xx, s.xy, s.xa, -s.x1,  //
+            s.xy, s.yy, s.ya, -s.y1,   //
+            s.xa, s.ya, s.aa, -s.a1,   //
+            -s.x1, -s.y1, -s.a1, s.w;
+        add(J, W, Eigen::Vector4d(s.xr, s.yr, s.ar, -s.r1));
+      }
+      const StereoGeometry stereo{static_cast<float>(fb), 0, 1, 0};
+      if (stereoSums(stereo, window.keyframe(host).right.level(0), point, s) &&
+          s.energy <= window.energy_threshold && s.xx >= 2) {
+        Eigen::MatrixXd J = Eigen::MatrixXd::Zero(1, dense.H.cols());
+        J(0, p) = -fb;
+        J(0, kOffsetIndex) = 1;
+        add(J, Eigen::MatrixXd::Constant(1, 1, lambda * s.xx),
+            Eigen::VectorXd::Constant(1, lambda * s.xr));
+      }
+      dense.H(p, p) += 1e-3;
+      ++p;
+    }
+  }
+  return dense;
+}
+
+Eigen::VectorXd solveDense(const Window& window, Dense dense) {
+  dense.H.topLeftCorner<kVariables, kVariables>() += window.prior.H;
+  for (Eigen::Index i = 0; i < dense.H.rows(); ++i) {
+    if (!(dense.H(i, i) > 0)) dense.H(i, i) = 1;
+  }
+  const Eigen::VectorXd scale = dense.H.diagonal().array().rsqrt();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * dense.H * scale.asDiagonal();
+  return -scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(dense.b)));
+}
+
+}  // namespace
+
+TEST_CASE("eliminating the depths changes nothing: steps agree with the dense system") {
+  const CameraRig rig = test::streetRig();
+  const auto window = threeKeyframes(40);
+  const SystemSettings settings{1.5F};
+  const Dense dense = denseSystem(rig, settings.lambda, *window);
+  const Eigen::VectorXd expected = solveDense(*window, dense);
+  LinearSystem system;
+  system.build(rig, settings, *window, allPoints(*window));
+  CHECK(system.residuals() > 200);
+  const SystemVector step = solve(*window, system.H(), system.b());
+  for (const int slot : window->order()) {
+    CAPTURE(slot, step.segment<8>(8 * slot).transpose(), expected.segment<8>(8 * slot).transpose());
+    CHECK((step - expected.head<kVariables>()).segment<6>(8 * slot).norm() < 3e-5);
+  }
+  CHECK(step[kOffsetIndex] == Approx(expected[kOffsetIndex]).margin(1e-3));
+  CHECK(step.segment<6>(8).norm() > 1e-3);
+
+  std::vector<float> before;
+  for (const int slot : window->order()) {
+    for (const Point& point : window->keyframe(slot).points) before.push_back(point.inverse_depth);
+  }
+  system.applyToDepths(*window, step);
+  std::size_t i = 0;
+  for (const int slot : window->order()) {
+    for (const Point& point : window->keyframe(slot).points) {
+      const double change = expected[kVariables + static_cast<Eigen::Index>(i)];
+      // Large steps are cut off, which the dense system does not do.
+      if (std::abs(change) < 0.3 * before[i]) {
+        CHECK(point.inverse_depth - before[i] == Approx(change).margin(2e-4));
+      }
+      ++i;
+    }
+  }
+}
+
+TEST_CASE("the system has the same bits for one, two and four threads") {
+  const CameraRig rig = test::streetRig();
+  std::vector<SystemMatrix> H;
+  std::vector<SystemVector> b;
+  for (const std::size_t threads : {1U, 2U, 4U}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const auto window = threeKeyframes(500);
+    LinearSystem system;
+    system.build(rig, {1.0F}, *window, allPoints(*window));
+    H.push_back(system.H());
+    b.push_back(system.b());
+  }
+  for (std::size_t i = 1; i < H.size(); ++i) {
+    CHECK(H[i] == H[0]);
+    CHECK(b[i] == b[0]);
+  }
+}
+
+TEST_CASE("H is symmetric and, with the gauge held, positive definite: the scale is observed") {
+  const CameraRig rig = test::streetRig();
+  const auto window = threeKeyframes(200);
+  LinearSystem system;
+  system.build(rig, {1.0F}, *window, allPoints(*window));
+  CHECK((system.H() - system.H().transpose()).norm() < 1e-6 * system.H().norm());
+  const SystemMatrix H = system.H() + window->prior.H;
+  const auto held = H.topLeftCorner<24, 24>().eval();
+  CHECK(Eigen::LLT<Eigen::Matrix<double, 24, 24>>(held).info() == Eigen::Success);
+  // Moving all cameras along with the scene's scale costs energy, but only with static stereo.
+  SystemVector scale = SystemVector::Zero();
+  for (const int slot : window->order()) {
+    const Keyframe& keyframe = window->keyframe(slot);
+    scale.segment<3>(8 * slot) = keyframe.T0_camera_world.translation();
+  }
+  const double with_stereo = scale.dot(system.H() * scale);
+  LinearSystem temporal;
+  temporal.build(rig, {0.0F}, *window, allPoints(*window));
+  const double without = scale.dot(temporal.H() * scale);
+  CHECK(with_stereo > 20 * std::abs(without));
+}
+
+TEST_CASE("residuals without a right image or out of view leave the system") {
+  const CameraRig rig = test::streetRig();
+  const auto window = threeKeyframes(60);
+  LinearSystem system;
+  system.build(rig, {1.0F}, *window, allPoints(*window));
+  const int all = system.residuals();
+  for (Point& point : window->keyframe(0).points) point.stereo = ResidualState::Absent;
+  system.build(rig, {1.0F}, *window, allPoints(*window));
+  CHECK(system.residuals() < all);
+  int outside = 0;
+  for (const Point& point : window->keyframe(0).points) {
+    outside += point.temporal[2] == ResidualState::Outside ? 1 : 0;
+  }
+  CHECK(outside > 0);  // near points leave the view of the last keyframe
+  system.storeInformation(*window);
+  for (const Point& point : window->keyframe(1).points) {
+    CHECK((point.information > 0) == (point.seen_good > 0));
+  }
+  CHECK(system.outlierThreshold() >= 13 * 13);
+}

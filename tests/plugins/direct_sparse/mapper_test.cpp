@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window's life over a drive: size, points, depths, gauge.
+#include "mapper.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "harness.hpp"
+#include "street.hpp"
+
+using namespace tolman;
+using namespace tolman::direct_sparse;
+
+namespace {
+
+struct Case {
+  CameraRig rig = test::streetRig();
+  MapperSettings settings;
+  Mapper mapper;
+
+  Case() {
+    settings.points = 500;
+    settings.candidates = 500;
+    settings.window = 4;
+    mapper.configure(rig, settings);
+  }
+  void keyframe(int index, const Eigen::Isometry3d& pose, bool covered = false) {
+    const Frame frame = test::streetFrame(index, pose);
+    Pyramid left;
+    Pyramid right;
+    left.build(frame.left);
+    if (!covered) right.build(frame.right, 1);
+    mapper.addKeyframe(index, pose, Affine(), left, right);
+  }
+};
+
+double depthError(const Window& window) {
+  std::vector<double> errors;
+  for (const int slot : window.order()) {
+    const Keyframe& keyframe = window.keyframe(slot);
+    for (const Point& p : keyframe.points) {
+      const double truth = test::streetInverseDepth(keyframe.T_world_camera(), p.u, p.v);
+      errors.push_back(std::abs(p.inverse_depth - truth) / truth);
+    }
+  }
+  std::nth_element(errors.begin(), errors.begin() + std::ptrdiff_t(errors.size() / 2),
+                   errors.end());
+  return errors[errors.size() / 2];
+}
+
+}  // namespace
+
+TEST_CASE("the first keyframe has points from static stereo at once, and holds the gauge") {
+  Case c;
+  c.keyframe(0, test::streetPose(3));
+  CHECK(c.mapper.window().size() == 1);
+  CHECK(c.mapper.window().pointCount() > 100);
+  CHECK(depthError(c.mapper.window()) < 0.02);
+  CHECK(c.mapper.window().newest().T_world_camera().isApprox(test::streetPose(3), 1e-6));
+}
+
+TEST_CASE("a drive: the window stays at its size, the poses stay true") {
+  Case c;
+  for (int k = 0; k < 8; ++k) {
+    const Eigen::Isometry3d pose = test::streetPose(0.5 * k);
+    c.keyframe(k, pose);
+    const Window& window = c.mapper.window();
+    CHECK(window.size() == std::min(k + 1, 4));
+    CHECK(window.newest().frame == k);
+    CHECK(window.pointCount() > 100);
+    CHECK(window.pointCount() < 1000);
+    CHECK((window.newest().T_world_camera().translation() - pose.translation()).norm() < 0.01);
+  }
+  CHECK(depthError(c.mapper.window()) < 0.02);
+  CHECK(c.mapper.window().prior.H.allFinite());
+}
+
+TEST_CASE("a covered right camera leaves a keyframe whose candidates wait for motion") {
+  Case c;
+  c.keyframe(0, test::streetPose(0));
+  c.keyframe(1, test::streetPose(0.5), true);
+  const Keyframe& covered = c.mapper.window().newest();
+  CHECK_FALSE(covered.has_right);
+  CHECK(covered.points.empty());
+  REQUIRE_FALSE(covered.immature.empty());
+  for (const ImmaturePoint& point : covered.immature) CHECK_FALSE(point.has_depth);
+  for (int k = 1; k < 4; ++k) {
+    const Eigen::Isometry3d pose = test::streetPose(0.5 + 0.15 * k);
+    c.mapper.observe(pose, Affine(), test::streetPyramid(pose));
+  }
+  int found = 0;
+  for (const ImmaturePoint& point : covered.immature) found += point.has_depth ? 1 : 0;
+  CHECK(found > 50);
+}
+
+TEST_CASE("gain and offset of the right camera are measured from the matches") {
+  Case c;
+  const Frame frame = test::streetFrame(0, test::streetPose(0));
+  Pyramid left;
+  Pyramid right;
+  left.build(frame.left);
+  right.build(test::changed(frame.right, 0.85, 7), 1);
+  c.mapper.addKeyframe(0, test::streetPose(0), Affine(), left, right);
+  CHECK(c.mapper.window().newest().right_gain == Approx(0.85).margin(0.02));
+  CHECK(c.mapper.window().newest().right_offset == Approx(7).margin(2));
+  CHECK(depthError(c.mapper.window()) < 0.02);
+}
+
+TEST_CASE("reset equals fresh") {
+  Case c;
+  c.keyframe(0, test::streetPose(0));
+  c.keyframe(1, test::streetPose(0.5));
+  c.mapper.reset();
+  CHECK(c.mapper.window().empty());
+  c.keyframe(0, test::streetPose(0));
+  Case fresh;
+  fresh.keyframe(0, test::streetPose(0));
+  const auto& a = c.mapper.window().newest().points;
+  const auto& b = fresh.mapper.window().newest().points;
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i].inverse_depth == b[i].inverse_depth);
+}

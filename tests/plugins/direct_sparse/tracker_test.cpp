@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which motion is believed, and when none is.
+#include "tracker.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "street.hpp"
+
+using namespace tolman;
+using namespace tolman::direct_sparse;
+
+namespace {
+
+struct Case {
+  CameraRig rig = test::streetRig();
+  std::unique_ptr<Window> window = test::streetWindow({test::streetPose(0)});
+  Tracker tracker;
+
+  Case() {
+    test::addTruePoints(*window, 600);
+    REQUIRE(tracker.setReference(rig, *window));
+  }
+};
+
+double metresOff(const AlignmentResult& result, const Eigen::Isometry3d& truth) {
+  return (result.state.T_current_reference * truth).translation().norm();
+}
+
+}  // namespace
+
+TEST_CASE("a fast start: without any velocity, large steps both ways are found") {
+  for (const double step : {-1.6, -0.6, 0.0, 0.9, 1.9}) {
+    Case c;
+    const Eigen::Isometry3d pose = test::streetPose(step, 0.01);
+    const auto result = c.tracker.track(c.rig, test::streetPyramid(pose), {});
+    CAPTURE(step);
+    REQUIRE(result);
+    CHECK(metresOff(*result, pose) < 0.01);
+  }
+}
+
+TEST_CASE("a wrong expectation is overruled: stopping and turning back") {
+  Case c;
+  Expectation expectation;
+  expectation.T_reference_previous = test::streetPose(0.5);
+  expectation.T_previous_current = test::streetPose(0.8);
+  expectation.has_velocity = true;
+  for (const double z : {0.5, -0.3}) {  // stands still; drives back
+    const Eigen::Isometry3d pose = test::streetPose(z);
+    const auto result = c.tracker.track(c.rig, test::streetPyramid(pose), expectation);
+    CAPTURE(z);
+    REQUIRE(result);
+    CHECK(metresOff(*result, pose) < 0.01);
+  }
+}
+
+TEST_CASE("another place is not recognised") {
+  Case c;
+  const Eigen::Isometry3d elsewhere = Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *
+                                      Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY());
+  CHECK_FALSE(c.tracker.track(c.rig, test::streetPyramid(elsewhere), {}));
+  Expectation expectation;
+  expectation.has_velocity = true;
+  CHECK_FALSE(c.tracker.track(c.rig, test::streetPyramid(elsewhere), expectation));
+}
+
+TEST_CASE("a reference without points cannot be tracked from") {
+  const auto window = test::streetWindow({test::streetPose(0)});
+  Tracker tracker;
+  CHECK_FALSE(tracker.setReference(test::streetRig(), *window));
+}
