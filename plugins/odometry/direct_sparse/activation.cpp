@@ -111,7 +111,9 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
       point.stereo = ResidualState::Good;
     }
     // The right camera alone will do for what no other keyframe could see.
-    const bool enough = good > 0 || (seen == 0 && point.stereo == ResidualState::Good);
+    const bool right_only = seen == 0 && keyframe.has_right;
+    if (right_only && settings.lambda == 0) return point;  // its match is all there is
+    const bool enough = good > 0 || (right_only && point.stereo == ResidualState::Good);
     if (!enough || information < kLeastInformation) return std::nullopt;
     const float limit = 0.3F * point.inverse_depth + 0.01F;
     const float step = std::clamp(-gradient / information, -limit, limit);

@@ -62,14 +62,16 @@ void dropOutliers(Window& window) {
   for (const int slot : window.order()) {
     Keyframe& keyframe = window.keyframe(slot);
     std::erase_if(keyframe.points, [](Point& point) {
+      int had = point.stereo != ResidualState::Absent ? 1 : 0;
       int left = 0;
       for (ResidualState& state : point.temporal) {
+        had += state != ResidualState::Absent ? 1 : 0;
         if (state != ResidualState::Good) state = ResidualState::Absent;
         left += state == ResidualState::Good ? 1 : 0;
       }
       if (point.stereo != ResidualState::Good) point.stereo = ResidualState::Absent;
       left += point.stereo == ResidualState::Good ? 1 : 0;
-      return left == 0;
+      return had > 0 && left == 0;  // a new one may wait for its first residual
     });
   }
 }

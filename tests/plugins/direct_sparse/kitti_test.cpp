@@ -30,13 +30,12 @@ CameraRig readRig(const std::filesystem::path& clip, const cv::Mat& image) {
   std::getline(file, left);
   std::getline(file, right);
   const auto P0 = matrixOf(left.substr(3));
-  const auto P1 = matrixOf(right.substr(3));
   CameraRig rig;
   rig.width = image.cols;
   rig.height = image.rows;
   rig.calibrated = true;
   rig.pinhole = {P0(0, 0), P0(1, 1), P0(0, 2), P0(1, 2)};
-  rig.baseline = -P1(0, 3) / P1(0, 0);
+  if (right.size() > 3) rig.baseline = -matrixOf(right.substr(3))(0, 3) / P0(0, 0);
   return rig;
 }
 
@@ -58,7 +57,9 @@ int run(test::Host& host, const std::filesystem::path& clip, const std::vector<i
     frame.frame = static_cast<std::int64_t>(k);
     frame.stamp_ns = frame.frame * 100'000'000;
     frame.left = asImage(readImage(clip, "image_0", order[k], type));
-    frame.right = asImage(readImage(clip, "image_1", order[k], type));
+    if (std::filesystem::exists(clip / "image_1")) {
+      frame.right = asImage(readImage(clip, "image_1", order[k], type));
+    }
     lost += host.track(frame).state == TrackingState::Lost ? 1 : 0;
   }
   host.finish();

@@ -14,27 +14,27 @@ using namespace tolman::direct_sparse;
 
 namespace {
 
-/// A smooth random row pattern: waves of several lengths, none shorter than 7 px, so that shifting
-/// it is exact.
+/// A smooth random pattern: waves of many lengths, none shorter than 7 px, so that shifting it is
+/// exact.
 class Waves {
  public:
   explicit Waves(std::uint64_t seed) {
     RandomStream random(seed);
     for (Wave& wave : waves_) {
-      wave = {random.uniform(0.15, 0.9), random.uniform(-0.3, 0.3), random.uniform(0, 6.28)};
+      wave = {random.uniform(0.02, 0.9), random.uniform(-0.7, 0.7), random.uniform(0, 6.28)};
     }
   }
   double at(double u, double v) const {
     double sum = 0;
     for (const Wave& wave : waves_) sum += std::sin(wave.fu * u + wave.fv * v + wave.phase);
-    return 125 + 12 * sum;
+    return 125 + 8 * sum;
   }
 
  private:
   struct Wave {
     double fu, fv, phase;
   };
-  Wave waves_[8];
+  Wave waves_[40];
 };
 
 GrayLevel shifted(const Waves& waves, double disparity, double gain = 1, double offset = 0) {
@@ -52,17 +52,20 @@ TEST_CASE("disparities are unbiased at every fraction of a pixel") {
     const GrayLevel right = shifted(waves, disparity);
     double sum = 0;
     int found = 0;
+    int wrong = 0;
     for (int u = 60; u < 390; u += 3) {
       for (int v = 8; v < 52; v += 11) {
         const auto match = matchStereo(left, right, u, v, {});
         if (!match) continue;
-        sum += match->disparity - disparity;
         ++found;
-        CHECK(std::abs(match->disparity - disparity) < 0.15);
+        const double error = match->disparity - disparity;
+        wrong += std::abs(error) > 0.2 ? 1 : 0;
+        sum += std::abs(error) > 0.2 ? 0 : error;
       }
     }
     CAPTURE(disparity, found);
     REQUIRE(found > 200);
+    CHECK(100 * wrong < found);
     CHECK(std::abs(sum / found) < 0.01);
   }
 }
@@ -111,8 +114,10 @@ TEST_CASE("repeated texture is refused as ambiguous") {
 }
 
 TEST_CASE("images that have nothing in common give hardly a match") {
-  const GrayLevel left = shifted(Waves(21), 0);
-  const GrayLevel right = shifted(Waves(22), 0);
+  RandomStream random(21);
+  const auto noise = [&random](int, int) { return random.below(256); };
+  const GrayLevel left = test::levelOf(400, 60, noise);
+  const GrayLevel right = test::levelOf(400, 60, noise);
   int found = 0;
   for (int u = 170; u < 390; ++u) found += matchStereo(left, right, u, 30, {}) ? 1 : 0;
   CHECK(found < 10);
