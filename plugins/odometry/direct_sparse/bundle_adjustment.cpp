@@ -44,7 +44,7 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
   for (int i = 0; i < settings.iterations; ++i) {
     system.build(rig, settings.system, window, points);
     result = {i + 1, system.energy(), system.residuals()};
-    const SystemVector step = solve(window, system.H(), system.b());
+    const SystemVector step = solve(window, system.H(), system.b(), settings.damping);
     const double depth_change = system.applyToDepths(window, step);
     const StepSize size = apply(window, step);
     const bool small = size.metres < 2e-4 && size.radians < 1e-5 && size.a < 6e-4 &&

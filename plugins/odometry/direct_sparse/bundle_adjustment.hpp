@@ -9,7 +9,8 @@ namespace tolman::direct_sparse {
 
 struct AdjustmentSettings {
   SystemSettings system;
-  int iterations = 6;
+  int iterations = 4;
+  double damping = kLeastDamping;  ///< larger where the scale is free: rounding must not move it
 };
 
 struct AdjustmentResult {

@@ -59,6 +59,9 @@ Status DirectSparse::configure(const Context& context) {
   settings.offset_sigma = parameters_.offset_sigma;
   settings.adjustment.iterations = parameters_.iterations;
   settings.adjustment.system.lambda = static_cast<float>(parameters_.coupling);
+  constexpr double kFreeScaleDamping = 1e-4;
+  const bool scale_is_free = cameras_ == Cameras::Single || parameters_.coupling == 0;
+  if (scale_is_free) settings.adjustment.damping = kFreeScaleDamping;
   mapper_.configure(rig_, settings);
   return reset();
 }

@@ -240,7 +240,8 @@ SystemVector changes(const Window& window) {
   return x;
 }
 
-SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b) {
+SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
+                   double damping) {
   SystemMatrix whole = H + window.prior.H;
   SystemVector rhs = -(b + window.prior.b + window.prior.H * changes(window));
   for (int i = 0; i < kVariables; ++i) {
@@ -252,7 +253,7 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
   }
   const SystemVector scale = (whole.diagonal().array() + 1e-9).rsqrt();
   whole = scale.asDiagonal() * whole * scale.asDiagonal();
-  whole.diagonal().array() += 1e-8;
+  whole.diagonal().array() += damping;
   const Eigen::LDLT<SystemMatrix> factors(whole);
   const SystemVector step = scale.cwiseProduct(factors.solve(scale.cwiseProduct(rhs)));
   return step.allFinite() ? step : SystemVector::Zero().eval();

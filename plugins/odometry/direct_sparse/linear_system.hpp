@@ -11,6 +11,8 @@
 
 namespace tolman::direct_sparse {
 
+inline constexpr double kLeastDamping = 1e-8;
+
 struct SystemSettings {
   float lambda = 1.5F;  ///< weight of the static term against the temporal ones; 0 without it
 };
@@ -73,8 +75,10 @@ class LinearSystem {
   int residuals_ = 0;
 };
 
-/// H, b plus the window's prior at the present change, solved; unused variables stay 0.
-SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b);
+/// H, b plus the window's prior at the present change, solved; unused variables stay 0. `damping`
+/// is added to the diagonal, scaled to one: directions that are observed less do not move.
+SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
+                   double damping = kLeastDamping);
 
 /// Present changes of all variables from their first estimates.
 SystemVector changes(const Window& window);
