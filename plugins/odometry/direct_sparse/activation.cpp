@@ -119,7 +119,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
     const float step = std::clamp(-gradient / information, -limit, limit);
     point.inverse_depth = std::max(point.inverse_depth + step, 1e-5F);
     point.information = information;
-    if (std::fabs(step) < 1e-3F * point.inverse_depth) break;
+    if (std::fabs(step) < 4e-3F * point.inverse_depth) break;
   }
   return point;
 }

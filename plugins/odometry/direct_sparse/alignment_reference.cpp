@@ -2,6 +2,8 @@
 // Projection into the newest keyframe and the derivatives of each sample.
 #include "alignment_reference.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "photometric_residual.hpp"
@@ -60,7 +62,8 @@ void AlignmentReference::project(const CameraRig& rig, const Window& window) {
 void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& image, int l) {
   ReferenceLevel& level = samples_[static_cast<std::size_t>(l)];
   level.clear();
-  taken_.assign(image.pixels.size(), 0);
+  std::vector<unsigned char>& taken = taken_[static_cast<std::size_t>(l)];
+  taken.assign(image.pixels.size(), 0);
   const float scale = 1.0F / static_cast<float>(1 << l);
   const float fx = static_cast<float>(rig.pinhole.fx) * scale;
   const float fy = static_cast<float>(rig.pinhole.fy) * scale;
@@ -74,8 +77,8 @@ void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& imag
       if (!image.contains(u, v, kMargin)) continue;
       const auto pixel = static_cast<std::size_t>(static_cast<int>(v + 0.5F) * image.width +
                                                   static_cast<int>(u + 0.5F));
-      if (taken_[pixel] != 0) continue;
-      taken_[pixel] = 1;
+      if (taken[pixel] != 0) continue;
+      taken[pixel] = 1;
       const float gx = 0.5F * (image.at(u + 1, v) - image.at(u - 1, v));
       const float gy = 0.5F * (image.at(u, v + 1) - image.at(u, v - 1));
       const float x = (u - cx) / fx;
@@ -101,7 +104,7 @@ void AlignmentReference::build(const CameraRig& rig, const Window& window) {
   const Pyramid& pyramid = window.newest().left;
   levels_ = pyramid.levels();
   frame_ = window.newest().frame;
-  for (int l = 0; l < levels_; ++l) sampleLevel(rig, pyramid.level(l), l);
+  tbb::parallel_for(0, levels_, [&](int l) { sampleLevel(rig, pyramid.level(l), l); });
 }
 
 }  // namespace tolman::direct_sparse

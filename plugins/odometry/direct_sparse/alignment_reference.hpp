@@ -47,7 +47,8 @@ class AlignmentReference {
 
   std::array<ReferenceLevel, Pyramid::kMostLevels> samples_;
   std::vector<Projected> projected_;
-  std::vector<unsigned char> taken_;  ///< pixels of the level that have a sample
+  /// By level: pixels that have a sample.
+  std::array<std::vector<unsigned char>, Pyramid::kMostLevels> taken_;
   int levels_ = 0;
   std::int64_t frame_ = -1;
 };

@@ -27,13 +27,31 @@ inline bool all(FourInts mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) 
 inline Four absolute(Four value) { return value < 0.0F ? -value : value; }
 inline Four smaller(Four a, Four b) { return a < b ? a : b; }
 
-/// Four whole numbers of 16 bits, as floats.
-inline Four loadShorts(const std::int16_t* p) {
+/// Mixture of two neighbours of four 16-bit numbers each, in two rows, at a fraction (fx, fy) in
+/// steps of 1/128.
+inline Four mixShorts(const std::int16_t* top, const std::int16_t* bottom, float fx, float fy) {
+  constexpr int kOne = 128;
+  const int x = static_cast<int>(fx * kOne + 0.5F);
+  const int y = static_cast<int>(fy * kOne + 0.5F);
+  const int w11 = x * y;
+  const int w01 = kOne * x - w11;
+  const int w10 = kOne * y - w11;
+  const int w00 = kOne * kOne - w01 - w10 - w11;
+  constexpr float kScale = 1.0F / (kOne * kOne);
 #if defined(__SSE2__)
-  const __m128i packed = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
-  return _mm_cvtepi32_ps(_mm_srai_epi32(_mm_unpacklo_epi16(packed, packed), 16));
+  const auto row = [](const std::int16_t* p, int left, int right) {
+    const __m128i both = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+    const __m128i pairs = _mm_unpacklo_epi16(both, _mm_srli_si128(both, 8));
+    return _mm_madd_epi16(pairs, _mm_set1_epi32(left | right << 16));
+  };
+  const __m128i sum = _mm_add_epi32(row(top, w00, w01), row(bottom, w10, w11));
+  return kScale * static_cast<Four>(_mm_cvtepi32_ps(sum));
 #else
-  return Four{float(p[0]), float(p[1]), float(p[2]), float(p[3])};
+  FourInts sum = {};
+  for (int i = 0; i < 4; ++i) {
+    sum[i] = w00 * top[i] + w01 * top[i + 4] + w10 * bottom[i] + w11 * bottom[i + 4];
+  }
+  return kScale * toFloat(sum);
 #endif
 }
 

@@ -2,6 +2,8 @@
 // Central differences of a whole level.
 #include "gradient_image.hpp"
 
+#include <tbb/parallel_for.h>
+
 namespace tolman::direct_sparse {
 
 void GradientImage::build(const GrayLevel& image) {
@@ -10,7 +12,7 @@ void GradientImage::build(const GrayLevel& image) {
     height_ = image.height;
     quads_.assign(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0);
   }
-  for (int v = 0; v < height_; ++v) {
+  tbb::parallel_for(0, height_, [&](int v) {
     const bool inner = v > 0 && v < height_ - 1;
     const std::uint8_t* here = image.row(v);
     const std::uint8_t* above = inner ? image.row(v - 1) : here;
@@ -24,7 +26,7 @@ void GradientImage::build(const GrayLevel& image) {
       out[4 * u + 3] = 0;
     }
     out[4 * (width_ - 1)] = here[width_ - 1];
-  }
+  });
 }
 
 }  // namespace tolman::direct_sparse

@@ -37,15 +37,10 @@ class GradientImage {
            v < static_cast<float>(height_) - 1.0F - margin;
   }
   /// Bilinear value, difference in u, difference in v at a fraction (fx, fy) right and below of a
-  /// pixel; differences are twice the gradient.
+  /// pixel, in steps of 1/128; differences are twice the gradient.
   Four at(int x, int y, float fx, float fy) const {
     const std::int16_t* p = pixel(x, y);
-    const std::int16_t* q = p + 4 * static_cast<std::ptrdiff_t>(width_);
-    const Four p0 = loadShorts(p);
-    const Four q0 = loadShorts(q);
-    const Four top = p0 + fx * (loadShorts(p + 4) - p0);
-    const Four bottom = q0 + fx * (loadShorts(q + 4) - q0);
-    return top + fy * (bottom - top);
+    return mixShorts(p, p + 4 * static_cast<std::ptrdiff_t>(width_), fx, fy);
   }
   /// The same; (u, v) must lie in [0, width - 1) x [0, height - 1).
   GradientSample at(float u, float v) const {

@@ -2,6 +2,8 @@
 // Thresholds of 32x32 blocks, and the strongest pixel of each cell.
 #include "point_selection.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,14 +30,14 @@ void PointSelector::measure(const GradientImage& image) {
   width_ = image.width();
   height_ = image.height();
   strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-  for (int v = 0; v < height_; ++v) {
+  tbb::parallel_for(0, height_, [&](int v) {
     const std::int16_t* in = image.pixel(0, v);
     std::uint8_t* out = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
     for (int u = 0; u < width_; ++u) {
       const int squared = in[4 * u + 1] * in[4 * u + 1] + in[4 * u + 2] * in[4 * u + 2];
       out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(squared)));
     }
-  }
+  });
 }
 
 void PointSelector::findThresholds() {
