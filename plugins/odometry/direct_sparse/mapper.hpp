@@ -18,7 +18,7 @@ struct MapperSettings {
   int candidates = 1500;
   int window = 7;
   int max_disparity = 160;  ///< px
-  double marginal_weight = 0.1;
+  double marginal_weight = 0.06;
   double offset_sigma = 0;  ///< px, 0: the disparity offset is held
   AdjustmentSettings adjustment;
 };

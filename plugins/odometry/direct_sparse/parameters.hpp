@@ -14,7 +14,7 @@ struct Parameters {
   double coupling = 1.5;
   double keyframe_weight = 0.4;
   double nearest = 2.5;
-  double marginal_weight = 0.1;
+  double marginal_weight = 0.06;
   double offset_sigma = 0;
   double camera_height = 1.65;
 

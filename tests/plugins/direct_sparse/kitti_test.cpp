@@ -141,3 +141,12 @@ TEST_CASE("KITTI 00 with one camera: starts early, is never lost") {
   CHECK(run(host, *clip, range(0, 120)) == 0);
   CHECK(ateOf(host, *clip, range(0, 120), true) < 0.35);
 }
+
+TEST_CASE("KITTI 03 with one camera and JPEG images: never lost, its scale kept") {
+  const auto clip = test::dataOrSkip("kitti_clips/03_left");
+  if (!clip) return;
+  const CameraRig rig = readRig(*clip, readImage(*clip, "image_0", 0, ".jpg"));
+  test::Host host(rig, {}, direct_sparse::Cameras::Single);
+  CHECK(run(host, *clip, range(0, 300), ".jpg") == 0);
+  CHECK(ateOf(host, *clip, range(0, 300), true) < 3.1);  // of 210 m
+}
