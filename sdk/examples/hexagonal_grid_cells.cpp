@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grid cells on hexagonal lattices. Each module has a scale (ratio about 1.4, Stensola et al. 2012)
-// and holds the robot's position as a phase on a twisted torus (Guanella et al. 2007). One module
-// repeats itself every few metres; several together hardly ever (Fiete, Burak, Brookes 2008). So
-// a familiar view is believed where all modules see the same displacement from its place.
+// Grid cells on hexagonal lattices: each module holds the position as a phase on a twisted torus
+// (Guanella et al. 2007). One repeats itself every few metres; several of different scale (Stensola
+// et al. 2012) hardly ever (Fiete et al. 2008): where all agree, a familiar view is believed.
 #include <array>
 #include <cmath>
 #include <map>
@@ -11,14 +10,13 @@
 #include <vector>
 
 namespace {
-
 using tolman::PlanarPose;
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr std::size_t kModules = 4;
-
 constexpr double kRatio = 1.42;  // of a module's scale to that of the next smaller one
 using Phase = Eigen::Vector2d;   // along the lattice's two axes, 60 degrees apart, in [0, 1)
 using Code = std::array<Phase, kModules>;
+double lengthOf(const PlanarPose& pose) { return std::hypot(pose.x, pose.y); }
 
 /// The shortest displacement (m) that leads from one phase to the other.
 Eigen::Vector2d shortest(const Phase& from, const Phase& to, double scale) {
@@ -36,62 +34,51 @@ Eigen::Vector2d shortest(const Phase& from, const Phase& to, double scale) {
 class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
  public:
   struct Parameters {
-    double scale = 30, spacing = 3, loop_minimum_travel = 30;
+    double scale = 30, spacing = 3, unseen = 30;
     static constexpr auto declaration() {
+      using tolman::parameter;
+      using P = Parameters;
       return tolman::parameters(
-          tolman::parameter("scale", &Parameters::scale)
-              .range(0.1, 1e4)
-              .unit("m")
-              .doc("Distance of firing fields in the smallest module."),
-          tolman::parameter("spacing", &Parameters::spacing)
-              .range(0.01, 1e4)
-              .unit("m")
-              .doc("Distance after which a new experience is made."),
-          tolman::parameter("loop_minimum_travel", &Parameters::loop_minimum_travel)
-              .range(0, 1e6)
-              .unit("m")
-              .doc("Path since a view was last seen before it can close a loop."));
+          parameter("scale", &P::scale).range(0.1, 1e4).unit("m").doc("Of the finest lattice."),
+          parameter("spacing", &P::spacing).range(0.01, 1e4).unit("m").doc("Of experiences."),
+          parameter("loop_minimum_travel", &P::unseen).range(0, 1e6).unit("m").doc("To a loop."));
     }
   };
 
   tolman::Status configure(const tolman::Context& context) override {
     const auto bound = tolman::bindParameters<Parameters>(context.parameters);
-    if (!bound.isOk()) return bound.status();
-    parameters_ = bound.value();
-    return reset();
+    if (bound.isOk()) parameters_ = bound.value();
+    return bound.isOk() ? reset() : bound.status();
   }
 
   tolman::Status reset() override {
-    here_ = {};
-    here_.code.fill(Phase::Zero());
-    memories_.clear();
-    travelled_ = 0;
-    experiences_ = 0;
+    here_ = {}, here_.code.fill(Phase::Zero());
+    memories_.clear(), travelled_ = 0, experiences_ = 0;
     return tolman::Status::ok();
   }
 
   tolman::Status step(const tolman::Motion& motion, const tolman::PlaceObservation& view,
                       tolman::Decision& decision) override {
     integrate(tolman::toPlanar(motion.T_previous_current));
-    decision.frame = motion.frame;
-    decision.stamp_ns = motion.stamp_ns;
+    decision.frame = motion.frame, decision.stamp_ns = motion.stamp_ns;
     decision.template_id = view.template_id;
-    const PlanarPose& moved = here_.in_experience;
     if (isBack(view)) {
-      here_ = memories_.at(view.template_id).place;
+      here_ = memories_.at(view.template_id);
       here_.heading += view.relative_yaw;
       here_.in_experience = tolman::compose(here_.in_experience, {0, 0, view.relative_yaw});
       decision.action = tolman::Action::CloseLoop;
       decision.relative_yaw = here_.in_experience.theta;
       decision.T_experience_current = tolman::fromPlanar(here_.in_experience);
-    } else if (here_.experience < 0 || std::hypot(moved.x, moved.y) >= parameters_.spacing) {
+    } else if (here_.experience < 0 || lengthOf(here_.in_experience) >= parameters_.spacing) {
       here_.experience = experiences_++;
       here_.in_experience = {};
       decision.action = tolman::Action::CreateExperience;
     }
     decision.experience = here_.experience;
     decision.heading = tolman::wrapPeriod(here_.heading, kTurn);
-    remember(view);
+    if (view.recognition != tolman::Recognition::None) {
+      memories_.try_emplace(view.template_id, here_).first->second.seen_at = travelled_;
+    }
     return tolman::Status::ok();
   }
 
@@ -103,8 +90,8 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
       for (int i = 0; i < kSide * kSide; ++i) {
         const double a = kTurn * (static_cast<double>(i % kSide) / kSide - here_.code[m].x());
         const double b = kTurn * (static_cast<double>(i / kSide) / kSide - here_.code[m].y());
-        const double waves = (std::cos(a) + std::cos(b) + std::cos(a + b)) / 3;  // -0.5 ... 1
-        rates.values.push_back(static_cast<float>((waves + 0.5) / 1.5));
+        const double waves = std::cos(a) + std::cos(b) + std::cos(a + b);  // -1.5 ... 3
+        rates.values.push_back(static_cast<float>((waves + 1.5) / 4.5));
       }
       arrays.push_back(std::move(rates));
     }
@@ -117,15 +104,10 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
     double heading = 0;  ///< rad, to the left
     std::int64_t experience = -1;
     PlanarPose in_experience;
-  };
-  struct Memory {
-    Place place;
     double seen_at = 0;  ///< m of path
   };
 
-  double scaleOf(std::size_t m) const {
-    return parameters_.scale * std::pow(kRatio, static_cast<double>(m));
-  }
+  double scaleOf(std::size_t m) const { return parameters_.scale * std::pow(kRatio, m); }
 
   void integrate(const PlanarPose& step) {
     const PlanarPose d = tolman::compose({0, 0, here_.heading}, step);
@@ -136,39 +118,30 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
       phase.y() = tolman::wrapPeriod(phase.y() + along_v, 1);
     }
     here_.heading = d.theta;
-    travelled_ += std::hypot(step.x, step.y);
+    travelled_ += lengthOf(step);
     here_.in_experience = tolman::compose(here_.in_experience, step);
   }
 
-  /// Familiar, not seen for a while, and all modules agree on where its place lies: to a tenth of
-  /// the smallest scale.
+  /// Familiar, unseen for a while, and all modules agree where it lies: to a tenth of the scale.
   bool isBack(const tolman::PlaceObservation& view) const {
-    const auto found = memories_.find(view.template_id);
-    if (view.recognition != tolman::Recognition::Familiar || found == memories_.end() ||
-        travelled_ - found->second.seen_at < parameters_.loop_minimum_travel) {
-      return false;
-    }
-    const Code& there = found->second.place.code;
-    const Eigen::Vector2d first = shortest(here_.code[0], there[0], scaleOf(0));
+    const auto seen = memories_.find(view.template_id);
+    if (view.recognition != tolman::Recognition::Familiar || seen == memories_.end()) return false;
+    const Place& there = seen->second;
+    bool is_back = travelled_ - there.seen_at >= parameters_.unseen;
+    const Eigen::Vector2d first = shortest(here_.code[0], there.code[0], scaleOf(0));
     for (std::size_t m = 1; m < kModules; ++m) {
-      const Eigen::Vector2d d = shortest(here_.code[m], there[m], scaleOf(m));
-      if ((d - first).norm() > 0.1 * parameters_.scale) return false;
+      const Eigen::Vector2d way = shortest(here_.code[m], there.code[m], scaleOf(m));
+      is_back = is_back && (way - first).norm() < 0.1 * parameters_.scale;
     }
-    return true;
-  }
-
-  void remember(const tolman::PlaceObservation& view) {
-    if (view.recognition == tolman::Recognition::None) return;
-    memories_.try_emplace(view.template_id, Memory{here_, 0}).first->second.seen_at = travelled_;
+    return is_back;
   }
 
   Parameters parameters_;
   Place here_;
-  std::map<std::int64_t, Memory> memories_;  ///< by template id
-  double travelled_ = 0;                     ///< m of path
+  std::map<std::int64_t, Place> memories_;  ///< by template id
+  double travelled_ = 0;                    ///< m of path
   std::int64_t experiences_ = 0;
 };
-
 }  // namespace
 
 TOLMAN_PLUGIN(hexagonal_grid_cells, HexagonalGridCells, "0.1.0",
