@@ -3,7 +3,6 @@
 
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
-#include <stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -15,11 +14,10 @@
 
 #include "app/progress_line.hpp"
 #include "pipeline/run.hpp"
+#include "plugins/scratch_folder.hpp"
 
 namespace tolman::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kSecondsPerNs = 1e-9;
 
@@ -34,25 +32,6 @@ double peakMemoryMib() {
   }
   return 0;
 }
-
-/// Where plugins put artefacts that nobody wants.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "tolman-bench-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Collects what the recorder would have written as timing, and asks for the end after `frames`.
 /// Frames that are then still in flight are finished and not counted.
@@ -135,7 +114,7 @@ class Runner {
                                       cancellation_, {false, true});
     if (auto* failure = std::get_if<Failure>(&assembled)) return *failure;
     Assembly& assembly = *std::get<std::unique_ptr<Assembly>>(assembled);
-    const ScratchFolder scratch;
+    const plugins::ScratchFolder scratch("tolman-bench");
     assembly.openArtefacts(scratch.path());
     SourceInfo info;
     const Status informed = assembly.source().info(info);

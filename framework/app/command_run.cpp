@@ -113,34 +113,35 @@ class Run {
                            ? record::RunState::Finished
                        : code == ExitCode::Interrupted ? record::RunState::Interrupted
                                                        : record::RunState::Failed;
-    Result<evaluation::Metrics> metrics = Status::failed("no frame was processed");
+    Result<Results> results = Status::failed("no frame was processed");
     if (outcome.counters.frames > 0) {
-      metrics = writeResults(directory_->path(), config().evaluation);
-      if (!metrics.isOk()) std::cerr << metrics.status().message() << "\n";
+      results = writeResults(directory_->path(), config().evaluation);
+      if (!results.isOk()) std::cerr << results.status().message() << "\n";
     }
     const Status written = directory_->writeRunFile(provenance_, state);
     if (!written.isOk()) std::cerr << written.message() << "\n";
-    if (metrics.isOk()) {
-      const auto report = writeReport({directory_->path()}, directory_->path());
-      if (!report.isOk()) std::cerr << report.status().message() << "\n";
+    if (results.isOk()) {
+      const Status reported = writeReport(*results.value().reader, results.value().data);
+      if (!reported.isOk()) std::cerr << reported.message() << "\n";
     }
-    show(outcome, metrics, wall);
+    show(outcome, results.isOk() ? &results.value().data.metrics : nullptr, wall);
     if (!outcome.status.isOk()) return report({code, outcome.status.message()});
     return code;
   }
 
-  void show(const pipeline::Outcome& outcome, const Result<evaluation::Metrics>& metrics,
+  /// `metrics` is null where there are none.
+  void show(const pipeline::Outcome& outcome, const evaluation::Metrics* metrics,
             double wall) const {
     if (invocation_.json) {
       nlohmann::ordered_json json = provenance_;
       json["directory"] = directory_->path().string();
-      if (metrics.isOk()) json["metrics"] = evaluation::toJson(metrics.value());
+      if (metrics != nullptr) json["metrics"] = evaluation::toJson(*metrics);
       std::cout << json.dump(2) << "\n";
     } else if (!invocation_.quiet) {
       std::cout << fmt::format("{:<10}{}\n", "run", directory_->path().string())
                 << healthText(outcome, wall);
-      if (!metrics.isOk()) return;
-      std::cout << figuresText(metrics.value())
+      if (metrics == nullptr) return;
+      std::cout << figuresText(*metrics)
                 << fmt::format("{:<10}{}\n", "report",
                                (directory_->path() / "report.html").string());
     }

@@ -3,6 +3,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 
 #include "config/loader.hpp"
 #include "config/system_config.hpp"
@@ -66,6 +67,15 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
   const Status status = record::writeAtomically(written.front(), report::html(pages));
   if (!status.isOk()) return status;
   return written;
+}
+
+Status writeReport(const record::RunReader& reader, report::RunData data) {
+  const auto page = report::makePage(reader, std::move(data));
+  if (!page.isOk()) return page.status();
+  std::vector<fs::path> written;
+  const Status status = writeFigures(page.value(), reader.directory() / "figures", written);
+  if (!status.isOk()) return status;
+  return record::writeAtomically(reader.directory() / "report.html", report::html({page.value()}));
 }
 
 }  // namespace tolman::app

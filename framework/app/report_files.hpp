@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "record/run_reader.hpp"
+#include "report/run_data.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::app {
@@ -14,5 +16,8 @@ namespace tolman::app {
 /// was written, the page first.
 Result<std::vector<std::filesystem::path>> writeReport(
     const std::vector<std::filesystem::path>& runs, const std::filesystem::path& folder);
+
+/// The same for one run whose record was read already, into its own directory.
+Status writeReport(const record::RunReader& reader, report::RunData data);
 
 }  // namespace tolman::app

@@ -2,13 +2,6 @@
 #include "app/run_listener.hpp"
 
 namespace tolman::app {
-namespace {
-
-constexpr int kMostFailuresTold =
-    10;  // an observer that fails at every frame must not fill the log
-
-}  // namespace
-
 template <class Call>
 Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
   for (Assembly::Observer& observer : observers_) {
@@ -20,9 +13,9 @@ Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
       return status;
     }
     const std::string& name = observer.stage.instance().name();
-    const int told = ++failures_told_[name];
-    if (told > kMostFailuresTold) continue;
-    const char* last = told == kMostFailuresTold ? "; more are not told" : "";
+    const auto tell = failures_.count(name);
+    if (tell == pipeline::FailureTally::Tell::No) continue;
+    const char* last = tell == pipeline::FailureTally::Tell::LastTime ? "; more are not told" : "";
     onEvent({frame, LogLevel::Warning, name, status.message() + last});
   }
   return Status::ok();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/assembly.hpp"
+#include "pipeline/failure_tally.hpp"
 #include "pipeline/listener.hpp"
 #include "record/recorder.hpp"
 
@@ -37,7 +38,7 @@ class RunListener : public pipeline::Listener {
   RunLog& log_;
   int arrays_every_;
   Status record_status_;
-  std::map<std::string, int> failures_told_;  // by observer
+  pipeline::FailureTally failures_;  // by observer
   bool observing_ = true;  ///< until an observer stops the run; what is known is still recorded
 };
 

@@ -4,18 +4,16 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <stdexcept>
 #include <utility>
 
-#include "tolman/version.hpp"
+#include "isolation/child_process.hpp"
 
 namespace tolman::conformance {
 namespace {
@@ -39,14 +37,6 @@ struct Pipe {
   std::array<int, 2> ends{};
 };
 
-void limit(const ChildLimits& limits) {
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
-  const bool sanitized = std::strcmp(TOLMAN_SANITIZER, "none") != 0;  // it reserves terabytes
-  const rlimit memory{limits.memory_mib << 20U, limits.memory_mib << 20U};
-  if (limits.memory_mib > 0 && !sanitized) ::setrlimit(RLIMIT_DATA, &memory);
-}
-
 /// In the child: a group of its own, dies with its parent, writes into the pipes.
 [[noreturn]] void become(std::vector<std::string> command, const ChildLimits& limits, int report,
                          int output) {
@@ -56,7 +46,7 @@ void limit(const ChildLimits& limits) {
   ::dup2(output, STDOUT_FILENO);
   ::dup2(output, STDERR_FILENO);
   ::fcntl(report, F_SETFD, 0);  // this one is passed on
-  limit(limits);
+  isolation::limitResources(limits.memory_mib);
   std::vector<char*> words;
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);

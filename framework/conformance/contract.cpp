@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "plugins/stages.hpp"
+
 namespace tolman::conformance {
 namespace {
 
@@ -67,21 +69,10 @@ Status checkMotion(const Motion& motion, const Frame& frame, const Frame* previo
 }
 
 Status checkPlace(const PlaceObservation& seen, std::int64_t& templates) {
-  const std::string id = "template " + std::to_string(seen.template_id);
-  switch (seen.recognition) {
-    case Recognition::None:
-      if (seen.template_id == -1) break;
-      return Status::failed("answered None with " + id + "; None has template_id -1");
-    case Recognition::Novel:
-      if (seen.template_id == templates++) break;
-      return Status::failed("made " + id + "; ids are dense, the next one is " +
-                            std::to_string(templates - 1));
-    case Recognition::Familiar:
-      if (seen.template_id >= 0 && seen.template_id < templates) break;
-      return Status::failed("recognised " + id + ", which was never made");
-  }
-  if (!seen.has_relative_pose) return Status::ok();
-  const Status status = checkPose(seen.T_template_current, "T_template_current");
+  Status status = plugins::checkTemplateId(seen, templates);
+  if (seen.recognition == Recognition::Novel) ++templates;
+  if (!status.isOk() || !seen.has_relative_pose) return status;
+  status = checkPose(seen.T_template_current, "T_template_current");
   return status.isOk() ? checkCovariance(seen.covariance) : status;
 }
 

@@ -10,31 +10,12 @@
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"
 #include "isolation/child_process.hpp"
+#include "plugins/scratch_folder.hpp"
 
 namespace tolman::conformance {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// For files that a plugin writes, removed whatever became of it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "tolman-validate-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = pattern;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string lastLine(const std::string& output) {
   std::string text = output;
@@ -53,7 +34,8 @@ class Experiment {
   }
 
   CheckResult run() {
-    const ScratchFolder scratch;
+    const plugins::ScratchFolder scratch("tolman-validate");
+    if (scratch.path().empty()) throw std::runtime_error("no temporary folder");
     const auto begin = std::chrono::steady_clock::now();
     const auto command = [&](int descriptor) {
       std::vector<std::string> words = options_.program;

@@ -32,13 +32,9 @@ Settings readSettings(const Schema& schema, const std::string& id,
 }
 
 plugins::Manifest Lab::manifest() const {
-  auto read = plugins::readManifests(options_.file);
+  auto read = plugins::readManifest(options_.file, options_.id);
   if (const auto* refusal = std::get_if<plugins::Refusal>(&read)) refuse(*refusal);
-  for (plugins::Manifest& manifest : std::get<std::vector<plugins::Manifest>>(read)) {
-    if (manifest.id == options_.id) return std::move(manifest);
-  }
-  refuse({"plugin/not-found", options_.file + " has no plugin '" + options_.id + "'",
-          "`tolman plugins doctor FILE` shows what it has"});
+  return std::move(std::get<plugins::Manifest>(read));
 }
 
 const Specimen& Lab::specimen() {

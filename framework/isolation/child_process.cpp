@@ -3,6 +3,7 @@
 
 #include <signal.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,6 +11,8 @@
 #include <cstring>
 #include <system_error>
 #include <thread>
+
+#include "tolman/version.hpp"
 
 namespace tolman::isolation {
 namespace {
@@ -65,6 +68,15 @@ std::string signalName(int signal) {
   const char* meaning = ::sigdescr_np(signal);
   if (name == nullptr || meaning == nullptr) return "signal " + std::to_string(signal);
   return std::string("SIG") + name + " (" + meaning + ")";
+}
+
+void limitResources(std::uint64_t memory_mib) {
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  const bool sanitized = std::strcmp(TOLMAN_SANITIZER, "none") != 0;  // it reserves terabytes
+  if (memory_mib == 0 || sanitized) return;
+  const rlimit data{memory_mib << 20U, memory_mib << 20U};
+  ::setrlimit(RLIMIT_DATA, &data);
 }
 
 std::string ProcessEnd::text() const {

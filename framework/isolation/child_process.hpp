@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct ProcessEnd {
 
 /// "SIGSEGV (Segmentation fault)".
 std::string signalName(int signal);
+
+/// Bounds this process: no core files, and so much data (0: any amount). Only system calls, so that
+/// it may stand between fork() and exec().
+void limitResources(std::uint64_t memory_mib);
 
 class ChildProcess {
  public:

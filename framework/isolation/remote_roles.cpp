@@ -6,6 +6,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "plugins/prediction.hpp"
+
 namespace tolman::isolation {
 namespace {
 
@@ -72,7 +74,7 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
     forgetful_ = (forgetful_ || remote_->takeAmnesia()) &&
                  motion.state == TrackingState::Initialising && seen_;
     if (forgetful_) {
-      predict(motion, dt);
+      plugins::predict(motion, last_, dt);  // a fresh start would say that the robot stood still
     } else if (missed_ > 0) {
       takeOutMissed(motion, dt);
     }
@@ -86,13 +88,6 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
   }
 
  private:
-  /// A fresh start would say that the robot stood still.
-  void predict(Motion& motion, double dt) const {
-    motion.state = TrackingState::Lost;
-    motion.T_previous_current = last_.T_previous_current;
-    motion.covariance = Matrix6d::Identity();
-    setPlanarVelocity(motion, dt);
-  }
   /// A plugin that was restored never saw the fatal frames, so its motion spans them. For those
   /// frames the host has put in the last motion: that part is not this frame's.
   void takeOutMissed(Motion& motion, double dt) const {

@@ -5,18 +5,17 @@
 #include <oneapi/tbb/global_control.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <optional>
-#include <string_view>
 #include <thread>
 
 #include "isolation/channel.hpp"
+#include "isolation/child_process.hpp"
 #include "isolation/context_message.hpp"
 #include "isolation/servant_calls.hpp"
+#include "plugins/instance.hpp"
 #include "plugins/library.hpp"
-#include "tolman/version.hpp"
 
 namespace tolman::isolation {
 namespace {
@@ -68,24 +67,11 @@ void followHost(int socket) {
   }).detach();
 }
 
-void limitMemory(std::uint64_t mib) {
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
-  const bool sanitized = std::string_view(TOLMAN_SANITIZER) != "none";  // it reserves terabytes
-  if (mib == 0 || sanitized) return;
-  const rlimit data{mib << 20U, mib << 20U};
-  ::setrlimit(RLIMIT_DATA, &data);
-}
-
 plugins::OrRefusal<plugins::LoadedPlugin> find(const LoadMessage& message) {
-  auto manifests = plugins::readManifests(message.file);
-  if (auto* refusal = std::get_if<plugins::Refusal>(&manifests)) return *refusal;
-  for (const plugins::Manifest& manifest : std::get<std::vector<plugins::Manifest>>(manifests)) {
-    if (manifest.id != message.id) continue;
-    return plugins::loadPlugin(manifest, plugins::HostIdentity::ofThisBuild());
-  }
-  return plugins::Refusal{"plugin/not-found", message.file + " has no plugin '" + message.id + "'",
-                          "the file was replaced while the host ran; start again"};
+  auto manifest = plugins::readManifest(message.file, message.id);
+  if (auto* refusal = std::get_if<plugins::Refusal>(&manifest)) return *refusal;
+  return plugins::loadPlugin(std::get<plugins::Manifest>(manifest),
+                             plugins::HostIdentity::ofThisBuild());
 }
 
 class Servant {
@@ -154,7 +140,7 @@ class Servant {
   }
 
   Status load(const LoadMessage& message, RefusalMessage& refusal, Schema& schema) {
-    limitMemory(message.memory_mib);
+    limitResources(message.memory_mib);
     if (message.threads > 0) {
       threads_.emplace(tbb::global_control::max_allowed_parallelism,
                        static_cast<std::size_t>(message.threads));
@@ -172,8 +158,8 @@ class Servant {
   Status create(RefusalMessage& refusal, bool& arrays, bool& state) {
     object_ = plugin_->descriptor->create();
     if (object_.plugin == nullptr) {
-      refusal = {"plugin/null-instance", "plugin '" + plugin_->manifest.id + "' created nothing",
-                 "let TOLMAN_PLUGIN write the factory"};
+      const plugins::Refusal none = plugins::nullInstance(plugin_->manifest);
+      refusal = {none.id, none.message, none.remedy};
       return Status::ok();
     }
     arrays = object_.arrays != nullptr;

@@ -3,26 +3,22 @@
 
 #include <algorithm>
 
+#include "plugins/prediction.hpp"
+
 namespace tolman::pipeline {
 namespace {
 
 // Of a graph this large, every frame may have a copy; of a larger one, frames in proportion fewer.
 constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links
 
-// A stage that fails at every frame must not fill the log.
-constexpr int kMostFailuresTold = 10;
-
-/// The stand-in answer of a skipped odometry: motion goes on as before, and nobody believes it.
+/// The stand-in answer of a skipped odometry.
 Motion predictedMotion(const Frame& frame, const Motion& last) {
   Motion motion;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
   if (frame.frame == 0) return motion;
-  motion.state = TrackingState::Lost;
-  motion.T_previous_current = last.T_previous_current;
-  motion.covariance = Matrix6d::Identity();
   motion.scale_known = last.scale_known;
-  setPlanarVelocity(motion, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
+  plugins::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
   return motion;
 }
 
@@ -58,9 +54,9 @@ bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int
     return false;
   }
   ++counters_.skipped;
-  const int told = ++failures_told_[std::string(role)];
-  if (told > kMostFailuresTold) return true;
-  const char* last = told == kMostFailuresTold ? "; more are counted, not told" : "";
+  const FailureTally::Tell tell = failures_.count(role);
+  if (tell == FailureTally::Tell::No) return true;
+  const char* last = tell == FailureTally::Tell::LastTime ? "; more are counted, not told" : "";
   listener_.onEvent({frame, LogLevel::Warning, std::string(role),
                      status.message() + (frame < 0 ? "; going on" : "; frame skipped") + last});
   return true;

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <atomic>
-#include <map>
 #include <mutex>
 #include <optional>
 
 #include "config/settings.hpp"
+#include "pipeline/failure_tally.hpp"
 #include "pipeline/listener.hpp"
 #include "pipeline/packet.hpp"
 #include "plugins/stages.hpp"
@@ -101,7 +101,7 @@ class Chain {
   Counters counters_;
   std::optional<Status> failure_;
   std::optional<Status> input_failure_;
-  std::map<std::string, int> failures_told_;  // by role
+  FailureTally failures_;  // by role
   mutable std::mutex failure_mutex_;
   Motion last_motion_;
   Decision last_decision_;

@@ -7,6 +7,11 @@
 
 namespace tolman::plugins {
 
+Refusal nullInstance(const Manifest& manifest) {
+  return {"plugin/null-instance", "plugin '" + manifest.id + "' created nothing",
+          "let TOLMAN_PLUGIN write the factory"};
+}
+
 OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin,
                                                       std::string name) {
   PluginObject object;
@@ -19,8 +24,7 @@ OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin
                    "a constructor must be cheap and must not throw: move work to configure()"};
   }
   if (object.plugin == nullptr) {
-    return Refusal{"plugin/null-instance", "plugin '" + plugin.manifest.id + "' created nothing",
-                   "let TOLMAN_PLUGIN write the factory"};
+    return nullInstance(plugin.manifest);
   }
   return adopt(plugin.manifest, std::move(name), object,
                [descriptor = plugin.descriptor](Plugin* doomed) {

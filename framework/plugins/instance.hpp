@@ -14,6 +14,9 @@
 
 namespace tolman::plugins {
 
+/// plugin/null-instance.
+Refusal nullInstance(const Manifest& manifest);
+
 class Instance {
  public:
   /// Constructs the plugin's object. `name` is the stage in the configuration. Refusals:

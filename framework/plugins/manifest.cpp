@@ -97,4 +97,14 @@ OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file
   return manifests;
 }
 
+OrRefusal<Manifest> readManifest(const std::filesystem::path& file, const std::string& id) {
+  auto read = readManifests(file);
+  if (const auto* refusal = std::get_if<Refusal>(&read)) return *refusal;
+  for (Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
+    if (manifest.id == id) return std::move(manifest);
+  }
+  return Refusal{"plugin/not-found", file.string() + " has no plugin '" + id + "'",
+                 "`tolman plugins doctor FILE` shows what it has"};
+}
+
 }  // namespace tolman::plugins

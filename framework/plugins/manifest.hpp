@@ -28,6 +28,9 @@ struct Manifest {
 /// All manifests of one library. Besides the refusals of readElfSection(): plugin/bad-manifest.
 OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file);
 
+/// That of plugin `id`. Besides the refusals of readManifests(): plugin/not-found.
+OrRefusal<Manifest> readManifest(const std::filesystem::path& file, const std::string& id);
+
 /// Parses one JSON manifest; `file` is for messages.
 OrRefusal<Manifest> parseManifest(const std::string& text, const std::filesystem::path& file);
 

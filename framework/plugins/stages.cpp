@@ -60,6 +60,25 @@ Status checkGraph(const MapGraph& graph) {
 
 }  // namespace
 
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates) {
+  const std::string id = "template " + std::to_string(observation.template_id);
+  switch (observation.recognition) {
+    case Recognition::None:
+      if (observation.template_id == -1) break;
+      return Status::failed("answered None with " + id + "; None has template_id -1");
+    case Recognition::Novel:
+      if (observation.template_id == templates || templates < 0) break;
+      return Status::failed("made " + id + "; ids are dense, the next one is " +
+                            std::to_string(templates));
+    case Recognition::Familiar:
+      if (observation.template_id >= 0 && (observation.template_id < templates || templates < 0)) {
+        break;
+      }
+      return Status::failed("recognised " + id + ", which was never made");
+  }
+  return Status::ok();
+}
+
 Status SourceStage::info(SourceInfo& info) {
   const Status status = instance_->call<Source>("info", -1, [&](Source& source) {
     const Status answered = source.info(info);
@@ -141,7 +160,7 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
   const Status answered = instance_->call<Place>("observe", frame.frame, [&](Place& place) {
     Status status = place.observe(frame, motion, observation);
     if (status.isOk()) status = checkAnswer(frame, observation);
-    if (status.isOk()) status = check(observation);
+    if (status.isOk()) status = checkTemplateId(observation, templates_);
     return status;
   });
   if (!answered.isOk()) {
@@ -150,26 +169,6 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
     templates_ = observation.template_id + 1;
   }
   return answered;
-}
-
-Status PlaceStage::check(const PlaceObservation& observation) const {
-  const std::string id = std::to_string(observation.template_id);
-  if (observation.recognition == Recognition::None) {
-    return observation.template_id == -1
-               ? Status::ok()
-               : Status::failed("has no view, but template " + id + "; None has template_id -1");
-  }
-  if (observation.template_id < 0) return Status::failed("there is no template " + id);
-  if (templates_ < 0) return Status::ok();
-  if (observation.recognition == Recognition::Novel) {
-    return observation.template_id == templates_
-               ? Status::ok()
-               : Status::failed("made template " + id + "; ids are dense, the next one is " +
-                                std::to_string(templates_));
-  }
-  return observation.template_id < templates_
-             ? Status::ok()
-             : Status::failed("recognised template " + id + ", which was never made");
 }
 
 Status PlaceStage::finish() {

@@ -12,6 +12,9 @@
 
 namespace tolman::plugins {
 
+/// Whether a view's template id is dense and known; `templates` so far, -1 when that is not known.
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates);
+
 /// Holds the instance; the rest is per role.
 class Stage {
  public:
@@ -60,7 +63,6 @@ class PlaceStage : public Stage {
   void expect(std::int64_t templates = 0) { templates_ = templates; }
 
  private:
-  Status check(const PlaceObservation& observation) const;
   std::int64_t templates_ = 0;
 };
 

@@ -16,11 +16,10 @@ void add(PopulationHistory& history, std::int64_t frame, NamedArray&& array) {
 
 }  // namespace
 
-Result<CellHistory> readCells(const record::RunReader& reader) {
+Result<CellHistory> readCells(const record::RunReader& reader,
+                              const std::vector<Decision>& decisions) {
   CellHistory history;
-  const auto decisions = reader.records<Decision>();
-  if (!decisions.isOk()) return decisions.status();
-  for (const Decision& decision : decisions.value()) {
+  for (const Decision& decision : decisions) {
     auto arrays = reader.arrays(decision.frame, "cells");
     if (!arrays.isOk()) return arrays.status();
     for (NamedArray& array : arrays.value()) {

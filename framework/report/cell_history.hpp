@@ -24,7 +24,9 @@ struct CellHistory {
   PopulationHistory sheet;
 };
 
-/// The first arrays of the cells whose names end in ".activity", of one and of two dimensions.
-Result<CellHistory> readCells(const record::RunReader& reader);
+/// At the frames of `decisions`: the first arrays of the cells whose names end in ".activity", of
+/// one and of two dimensions.
+Result<CellHistory> readCells(const record::RunReader& reader,
+                              const std::vector<Decision>& decisions);
 
 }  // namespace tolman::report

@@ -50,10 +50,10 @@ Status addFigures(RunPage& page, const record::RunReader& reader) {
             "New local view templates along the upper bound; familiar ones below it are places "
             "seen again.",
             templateFigure(places.value()));
-  const auto cells = readCells(reader);
-  if (!cells.isOk()) return cells.status();
   const auto decisions = reader.records<Decision>();
   if (!decisions.isOk()) return decisions.status();
+  const auto cells = readCells(reader, decisions.value());
+  if (!cells.isOk()) return cells.status();
   addFigure(page, "activity",
             "State of the attractor networks at four moments; the red hand is the estimate.",
             activityFigure(cells.value(), decisions.value()));
@@ -145,22 +145,27 @@ std::string section(const RunPage& run) {
 
 }  // namespace
 
-Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings) {
-  const auto opened = record::RunReader::open(directory);
-  if (!opened.isOk()) return opened.status();
-  auto data = readRun(*opened.value(), settings);
-  if (!data.isOk()) return data.status();
-  RunPage page{std::move(data).value(),
+Result<RunPage> makePage(const record::RunReader& reader, RunData data) {
+  const std::filesystem::path& directory = reader.directory();
+  RunPage page{std::move(data),
                directory.filename().string(),
                {},
                nullptr,
                textOf(directory / "config.resolved.yaml")};
   const Json provenance = Json::parse(textOf(directory / "run.json"), nullptr, false);
   if (!provenance.is_discarded()) page.provenance = provenance;
-  const Status drawn = addFigures(page, *opened.value());
+  const Status drawn = addFigures(page, reader);
   if (!drawn.isOk()) return drawn;
   return page;
+}
+
+Result<RunPage> makePage(const std::filesystem::path& directory,
+                         const config::EvaluationSettings& settings) {
+  const auto opened = record::RunReader::open(directory);
+  if (!opened.isOk()) return opened.status();
+  auto data = readRun(*opened.value(), settings);
+  if (!data.isOk()) return data.status();
+  return makePage(*opened.value(), std::move(data).value());
 }
 
 std::string html(const std::vector<RunPage>& runs) {

@@ -26,7 +26,10 @@ struct RunPage {
   std::string config;                 ///< config.resolved.yaml
 };
 
-/// Reads the record and draws every figure that it has something for.
+/// Draws every figure that the record has something for. `reader` is of the run that `data` was
+/// read from.
+Result<RunPage> makePage(const record::RunReader& reader, RunData data);
+/// The same from the record alone.
 Result<RunPage> makePage(const std::filesystem::path& directory,
                          const config::EvaluationSettings& settings);
 

@@ -55,7 +55,8 @@ TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
 
 TEST_CASE("the activity of every unit is drawn at four moments") {
   const Sample sample;
-  const CellHistory cells = readCells(*sample.reader).value();
+  const CellHistory cells =
+      readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
   REQUIRE(cells.ring.frames.size() == 12);
   REQUIRE(cells.sheet.shape == std::vector<int>{2, 2});
   const std::string svg = activityFigure(cells, sample.reader->records<Decision>().value());
@@ -66,7 +67,9 @@ TEST_CASE("the activity of every unit is drawn at four moments") {
 
 TEST_CASE("rates of two opposite head direction units and one grid unit") {
   const Sample sample;
-  const std::string svg = firingFigure(readCells(*sample.reader).value(), sample.data.map);
+  const std::string svg =
+      firingFigure(readCells(*sample.reader, sample.reader->records<Decision>().value()).value(),
+                   sample.data.map);
   CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
   CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
   CHECK(svg.find("grid unit (1, 1): fields 1, 0.00 bits") != std::string::npos);
