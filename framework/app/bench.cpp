@@ -47,8 +47,9 @@ class Stopwatch : public pipeline::Listener, public Cancellation {
 
   bool requested() const override { return complete_ || cancellation_.requested(); }
 
-  Status onFrame(const Snapshot&, const pipeline::StageTimes& times) override {
+  Status onFrame(const Snapshot& snapshot) override {
     if (complete_) return Status::ok();
+    const StageTimes& times = snapshot.stage_times_ns;
     for (std::size_t role = 0; role < times.size(); ++role) {
       if (times[role] > 0) durations_ns_.at(role).push_back(times[role]);
     }

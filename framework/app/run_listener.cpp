@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/run_listener.hpp"
 
+#include <utility>
+
 namespace tolman::app {
 template <class Call>
 Status RunListener::tellObservers(std::int64_t frame, Call&& call) {
@@ -27,8 +29,9 @@ Status RunListener::begin(const RunInfo& run) {
   return tellObservers(-1, [&](plugins::ObserverStage& o) { return o.begin(run); });
 }
 
-Status RunListener::record(const Snapshot& snapshot, const pipeline::StageTimes& times) {
+Status RunListener::record(const Snapshot& snapshot) {
   Snapshot told = snapshot;
+  const StageTimes& times = snapshot.stage_times_ns;
   const std::int64_t frame = snapshot.frame->frame;
   if (arrays_every_ == 0 || frame % arrays_every_ != 0) told.cells = nullptr;
   Status status = recorder_.snapshot(told);
@@ -38,18 +41,29 @@ Status RunListener::record(const Snapshot& snapshot, const pipeline::StageTimes&
   return status;
 }
 
-Status RunListener::onFrame(const Snapshot& snapshot, const pipeline::StageTimes& times) {
+std::vector<RunEvent> RunListener::takeEvents() {
+  const std::lock_guard lock(events_mutex_);
+  return std::exchange(events_, {});
+}
+
+Status RunListener::onFrame(const Snapshot& snapshot) {
   if (!record_status_.isOk()) return record_status_;
-  record_status_ = record(snapshot, times);
+  record_status_ = record(snapshot);
   if (!record_status_.isOk()) return record_status_;
+  const std::vector<RunEvent> events = takeEvents();
+  Snapshot told = snapshot;
+  told.events = &events;
   return tellObservers(snapshot.frame->frame,
-                       [&](plugins::ObserverStage& o) { return o.observe(snapshot); });
+                       [&](plugins::ObserverStage& o) { return o.observe(told); });
 }
 
 void RunListener::onEvent(const pipeline::Event& event) {
   // A failure that stops the run is what the program ends with: the terminal hears it then.
   log_.write(event.level, event.source, event.message, event.level != LogLevel::Error);
   (void)recorder_.event(event.frame, event.level, event.source, event.message);
+  if (observers_.empty()) return;
+  const std::lock_guard lock(events_mutex_);
+  events_.push_back(event);
 }
 
 Status RunListener::onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) {

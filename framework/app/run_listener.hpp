@@ -2,8 +2,8 @@
 // What happens in a run goes to the record, the log and the observers.
 #pragma once
 
-#include <map>
 #include <string>
+#include <mutex>
 #include <vector>
 
 #include "app/assembly.hpp"
@@ -20,7 +20,7 @@ class RunListener : public pipeline::Listener {
       : recorder_(recorder), observers_(observers), log_(log), arrays_every_(arrays_every) {}
 
   Status begin(const RunInfo& run);
-  Status onFrame(const Snapshot& snapshot, const pipeline::StageTimes& times) override;
+  Status onFrame(const Snapshot& snapshot) override;
   void onEvent(const pipeline::Event& event) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
@@ -28,7 +28,8 @@ class RunListener : public pipeline::Listener {
   const Status& recordStatus() const { return record_status_; }
 
  private:
-  Status record(const Snapshot& snapshot, const pipeline::StageTimes& times);
+  Status record(const Snapshot& snapshot);
+  std::vector<RunEvent> takeEvents();
   /// Runs `call` for each observer; failures follow the observer's policy.
   template <class Call>
   Status tellObservers(std::int64_t frame, Call&& call);
@@ -39,6 +40,8 @@ class RunListener : public pipeline::Listener {
   int arrays_every_;
   Status record_status_;
   pipeline::FailureTally failures_;  // by observer
+  std::mutex events_mutex_;          // they come from any thread
+  std::vector<RunEvent> events_;     ///< that no observer was told yet
   bool observing_ = true;  ///< until an observer stops the run; what is known is still recorded
 };
 

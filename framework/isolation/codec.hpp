@@ -4,6 +4,7 @@
 // written by a process that may have gone mad: sizes are checked before anything is believed.
 #pragma once
 
+#include <array>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -104,6 +105,10 @@ class Encoder {
       for (const T& value : values) put(value);
     }
   }
+  template <Scalar T, std::size_t N>
+  void put(const std::array<T, N>& values) {
+    raw(values.data(), sizeof values);
+  }
   template <class T>
   void put(const std::optional<T>& value) {
     put(value.has_value());
@@ -157,6 +162,10 @@ class Decoder {
   template <Scalar T>
   void get(T& value) {
     std::memcpy(&value, take(sizeof value), sizeof value);
+  }
+  template <Scalar T, std::size_t N>
+  void get(std::array<T, N>& values) {
+    std::memcpy(values.data(), take(sizeof values), sizeof values);
   }
   void get(bool& value) { value = std::to_integer<int>(*take(1)) != 0; }
   void get(std::string& text) {

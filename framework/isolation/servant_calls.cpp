@@ -90,12 +90,13 @@ void addObserver(Handlers& handlers, Observer& observer) {
       handler(Takes<RunInfo>{}, Gives<>{}, [&](const RunInfo& run) { return observer.begin(run); });
   handlers[Call::Watch] = handler(
       Takes<Frame, Motion, PlaceObservation, Decision, MapUpdate, std::vector<NamedArray>,
-            std::optional<MapGraph>>{},
+            std::optional<MapGraph>, StageTimes, std::vector<RunEvent>>{},
       Gives<>{},
       [&](const Frame& frame, const Motion& motion, const PlaceObservation& place,
-          const Decision& decision, const MapUpdate& map, const auto& cells, const auto& graph) {
-        return observer.observe(
-            {&frame, &motion, &place, &decision, &map, &cells, graph ? &*graph : nullptr});
+          const Decision& decision, const MapUpdate& map, const auto& cells, const auto& graph,
+          const StageTimes& times, const auto& events) {
+        return observer.observe({&frame, &motion, &place, &decision, &map, &cells,
+                                 graph ? &*graph : nullptr, times, &events});
       });
   handlers[Call::FinishObserver] = handler(
       Takes<MapGraph>{}, Gives<>{}, [&](const MapGraph& graph) { return observer.finish(graph); });

@@ -189,7 +189,7 @@ void Chain::count(const Packet& packet) {
 
 void Chain::tell(const Packet& packet) {
   if (!packet.answered) return;
-  const Status status = listener_.onFrame(packet.snapshot(), packet.times);
+  const Status status = listener_.onFrame(packet.snapshot());
   if (!status.isOk()) fail(status);
 }
 

@@ -11,21 +11,15 @@
 
 namespace tolman::pipeline {
 
-/// Something worth remembering that is not an answer: a skipped frame, a drop, a lost track.
-struct Event {
-  std::int64_t frame = -1;
-  LogLevel level = LogLevel::Info;
-  std::string source;  ///< the stage
-  std::string message;
-};
+using Event = RunEvent;
 
 /// Frames come in order, one call at a time, not always from the same thread; events may come from
 /// any thread at any time.
 class Listener {
  public:
   virtual ~Listener() = default;
-  /// A failure stops the run.
-  virtual Status onFrame(const Snapshot& snapshot, const StageTimes& times) = 0;
+  /// A failure stops the run. The snapshot comes without events.
+  virtual Status onFrame(const Snapshot& snapshot) = 0;
   virtual void onEvent(const Event& event) = 0;
   /// After the last frame, with the final map.
   virtual Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) = 0;

@@ -14,9 +14,6 @@
 
 namespace tolman::pipeline {
 
-/// Wall time per role, ns; for the record only.
-using StageTimes = std::array<std::int64_t, kRoleNames.size()>;
-
 struct Packet {
   Frame frame;
   Motion motion;
@@ -34,7 +31,8 @@ struct Packet {
   StageTimes times{};
 
   Snapshot snapshot() const {
-    return {&frame, &motion, &place, &decision, &map, &cells, graph_changed ? &graph : nullptr};
+    return {&frame, &motion, &place, &decision, &map, &cells, graph_changed ? &graph : nullptr,
+            times};
   }
 };
 using PacketPtr = std::shared_ptr<Packet>;

@@ -148,7 +148,7 @@ struct Diary : pipeline::Listener {
     bool lost;
     bool operator==(const Entry&) const = default;
   };
-  Status onFrame(const Snapshot& s, const pipeline::StageTimes&) override {
+  Status onFrame(const Snapshot& s) override {
     entries.push_back({s.frame->frame, s.motion->v, s.place->template_id, s.place->score,
                        s.map->T_world_camera.translation().z(),
                        s.motion->state == TrackingState::Lost});

@@ -3,6 +3,7 @@
 // cancellation, clock and parameters.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,9 @@
 namespace tolman {
 
 enum class LogLevel : std::uint8_t { Debug, Info, Warning, Error };
+inline constexpr std::array<std::string_view, 4> kLogLevelNames = {"debug", "info", "warning",
+                                                                   "error"};
+constexpr std::span<const std::string_view> enumNames(LogLevel) { return kLogLevelNames; }
 
 /// Writes to the log of the run, marked with the plugin's name. Callable from any thread.
 class Logger {

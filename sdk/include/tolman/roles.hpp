@@ -130,6 +130,26 @@ class Map : public Plugin {
   virtual Status finish(const std::vector<MotionRevision>& revisions) = 0;
 };
 
+/// Something worth knowing that is no answer: a skipped frame, a lost track, a dropped frame.
+struct RunEvent {
+  static constexpr const char* kRecord = "run_event";
+  std::int64_t frame = -1;  ///< -1: before the first or after the last
+  LogLevel level = LogLevel::Info;
+  std::string source;  ///< the stage
+  std::string message;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame that it happened at, -1 for none");
+    TOLMAN_FIELD(level, "", "how bad it is");
+    TOLMAN_FIELD(source, "", "the stage");
+    TOLMAN_FIELD(message, "", "for people");
+  }
+};
+
+/// Wall time of one frame in every role, ns, in the order of Role. For people: it decides nothing.
+using StageTimes = std::array<std::int64_t, kRoleNames.size()>;
+
 /// Everything about one frame, for observers. Pointers are valid during the call only; copy what
 /// you keep. Records can be copied cheaply (images are shared).
 struct Snapshot {
@@ -140,6 +160,8 @@ struct Snapshot {
   const MapUpdate* map = nullptr;
   const std::vector<NamedArray>* cells = nullptr;  ///< the state of the neural populations
   const MapGraph* graph = nullptr;  ///< null unless the map changed since the last snapshot
+  StageTimes stage_times_ns{};      ///< the observers' own is 0
+  const std::vector<RunEvent>* events = nullptr;  ///< since the last snapshot; may be null
 };
 
 /// What an observer learns before the first frame.
