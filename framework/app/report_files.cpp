@@ -9,6 +9,7 @@
 #include "config/system_config.hpp"
 #include "record/atomic_file.hpp"
 #include "report/page.hpp"
+#include "report/raster.hpp"
 
 namespace tolman::app {
 namespace {
@@ -35,18 +36,38 @@ std::string folderOf(const fs::path& run, std::set<std::string>& taken) {
   return unique;
 }
 
-Status writeFigures(const report::RunPage& page, const fs::path& folder,
-                    std::vector<fs::path>& written) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  for (const report::Figure& figure : page.figures) {
-    const fs::path file = folder / (figure.file + ".svg");
-    const Status status = record::writeAtomically(file, figure.svg);
-    if (!status.isOk()) return status;
-    written.push_back(file);
+/// Writes figures into one folder, and keeps the names of the files.
+class FigureFolder {
+ public:
+  FigureFolder(fs::path folder, bool pixels) : folder_(std::move(folder)), pixels_(pixels) {
+    std::error_code error;
+    fs::create_directories(folder_, error);  // a folder that is not there fails at the first file
   }
-  return Status::ok();
-}
+
+  Status add(const std::string& name, const std::string& svg) {
+    const Status status = write(name + ".svg", svg);
+    if (!status.isOk() || !pixels_) return status;
+    const auto png = report::pngOf(svg);
+    return png.isOk() ? write(name + ".png", png.value()) : png.status();
+  }
+  Status addAll(const report::RunPage& page) {
+    Status status;
+    for (const report::Figure& figure : page.figures) {
+      if (status.isOk()) status = add(figure.file, figure.svg);
+    }
+    return status;
+  }
+  const std::vector<fs::path>& written() const { return written_; }
+
+ private:
+  Status write(const std::string& name, const std::string& bytes) {
+    written_.push_back(folder_ / name);
+    return record::writeAtomically(written_.back(), bytes);
+  }
+  fs::path folder_;
+  bool pixels_;
+  std::vector<fs::path> written_;
+};
 
 }  // namespace
 
@@ -59,10 +80,17 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
     auto page = report::makePage(run, settingsOf(run));
     if (!page.isOk()) return page.status();
     const std::string name = folderOf(run, taken);
-    const fs::path figures = runs.size() == 1 ? folder / "figures" : folder / "figures" / name;
-    const Status status = writeFigures(page.value(), figures, written);
+    FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : name), true);
+    const Status status = figures.addAll(page.value());
     if (!status.isOk()) return status;
+    written.insert(written.end(), figures.written().begin(), figures.written().end());
     pages.push_back(std::move(page).value());
+  }
+  if (const std::string comparison = report::comparisonFigure(pages); !comparison.empty()) {
+    FigureFolder figures(folder / "figures", true);
+    const Status status = figures.add("comparison", comparison);
+    if (!status.isOk()) return status;
+    written.insert(written.end(), figures.written().begin(), figures.written().end());
   }
   const Status status = record::writeAtomically(written.front(), report::html(pages));
   if (!status.isOk()) return status;
@@ -72,8 +100,8 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
 Status writeReport(const record::RunReader& reader, report::RunData data) {
   const auto page = report::makePage(reader, std::move(data));
   if (!page.isOk()) return page.status();
-  std::vector<fs::path> written;
-  const Status status = writeFigures(page.value(), reader.directory() / "figures", written);
+  FigureFolder figures(reader.directory() / "figures", false);
+  const Status status = figures.addAll(page.value());
   if (!status.isOk()) return status;
   return record::writeAtomically(reader.directory() / "report.html", report::html({page.value()}));
 }

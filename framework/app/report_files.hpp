@@ -17,7 +17,8 @@ namespace tolman::app {
 Result<std::vector<std::filesystem::path>> writeReport(
     const std::vector<std::filesystem::path>& runs, const std::filesystem::path& folder);
 
-/// The same for one run whose record was read already, into its own directory.
+/// The same for one run whose record was read already, into its own directory. Without PNG: a run
+/// should not wait for what few need.
 Status writeReport(const record::RunReader& reader, report::RunData data);
 
 }  // namespace tolman::app

@@ -2,8 +2,8 @@
 // What happens in a run goes to the record, the log and the observers.
 #pragma once
 
-#include <string>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "app/assembly.hpp"

@@ -159,8 +159,7 @@ class RemoteObserver final : public RemoteRole<Observer> {
     std::optional<MapGraph> graph;
     if (s.graph != nullptr) graph = *s.graph;
     const std::optional<MapGraph>& given = graph;
-    const std::vector<RunEvent> events =
-        s.events != nullptr ? *s.events : std::vector<RunEvent>();
+    const std::vector<RunEvent> events = s.events != nullptr ? *s.events : std::vector<RunEvent>();
     return ask(Call::Watch,
                std::tie(*s.frame, *s.motion, *s.place, *s.decision, *s.map, *s.cells, given,
                         s.stage_times_ns, events),

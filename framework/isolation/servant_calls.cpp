@@ -88,16 +88,16 @@ void addMap(Handlers& handlers, Map& map) {
 void addObserver(Handlers& handlers, Observer& observer) {
   handlers[Call::Begin] =
       handler(Takes<RunInfo>{}, Gives<>{}, [&](const RunInfo& run) { return observer.begin(run); });
-  handlers[Call::Watch] = handler(
-      Takes<Frame, Motion, PlaceObservation, Decision, MapUpdate, std::vector<NamedArray>,
-            std::optional<MapGraph>, StageTimes, std::vector<RunEvent>>{},
-      Gives<>{},
-      [&](const Frame& frame, const Motion& motion, const PlaceObservation& place,
-          const Decision& decision, const MapUpdate& map, const auto& cells, const auto& graph,
-          const StageTimes& times, const auto& events) {
-        return observer.observe({&frame, &motion, &place, &decision, &map, &cells,
-                                 graph ? &*graph : nullptr, times, &events});
-      });
+  handlers[Call::Watch] =
+      handler(Takes<Frame, Motion, PlaceObservation, Decision, MapUpdate, std::vector<NamedArray>,
+                    std::optional<MapGraph>, StageTimes, std::vector<RunEvent>>{},
+              Gives<>{},
+              [&](const Frame& frame, const Motion& motion, const PlaceObservation& place,
+                  const Decision& decision, const MapUpdate& map, const auto& cells,
+                  const auto& graph, const StageTimes& times, const auto& events) {
+                return observer.observe({&frame, &motion, &place, &decision, &map, &cells,
+                                         graph ? &*graph : nullptr, times, &events});
+              });
   handlers[Call::FinishObserver] = handler(
       Takes<MapGraph>{}, Gives<>{}, [&](const MapGraph& graph) { return observer.finish(graph); });
 }

@@ -4,152 +4,146 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "report/axes.hpp"
 
 namespace tolman::report {
 namespace {
 
-// Okabe and Ito's colours, which colour-blind people can tell apart.
-constexpr const char* kTruthColour = "#999999";
-constexpr const char* kOdometryColour = "#E69F00";
-constexpr const char* kMapColour = "#0072B2";
-constexpr const char* kExperienceColour = "#009E73";
-constexpr const char* kLoopColour = "#D55E00";
-constexpr double kLongSide = 860;  // px
-constexpr double kMargin = 50;
-constexpr double kLegendHeight = 70;
+constexpr double kLongSide = 820;  // px of the frame of a single map
+constexpr double kPanelSide = 420;
+constexpr double kLeft = 70;
+constexpr double kTop = 66;
+constexpr double kRight = 30;
+constexpr double kBottom = 50;
+constexpr double kLeastWidth = 520;  // for the legend
+constexpr std::size_t kPanelsInARow = 3;
+constexpr std::size_t kManyExperiences = 600;  // from here on circles are dots
 
-/// From metres in the plane to pixels. Forward at the start is up, or to the right where the path
-/// is much longer than wide.
-class Canvas {
+/// What of the plane is shown. Forward at the start is up, or to the right where the path is much
+/// longer than wide.
+class View {
  public:
-  explicit Canvas(const MapPicture& picture) {
-    for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
-      for (const auto& pose : *line) box_.extend(inPlane(pose.T_world_camera.translation()));
+  explicit View(const std::vector<MapPicture>& pictures) {
+    for (const MapPicture& picture : pictures) {
+      for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
+        for (const auto& pose : *line) box_.extend(inPlane(pose.T_world_camera.translation()));
+      }
     }
     if (box_.isEmpty()) box_.extend(Eigen::Vector2d::Zero());
+    const double margin = std::max(0.03 * box_.sizes().maxCoeff(), 0.5);
+    box_ = {box_.min().array() - margin, box_.max().array() + margin};
     lying_ = box_.sizes().y() > 2 * box_.sizes().x();
-    scale_ = kLongSide / std::max(box_.sizes().maxCoeff(), 1.0);
-    Eigen::Vector2d size = scale_ * box_.sizes();
-    if (lying_) std::swap(size.x(), size.y());
-    width = std::max(size.x(), 420.0) + 2 * kMargin;
-    height = size.y() + 2 * kMargin + kLegendHeight;
-    left_ = (width - size.x()) / 2;
   }
 
-  /// x to the right, y down, px.
-  Eigen::Vector2d at(const Eigen::Vector3d& p) const {
-    const Eigen::Vector2d right_forward = inPlane(p) - box_.min();
-    const double from_top = box_.sizes().y() - right_forward.y();
-    const Eigen::Vector2d metres = lying_ ? Eigen::Vector2d(right_forward.y(), right_forward.x())
-                                          : Eigen::Vector2d(right_forward.x(), from_top);
-    return scale_ * metres + Eigen::Vector2d(left_, kMargin + kLegendHeight);
+  /// Of the frame, px, when its longer side is `side`.
+  Eigen::Vector2d pixels(double side) const {
+    const Eigen::Vector2d lengths(rangeX().length(), rangeY().length());
+    return lengths * side / lengths.maxCoeff();
   }
-  double pixels(double metres) const { return metres * scale_; }
-  double metres(double pixel_count) const { return pixel_count / scale_; }
-
-  double width = 0;
-  double height = 0;
+  AxesPlan plan(const std::string& title, const Eigen::AlignedBox2d& place) const {
+    const char* ahead = "ahead of the start (m)";
+    const char* right = "right of the start (m)";
+    const char* left = "left of the start (m)";
+    return {title, lying_ ? ahead : right, lying_ ? left : ahead, rangeX(), rangeY(), place, true};
+  }
+  Eigen::Vector2d at(const Axes& axes, const Eigen::Vector3d& p) const {
+    return lying_ ? axes.at(p.z(), -p.x()) : axes.at(p.x(), p.z());
+  }
 
  private:
   static Eigen::Vector2d inPlane(const Eigen::Vector3d& p) { return {p.x(), p.z()}; }
-  Eigen::AlignedBox2d box_;
+  Range rangeX() const {
+    return lying_ ? Range{box_.min().y(), box_.max().y()} : Range{box_.min().x(), box_.max().x()};
+  }
+  Range rangeY() const {
+    return lying_ ? Range{-box_.max().x(), -box_.min().x()} : Range{box_.min().y(), box_.max().y()};
+  }
+  Eigen::AlignedBox2d box_;  ///< right and ahead, m
   bool lying_ = false;
-  double scale_ = 1;
-  double left_ = 0;
 };
 
-std::string polyline(const Canvas& canvas, const evaluation::Trajectory& line, const char* colour,
-                     double width) {
-  std::string points;
-  for (const auto& pose : line) {
-    const Eigen::Vector2d p = canvas.at(pose.T_world_camera.translation());
-    points += fmt::format("{:.1f},{:.1f} ", p.x(), p.y());
+class Drawing {
+ public:
+  Drawing(Svg& svg, const View& view, const Axes& axes) : svg_(svg), view_(view), axes_(axes) {}
+
+  void line(const evaluation::Trajectory& trajectory, const char* colour, double thickness) {
+    std::vector<Eigen::Vector2d> points;
+    for (const auto& pose : trajectory) {
+      points.push_back(view_.at(axes_, pose.T_world_camera.translation()));
+    }
+    svg_.polyline(points, colour, thickness);
   }
-  return fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" points=\"{}\"/>\n",
-                     colour, width, points);
+
+  void graph(const MapGraph& graph) {
+    const auto at = [&](std::int64_t id) {
+      const Experience& experience = graph.experiences[static_cast<std::size_t>(id)];
+      return view_.at(axes_, experience.T_world_experience.translation());
+    };
+    const bool many = graph.experiences.size() > kManyExperiences;
+    for (const Experience& experience : graph.experiences) {
+      svg_.circle(at(experience.id), many ? 1.2 : 3, many ? kGreen : "none",
+                  many ? "none" : kGreen);
+    }
+    for (const Link& link : graph.links) {
+      if (link.kind == LinkKind::Loop) svg_.line(at(link.from), at(link.to), kVermilion, 2);
+    }
+  }
+
+ private:
+  Svg& svg_;
+  const View& view_;
+  const Axes& axes_;
+};
+
+std::vector<Axes::Entry> entries(const MapPicture& picture) {
+  std::vector<Axes::Entry> list;
+  if (!picture.truth.empty()) list.push_back({kGrey, "truth"});
+  list.push_back({kOrange, "odometry"});
+  list.push_back({kBlue, "map"});
+  list.push_back({kGreen, fmt::format("{} experiences", picture.graph.experiences.size())});
+  const auto loops = std::ranges::count(picture.graph.links, LinkKind::Loop, &Link::kind);
+  list.push_back({kVermilion, fmt::format("{} loop links", loops)});
+  return list;
 }
 
-std::string graphText(const Canvas& canvas, const MapGraph& graph) {
-  std::string text;
-  const auto at = [&](std::int64_t id) {
-    return canvas.at(
-        graph.experiences[static_cast<std::size_t>(id)].T_world_experience.translation());
-  };
-  for (const Link& link : graph.links) {
-    if (link.kind != LinkKind::Loop) continue;
-    const Eigen::Vector2d a = at(link.from);
-    const Eigen::Vector2d b = at(link.to);
-    text += fmt::format(
-        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
-        "stroke-width=\"2\"/>\n",
-        a.x(), a.y(), b.x(), b.y(), kLoopColour);
-  }
-  for (const Experience& experience : graph.experiences) {
-    const Eigen::Vector2d p = at(experience.id);
-    text +=
-        fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"none\" stroke=\"{}\"/>\n",
-                    p.x(), p.y(), kExperienceColour);
-  }
-  return text;
-}
-
-/// A round length that takes about a fifth of the width.
-std::string scaleBar(const Canvas& canvas) {
-  const double wanted = canvas.metres(canvas.width / 5);
-  const double power = std::pow(10, std::floor(std::log10(wanted)));
-  const double digit = wanted / power;
-  const double metres = power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
-  const double y = canvas.height - 20;
-  return fmt::format(
-      "<line x1=\"20\" y1=\"{0:.1f}\" x2=\"{1:.1f}\" y2=\"{0:.1f}\" stroke=\"black\" "
-      "stroke-width=\"3\"/><text x=\"20\" y=\"{2:.1f}\">{3:g} m</text>\n",
-      y, 20 + canvas.pixels(metres), y - 6, metres);
-}
-
-std::string legend(const MapPicture& picture) {
-  std::string text =
-      fmt::format("<text x=\"20\" y=\"26\" font-size=\"16\">{}</text>\n", picture.title);
-  double x = 20;
-  const auto entry = [&](const char* colour, const std::string& name) {
-    text += fmt::format(
-        "<rect x=\"{:.0f}\" y=\"42\" width=\"14\" height=\"8\" fill=\"{}\"/>"
-        "<text x=\"{:.0f}\" y=\"50\">{}</text>\n",
-        x, colour, x + 19, name);
-    x += 30 + 7.2 * static_cast<double>(name.size());
-  };
-  if (!picture.truth.empty()) entry(kTruthColour, "truth");
-  entry(kOdometryColour, "odometry");
-  entry(kMapColour, "map");
-  entry(kExperienceColour, fmt::format("{} experiences", picture.graph.experiences.size()));
-  entry(kLoopColour, "loop links");
-  return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  }
-  return safe;
+void drawMap(Svg& svg, const View& view, const MapPicture& picture, const std::string& title,
+             const Eigen::AlignedBox2d& place) {
+  Axes axes(svg, view.plan(title, place));
+  Drawing drawing(svg, view, axes);
+  if (!picture.truth.empty()) drawing.line(picture.truth, kGrey, 4);
+  drawing.line(picture.odometry, kOrange, 1.5);
+  drawing.line(picture.map, kBlue, 1.5);
+  drawing.graph(picture.graph);
+  axes.legend(entries(picture));
 }
 
 }  // namespace
 
 std::string svgText(const MapPicture& picture) {
-  const Canvas canvas(picture);
-  MapPicture shown = picture;
-  shown.title = escaped(picture.title);
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-      canvas.width, canvas.height);
-  text += legend(shown) + scaleBar(canvas);
-  if (!shown.truth.empty()) text += polyline(canvas, shown.truth, kTruthColour, 4);
-  text += polyline(canvas, shown.odometry, kOdometryColour, 1.5);
-  text += polyline(canvas, shown.map, kMapColour, 1.5);
-  return text + graphText(canvas, shown.graph) + "</svg>\n";
+  const View view({picture});
+  const Eigen::Vector2d size = view.pixels(kLongSide);
+  Svg svg(std::max(kLeft + size.x() + kRight, kLeastWidth), kTop + size.y() + kBottom);
+  drawMap(svg, view, picture, picture.title, frame(kLeft, kTop, kLeft + size.x(), kTop + size.y()));
+  return svg.take();
+}
+
+std::string comparisonText(const std::vector<MapPicture>& pictures) {
+  const View view(pictures);
+  const Eigen::Vector2d size = view.pixels(kPanelSide);
+  const Eigen::Vector2d cell(std::max(kLeft + size.x() + kRight, kLeastWidth),
+                             kTop + size.y() + kBottom);
+  const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
+  const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
+  Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const double left = kLeft + cell.x() * static_cast<double>(i % kPanelsInARow);
+    const double top = kTop + cell.y() * static_cast<double>(i / kPanelsInARow);
+    const std::string title =
+        fmt::format("({}) {}", static_cast<char>('a' + i % 26), pictures[i].title);
+    drawMap(svg, view, pictures[i], title, frame(left, top, left + size.x(), top + size.y()));
+  }
+  return svg.take();
 }
 
 }  // namespace tolman::report

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The experience map as a picture: map.svg.
+// Experience maps as pictures: map.svg, and the maps of several runs beside each other.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "evaluation/trajectory.hpp"
 #include "tolman/records.hpp"
@@ -18,7 +19,10 @@ struct MapPicture {
   MapGraph graph;
 };
 
-/// Seen from above; equal scales, a scale bar, a legend.
+/// Seen from above; equal scales, axes in metres, a legend.
 std::string svgText(const MapPicture& picture);
+
+/// One panel a run, all with the same axes: what differs is what the systems made of the drive.
+std::string comparisonText(const std::vector<MapPicture>& pictures);
 
 }  // namespace tolman::report

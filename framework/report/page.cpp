@@ -168,9 +168,26 @@ Result<RunPage> makePage(const std::filesystem::path& directory,
   return makePage(*opened.value(), std::move(data).value());
 }
 
+std::string comparisonFigure(const std::vector<RunPage>& runs) {
+  if (runs.size() < 2) return "";
+  std::vector<MapPicture> pictures;
+  for (const RunPage& run : runs) {
+    const RunData& data = run.data;
+    const auto& scores = data.metrics.map.scores;
+    const std::string error = scores ? fmt::format(", map rmse {:.2f} m", scores->ate_m.rmse) : "";
+    pictures.push_back({data.name + error, data.truth, data.odometry, data.map, data.graph});
+  }
+  return comparisonText(pictures);
+}
+
 std::string html(const std::vector<RunPage>& runs) {
   std::string title;
   std::string body;
+  if (const std::string svg = comparisonFigure(runs); !svg.empty()) {
+    body = "<figure id=\"comparison\">\n" + svg +
+           "<figcaption>The maps of all runs, with the same axes.</figcaption></figure>\n";
+  }
+  body += "<main class=\"runs\">\n";
   for (const RunPage& run : runs) {
     title += (title.empty() ? "" : ", ") + run.data.name;
     body += section(run);
@@ -178,7 +195,7 @@ std::string html(const std::vector<RunPage>& runs) {
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Tolman: {}</title>\n<style>{}</style>\n</head>\n<body>\n<main class=\"runs\">\n{}"
+      "<title>Tolman: {}</title>\n<style>{}</style>\n</head>\n<body>\n{}"
       "</main>\n</body>\n</html>\n",
       escaped(title), kStyle, body);
 }

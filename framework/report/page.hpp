@@ -33,6 +33,9 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data);
 Result<RunPage> makePage(const std::filesystem::path& directory,
                          const config::EvaluationSettings& settings);
 
+/// The maps of several runs beside each other; empty for a single one.
+std::string comparisonFigure(const std::vector<RunPage>& runs);
+
 std::string html(const std::vector<RunPage>& runs);
 
 }  // namespace tolman::report

@@ -132,6 +132,8 @@ TEST_CASE("report of runs that were made and moved; of what is none, one clear e
   CHECK(finished.exit_code == 0);
   CHECK(contains(finished.out, (both / "report.html").string()));
   CHECK(contains(readText(both / "figures" / "two" / "map.svg"), "<svg"));
+  CHECK(contains(readText(both / "figures" / "two" / "map.png"), "PNG"));
+  CHECK(contains(readText(both / "figures" / "comparison.svg"), "(b) "));
   const Finished none = tolman::test::tolman({"report", folder.path().string()});
   CHECK(none.exit_code == 5);
   CHECK(contains(none.err, "run.sqlite"));
