@@ -80,6 +80,7 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
     auto page = report::makePage(run, settingsOf(run));
     if (!page.isOk()) return page.status();
     const std::string name = folderOf(run, taken);
+    page.value().directory = name;
     FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : name), true);
     const Status status = figures.addAll(page.value());
     if (!status.isOk()) return status;

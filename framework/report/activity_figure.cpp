@@ -79,7 +79,7 @@ std::string activityFigure(const CellHistory& cells, const std::vector<Decision>
   if (cells.ring.empty() && cells.sheet.empty()) return "";
   std::map<std::int64_t, double> headings;
   for (const Decision& decision : decisions) headings[decision.frame] = decision.heading;
-  Svg svg(kMoments * kPanel, 460);
+  Svg svg(kMoments * kPanel, 485);
   svg.text({kMoments * kPanel / 2, 26}, "Activity of head direction cells and grid cells",
            {Anchor::Middle, 13, 0, true});
   const auto& frames = cells.ring.empty() ? cells.sheet.frames : cells.ring.frames;
@@ -102,6 +102,7 @@ std::string activityFigure(const CellHistory& cells, const std::vector<Decision>
   svg.text({kMoments * kPanel / 2, 448},
            "ring: unit 0 ahead, growing to the left; sheet: periodic in both directions",
            {Anchor::Middle, 11});
+  colourBar(svg, {kMoments * kPanel / 2, 468}, "activity 0", "the highest of each picture");
   return svg.take();
 }
 

@@ -32,4 +32,17 @@ std::string rateColour(double value) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }
 
+void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,
+               std::string_view high) {
+  constexpr int kSteps = 24;
+  const Eigen::Vector2d cell(4, 9);
+  const double left = middle.x() - kSteps * cell.x() / 2;
+  for (int i = 0; i < kSteps; ++i) {
+    svg.rectangle({left + i * cell.x(), middle.y() - cell.y() / 2}, cell,
+                  rateColour(i / (kSteps - 1.0)));
+  }
+  svg.text({left - 6, middle.y() + 4}, low, {Anchor::End, 11});
+  svg.text({left + kSteps * cell.x() + 6, middle.y() + 4}, high, {Anchor::Start, 11});
+}
+
 }  // namespace tolman::report

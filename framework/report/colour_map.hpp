@@ -4,10 +4,17 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+
+#include "report/svg.hpp"
 
 namespace tolman::report {
 
 /// "#rrggbb" for a value in [0, 1]; outside values take the nearest end.
 std::string rateColour(double value);
+
+/// The colours from 0 to 1 as a bar between two labels, centred at `middle`.
+void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,
+               std::string_view high);
 
 }  // namespace tolman::report

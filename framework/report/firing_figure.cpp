@@ -73,6 +73,8 @@ void drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title
                     rateColour(map.rate(i, j) / std::max(most, 1e-12)));
     }
   }
+  const Eigen::AlignedBox2d& box = axes.box();
+  colourBar(svg, {box.center().x(), box.min().y() - 12}, "activity 0", fmt::format("{:.2g}", most));
 }
 
 void drawTuning(Svg& svg, const Eigen::Vector2d& corner, const std::string& title,

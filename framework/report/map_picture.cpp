@@ -18,7 +18,7 @@ constexpr double kRight = 30;
 constexpr double kBottom = 50;
 constexpr double kLeastWidth = 520;  // for the legend
 constexpr std::size_t kPanelsInARow = 3;
-constexpr std::size_t kManyExperiences = 600;  // from here on circles are dots
+constexpr double kPixelsPerCircle = 2.5;  // with less room experiences are dots
 
 /// What of the plane is shown. Forward at the start is up, or to the right where the path is much
 /// longer than wide.
@@ -80,7 +80,8 @@ class Drawing {
       const Experience& experience = graph.experiences[static_cast<std::size_t>(id)];
       return view_.at(axes_, experience.T_world_experience.translation());
     };
-    const bool many = graph.experiences.size() > kManyExperiences;
+    const double room = axes_.box().sizes().maxCoeff() / kPixelsPerCircle;
+    const bool many = static_cast<double>(graph.experiences.size()) > room;
     for (const Experience& experience : graph.experiences) {
       svg_.circle(at(experience.id), many ? 1.2 : 3, many ? kGreen : "none",
                   many ? "none" : kGreen);

@@ -175,7 +175,7 @@ std::string comparisonFigure(const std::vector<RunPage>& runs) {
     const RunData& data = run.data;
     const auto& scores = data.metrics.map.scores;
     const std::string error = scores ? fmt::format(", map rmse {:.2f} m", scores->ate_m.rmse) : "";
-    pictures.push_back({data.name + error, data.truth, data.odometry, data.map, data.graph});
+    pictures.push_back({run.directory + error, data.truth, data.odometry, data.map, data.graph});
   }
   return comparisonText(pictures);
 }

@@ -20,7 +20,7 @@ struct Figure {
 /// All that a page says about one run.
 struct RunPage {
   RunData data;
-  std::string directory;  ///< its name, without the path
+  std::string directory;  ///< its name, without the path; tells the runs of one page apart
   std::vector<Figure> figures;
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-using tolman::report::rateColour;
+using namespace tolman::report;
 
 namespace {
 
@@ -28,4 +28,14 @@ TEST_CASE("more is brighter, without exception: the map works in grey too") {
   for (int i = 0; i < 100; ++i) {
     CHECK(brightness(rateColour(i / 100.0)) < brightness(rateColour((i + 1) / 100.0)));
   }
+}
+
+TEST_CASE("a colour bar runs from dark to bright, between its labels") {
+  Svg svg(200, 20);
+  colourBar(svg, {100, 10}, "none", "most");
+  const std::string text = svg.take();
+  const auto place = [&](const std::string& part) { return text.find(part); };
+  CHECK(place(rateColour(0)) < place(rateColour(1)));
+  CHECK(place("none") != std::string::npos);
+  CHECK(place("most") != std::string::npos);
 }
