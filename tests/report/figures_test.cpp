@@ -61,7 +61,7 @@ TEST_CASE("the activity of every unit is drawn at four moments") {
   REQUIRE(cells.sheet.shape == std::vector<int>{2, 2});
   const std::string svg = activityFigure(cells, sample.reader->records<Decision>().value());
   CHECK(count(svg, "stroke-width=\"6\"") == 4 * 4);
-  CHECK(count(svg, "<rect x") == 4 * 4);
+  CHECK(count(svg, "<rect x") == 4 * 4 + 24);  // and the colour bar
   CHECK(svg.find("frame 11, heading 0.0 deg") != std::string::npos);
 }
 
