@@ -106,6 +106,29 @@ TEST_CASE("a stage that hangs or eats memory is ended at its bounds") {
   CHECK(contains(eats.finished.err, "isolation.memory_limit is 1024 MiB"));
 }
 
+TEST_CASE("an observer learns the time of every stage and what went wrong, wherever it runs") {
+  for (const std::string isolation : {"none", "process"}) {
+    TemporaryFolder folder;
+    writeTinyKitti(folder.path() / "sequence", 6);
+    const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+    auto arguments = tinyRun(config, folder.path() / "run");
+    for (const std::string& word : std::vector<std::string>{
+             "--plugin-path", kFixtures + "witness", "--plugin-path", kFixtures + "misbehaving",
+             "--plugin-path", kFixtures + "steady", "--set",
+             "odometry={plugin: throws_in_track, on_failure: skip}", "--set",
+             "observers=[{plugin: witness, isolation: " + isolation + "}]"}) {
+      arguments.push_back(word);
+    }
+    const Finished finished = tolman::test::tolman(arguments);
+    INFO(finished.err);
+    const std::string told = readText(folder.path() / "run" / "artefacts" / "witness" / "told.txt");
+    INFO(told);
+    CHECK(contains(told, "timed\n"));
+    CHECK(contains(told, "3 warning odometry: "));
+    CHECK(contains(told, "frame skipped"));
+  }
+}
+
 TEST_CASE("restart is refused where it cannot work") {
   const Attempt in_host("misbehaving", "odometry", "throws_in_track",
                         ", isolation: none, on_failure: restart");
