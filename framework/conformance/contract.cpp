@@ -27,6 +27,14 @@ Status checkCovariance(const Matrix6d& covariance) {
   return Status::ok();
 }
 
+/// Of a relative pose: the map would let nothing else contradict one without uncertainty.
+Status checkMeasured(const Matrix6d& covariance) {
+  if (covariance.trace() > 0) return checkCovariance(covariance);
+  return Status::failed(
+      "has_relative_pose with a covariance of zero claims to be exact; say how "
+      "uncertain the pose is");
+}
+
 Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous) {
   const std::int64_t passed_ns = previous ? frame.stamp_ns - previous->stamp_ns : 0;
   const double expected = 1e-9 * static_cast<double>(passed_ns);
@@ -73,7 +81,7 @@ Status checkPlace(const PlaceObservation& seen, std::int64_t& templates) {
   if (seen.recognition == Recognition::Novel) ++templates;
   if (!status.isOk() || !seen.has_relative_pose) return status;
   status = checkPose(seen.T_template_current, "T_template_current");
-  return status.isOk() ? checkCovariance(seen.covariance) : status;
+  return status.isOk() ? checkMeasured(seen.covariance) : status;
 }
 
 Status checkDecision(const Decision& decision, std::int64_t last) {
@@ -83,7 +91,7 @@ Status checkDecision(const Decision& decision, std::int64_t last) {
   }
   if (decision.action != Action::CloseLoop || !decision.has_relative_pose) return Status::ok();
   const Status status = checkPose(decision.T_experience_current, "T_experience_current");
-  return status.isOk() ? checkCovariance(decision.covariance) : status;
+  return status.isOk() ? checkMeasured(decision.covariance) : status;
 }
 
 Status checkUpdate(const MapUpdate& update, const MapGraph& graph, std::int64_t last_version) {

@@ -68,7 +68,9 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
       here_.in_experience = tolman::compose(here_.in_experience, {0, 0, view.relative_yaw});
       decision.action = tolman::Action::CloseLoop;
       decision.relative_yaw = here_.in_experience.theta;
+      decision.has_relative_pose = true;
       decision.T_experience_current = tolman::fromPlanar(here_.in_experience);
+      decision.covariance = 0.25 * tolman::Matrix6d::Identity();  // half a metre, half a radian
     } else if (here_.experience < 0 || lengthOf(here_.in_experience) >= parameters_.spacing) {
       here_.experience = experiences_++;
       here_.in_experience = {};

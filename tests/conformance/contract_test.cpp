@@ -89,6 +89,24 @@ TEST_CASE("who stays is where he was") {
   CHECK_FALSE(checkDecision(decision, 3).isOk());
 }
 
+TEST_CASE("nobody measures without uncertainty") {
+  const std::string exact =
+      "has_relative_pose with a covariance of zero claims to be exact; say how uncertain the pose "
+      "is";
+  Decision decision;
+  decision.action = Action::CloseLoop;
+  decision.has_relative_pose = true;
+  CHECK(checkDecision(decision, 0).message() == exact);
+  decision.covariance(0, 0) = decision.covariance(2, 2) = 0.01;  // planar: the rest may be nothing
+  CHECK(checkDecision(decision, 0).isOk());
+  PlaceObservation seen;
+  seen.recognition = Recognition::Novel;
+  seen.template_id = 0;
+  seen.has_relative_pose = true;
+  std::int64_t templates = 0;
+  CHECK(checkPlace(seen, templates).message() == exact);
+}
+
 TEST_CASE("an update counts what the graph has, and its version does not fall") {
   MapGraph graph;
   graph.experiences.resize(2);
