@@ -227,9 +227,10 @@ void LiveSocket::sendFrame(int first, const std::string& payload, bool masked) {
   const unsigned flag = masked ? 0x80 : 0;
   if (payload.size() < 126) {
     frame += static_cast<char>(flag | payload.size());
-  } else {
-    frame += static_cast<char>(flag | 127U);
-    for (int shift = 56; shift >= 0; shift -= 8) {
+  } else {  // in two bytes or in eight, as short as can be
+    const bool is_short = payload.size() < 65536;
+    frame += static_cast<char>(flag | (is_short ? 126U : 127U));
+    for (int shift = is_short ? 8 : 56; shift >= 0; shift -= 8) {
       frame += static_cast<char>(payload.size() >> static_cast<unsigned>(shift) & 0xffU);
     }
   }
