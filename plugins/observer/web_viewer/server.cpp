@@ -14,7 +14,7 @@ using asio::ip::tcp;
 using namespace std::chrono_literals;
 
 // Connections that only ask for pages and data, beside the live ones.
-constexpr std::size_t kMostVisitors = 32;
+constexpr std::size_t kMostVisitors = 64;
 
 std::string placeText(const Place& place, int port) {
   return "port " + std::to_string(port) + " of " + place.bind;

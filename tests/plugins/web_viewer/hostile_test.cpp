@@ -231,7 +231,7 @@ TEST_CASE("too many connections are not taken; when they go, others come") {
   Drive drive({{"clients", std::int64_t{1}}});
   {
     std::vector<std::unique_ptr<Wire>> crowd;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 100; ++i) {
       crowd.push_back(std::make_unique<Wire>(drive.port()));
       crowd.back()->send("GET /");  // and never more
     }
