@@ -43,7 +43,7 @@ class WebViewer final : public Observer {
           parameter("image_width", &Parameters::image_width)
               .range(16, 4096)
               .unit("px")
-              .doc("Wider images are made smaller."),
+              .doc("Wider images are made smaller, by a whole factor."),
           parameter("jpeg_quality", &Parameters::jpeg_quality)
               .range(1, 100)
               .doc("Quality of the images."),
