@@ -44,6 +44,33 @@ void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
   loaded.complete = false;  // of the other stages nothing is to be said
 }
 
+/// Appends observers, each by its plugin's id, that the configuration does not name itself.
+void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugins) {
+  for (const std::string& plugin : plugins) {
+    config::Node* list = loaded.tree.find("observers");
+    const config::Origin origin{config::Origin::Kind::CommandLine, "--view", 0, 0, {}};
+    const auto child = [&](config::Node& parent, config::Node::Kind kind, const std::string& key) {
+      config::Node node;
+      node.kind = kind;
+      node.key = key;
+      node.key_origin = node.origin = origin;
+      parent.children.push_back(node);
+      return &parent.children.back();
+    };
+    if (list == nullptr) list = child(loaded.tree, config::Node::Kind::Sequence, "observers");
+    if (list->kind == config::Node::Kind::Null) list->kind = config::Node::Kind::Sequence;
+    if (!list->isSequence()) continue;  // a problem that parsing tells
+    const bool named = std::ranges::any_of(list->children, [&](const config::Node& stage) {
+      const config::Node* id = stage.find("plugin");
+      return id != nullptr && id->text == plugin;
+    });
+    if (named) continue;
+    config::Node* stage =
+        child(*list, config::Node::Kind::Map, std::to_string(list->children.size()));
+    child(*stage, config::Node::Kind::Scalar, "plugin")->text = plugin;
+  }
+}
+
 struct Opened {
   plugins::LoadedPlugin plugin;
   std::shared_ptr<isolation::Remote> remote;
@@ -129,6 +156,7 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
   config::Loaded loaded =
       config::load(options.config, options.overrides, config::processEnvironment());
   config::Problems problems = loaded.problems;
+  addObservers(loaded, options.observers);
   confine(loaded, scope, problems);
   CheckedSystem checked;
   checked.config = config::parse(loaded, problems);

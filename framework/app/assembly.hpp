@@ -24,6 +24,7 @@ struct SystemOptions {
   std::string config;
   std::vector<std::string> overrides;     ///< "a.b=c"
   std::vector<std::string> plugin_paths;  ///< --plugin-path
+  std::vector<std::string> observers{};   ///< plugins that watch beside the configured ones
 };
 
 plugins::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);

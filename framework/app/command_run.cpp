@@ -12,6 +12,7 @@
 #include "app/run_listener.hpp"
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
+#include "app/view.hpp"
 #include "record/atomic_file.hpp"
 #include "record/run_directory.hpp"
 
@@ -166,9 +167,13 @@ void addRunCommand(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<SystemOptionsReader>(*command);
   auto out = std::make_shared<std::string>();
   command->add_option("--out", *out, "Run directory (default: runs/NAME-TIME)");
-  command->callback([options, out, &invocation] {
+  auto view = std::make_shared<bool>(false);
+  command->add_flag("--view", *view, "Show the run in the browser (adds observer web_viewer)");
+  command->callback([options, out, view, &invocation] {
     Run run(invocation, *out);
-    invocation.exit_code = static_cast<int>(run.execute(options->read(invocation)));
+    SystemOptions system = options->read(invocation);
+    if (*view) system.observers.emplace_back(kViewer);
+    invocation.exit_code = static_cast<int>(run.execute(system));
   });
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr const char* kFooter =
     "Examples:\n"
     "  tolman run configs/kitti.yaml --set source.path=~/kitti/sequences/06\n"
+    "  tolman run configs/demo.yaml --view             watch it in the browser\n"
     "  tolman run configs/kitti.yaml --set odometry.plugin=my_odometry --plugin-path ~/mine/build\n"
     "  tolman check configs/kitti.yaml --explain       every value and where it comes from\n"
     "  tolman plugins describe bayesian_attractor      parameters of a plugin\n"
@@ -23,6 +24,8 @@ constexpr const char* kFooter =
     "folder\n"
     "  tolman bench configs/kitti.yaml --frames 200    how fast is the source, and every stage?\n"
     "  tolman report runs/demo                         figures and a page about a run, or several\n"
+    "  tolman view runs/demo                           the same run in the browser; also while it "
+    "goes on\n"
     "  tolman plan runs/demo --from 0 --to 40,-120      the fastest way through a map\n"
     "  tolman eval truth.txt estimate.txt --align se3  errors of any TUM or KITTI trajectory\n"
     "\n"
@@ -51,6 +54,7 @@ int runProgram(int argc, const char* const* argv) {
   addEvalCommand(app, invocation);
   addExportCommand(app, invocation);
   addReportCommand(app, invocation);
+  addViewCommand(app, invocation);
   addPlanCommand(app, invocation);
   addStageCommand(app);
   try {

@@ -13,15 +13,17 @@ Outcome run(Chain& chain, const config::PipelineSettings& options, int threads,
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                   static_cast<std::size_t>(concurrency));
   tbb::task_arena arena(concurrency);
+  bool interrupted = false;
   arena.execute([&] {
     if (options.mode == config::PipelineMode::Lossless) {
       runLossless(chain, options, cancellation);
     } else {
       runRealtime(chain, options, cancellation);
     }
-    chain.finish();
+    interrupted = cancellation.requested();
+    chain.finish();  // an observer may serve on until it is told to end
   });
-  return {chain.result(), cancellation.requested(), chain.counters()};
+  return {chain.result(), interrupted, chain.counters()};
 }
 
 }  // namespace tolman::pipeline

@@ -80,6 +80,11 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path) {
   return RunDirectory(path, std::move(descriptor));
 }
 
+bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
+  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return descriptor.isOpen() && ::flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0;
+}
+
 /// Removes what an earlier run has left, by name: never what we do not know.
 Status RunDirectory::clear() const {
   if (fs::is_empty(path_)) return Status::ok();

@@ -33,6 +33,9 @@ class RunDirectory {
   /// folder, or that of an earlier run, whose files are removed. Any other is refused.
   static Result<RunDirectory> create(const RunDirectoryOptions& options);
 
+  /// Whether a run is writing there at this moment.
+  static bool isBeingWritten(const std::filesystem::path& path);
+
   const std::filesystem::path& path() const { return path_; }  ///< absolute
 
   /// Writes run.json: `provenance`, an object, and "status".

@@ -22,6 +22,7 @@ class Process {
  public:
   Process(const std::vector<std::string>& command, const std::filesystem::path& folder);
   void signal(int number) const;
+  pid_t id() const { return pid_; }
   Finished wait();
 
  private:

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Registration of the viewer.
+#include "tolman/plugin.hpp"
+
+#include "web_viewer.hpp"
+
+TOLMAN_PLUGIN(web_viewer, tolman::web_viewer::WebViewer, "0.1.0",
+              "Shows the run in a browser, live and as far back as you like.");

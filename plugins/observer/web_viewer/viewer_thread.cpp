@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "viewer_thread.hpp"
+
+#include <boost/asio/post.hpp>
+#include <utility>
+
+namespace tolman::web_viewer {
+namespace {
+
+namespace asio = boost::asio;
+using namespace std::chrono_literals;
+
+constexpr auto kGraphPeriod = 250ms;
+constexpr auto kEndingPeriod = 5ms;
+constexpr auto kFarewell = 500ms;  // for clients to take what is left
+constexpr int kMostFailures = 5;   // that are told
+
+}  // namespace
+
+ViewerThread::ViewerThread(const ViewerOptions& options, Logger& log)
+    : options_(options),
+      log_(log),
+      handover_(options.rate <= 0),
+      hall_(std::make_shared<Hall>(options.picture, options.spool_bytes, options.clients)),
+      timer_(io_),
+      server_(io_, hall_),
+      frame_period_(options.rate > 0 ? std::chrono::duration_cast<Clock::duration>(
+                                           std::chrono::duration<double>(1 / options.rate))
+                                     : Clock::duration(0)) {}
+
+ViewerThread::~ViewerThread() {
+  handover_.close();
+  io_.stop();
+  if (thread_.joinable()) thread_.join();
+}
+
+Status ViewerThread::start() {
+  Status status = server_.open(options_.place);
+  if (!status.isOk()) return status;
+  server_.accept();
+  tick();
+  thread_ = std::thread([this] { work(); });
+  return status;
+}
+
+/// Nothing that one connection or one frame does may end the others.
+void ViewerThread::work() {
+  for (;;) {
+    try {
+      io_.run();
+      return;
+    } catch (const std::exception& error) {
+      if (failures_++ < kMostFailures) log_.warning(std::string("viewer: ") + error.what());
+    }
+  }
+}
+
+void ViewerThread::tick() {
+  const Clock::duration often = ending_ ? kEndingPeriod : kGraphPeriod;
+  timer_.expires_after(frame_period_ > 0s ? std::min(frame_period_, often) : often);
+  timer_.async_wait([this](const boost::system::error_code& error) {
+    if (error) return;
+    tick();
+    take(false);
+    if (ending_) deserted_ = server_.isDeserted();
+  });
+}
+
+void ViewerThread::take(bool everything) {
+  woken_ = false;
+  const Clock::time_point now = Clock::now();
+  // Timers come late rather than early; half a millisecond keeps the rate what it is called.
+  const bool frame = everything || now + 500us >= next_frame_;
+  const bool graph = everything || now >= next_graph_;
+  handover_.take(delivery_, frame, graph);
+  if (delivery_.has_frame) next_frame_ = now + frame_period_;
+  if (delivery_.has_graph) next_graph_ = now + kGraphPeriod;
+  hall_->gallery.take(delivery_);
+  if (delivery_.has_graph) server_.tellGraph();
+  if (delivery_.has_frame) server_.tellFrame();
+}
+
+void ViewerThread::begin(const RunInfo& run) {
+  asio::post(io_, [this, run] { hall_->gallery.begin(run); });
+}
+
+void ViewerThread::observe(const Snapshot& snapshot) {
+  if (!handover_.put(snapshot) || woken_.exchange(true)) return;
+  asio::post(io_, [this] { take(false); });
+}
+
+void ViewerThread::end(const char* state, bool keeps_open) {
+  take(true);
+  hall_->keeps_open = keeps_open;
+  hall_->gallery.end(state);
+  server_.tellEnd();
+  if (keeps_open) return;
+  server_.close();
+  ending_ = true;
+  timer_.cancel();
+  tick();
+}
+
+void ViewerThread::finish(const MapGraph* graph, const char* state,
+                          const std::function<bool()>& stays) {
+  if (graph != nullptr) handover_.putGraph(*graph);
+  if (stays && stays()) {
+    asio::post(io_, [this, state] { end(state, true); });
+    while (stays()) std::this_thread::sleep_for(50ms);
+  }
+  asio::post(io_, [this, state] { end(state, false); });
+  const Clock::time_point patience = Clock::now() + kFarewell;
+  while (!deserted_ && Clock::now() < patience) std::this_thread::sleep_for(2ms);
+}
+
+}  // namespace tolman::web_viewer

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "web_viewer.hpp"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <utility>
+
+#include "viewer_thread.hpp"
+
+namespace tolman::web_viewer {
+namespace {
+
+ViewerOptions optionsOf(const WebViewer::Parameters& p) {
+  ViewerOptions options;
+  options.place = {p.bind, p.port, p.port == WebViewer::Parameters().port};
+  options.clients = static_cast<std::size_t>(p.clients);
+  options.rate = p.rate;
+  options.picture = {p.image_width, p.jpeg_quality};
+  options.spool_bytes = static_cast<std::uint64_t>(p.spool_mib) << 20U;
+  return options;
+}
+
+}  // namespace
+
+WebViewer::WebViewer() = default;
+
+/// A run that fails or is cut short: who watches is told.
+WebViewer::~WebViewer() {
+  if (viewer_) viewer_->finish(nullptr, "interrupted", {});
+}
+
+Status WebViewer::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  log_ = &context.log;
+  artefacts_ = &context.artefacts;
+  cancellation_ = &context.cancellation;
+  interactive_ = context.interactive;
+  quiet_ = context.quiet;
+  return reset();
+}
+
+Status WebViewer::reset() {
+  if (viewer_) viewer_->finish(nullptr, "interrupted", {});
+  viewer_.reset();  // before a new one wants the port
+  auto viewer = std::make_unique<ViewerThread>(optionsOf(parameters_), *log_);
+  const Status status = viewer->start();
+  if (!status.isOk()) return status;
+  viewer_ = std::move(viewer);
+  if (viewer_->port() != parameters_.port && parameters_.port != 0) {
+    log_->info("port " + std::to_string(parameters_.port) + " is in use, port " +
+               std::to_string(viewer_->port()) + " serves instead");
+  }
+  if (!viewer_->isLoopback()) {
+    log_->warning("the viewer listens on " + parameters_.bind +
+                  ": everybody who reaches this machine can watch, there is no password");
+  }
+  return status;
+}
+
+Status WebViewer::begin(const RunInfo& run) {
+  if (!viewer_) return Status::failed("the viewer has ended; call reset() before another run");
+  viewer_->begin(run);
+  announce();
+  return Status::ok();
+}
+
+void WebViewer::announce() {
+  log_->info("watch at " + viewer_->url());
+  const nlohmann::json json = {{"url", viewer_->url()}, {"port", viewer_->port()}};
+  const std::string text = json.dump(2) + "\n";
+  const Status written = artefacts_->write("viewer.json", std::as_bytes(std::span(text)));
+  if (!written.isOk()) log_->debug("viewer.json: " + written.message());
+  if (interactive_ && !quiet_) std::cerr << "\rwatch at " << viewer_->url() << '\n' << std::flush;
+}
+
+Status WebViewer::observe(const Snapshot& snapshot) {
+  if (viewer_ && snapshot.frame != nullptr) viewer_->observe(snapshot);
+  return Status::ok();
+}
+
+Status WebViewer::finish(const MapGraph& graph) {
+  if (!viewer_) return Status::ok();
+  const char* state = cancellation_->requested() ? "interrupted" : "finished";
+  const bool stay = parameters_.stay && !quiet_;
+  if (stay && interactive_ && !cancellation_->requested()) {
+    std::cerr << "\rthe run has ended; " << viewer_->url() << " serves on until Ctrl-C\n";
+  }
+  viewer_->finish(&graph, state, [&] { return stay && !cancellation_->requested(); });
+  viewer_.reset();
+  return Status::ok();
+}
+
+}  // namespace tolman::web_viewer
