@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The left image, and on it the odometry's points, bright when near.
+import { css, nearness, palette, viridis } from '../look/colour_map';
+import { byId, byTestId, make, setText, Surface } from '../look/dom';
+import { metres } from '../look/format';
+import { GrowingDepthRange } from '../model/depth_range';
+import type { Panel, Picture, View } from '../model/view';
+import type { FrameMessage } from '../wire/messages';
+
+const kColours = palette(64, 0.12); // the darkest would not show on a dark image
+const kPointSize = 2.4; // CSS px
+
+export class CameraPanel implements Panel {
+  private readonly surface = new Surface(byId<HTMLCanvasElement>('camera'));
+  private readonly empty = byId('camera-empty');
+  private readonly legend = byId('depth');
+  private readonly count = byTestId('points');
+  private readonly note = byId('points-note');
+  private readonly depths = new GrowingDepthRange();
+  private picture: Picture | null = null;
+  private points: FrameMessage | null = null;
+
+  update(view: View): boolean {
+    const withPoints = view.message?.points ? view.message : null;
+    const resized = this.surface.fit();
+    if (!resized && this.picture === view.picture && this.points === withPoints) return false;
+    this.picture = view.picture;
+    this.points = withPoints;
+    this.empty.hidden = view.picture !== null || withPoints !== null;
+    if (withPoints?.points) {
+      this.depths.include(withPoints.points);
+      this.drawLegend();
+    }
+    this.describe(withPoints);
+    this.draw(view);
+    return false;
+  }
+
+  private describe(message: FrameMessage | null): void {
+    setText(this.count, message?.points ? String(message.points.length / 4) : '–');
+    const other = message !== null && message.pointsFrame !== message.frame;
+    setText(this.note, other ? ` of frame ${message.pointsFrame}` : '');
+  }
+
+  private draw(view: View): void {
+    const [width, height] = [
+      view.info?.camera?.width || view.picture?.bitmap.width || 0,
+      view.info?.camera?.height || view.picture?.bitmap.height || 0,
+    ];
+    const context = this.surface.clear();
+    if (width === 0 || height === 0) return;
+    this.surface.canvas.parentElement?.style.setProperty('--shape', String(width / height));
+    const scale = Math.min(this.surface.width / width, this.surface.height / height);
+    context.translate(
+      (this.surface.width - width * scale) / 2,
+      (this.surface.height - height * scale) / 2,
+    );
+    if (view.picture) {
+      context.imageSmoothingQuality = 'high';
+      context.drawImage(view.picture.bitmap, 0, 0, width * scale, height * scale);
+    }
+    this.drawPoints(context, scale);
+  }
+
+  private drawPoints(context: CanvasRenderingContext2D, scale: number): void {
+    const points = this.points?.points;
+    const range = this.depths.range;
+    if (!points || range === null) return;
+    for (let i = 0; i + 3 < points.length; i += 4) {
+      const near = nearness(1 / (points[i + 2] as number), range);
+      context.fillStyle = kColours[Math.round(near * (kColours.length - 1))] as string;
+      const u = (points[i] as number) * scale - kPointSize / 2;
+      const v = (points[i + 1] as number) * scale - kPointSize / 2;
+      context.fillRect(u, v, kPointSize, kPointSize);
+    }
+  }
+
+  private drawLegend(): void {
+    const range = this.depths.range;
+    if (range === null) return;
+    const key = `${range.near} ${range.far}`;
+    if (this.legend.dataset['range'] === key) return;
+    this.legend.dataset['range'] = key;
+    const stops = [1, 0.75, 0.5, 0.25, 0].map((near) => css(viridis(0.12 + 0.88 * near)));
+    this.legend.style.background = `linear-gradient(to right, ${stops.join(', ')})`;
+    this.legend.replaceChildren(
+      ...thinned(this.depths.ticks()).map((depth) => {
+        const left = `left: ${(100 * (1 - nearness(depth, range))).toFixed(2)}%`;
+        return make('span', { style: left }, metres(depth));
+      }),
+    );
+  }
+}
+
+/** At most seven, so that their texts do not meet. */
+function thinned(ticks: number[]): number[] {
+  if (ticks.length <= 7) return ticks;
+  const step = Math.ceil((ticks.length - 1) / 6);
+  return ticks.filter((_, i) => i % step === 0);
+}

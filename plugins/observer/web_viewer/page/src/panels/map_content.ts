@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the map shows, from rows and graph to layers of the scene.
+import { Box3, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry, Vector3 } from 'three';
+import { bestMotion, firstDistance, kIdentity, moved, type PlanarMotion, type Track } from '../model/alignment';
+import type { Graph } from '../model/graph';
+import type { RowStore } from '../model/row_store';
+import type { View } from '../model/view';
+import type { Colours } from '../look/theme';
+import { DotLayer, SegmentLayer, toScene } from './map_layers';
+
+export const kLayers = ['links', 'loops', 'experiences', 'odometry', 'truth'] as const;
+export type LayerName = (typeof kLayers)[number];
+export type TruthMode = 'given' | 'fitted';
+
+const kSameStart = 1; // m: closer than this, truth and odometry start in the same place
+
+function track(rows: RowStore, name: string): Track {
+  return { x: rows.column(`${name}_x`), y: rows.column(`${name}_y`), z: rows.column(`${name}_z`) };
+}
+
+export class MapContent {
+  readonly group = new Group();
+  readonly bounds = new Box3();
+  readonly robot = new Group();
+  truthMode: TruthMode | null = null; // null: to be decided by where the truth starts
+  private readonly hidden = new Set<LayerName>();
+  private readonly truth = new SegmentLayer(4, 1, 0.55);
+  private readonly odometry = new SegmentLayer(1.4, 2, 0.9);
+  private readonly links = new SegmentLayer(1.6, 3);
+  private readonly loops = new SegmentLayer(3, 5);
+  private readonly dots = new DotLayer(4);
+  private readonly fill = new MeshBasicMaterial({ depthTest: false, transparent: true });
+  private readonly rim = new MeshBasicMaterial({ depthTest: false, transparent: true });
+  private drawnRows = { rows: null as RowStore | null, count: 0 };
+  private drawnGraph = -1;
+  private motion: PlanarMotion = kIdentity;
+  private fittedRows = 0;
+  private loopLinks: number[] = []; // links that are loops, in order
+  private otherLinks: number[] = [];
+
+  constructor() {
+    for (const layer of [this.truth, this.odometry, this.links, this.loops, this.dots]) {
+      this.group.add(layer.object);
+    }
+    this.makeRobot();
+    this.group.add(this.robot);
+  }
+
+  isHidden(layer: LayerName): boolean {
+    return this.hidden.has(layer);
+  }
+
+  setHidden(layer: LayerName, hidden: boolean): void {
+    if (hidden) this.hidden.add(layer);
+    else this.hidden.delete(layer);
+  }
+
+  setTruthMode(mode: TruthMode): void {
+    this.truthMode = mode;
+    this.drawnRows.count = 0;
+  }
+
+  setColours(colours: Colours): void {
+    this.truth.setColour(colours.grey);
+    this.odometry.setColour(colours.orange);
+    this.links.setColour(colours.blue);
+    this.loops.setColour(colours.vermilion);
+    this.dots.setColour(colours.green);
+    this.fill.color.set(colours.ink);
+    this.rim.color.set(colours.panel);
+  }
+
+  setDotSize(size: number): void {
+    this.dots.setSize(size);
+  }
+
+  /** Brings buffers up to the newest rows and graph, then shows what stood at the shown row. */
+  update(view: View): void {
+    this.updateRows(view.rows);
+    if (view.graph.edition !== this.drawnGraph) this.updateGraph(view.graph);
+    const { rows, row } = view;
+    const newest = row === rows.count - 1;
+    const limit = (column: string, all: number) => {
+      const then = rows.value(row, column);
+      return newest || !Number.isFinite(then) ? all : Math.min(all, then);
+    };
+    const links = limit('links', view.graph.links);
+    this.show('odometry', this.odometry, row);
+    this.show('truth', this.truth, row);
+    this.show('experiences', this.dots, limit('experiences', view.graph.experiences));
+    this.show('links', this.links, countBelow(this.otherLinks, links));
+    this.show('loops', this.loops, countBelow(this.loopLinks, links));
+    this.placeRobot(rows, row);
+  }
+
+  private show(name: LayerName, layer: SegmentLayer | DotLayer, count: number): void {
+    layer.show(this.hidden.has(name) ? 0 : count);
+  }
+
+  private updateRows(rows: RowStore): void {
+    if (this.drawnRows.rows !== rows) {
+      this.drawnRows = { rows, count: 0 };
+      this.truthMode = null;
+      this.bounds.makeEmpty();
+    }
+    const first = this.drawnRows.count;
+    if (rows.count === first) return;
+    const fit = this.alignTruth(rows);
+    this.addPath(this.odometry, track(rows, 'odo'), kIdentity, first, rows.count);
+    this.addPath(this.truth, track(rows, 'truth'), this.motion, fit ? 0 : first, rows.count);
+    this.drawnRows.count = rows.count;
+  }
+
+  /** True when the truth must be drawn anew. */
+  private alignTruth(rows: RowStore): boolean {
+    const truth = track(rows, 'truth');
+    const map = track(rows, 'map');
+    if (this.truthMode === null) {
+      const apart = firstDistance(truth, track(rows, 'odo'), rows.count);
+      if (Number.isFinite(apart)) this.truthMode = apart < kSameStart ? 'given' : 'fitted';
+    }
+    if (this.truthMode !== 'fitted') {
+      const before = this.motion;
+      this.motion = kIdentity;
+      return before !== kIdentity;
+    }
+    // As the run grows the fit settles: once more for each twentieth part.
+    if (this.drawnRows.count > 0 && rows.count < 1.05 * this.fittedRows) return false;
+    this.fittedRows = rows.count;
+    this.motion = bestMotion(truth, map, rows.count);
+    return true;
+  }
+
+  private addPath(layer: SegmentLayer, path: Track, motion: PlanarMotion, first: number, count: number): void {
+    let before: [number, number, number] | null = null;
+    const at = (i: number) => {
+      const [x, z] = moved(motion, path.x[i] as number, path.z[i] as number);
+      return toScene(x, (path.y[i] as number) + motion.y, z);
+    };
+    for (let i = Math.max(0, first - 1); i < count; ++i) {
+      const point = at(i);
+      const known = Number.isFinite(point[0]);
+      if (known) this.bounds.expandByPoint(new Vector3(...point));
+      const from: [number, number, number] = before ?? point;
+      // Segment i - 1 ends at row i; where a row is unknown nothing is seen: both ends are one.
+      if (i > 0) layer.set(i - 1, known ? from : (before ?? [0, 0, 0]), known ? point : (before ?? [0, 0, 0]));
+      if (known) before = point;
+    }
+    layer.upload();
+  }
+
+  private updateGraph(graph: Graph): void {
+    this.drawnGraph = graph.edition;
+    const at = (experience: number) => toScene(...graph.position(experience));
+    for (let i = 0; i < graph.experiences; ++i) {
+      const point = at(i);
+      this.dots.set(i, point);
+      this.bounds.expandByPoint(new Vector3(...point));
+    }
+    this.loopLinks = [];
+    this.otherLinks = [];
+    for (let i = 0; i < graph.links; ++i) {
+      const [from, to] = graph.ends(i);
+      const isLoop = graph.isLoop(i);
+      const list = isLoop ? this.loopLinks : this.otherLinks;
+      (isLoop ? this.loops : this.links).set(list.length, at(from), at(to));
+      list.push(i);
+    }
+    for (const layer of [this.dots, this.loops, this.links]) layer.upload();
+  }
+
+  private placeRobot(rows: RowStore, row: number): void {
+    const [x, y, z] = ['map_x', 'map_y', 'map_z'].map((c) => rows.value(row, c)) as [number, number, number];
+    this.robot.visible = Number.isFinite(x);
+    if (!this.robot.visible) return;
+    this.robot.position.set(...toScene(x, y, z));
+    const heading = rows.value(row, 'heading');
+    this.robot.rotation.y = Number.isFinite(heading) ? heading : 0;
+  }
+
+  /** An arrow in the ground plane that points forward (-z of the scene), one unit long. */
+  private makeRobot(): void {
+    const parts = [[this.rim, 1.42, 6], [this.fill, 1, 7]] as const;
+    for (const [material, size, order] of parts) {
+      const shape = new Shape();
+      shape.moveTo(0, 0.62 * size);
+      shape.lineTo(0.42 * size, -0.45 * size);
+      shape.lineTo(0, -0.22 * size);
+      shape.lineTo(-0.42 * size, -0.45 * size);
+      const mesh = new Mesh(new ShapeGeometry(shape), material);
+      mesh.rotation.x = -Math.PI / 2;
+      mesh.renderOrder = order;
+      material.side = 2;
+      this.robot.add(mesh);
+    }
+  }
+}
+
+/** How many of an ascending list are less than `limit`. */
+export function countBelow(ascending: readonly number[], limit: number): number {
+  let low = 0;
+  let high = ascending.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((ascending[middle] as number) < limit) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

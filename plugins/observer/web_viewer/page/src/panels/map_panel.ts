@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The experience map with its tools: layers, 2-D and 3-D, fit, robot in the middle, scale.
+import { byId, make, setAttribute, setText } from '../look/dom';
+import { metres } from '../look/format';
+import { roundDown } from '../model/sampling';
+import type { Panel, View } from '../model/view';
+import type { Colours } from '../look/theme';
+import { kLayers, MapContent, type LayerName } from './map_content';
+import { MapStage, type Dimension } from './map_stage';
+import { hasWebGl } from './torus_scene';
+
+const kRobotSize = 17; // px
+const kColourOf = {
+  links: 'blue', loops: 'vermilion', experiences: 'green', odometry: 'orange', truth: 'grey',
+} as const;
+
+export class MapPanel implements Panel {
+  renders = 0;
+  private readonly stage: MapStage | null;
+  private readonly content = new MapContent();
+  private readonly texts = { foot: byId('map-foot'), scale: byId('scale-text'), axes: byId('axes') };
+  private readonly bar = byId('scale-bar');
+  private readonly numbers = new Map<LayerName, HTMLElement>();
+  private readonly centreButton = byId('map-centre');
+  private readonly align = byId('align');
+  private centred = false;
+  private dirty = true;
+  private key = '';
+  private colours: Colours | null = null;
+  private hasTruth: boolean | null = null;
+
+  constructor(private readonly changed: () => void) {
+    const canvas = byId<HTMLCanvasElement>('map');
+    this.stage = hasWebGl() ? new MapStage(canvas, () => this.touch()) : null;
+    this.stage?.add(this.content.group);
+    if (this.stage === null) {
+      const empty = byId('map-empty');
+      empty.hidden = false;
+      setText(empty, 'This browser offers no WebGL, which the map needs.');
+    }
+    byId('map-2d').onclick = () => this.choose('2d');
+    byId('map-3d').onclick = () => this.choose('3d');
+    byId('map-fit').onclick = () => this.fit();
+    this.centreButton.onclick = () => this.toggleCentre();
+    this.makeLayers();
+  }
+
+  get zoom(): number {
+    return this.stage?.zoom ?? NaN;
+  }
+  get centre(): readonly [number, number] {
+    const centre = this.stage?.centre;
+    return centre ? [centre.x, -centre.z] : [NaN, NaN];
+  }
+  get dimension(): Dimension {
+    return this.stage?.dimension ?? '2d';
+  }
+
+  choose(dimension: Dimension): void {
+    this.stage?.choose(dimension);
+    setAttribute(byId('map-2d'), 'aria-pressed', String(dimension === '2d'));
+    setAttribute(byId('map-3d'), 'aria-pressed', String(dimension === '3d'));
+    this.touch();
+  }
+
+  fit(): void {
+    if (this.centred) this.toggleCentre();
+    this.stage?.fit(this.content.bounds);
+    if (this.stage) this.stage.untouched = true;
+    this.touch();
+  }
+
+  toggleCentre(): void {
+    this.centred = !this.centred;
+    setAttribute(this.centreButton, 'aria-pressed', String(this.centred));
+    this.touch();
+  }
+
+  zoomBy(factor: number): void {
+    this.stage?.zoomBy(factor);
+    this.touch();
+  }
+
+  toggle(layer: LayerName): void {
+    this.content.setHidden(layer, !this.content.isHidden(layer));
+    this.touch();
+  }
+
+  update(view: View): boolean {
+    if (this.stage === null) return false;
+    const resized = this.stage.resize();
+    if (view.colours !== this.colours) this.paint(view.colours);
+    const key = `${view.rows.count} ${view.row} ${view.graph.edition}`;
+    if (!resized && !this.dirty && key === this.key) return false;
+    if (key !== this.key || this.dirty) this.refresh(view);
+    this.key = key;
+    this.dirty = false;
+    if (this.stage.untouched) this.stage.fit(this.content.bounds);
+    if (this.centred && this.content.robot.visible) this.stage.centreOn(this.content.robot.position);
+    const zoom = this.stage.zoom;
+    this.content.robot.scale.setScalar(kRobotSize / zoom);
+    this.content.setDotSize(Math.max(3.4, Math.min(9, 2.2 * zoom)));
+    const gliding = this.stage.render(this.content.bounds);
+    ++this.renders;
+    this.showScale(zoom);
+    this.dirty = gliding;
+    return gliding;
+  }
+
+  private touch(): void {
+    this.dirty = true;
+    this.changed();
+  }
+
+  private paint(colours: Colours): void {
+    this.colours = colours;
+    this.content.setColours(colours);
+    this.stage?.setGridColour(colours.line);
+    this.dirty = true;
+  }
+
+  private refresh(view: View): void {
+    this.content.update(view);
+    const { rows, row, graph } = view;
+    setText(this.numbers.get('experiences') as HTMLElement, String(graph.experiences));
+    setText(this.numbers.get('links') as HTMLElement, String(graph.links - graph.loops));
+    setText(this.numbers.get('loops') as HTMLElement, String(graph.loops));
+    const hasTruth = Number.isFinite(rows.value(0, 'truth_x')) || (view.info?.hasTruth ?? false);
+    if (hasTruth !== this.hasTruth) {
+      this.hasTruth = hasTruth;
+      byId('layer-truth').hidden = !hasTruth;
+      this.align.hidden = !hasTruth;
+    }
+    setText(this.align, this.content.truthMode === 'fitted' ? 'as given' : 'align');
+    const past = row < rows.count - 1;
+    const corrected = `positions after correction ${graph.version}`;
+    const truth = !hasTruth ? '' : ` · truth ${truthText(this.content.truthMode)}`;
+    setText(this.texts.foot, (past ? `what stood at frame ${view.frame}, at ` : '') + corrected + truth);
+    setAttribute(this.texts.foot, 'data-version', String(graph.version));
+  }
+
+  private showScale(zoom: number): void {
+    const length = roundDown(110 / zoom);
+    setAttribute(this.bar, 'style', `width: ${(length * zoom).toFixed(1)}px`);
+    setText(this.texts.scale, metres(length));
+    const grid = `grid ${metres(this.stage?.gridStep ?? NaN)}`;
+    setText(this.texts.axes, this.dimension === '2d' ? `z ↑ x → · ${grid}` : grid);
+  }
+
+  private makeLayers(): void {
+    for (const layer of kLayers) {
+      const label = make('label', { id: `layer-${layer}`, class: 'chip' });
+      const box = make('input', { type: 'checkbox', 'aria-label': `Show ${layer === 'truth' ? 'ground truth' : layer}` });
+      box.checked = true;
+      box.onchange = () => this.toggle(layer);
+      const style = `--swatch: var(--${kColourOf[layer]})`;
+      const swatch = make('i', { style, class: layer === 'experiences' ? 'round' : '' });
+      const number = make('b', { 'data-testid': `graph-${layer}` });
+      this.numbers.set(layer, number);
+      label.append(box, swatch, layer, number);
+      byId('layers').append(label);
+    }
+    this.align.onclick = () => {
+      this.content.setTruthMode(this.content.truthMode === 'fitted' ? 'given' : 'fitted');
+      this.touch();
+    };
+  }
+}
+
+function truthText(mode: string | null): string {
+  if (mode === 'fitted') return 'moved onto the map (least squares: turn, shift)';
+  return mode === 'given' ? 'as given' : 'not known yet';
+}

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stage of the map: renderer, ground grid, and two cameras, one from above and one in space.
+import {
+  Box3, BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, MOUSE, type Object3D,
+  OrthographicCamera, PerspectiveCamera, Scene, TOUCH, Vector3, WebGLRenderer,
+} from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { roundDown } from '../model/sampling';
+
+export type Dimension = '2d' | '3d';
+
+const kHeight = 5000; // m of the camera from above
+const kGridLines = 40;
+
+export class MapStage {
+  readonly scene = new Scene();
+  dimension: Dimension = '2d';
+  untouched = true; // nobody has moved the view yet: it may fit itself
+  gridStep = 0; // m
+  private readonly renderer: WebGLRenderer;
+  private readonly flat = new OrthographicCamera(-1, 1, 1, -1, 1, 4 * kHeight);
+  private readonly space = new PerspectiveCamera(45, 1, 0.05, 100000);
+  private readonly flatControls: OrbitControls;
+  private readonly spaceControls: OrbitControls;
+  private readonly gridMaterial = new LineBasicMaterial({ transparent: true, depthWrite: false });
+  private readonly grid = new LineSegments(new BufferGeometry(), this.gridMaterial);
+  private gridKey = '';
+  private width = 1;
+  private height = 1;
+
+  constructor(private readonly canvas: HTMLCanvasElement, changed: () => void) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.flat.up.set(0, 0, -1);
+    this.flat.position.set(0, kHeight, 0);
+    this.space.position.set(40, 60, 80);
+    this.flatControls = new OrbitControls(this.flat, canvas);
+    this.spaceControls = new OrbitControls(this.space, canvas);
+    this.setUpControls(changed);
+    this.grid.renderOrder = 0;
+    this.grid.frustumCulled = false;
+    this.scene.add(this.grid);
+    this.choose('2d');
+  }
+
+  private setUpControls(changed: () => void): void {
+    this.flatControls.enableRotate = false;
+    this.flatControls.zoomToCursor = true;
+    this.flatControls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.PAN };
+    this.flatControls.touches = { ONE: TOUCH.PAN, TWO: TOUCH.DOLLY_PAN };
+    [this.flatControls.minZoom, this.flatControls.maxZoom] = [1e-3, 1e4];
+    this.spaceControls.enableDamping = true;
+    this.spaceControls.dampingFactor = 0.12;
+    this.spaceControls.maxPolarAngle = 0.49 * Math.PI;
+    for (const controls of [this.flatControls, this.spaceControls]) {
+      controls.enabled = false;
+      controls.addEventListener('change', changed);
+      controls.addEventListener('start', () => (this.untouched = false));
+    }
+  }
+
+  add(object: Object3D): void {
+    this.scene.add(object);
+  }
+
+  choose(dimension: Dimension): void {
+    this.dimension = dimension;
+    this.flatControls.enabled = dimension === '2d';
+    this.spaceControls.enabled = dimension === '3d';
+  }
+
+  setGridColour(colour: string): void {
+    this.gridMaterial.color.set(colour);
+  }
+
+  /** True when the size on the screen is another one now. */
+  resize(): boolean {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const ratio = Math.min(window.devicePixelRatio, 2);
+    if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) {
+      return false;
+    }
+    [this.width, this.height] = [Math.max(1, width), Math.max(1, height)];
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.width, this.height, false);
+    // In pixels: zoom is pixels a metre.
+    [this.flat.left, this.flat.right] = [-this.width / 2, this.width / 2];
+    [this.flat.top, this.flat.bottom] = [this.height / 2, -this.height / 2];
+    this.flat.updateProjectionMatrix();
+    this.space.aspect = this.width / this.height;
+    this.space.updateProjectionMatrix();
+    return true;
+  }
+
+  /** Pixels a metre, at the middle of the view. */
+  get zoom(): number {
+    if (this.dimension === '2d') return this.flat.zoom;
+    const away = this.space.position.distanceTo(this.spaceControls.target);
+    return this.height / (2 * away * Math.tan((this.space.fov * Math.PI) / 360));
+  }
+
+  get centre(): Vector3 {
+    return (this.dimension === '2d' ? this.flatControls : this.spaceControls).target;
+  }
+
+  zoomBy(factor: number): void {
+    this.untouched = false;
+    if (this.dimension === '2d') {
+      this.flat.zoom *= factor;
+      this.flat.updateProjectionMatrix();
+      this.flatControls.update();
+      return;
+    }
+    const arm = this.space.position.clone().sub(this.spaceControls.target).divideScalar(factor);
+    this.space.position.copy(this.spaceControls.target).add(arm);
+    this.spaceControls.update();
+  }
+
+  centreOn(point: Vector3): void {
+    for (const controls of [this.flatControls, this.spaceControls]) {
+      const shift = point.clone().sub(controls.target);
+      if (shift.lengthSq() < 1e-8) continue;
+      controls.object.position.add(shift);
+      controls.target.add(shift);
+      controls.update();
+    }
+  }
+
+  fit(bounds: Box3): void {
+    if (bounds.isEmpty()) return;
+    const middle = bounds.getCenter(new Vector3());
+    const size = bounds.getSize(new Vector3());
+    const zoom = 0.84 * Math.min(this.width / Math.max(size.x, 4), this.height / Math.max(size.z, 4));
+    this.flat.zoom = zoom;
+    this.flat.updateProjectionMatrix();
+    this.flatControls.target.copy(middle).setY(0);
+    this.flat.position.set(middle.x, kHeight, middle.z);
+    this.flatControls.update();
+    const away = (0.46 * this.height) / zoom / Math.tan((this.space.fov * Math.PI) / 360);
+    const direction = new Vector3(-0.35, 0.75, 0.8).normalize();
+    this.spaceControls.target.copy(middle);
+    this.space.position.copy(middle).addScaledVector(direction, away);
+    this.spaceControls.update();
+  }
+
+  /** True while the view still glides. */
+  render(bounds: Box3): boolean {
+    const gliding = this.dimension === '3d' && this.spaceControls.update();
+    this.layGrid(bounds);
+    this.renderer.render(this.scene, this.dimension === '2d' ? this.flat : this.space);
+    return gliding;
+  }
+
+  /** Round steps, about seven to the view, at the height where the run started. */
+  private layGrid(bounds: Box3): void {
+    const across = Math.min(this.width, this.height) / this.zoom;
+    const step = roundDown(Math.max(across / 3.5, 1e-3));
+    const middle = this.dimension === '2d' || bounds.isEmpty() ? this.centre : bounds.getCenter(new Vector3());
+    const snap = (v: number) => Math.round(v / step) * step;
+    const [x, z] = [snap(middle.x), snap(middle.z)];
+    const key = `${step} ${x} ${z}`;
+    if (key === this.gridKey) return;
+    this.gridKey = key;
+    this.gridStep = step;
+    // Square by square: long lines that pass behind the camera are lost by some drivers.
+    const values: number[] = [];
+    const half = kGridLines / 2;
+    for (let i = -half; i <= half; ++i) {
+      for (let j = -half; j < half; ++j) {
+        const [off, from, to] = [i * step, j * step, (j + 1) * step];
+        values.push(x + off, 0, z + from, x + off, 0, z + to);
+        values.push(x + from, 0, z + off, x + to, 0, z + off);
+      }
+    }
+    this.grid.geometry.setAttribute('position', new BufferAttribute(new Float32Array(values), 3));
+  }
+}

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the plots have in common: axes in the page's colours, and a line at the shown moment.
+import type uPlot from 'uplot';
+import { make } from '../look/dom';
+import type { Colours } from '../look/theme';
+
+const kFont = '10.5px system-ui, sans-serif';
+
+export function axis(label: string, size: number, colours: () => Colours): uPlot.Axis {
+  return {
+    label,
+    labelSize: 15,
+    labelGap: 0,
+    labelFont: kFont,
+    font: kFont,
+    size,
+    gap: 3,
+    stroke: () => colours().soft,
+    grid: { stroke: () => colours().line, width: 1 },
+    ticks: { stroke: () => colours().line, width: 1, size: 4 },
+  };
+}
+
+/** A line over the plot at a value of x. */
+export class NowLine {
+  private readonly line = make('div', { class: 'now' });
+
+  constructor(private readonly plot: uPlot) {
+    plot.over.append(this.line);
+  }
+
+  at(x: number): void {
+    const left = this.plot.valToPos(x, 'x');
+    const inside = Number.isFinite(left) && left >= 0 && left <= this.plot.over.clientWidth;
+    this.line.hidden = !inside;
+    if (inside) this.line.style.transform = `translateX(${left.toFixed(1)}px)`;
+  }
+}
+
+/** True when the plot had to take another size. */
+export function fitPlot(plot: uPlot, root: HTMLElement): boolean {
+  const [width, height] = [root.clientWidth, root.clientHeight];
+  if (width === 0 || height === 0 || (plot.width === width && plot.height === height)) return false;
+  plot.setSize({ width, height });
+  return true;
+}
+
+/** Calls with the x value of a click; drags do not count. */
+export function onClick(plot: uPlot, clicked: (x: number) => void): void {
+  plot.over.addEventListener('click', (event) => {
+    clicked(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, 'x'));
+  });
+}
