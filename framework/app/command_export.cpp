@@ -13,11 +13,12 @@
 namespace tolman::app {
 namespace {
 
-void exportFiles(const std::string& run, const std::string& out, Invocation& invocation) {
+void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
+                 Invocation& invocation) {
   const std::filesystem::path folder = out.empty() ? run : out;
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  const auto written = record::exportRun(run, folder);
+  const auto written = record::exportRun(run, folder, session);
   if (!written.isOk()) {
     std::cerr << written.status().message() << "\n";
     invocation.exit_code = static_cast<int>(ExitCode::Dataset);
@@ -36,7 +37,12 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
   auto out = std::make_shared<std::string>();
   command->add_option("run", *run, "Run directory")->required();
   command->add_option("--out", *out, "Folder to write to (default: the run directory)");
-  command->callback([run, out, &invocation] { exportFiles(*run, *out, invocation); });
+  auto session = std::make_shared<std::int64_t>(-1);
+  command->add_option("--session", *session,
+                      "Session whose trajectories to write, from 0 (default: the run's own)");
+  command->callback([run, out, session, &invocation] {
+    exportFiles(*run, *out, *session, invocation);
+  });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");
   schema->callback([] { std::cout << record::recordsMarkdown(); });

@@ -11,6 +11,7 @@
 #include "app/exit_code.hpp"
 #include "app/program.hpp"
 #include "planning/shortest_path.hpp"
+#include "record/graph_parts.hpp"
 #include "record/run_reader.hpp"
 
 namespace tolman::app {
@@ -28,6 +29,15 @@ bool parse(std::string_view text, T& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
+/// Metres are of the world of the map's first part; other parts lie nobody knows where.
+MapGraph firstPart(MapGraph graph) {
+  const record::GraphParts parts = record::partsOf(graph);
+  std::erase_if(graph.experiences, [&](const Experience& experience) {
+    return parts.of_experience[static_cast<std::size_t>(experience.id)] != 0;
+  });
+  return graph;
+}
+
 /// "17", or "12.5,-30": the experience nearest to metres right and forward.
 Result<std::int64_t> experienceOf(const std::string& text, const MapGraph& graph) {
   std::int64_t id = -1;
@@ -41,7 +51,7 @@ Result<std::int64_t> experienceOf(const std::string& text, const MapGraph& graph
                                     "' is no place: give an experience (17) or metres right and "
                                     "forward of the start (12.5,-30)");
   }
-  return planning::nearestExperience(graph, place);
+  return planning::nearestExperience(firstPart(graph), place);
 }
 
 void print(const planning::Route& route, const MapGraph& graph, bool json) {

@@ -5,16 +5,19 @@
 
 #include <chrono>
 #include <iostream>
+#include <optional>
 
 #include "app/provenance.hpp"
 #include "app/report_files.hpp"
 #include "app/results.hpp"
 #include "app/run_listener.hpp"
+#include "app/saved_session.hpp"
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
 #include "app/view.hpp"
 #include "record/atomic_file.hpp"
 #include "record/run_directory.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::app {
 namespace {
@@ -35,6 +38,7 @@ class Run {
     assembly_ = std::move(std::get<std::unique_ptr<Assembly>>(assembled));
     Status status = assembly_->source().info(info_);
     if (!status.isOk()) return report({ExitCode::Dataset, status.message()});
+    if (const auto failure = goOn()) return report(*failure);
     status = openRecord();
     if (!status.isOk()) return report({ExitCode::Record, status.message()});
     return drive();
@@ -47,6 +51,45 @@ class Run {
   }
 
   const config::SystemConfig& config() const { return assembly_->system().config; }
+
+  /// Takes up the map of an earlier run, if one is named.
+  std::optional<Failure> goOn() {
+    const std::string& directory = config().general.go_on_from;
+    if (directory.empty()) return std::nullopt;
+    auto opened = record::RunReader::open(directory);
+    if (!opened.isOk()) return Failure{ExitCode::Session, opened.status().message()};
+    earlier_ = std::move(opened).value();
+    const auto frames = earlier_->nextFrame();
+    if (!frames.isOk()) return Failure{ExitCode::Session, frames.status().message()};
+    const auto loaded = loadSession(*assembly_, directory);
+    if (const auto* failure = std::get_if<Failure>(&loaded)) return *failure;
+    const auto& before = std::get<Progress>(loaded);
+    if (frames.value() != before.frames) {
+      return Failure{ExitCode::Session,
+                     directory + ": run.sqlite has " + std::to_string(frames.value()) +
+                         " frames, the saved map " + std::to_string(before.frames) +
+                         "; they are not of one run"};
+    }
+    first_frame_ = before.frames;
+    assembly_->source().startAt(first_frame_);
+    assembly_->odometry().startAt(first_frame_);
+    assembly_->place().expect(before.templates);
+    assembly_->cells().expect(before.experiences);
+    return std::nullopt;
+  }
+
+  /// The sessions before, and this one.
+  Status recordSessions() {
+    record::Session session{0, first_frame_, config().general.name, info_.description};
+    if (earlier_) {
+      const auto sessions = earlier_->sessions();
+      if (!sessions.isOk()) return sessions.status();
+      session.id = static_cast<std::int64_t>(sessions.value().size());
+      if (Status status = recorder_->inherit(*earlier_); !status.isOk()) return status;
+      earlier_.reset();
+    }
+    return recorder_->session(session);
+  }
 
   /// The run directory comes last, so that a failing start leaves an earlier run alone.
   Status openRecord() {
@@ -61,6 +104,10 @@ class Run {
     assembly_->openArtefacts(directory_->path());
     provenance_ =
         provenance(assembly_->system(), info_, invocation_.command_line, config().general.threads);
+    if (!config().general.go_on_from.empty()) {
+      provenance_["continued"] = {{"directory", config().general.go_on_from},
+                                  {"first_frame", first_frame_}};
+    }
     Status status =
         record::writeAtomically(directory_->path() / "config.resolved.yaml",
                                 config::resolvedYaml(config(), assembly_->system().values));
@@ -71,6 +118,8 @@ class Run {
     auto recorder = record::Recorder::open(directory_->path());
     if (!recorder.isOk()) return recorder.status();
     recorder_ = std::move(recorder).value();
+    status = recordSessions();
+    if (!status.isOk()) return status;
     return recorder_->meta("name", config().general.name);
   }
 
@@ -88,11 +137,21 @@ class Run {
     if (!begun.isOk()) chain.fail(begun);
     const pipeline::Outcome outcome =
         pipeline::run(chain, config().pipeline, config().general.threads, interrupts_);
+    keepSession(outcome, listener);
     for (const Status& status : assembly_->teardown()) {
       listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
     }
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
     return conclude(outcome, listener.recordStatus(), wall.count());
+  }
+
+  /// What a failed stage still knows is not to be built on.
+  void keepSession(const pipeline::Outcome& outcome, RunListener& listener) {
+    const pipeline::Counters& n = outcome.counters;
+    if (!outcome.status.isOk() || n.frames == 0 || !listener.recordStatus().isOk()) return;
+    const Status saved = saveSession(*assembly_, directory_->path(),
+                                     {listener.nextFrame(), n.experiences, -1});
+    if (!saved.isOk()) listener.onEvent({-1, LogLevel::Warning, "session", saved.message()});
   }
 
   ExitCode codeOf(const pipeline::Outcome& outcome, const Status& record_status) const {
@@ -155,6 +214,8 @@ class Run {
   SteadyClock clock_;
   std::unique_ptr<Assembly> assembly_;
   SourceInfo info_;
+  std::unique_ptr<record::RunReader> earlier_;  ///< until it is inherited
+  std::int64_t first_frame_ = 0;
   std::unique_ptr<record::RunDirectory> directory_;
   nlohmann::ordered_json provenance_;
   std::unique_ptr<record::Recorder> recorder_;
@@ -165,6 +226,7 @@ class Run {
 void addRunCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("run", "Run a configuration and record everything");
   auto options = std::make_shared<SystemOptionsReader>(*command);
+  options->addContinue(*command);
   auto out = std::make_shared<std::string>();
   command->add_option("--out", *out, "Run directory (default: runs/NAME-TIME)");
   auto view = std::make_shared<bool>(false);

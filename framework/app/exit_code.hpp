@@ -15,6 +15,7 @@ enum class ExitCode : int {
   TrackingLost = 6,
   PluginFailed = 7,
   Record = 8,
+  Session = 9,
   Interrupted = 130,
 };
 

@@ -35,6 +35,7 @@ Status RunListener::record(const Snapshot& snapshot) {
   const std::int64_t frame = snapshot.frame->frame;
   if (arrays_every_ == 0 || frame % arrays_every_ != 0) told.cells = nullptr;
   Status status = recorder_.snapshot(told);
+  if (status.isOk()) last_recorded_ = frame;
   for (std::size_t role = 0; role < times.size() && status.isOk(); ++role) {
     if (times[role] > 0) status = recorder_.timing(frame, kRoleNames[role], times[role]);
   }
@@ -64,6 +65,16 @@ void RunListener::onEvent(const pipeline::Event& event) {
   if (observers_.empty()) return;
   const std::lock_guard lock(events_mutex_);
   events_.push_back(event);
+}
+
+Status RunListener::onTrajectory(const std::vector<pipeline::FramePose>& poses) {
+  std::vector<record::FinalPose> rows;
+  rows.reserve(poses.size());
+  for (const auto& pose : poses) {
+    if (pose.frame <= last_recorded_) rows.push_back({pose.frame, pose.T_world_camera});
+  }
+  if (record_status_.isOk()) record_status_ = recorder_.finalPoses(rows);
+  return record_status_;
 }
 
 Status RunListener::onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) {

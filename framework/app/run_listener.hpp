@@ -22,8 +22,11 @@ class RunListener : public pipeline::Listener {
   Status begin(const RunInfo& run);
   Status onFrame(const Snapshot& snapshot) override;
   void onEvent(const pipeline::Event& event) override;
+  Status onTrajectory(const std::vector<pipeline::FramePose>& poses) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
+  /// One more than the last frame that was recorded.
+  std::int64_t nextFrame() const { return last_recorded_ + 1; }
   /// The first failure of the record itself, e.g. a full disk.
   const Status& recordStatus() const { return record_status_; }
 
@@ -38,6 +41,7 @@ class RunListener : public pipeline::Listener {
   std::vector<Assembly::Observer>& observers_;
   RunLog& log_;
   int arrays_every_;
+  std::int64_t last_recorded_ = -1;  ///< frame
   Status record_status_;
   pipeline::FailureTally failures_;  // by observer
   std::mutex events_mutex_;          // they come from any thread

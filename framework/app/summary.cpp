@@ -38,7 +38,13 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   for (const auto& [stage, timing] : metrics.timing) {
     text += fmt::format("{} {:.2f} ms  ", stage, timing.mean_ms);
   }
-  text += fmt::format("\n{:<10}{}\n", "alignment", enumName(metrics.alignment));
+  text += "\n";
+  if (metrics.sessions.size() > 1 || metrics.parts > 1) {
+    const std::string unjoined = evaluation::unjoinedText(metrics);
+    text += fmt::format("{:<10}{}; {}\n", "sessions", metrics.sessions.size(),
+                        unjoined.empty() ? "all of the map hangs together" : unjoined);
+  }
+  text += fmt::format("{:<10}{}\n", "alignment", enumName(metrics.alignment));
   return text + trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
 }
 

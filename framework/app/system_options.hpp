@@ -11,7 +11,7 @@
 
 namespace tolman::app {
 
-/// CONFIG, --set, --seed, --threads.
+/// CONFIG, --set, --seed, --threads, --continue.
 class SystemOptionsReader {
  public:
   explicit SystemOptionsReader(CLI::App& command) {
@@ -22,10 +22,17 @@ class SystemOptionsReader {
     command.add_option("--threads", threads_, "Threads, 0 for all; same as --set threads=N");
   }
 
+  /// Of commands that drive a run.
+  void addContinue(CLI::App& command) {
+    command.add_option("--continue", continue_,
+                       "Go on with the map of this run directory; same as --set continue=DIR");
+  }
+
   SystemOptions read(const Invocation& invocation) const {
     SystemOptions options{config_, overrides_, invocation.plugin_paths};
     if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
     if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
+    if (!continue_.empty()) options.overrides.push_back("continue=" + continue_);
     return options;
   }
 
@@ -34,6 +41,7 @@ class SystemOptionsReader {
   std::vector<std::string> overrides_;
   std::string seed_;
   std::string threads_;
+  std::string continue_;
 };
 
 }  // namespace tolman::app

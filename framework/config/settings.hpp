@@ -21,6 +21,7 @@ struct GeneralSettings {
   std::string name;  ///< empty: the file's name
   std::int64_t seed = 1;
   int threads = 0;
+  std::string go_on_from;  ///< `continue`, which is no name in C++
   static constexpr auto declaration() {
     return parameters(
         parameter("name", &GeneralSettings::name).doc("Name of the run; else that of the file."),
@@ -29,7 +30,10 @@ struct GeneralSettings {
             .doc("Seed of all random streams."),
         parameter("threads", &GeneralSettings::threads)
             .range(0, 1024)
-            .doc("Worker threads; 0 for all of the machine."));
+            .doc("Worker threads; 0 for all of the machine."),
+        parameter("continue", &GeneralSettings::go_on_from)
+            .path()
+            .doc("Run directory whose map this run goes on with; empty for a new map."));
   }
 };
 
@@ -74,6 +78,11 @@ inline constexpr std::array<std::string_view, 5> kAlignmentNames = {"auto", "se3
                                                                     "none"};
 constexpr std::span<const std::string_view> enumNames(Alignment) { return kAlignmentNames; }
 
+/// Which frames the figures of a run are over.
+enum class SessionScope : std::uint8_t { Own, Joint };
+inline constexpr std::array<std::string_view, 2> kSessionScopeNames = {"own", "joint"};
+constexpr std::span<const std::string_view> enumNames(SessionScope) { return kSessionScopeNames; }
+
 enum class Segments : std::uint8_t { Auto, Kitti, Short };
 inline constexpr std::array<std::string_view, 3> kSegmentsNames = {"auto", "kitti", "short"};
 constexpr std::span<const std::string_view> enumNames(Segments) { return kSegmentsNames; }
@@ -83,6 +92,7 @@ struct EvaluationSettings {
   Alignment alignment = Alignment::Auto;
   Segments segments = Segments::Auto;
   std::vector<double> segment_lengths;  ///< m; empty: as `segments` says
+  SessionScope sessions = SessionScope::Own;
   static constexpr auto declaration() {
     using S = EvaluationSettings;
     return parameters(
@@ -93,7 +103,10 @@ struct EvaluationSettings {
         parameter("segment_lengths", &S::segment_lengths)
             .range(0.1, 1e6)
             .unit("m")
-            .doc("Own path lengths instead."));
+            .doc("Own path lengths instead."),
+        parameter("sessions", &S::sessions)
+            .doc("Score the frames of this session, or those of all, whose truth must then be in "
+                 "one world."));
   }
 };
 

@@ -40,6 +40,18 @@ Json segmentsJson(const SegmentErrors& errors) {
           {"reason", known || !asked ? Json() : Json("the path is shorter than any segment")}};
 }
 
+Json sessionsJson(const Metrics& metrics) {
+  Json json = Json::array();
+  for (const SessionFigures& s : metrics.sessions) {
+    json.push_back({{"name", s.name},
+                    {"first_frame", s.first_frame},
+                    {"frames", s.frames},
+                    {"experiences", s.experiences},
+                    {"parts", s.parts}});
+  }
+  return json;
+}
+
 Json timingJson(const std::map<std::string, StageTiming>& timing) {
   Json json = Json::object();
   for (const auto& [stage, t] : timing) json[stage] = toJson(t);
@@ -96,6 +108,20 @@ StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
   return {s.count, s.mean, s.median, percentile(90), percentile(95), s.max};
 }
 
+std::string unjoinedText(const Metrics& metrics) {
+  if (metrics.parts <= 1) return "";
+  std::string text = "the map is in " + std::to_string(metrics.parts) + " parts that nothing joins (";
+  const char* separator = "";
+  for (std::size_t i = 0; i < metrics.sessions.size(); ++i) {
+    for (const std::int64_t part : metrics.sessions[i].parts) {
+      text += separator + std::string("session ") + std::to_string(i) + " in part " +
+              std::to_string(part);
+      separator = ", ";
+    }
+  }
+  return text + "); poses of different parts say nothing of each other";
+}
+
 Json toJson(const StageTiming& timing) {
   return {{"frames", timing.frames}, {"mean_ms", timing.mean_ms}, {"median_ms", timing.median_ms},
           {"p90_ms", timing.p90_ms}, {"p95_ms", timing.p95_ms},   {"max_ms", timing.max_ms}};
@@ -129,6 +155,8 @@ Json toJson(const Metrics& metrics) {
           {"templates", metrics.templates},
           {"experiences", metrics.experiences},
           {"loops", metrics.loops},
+          {"parts", metrics.parts},
+          {"sessions", sessionsJson(metrics)},
           {"timing", timingJson(metrics.timing)}};
 }
 

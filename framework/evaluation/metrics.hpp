@@ -43,6 +43,15 @@ struct StageTiming {
   double max_ms = 0;
 };
 
+/// One session of the map's life, and how it hangs together with the others.
+struct SessionFigures {
+  std::string name;
+  std::int64_t first_frame = 0;
+  std::int64_t frames = 0;
+  std::int64_t experiences = 0;
+  std::vector<std::int64_t> parts;  ///< of the map that its experiences are in
+};
+
 struct Metrics {
   Alignment alignment = Alignment::Se3;
   TrajectoryMetrics odometry;
@@ -52,7 +61,12 @@ struct Metrics {
   std::int64_t experiences = 0;
   std::int64_t loops = 0;
   std::map<std::string, StageTiming> timing;
+  std::int64_t parts = 0;  ///< of the map that no link joins
+  std::vector<SessionFigures> sessions;
 };
+
+/// "sessions 0 and 2 are not joined", or nothing when the whole map hangs together.
+std::string unjoinedText(const Metrics& metrics);
 
 /// Scores an estimate; an empty truth or estimate gives a reason instead of scores. Drift is over
 /// `lengths`, or as lengthsFor() says. `max_difference_ns` < 0 matches by frame index, else by

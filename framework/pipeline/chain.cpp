@@ -16,7 +16,7 @@ Motion predictedMotion(const Frame& frame, const Motion& last) {
   Motion motion;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
-  if (frame.frame == 0) return motion;
+  if (last.frame < 0) return motion;  // nothing leads to the first frame
   motion.scale_known = last.scale_known;
   plugins::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
   return motion;
@@ -193,6 +193,19 @@ void Chain::tell(const Packet& packet) {
   if (!status.isOk()) fail(status);
 }
 
+/// A map that takes a loop back moves frames that hang on it: only it knows where to.
+void Chain::tellTrajectory() {
+  std::vector<FramePose> poses;
+  for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
+    FramePose pose{frame, Eigen::Isometry3d::Identity()};
+    const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
+    if (status.isOk()) poses.push_back(pose);
+    if (!status.isOk() && status.code() != StatusCode::InvalidParameter) break;  // not just unseen
+  }
+  const Status told = listener_.onTrajectory(poses);
+  if (!told.isOk()) fail(told);
+}
+
 void Chain::finish() {
   std::vector<MotionRevision> revisions;
   MapGraph graph;
@@ -204,6 +217,7 @@ void Chain::finish() {
   step(stages_.cells.finish(), policies_.cells, "cells");
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
   step(stages_.map.finish(revisions), policies_.map, "map");
+  tellTrajectory();
   const Status status = stages_.map.graph(graph);
   step(status, policies_.map, "map");
   if (!status.isOk()) {

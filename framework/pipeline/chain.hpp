@@ -93,6 +93,7 @@ class Chain {
   bool map(Packet& packet);
   void publishGraph(Packet& packet);
   void count(const Packet& packet);
+  void tellTrajectory();
 
   Stages stages_;
   Policies policies_;

@@ -13,6 +13,12 @@ namespace tolman::pipeline {
 
 using Event = RunEvent;
 
+/// Where the map has a frame.
+struct FramePose {
+  std::int64_t frame = -1;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+};
+
 /// Frames come in order, one call at a time, not always from the same thread; events may come from
 /// any thread at any time.
 class Listener {
@@ -21,6 +27,9 @@ class Listener {
   /// A failure stops the run. The snapshot comes without events.
   virtual Status onFrame(const Snapshot& snapshot) = 0;
   virtual void onEvent(const Event& event) = 0;
+  /// After the last frame: where every frame was, earlier sessions' too, by the final map. Before
+  /// onFinish().
+  virtual Status onTrajectory(const std::vector<FramePose>& /*poses*/) { return Status::ok(); }
   /// After the last frame, with the final map.
   virtual Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) = 0;
 };

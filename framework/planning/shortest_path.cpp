@@ -100,7 +100,8 @@ Result<Route> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_
   const Search search = dijkstra(networkOf(graph), start, goal);
   if (goal != start && search.before[goal] == kNobody) {
     return Status::invalidInput("no way leads from experience " + std::to_string(from) + " to " +
-                                std::to_string(to));
+                                std::to_string(to) +
+                                ": they lie in parts of the map that no loop has joined");
   }
   Route route;
   for (std::size_t here = goal;; here = search.before[here]) {

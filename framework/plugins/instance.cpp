@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 namespace tolman::plugins {
@@ -68,6 +69,25 @@ Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
     object_.arrays->arrays(arrays);
     return checkArrays(arrays);
   });
+}
+
+Result<std::string> Instance::save() {
+  if (object_.state == nullptr) return Status::unsupported(noState());
+  std::ostringstream stream;
+  const Status status =
+      guarded({name_, manifest_.id, "save", -1}, [&] { return object_.state->save(stream); });
+  if (!status.isOk()) return status;
+  return std::move(stream).str();
+}
+
+Status Instance::load(const std::string& bytes) {
+  if (object_.state == nullptr) return Status::unsupported(noState());
+  std::istringstream stream(bytes);
+  return guarded({name_, manifest_.id, "load", -1}, [&] { return object_.state->load(stream); });
+}
+
+std::string Instance::noState() const {
+  return name_ + " (" + manifest_.id + "): this plugin cannot save its state";
 }
 
 Status Instance::checkArrays(const std::vector<NamedArray>& arrays) {

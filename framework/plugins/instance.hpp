@@ -46,6 +46,9 @@ class Instance {
   Status arrays(std::int64_t frame, std::vector<NamedArray>& arrays);
   /// Null when the plugin keeps no state for others.
   StateKeeper* state() { return object_.state; }
+  /// The state as bytes; Unsupported where there is none.
+  Result<std::string> save();
+  Status load(const std::string& bytes);
 
   /// Calls `work(role)` under the guard, with the object as its role.
   template <class RoleType, class Work>
@@ -56,6 +59,7 @@ class Instance {
 
  private:
   Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy);
+  std::string noState() const;
   Status checkArrays(const std::vector<NamedArray>& arrays);
 
   Manifest manifest_;

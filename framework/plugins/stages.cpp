@@ -29,15 +29,20 @@ Status checkAnswer(const Question& question, const Answer& answer) {
   return checkValues(answer);
 }
 
-Status checkRevisions(const std::vector<MotionRevision>& revisions, std::int64_t newest) {
+Status checkRevisions(const std::vector<MotionRevision>& revisions, std::int64_t oldest,
+                      std::int64_t newest) {
   for (const MotionRevision& revision : revisions) {
-    if (revision.frame < 0 || revision.frame > newest) {
+    if (revision.frame < oldest || revision.frame > newest) {
       return Status::failed("revised frame " + std::to_string(revision.frame) +
                             ", which is not one of the past");
     }
     if (Status status = checkValues(revision); !status.isOk()) return status;
   }
   return Status::ok();
+}
+
+void shift(std::vector<MotionRevision>& revisions, std::int64_t frames) {
+  for (MotionRevision& revision : revisions) revision.frame += frames;
 }
 
 Status checkGraph(const MapGraph& graph) {
@@ -110,13 +115,14 @@ Status SourceStage::check(const Frame& frame) const {
 }
 
 Status SourceStage::next(Frame& frame) {
-  const Status status = instance_->call<Source>("next", next_frame_, [&](Source& source) {
+  const Status status = instance_->call<Source>("next", first_frame_ + next_frame_, [&](Source& source) {
     const Status answered = source.next(frame);
     return answered.isOk() ? check(frame) : answered;
   });
   if (!status.isOk()) return status;
   ++next_frame_;
   last_stamp_ns_ = frame.stamp_ns;
+  frame.frame += first_frame_;
   return status;
 }
 
@@ -132,17 +138,30 @@ Status SourceStage::inspect(std::vector<Finding>& findings) {
 
 Status OdometryStage::track(const Frame& frame, Motion& motion) {
   return instance_->call<Odometry>("track", frame.frame, [&](Odometry& odometry) {
-    Status status = odometry.track(frame, motion);
+    Status status = track(odometry, frame, motion);
     if (status.isOk()) status = checkAnswer(frame, motion);
-    if (status.isOk()) status = checkRevisions(motion.revisions, frame.frame);
+    if (status.isOk()) status = checkRevisions(motion.revisions, first_frame_, frame.frame);
     return status;
   });
+}
+
+/// In the plugin's numbers and back.
+Status OdometryStage::track(Odometry& odometry, const Frame& frame, Motion& motion) const {
+  if (first_frame_ == 0) return odometry.track(frame, motion);
+  Frame own = frame;
+  own.frame -= first_frame_;
+  const Status status = odometry.track(own, motion);
+  motion.frame += first_frame_;
+  if (motion.points_frame >= 0) motion.points_frame += first_frame_;
+  shift(motion.revisions, first_frame_);
+  return status;
 }
 
 Status OdometryStage::finish(std::vector<MotionRevision>& revisions) {
   return instance_->call<Odometry>("finish", -1, [&](Odometry& odometry) {
     const Status status = odometry.finish(revisions);
-    return status.isOk() ? checkRevisions(revisions, INT64_MAX) : status;
+    shift(revisions, first_frame_);
+    return status.isOk() ? checkRevisions(revisions, first_frame_, INT64_MAX) : status;
   });
 }
 

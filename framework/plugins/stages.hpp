@@ -35,11 +35,14 @@ class SourceStage : public Stage {
   Status inspect(std::vector<Finding>& findings);
   /// Where the run stands after reset() (the defaults), or after a saved state was loaded.
   void expect(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
+  /// The host numbers this session's frames from here; the plugin still counts from 0.
+  void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
 
  private:
   Status check(const Frame& frame) const;
   SourceInfo info_;
-  std::int64_t next_frame_ = 0;
+  std::int64_t first_frame_ = 0;
+  std::int64_t next_frame_ = 0;  ///< as the plugin counts
   std::int64_t last_stamp_ns_ = 0;
 };
 
@@ -48,6 +51,12 @@ class OdometryStage : public Stage {
   using Stage::Stage;
   Status track(const Frame& frame, Motion& motion);
   Status finish(std::vector<MotionRevision>& revisions);
+  /// As SourceStage's: odometry begins anew in each session.
+  void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
+
+ private:
+  Status track(Odometry& odometry, const Frame& frame, Motion& motion) const;
+  std::int64_t first_frame_ = 0;
 };
 
 class PlaceStage : public Stage {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/export.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <string>
 
 #include "record/atomic_file.hpp"
@@ -9,24 +11,61 @@
 namespace tolman::record {
 namespace {
 
-Result<std::string> contentOf(const RunReader& reader, std::string_view file) {
+/// The frames of a session, numbered from 0.
+struct Span {
+  std::int64_t first = 0;
+  std::int64_t end = INT64_MAX;
+};
+
+Result<Span> spanOf(const RunReader& reader, std::int64_t session) {
+  const auto sessions = reader.sessions();
+  if (!sessions.isOk()) return sessions.status();
+  const auto count = static_cast<std::int64_t>(sessions.value().size());
+  if (session < 0) session = std::max<std::int64_t>(count - 1, 0);
+  if (session >= std::max<std::int64_t>(count, 1)) {
+    return Status::invalidParameter(reader.directory().string() + ": has no session " +
+                                    std::to_string(session) + "; the last is " +
+                                    std::to_string(count - 1));
+  }
+  Span span;
+  if (count == 0) return span;
+  const auto at = static_cast<std::size_t>(session);
+  span.first = sessions.value()[at].first_frame;
+  if (session + 1 < count) span.end = sessions.value()[at + 1].first_frame;
+  return span;
+}
+
+std::vector<StampedPose> within(const std::vector<StampedPose>& poses, const Span& span) {
+  std::vector<StampedPose> chosen;
+  for (StampedPose pose : poses) {
+    if (pose.frame < span.first || pose.frame >= span.end) continue;
+    pose.frame -= span.first;
+    chosen.push_back(pose);
+  }
+  return chosen;
+}
+
+Result<std::string> contentOf(const RunReader& reader, std::string_view file, const Span& span) {
   if (file == "map.g2o") {
     const Result<MapGraph>& graph = reader.graph();
     return graph.isOk() ? Result<std::string>(g2oText(graph.value())) : graph.status();
   }
-  const auto& poses = file.starts_with("odometry.") ? reader.odometry() : reader.map();
-  if (!poses.isOk()) return poses.status();
-  return file.ends_with(".tum") ? Result<std::string>(tumText(poses.value()))
-                                : kittiText(poses.value());
+  const auto& all = file.starts_with("odometry.") ? reader.odometry() : reader.map();
+  if (!all.isOk()) return all.status();
+  const std::vector<StampedPose> poses = within(all.value(), span);
+  return file.ends_with(".tum") ? Result<std::string>(tumText(poses)) : kittiText(poses);
 }
 
 }  // namespace
 
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
-                                                     const std::filesystem::path& folder) {
+                                                     const std::filesystem::path& folder,
+                                                     std::int64_t session) {
+  const Result<Span> span = spanOf(reader, session);
+  if (!span.isOk()) return span.status();
   std::vector<std::filesystem::path> written;
   for (const std::string_view file : kExportedFiles) {
-    const Result<std::string> content = contentOf(reader, file);
+    const Result<std::string> content = contentOf(reader, file, span.value());
     if (!content.isOk()) return content.status();
     if (content.value().empty()) continue;
     const Status status = writeAtomically(folder / file, content.value());
@@ -40,9 +79,10 @@ Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
 }
 
 Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path& run_directory,
-                                                     const std::filesystem::path& folder) {
+                                                     const std::filesystem::path& folder,
+                                                     std::int64_t session) {
   const auto reader = RunReader::open(run_directory);
-  return reader.isOk() ? exportRun(*reader.value(), folder) : reader.status();
+  return reader.isOk() ? exportRun(*reader.value(), folder, session) : reader.status();
 }
 
 }  // namespace tolman::record

@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "record/graph_parts.hpp"
 #include "record/pose_files.hpp"
 
 namespace tolman::record {
@@ -21,6 +22,11 @@ Matrix6d g2oInformation(const Link& link) {
 
 std::string g2oText(const MapGraph& graph) {
   std::string text;
+  const GraphParts parts = partsOf(graph);
+  if (parts.count > 1) {
+    text += "# " + std::to_string(parts.count) +
+            " parts that no link joins: how they lie to each other is not known\n";
+  }
   for (const Experience& experience : graph.experiences) {
     text += "VERTEX_SE3:QUAT " + std::to_string(experience.id) + " " +
             poseText(experience.T_world_experience) + "\n";

@@ -106,6 +106,34 @@ void Recorder::rollBackCall() {
   points_frame_ = -1;
 }
 
+Status Recorder::inherit(const RunReader& earlier) {
+  return write([&] {
+    const Database& old = earlier.database();
+    forEachRow<Session>(old, "", [&](const Session& row) { store_.insert(row); });
+    forEachRow<Frame>(old, "", [&](const Frame& row) { store_.insert(row); });
+    forEachRow<Motion>(old, "", [&](const Motion& row) { store_.insert(row); });
+    forEachRow<MotionRevision>(old, "WHERE \"announced_at\" IS NULL", [&](const auto& row) {
+      store_.insertAnnounced(std::nullopt, row);
+    });
+    forEachRow<PlaceObservation>(old, "", [&](const auto& row) { store_.insert(row); });
+    forEachRow<Decision>(old, "", [&](const Decision& row) {
+      store_.insert(row);
+      store_.insertArrays(row.frame, "cells", readArrays(old, row.frame, "cells"));
+    });
+    forEachRow<MapUpdate>(old, "", [&](const MapUpdate& row) { store_.insert(row); });
+  });
+}
+
+Status Recorder::session(const Session& session) {
+  return write([&] { store_.insert(session); });
+}
+
+Status Recorder::finalPoses(const std::vector<FinalPose>& poses) {
+  return write([&] {
+    for (const FinalPose& pose : poses) store_.insert(pose);
+  });
+}
+
 Status Recorder::camera(const CameraRig& rig) {
   return write([&] { store_.insert(rig); });
 }

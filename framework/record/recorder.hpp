@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+#include "record/run_reader.hpp"
+#include "record/session.hpp"
 #include "record/store.hpp"
 #include "tolman/context.hpp"
 #include "tolman/roles.hpp"
@@ -31,12 +33,19 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  /// Before anything else: copies the sessions of an earlier run with all their frames. Its map is
+  /// not copied, for this run's knows it and more.
+  Status inherit(const RunReader& earlier);
+  /// The session that begins now.
+  Status session(const Session& session);
   Status camera(const CameraRig& rig);
   /// All that is known of a frame; `frame` must be there, the rest may be null.
   Status snapshot(const Snapshot& snapshot);
   /// The revisions that odometry owed after the last frame.
   Status revisions(const std::vector<MotionRevision>& revisions);
   Status graph(const MapGraph& graph);
+  /// Where the frames were, by the finished map.
+  Status finalPoses(const std::vector<FinalPose>& poses);
   Status timing(std::int64_t frame, std::string_view stage, std::int64_t duration_ns);
   Status event(std::int64_t frame, LogLevel level, std::string_view source,
                std::string_view message);

@@ -99,6 +99,7 @@ Status RunDirectory::clear() const {
   }
   for (const std::string_view file : kExportedFiles) fs::remove(path_ / file);
   fs::remove_all(path_ / "artefacts");
+  fs::remove_all(path_ / "state");
   return Status::ok();
 }
 

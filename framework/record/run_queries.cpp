@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a recorded run means: trajectories, graph, counters.
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 #include "record/run_reader.hpp"
@@ -47,13 +48,20 @@ std::int64_t count(const Database& database, const std::string& table_and_condit
 const Result<std::vector<StampedPose>>& RunReader::odometry() const {
   return once(odometry_, [&] {
     std::vector<StampedPose> poses;
+    std::set<std::int64_t> beginnings;
+    forEachRow<Session>(database_, "",
+                        [&](const Session& row) { beginnings.insert(row.first_frame); });
     const Revisions revisions = lastRevisions(database_);
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
     forEachRow<Motion>(database_, "", [&](const Motion& motion) {
       const auto revised = revisions.find(motion.frame);
       const Eigen::Isometry3d& T_previous_current =
           revised != revisions.end() ? revised->second : motion.T_previous_current;
-      if (!poses.empty()) T_world_camera = normalised(T_world_camera * T_previous_current);
+      if (beginnings.contains(motion.frame)) {
+        T_world_camera.setIdentity();
+      } else if (!poses.empty()) {
+        T_world_camera = normalised(T_world_camera * T_previous_current);
+      }
       poses.push_back({motion.frame, motion.stamp_ns, T_world_camera});
     });
     return poses;
@@ -65,15 +73,28 @@ const Result<std::vector<StampedPose>>& RunReader::map() const {
     std::vector<StampedPose> poses;
     const auto experiences = denseRows<Experience>(database_);
     const auto known = static_cast<std::int64_t>(experiences.size());
+    std::unordered_map<std::int64_t, Eigen::Isometry3d> settled;
+    forEachRow<FinalPose>(database_, "",
+                          [&](const FinalPose& row) { settled[row.frame] = row.T_world_camera; });
     forEachRow<MapUpdate>(database_, "", [&](const MapUpdate& update) {
       Eigen::Isometry3d T_world_camera = update.T_world_camera;
-      if (update.experience >= 0 && update.experience < known) {
+      if (const auto last_word = settled.find(update.frame); last_word != settled.end()) {
+        T_world_camera = last_word->second;
+      } else if (update.experience >= 0 && update.experience < known) {
         const auto& experience = experiences[static_cast<std::size_t>(update.experience)];
         T_world_camera = experience.T_world_experience * update.T_experience_camera;
       }
       poses.push_back({update.frame, update.stamp_ns, T_world_camera});
     });
     return poses;
+  });
+}
+
+Result<std::vector<Session>> RunReader::sessions() const { return records<Session>(); }
+
+Result<std::int64_t> RunReader::nextFrame() const {
+  return answered(name_, [&] {
+    return integerOf(database_, "SELECT coalesce(max(\"frame\"), -1) + 1 FROM \"frame\"");
   });
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "record/pose_files.hpp"
+#include "record/session.hpp"
 #include "record/store.hpp"
 
 namespace tolman::record {
@@ -45,9 +46,14 @@ class RunReader {
   /// The named arrays of a frame: source "sensors" or "cells".
   Result<std::vector<NamedArray>> arrays(std::int64_t frame, std::string_view source) const;
 
-  /// The motions with their last revisions, composed; starts with the identity.
+  /// The runs whose frames are here, in order; at least one where there are frames.
+  Result<std::vector<Session>> sessions() const;
+  /// One more than the last frame.
+  Result<std::int64_t> nextFrame() const;
+  /// The motions with their last revisions, composed; each session starts with the identity.
   const Result<std::vector<StampedPose>>& odometry() const;
-  /// Each frame on its experience, by the experiences as last known.
+  /// Each frame where the finished map has it; of a run that was killed before, on its experience,
+  /// by the experiences as last known.
   const Result<std::vector<StampedPose>>& map() const;
   /// The true poses of the frames that have one.
   Result<std::vector<StampedPose>> truth() const;

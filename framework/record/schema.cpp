@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/schema.hpp"
 
+#include "record/session.hpp"
+
 namespace tolman::record {
 namespace {
 
@@ -35,6 +37,16 @@ Table experienceTable() {
   return table<Experience>("nodes of the experience map as last known",
                            ", PRIMARY KEY (\"id\")"
                            ", FOREIGN KEY (\"frame\") REFERENCES \"frame\" (\"frame\")");
+}
+
+Table finalPoseTable() {
+  return table<FinalPose>("where each frame was, by all that the map knew after the last one",
+                          kFrameForeignKey);
+}
+
+Table sessionTable() {
+  return table<Session>("the runs whose frames are recorded here, this one the last",
+                        ", PRIMARY KEY (\"id\")");
 }
 
 Table arrayTable() {
@@ -89,6 +101,7 @@ Column announcedAt() {
 std::vector<Table> schema() {
   return {
       runTable(),
+      sessionTable(),
       table<CameraRig>("the cameras; one row", ""),
       table<Frame>("exposures, without the images", kFrameKey),
       table<Motion>("what odometry said; points only where points_frame is new", kFrameForeignKey),
@@ -96,6 +109,7 @@ std::vector<Table> schema() {
       table<PlaceObservation>("what place recognition said", kFrameForeignKey),
       table<Decision>("what the spatial cells decided", kFrameForeignKey),
       table<MapUpdate>("what the map said", kFrameForeignKey),
+      finalPoseTable(),
       experienceTable(),
       linkTable(),
       arrayTable(),

@@ -11,7 +11,7 @@
 
 namespace tolman::record {
 
-inline constexpr std::int64_t kSchemaVersion = 1;
+inline constexpr std::int64_t kSchemaVersion = 2;
 
 struct Table {
   std::string name;

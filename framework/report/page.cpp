@@ -2,6 +2,7 @@
 #include "report/page.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <fstream>
 #include <iterator>
@@ -100,6 +101,23 @@ std::string errorTable(const evaluation::Metrics& metrics) {
          errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) + "</table></div>\n";
 }
 
+/// Nothing for one session in one piece.
+std::string sessionTable(const evaluation::Metrics& metrics) {
+  if (metrics.sessions.size() < 2 && metrics.parts < 2) return "";
+  std::string text = "<h2>Sessions</h2>\n<table><tr><th>session</th><th>name</th><th>first frame"
+                     "</th><th>frames</th><th>experiences</th><th>parts of the map</th></tr>\n";
+  for (std::size_t i = 0; i < metrics.sessions.size(); ++i) {
+    const evaluation::SessionFigures& s = metrics.sessions[i];
+    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                        i, escaped(s.name), s.first_frame, s.frames, s.experiences,
+                        fmt::join(s.parts, ", "));
+  }
+  text += "</table>\n";
+  const std::string unjoined = evaluation::unjoinedText(metrics);
+  return text + "<p>" + (unjoined.empty() ? "All of the map hangs together." : escaped(unjoined)) +
+         "</p>\n";
+}
+
 std::string healthTable(const Json& provenance, const evaluation::Metrics& metrics) {
   std::string rows;
   const auto counters = provenance.find("counters");
@@ -135,6 +153,7 @@ std::string section(const RunPage& run) {
     text += fmt::format("<figure id=\"{}\">\n{}<figcaption>{}</figcaption></figure>\n", figure.file,
                         figure.svg, escaped(figure.caption));
   }
+  text += sessionTable(run.data.metrics);
   text += "<h2>Health</h2>\n" + healthTable(run.provenance, run.data.metrics);
   text += "<h2>Provenance</h2>\n<details><summary>run.json</summary><pre>" +
           escaped(run.provenance.dump(2)) + "</pre></details>\n";

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/run_data.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "evaluation/alignment.hpp"
 #include "evaluation/association.hpp"
+#include "record/graph_parts.hpp"
 
 namespace tolman::report {
 namespace {
@@ -65,6 +67,33 @@ std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSett
   return std::nullopt;
 }
 
+/// Frames before `first` are of earlier sessions.
+evaluation::Trajectory since(std::int64_t first, evaluation::Trajectory trajectory) {
+  std::erase_if(trajectory, [&](const auto& pose) { return pose.frame < first; });
+  return trajectory;
+}
+
+std::vector<evaluation::SessionFigures> sessionFigures(
+    const std::vector<record::Session>& sessions, std::int64_t frames, const MapGraph& graph,
+    const record::GraphParts& parts) {
+  std::vector<evaluation::SessionFigures> figures;
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    const std::int64_t first = sessions[i].first_frame;
+    const std::int64_t end = i + 1 < sessions.size() ? sessions[i + 1].first_frame : frames;
+    evaluation::SessionFigures session{sessions[i].name, first, end - first, 0, {}};
+    for (const Experience& experience : graph.experiences) {
+      if (experience.frame < first || experience.frame >= end) continue;
+      ++session.experiences;
+      const auto part = parts.of_experience[static_cast<std::size_t>(experience.id)];
+      if (std::ranges::find(session.parts, part) == session.parts.end()) {
+        session.parts.push_back(part);
+      }
+    }
+    figures.push_back(std::move(session));
+  }
+  return figures;
+}
+
 struct Paths {
   evaluation::Trajectory truth;
   evaluation::Trajectory odometry;
@@ -78,7 +107,16 @@ evaluation::Metrics measure(const record::RunReader& reader, const Paths& paths,
   metrics.alignment = resolve(settings.alignment, reader);
   metrics.odometry =
       evaluation::scoreTrajectory(paths.truth, paths.odometry, metrics.alignment, lengths);
-  metrics.map = evaluation::scoreTrajectory(paths.truth, paths.map, metrics.alignment, lengths);
+  const MapGraph& graph = must(reader.graph());
+  const record::GraphParts parts = record::partsOf(graph);
+  metrics.parts = parts.count;
+  metrics.sessions =
+      sessionFigures(must(reader.sessions()), must(reader.nextFrame()), graph, parts);
+  if (settings.sessions == config::SessionScope::Joint && parts.count > 1) {
+    metrics.map.reason = evaluation::unjoinedText(metrics);
+  } else {
+    metrics.map = evaluation::scoreTrajectory(paths.truth, paths.map, metrics.alignment, lengths);
+  }
   const auto counters = must(reader.counters());
   metrics.frames = counters.frames;
   metrics.templates = counters.templates;
@@ -135,8 +173,12 @@ std::string nameOf(const record::RunReader& reader) {
 Result<RunData> readRun(const record::RunReader& reader,
                         const config::EvaluationSettings& settings) {
   try {
-    Paths paths{toTrajectory(must(reader.truth())), toTrajectory(must(reader.odometry())),
-                toTrajectory(must(reader.map()))};
+    const auto sessions = must(reader.sessions());
+    const std::int64_t own = sessions.empty() ? 0 : sessions.back().first_frame;
+    const bool joint = settings.sessions == config::SessionScope::Joint;
+    Paths paths{since(joint ? 0 : own, toTrajectory(must(reader.truth()))),
+                since(own, toTrajectory(must(reader.odometry()))),
+                since(joint ? 0 : own, toTrajectory(must(reader.map())))};
     RunData data;
     data.name = nameOf(reader);
     data.metrics = measure(reader, paths, settings);

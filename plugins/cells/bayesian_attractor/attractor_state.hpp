@@ -4,6 +4,7 @@
 
 #include "experience_log.hpp"
 #include "path_memory.hpp"
+#include "relocation.hpp"
 #include "spatial_cells.hpp"
 #include "view_evidence.hpp"
 #include "view_links.hpp"
@@ -16,6 +17,8 @@ struct AttractorState {
   ExperienceLog log;
   PathMemory path;
   ViewEvidence evidence;
+  Relocation relocation;
+  bool initialising = false;  ///< odometry had no motion yet
 };
 
 }  // namespace tolman::bayesian_attractor

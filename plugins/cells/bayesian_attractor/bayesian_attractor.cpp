@@ -54,11 +54,13 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
                                          p.loop_minimum_travel, p.loop_spacing};
   const EvidenceSettings evidence = {p.evidence_prior, p.evidence_views, p.evidence_gate,
                                      p.decisive_odds, 2 * p.metres_per_cell};
+  const RelocationSettings relocation = {p.relocation_views, p.loop_spacing, p.evidence_gate,
+                                         p.decisive_odds};
   return {
       SpatialCells(HeadDirectionRing(ringSettings(p)),
                    GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
       ViewLinks(habituation), ExperienceLog(experience),
-      PathMemory({p.drift_heading, p.drift_scale}), ViewEvidence(evidence)};
+      PathMemory({p.drift_heading, p.drift_scale}), ViewEvidence(evidence), Relocation(relocation)};
 }
 
 Status BayesianAttractor::reset() {
@@ -79,7 +81,8 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   decision.template_id = seen ? observation.template_id : -1;
 
   integrate(motion);
-  const bool injected = perceive(motion, observation);
+  const Effect effect = perceive(motion, observation);
+  const bool injected = effect == Effect::Injected || effect == Effect::Relocated;
   const ViewLink* const link = seen ? state_->links.find(observation.template_id) : nullptr;
   const bool familiar = injected && state_->cells.familiar();
   if (familiar && state_->log.allowsLoopTo(link->experience)) {
@@ -91,6 +94,7 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   if (familiar) {
     state_->evidence.confirm(state_->cells.support().views);
     state_->cells.adoptEstimate();
+    if (effect == Effect::Relocated) relearn();
   }
   if (seen && link == nullptr) learn(observation.template_id);
 
@@ -102,7 +106,19 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   return Status::ok();
 }
 
+/// Odometry that begins anew says nothing of how the robot came here.
+void BayesianAttractor::wakeUp() {
+  state_->cells.forgetCalibration();
+  state_->log.wakeUp();
+  state_->links.wakeUp();
+  state_->path.startPart();
+  state_->relocation.forget();
+}
+
 void BayesianAttractor::integrate(const Motion& motion) {
+  const bool initialising = motion.state == TrackingState::Initialising;
+  if (initialising && !state_->initialising && state_->path.now().step > 0) wakeUp();
+  state_->initialising = initialising;
   const PlanarPose step = toPlanar(motion.T_previous_current);
   state_->cells.integrate(step);
   state_->log.advance(motion.T_previous_current);
@@ -111,21 +127,22 @@ void BayesianAttractor::integrate(const Motion& motion) {
   state_->path.advance(step, 0.5 * (claimed(0, 0) + claimed(2, 2)), claimed(4, 4));
 }
 
-/// Injection, then inhibition and estimation. True when the view injected.
-bool BayesianAttractor::perceive(const Motion& motion, const PlaceObservation& observation) {
+/// Injection, then inhibition and estimation.
+BayesianAttractor::Effect BayesianAttractor::perceive(const Motion& motion,
+                                                      const PlaceObservation& observation) {
   const bool seen = observation.recognition != Recognition::None;
   Effect effect = Effect::None;
   if (seen) {
     state_->links.countView();
     if (observation.recognition == Recognition::Familiar) effect = inject(observation);
-    if (effect != Effect::Injected) state_->cells.noteUnsupportedView();
+    if (effect == Effect::None || effect == Effect::RuledOut) state_->cells.noteUnsupportedView();
   }
   if (inhibits(observation.recognition, effect)) {
     const bool lost = motion.state == TrackingState::Lost;
     if (lost) state_->cells.weakenIntegrators(parameters_.lost_trust);
     state_->cells.settle();
   }
-  return effect == Effect::Injected;
+  return effect;
 }
 
 /// What is ruled out was no view of this place: the cells go on waiting for one.
@@ -144,11 +161,31 @@ bool BayesianAttractor::inhibits(Recognition recognition, Effect effect) const {
 BayesianAttractor::Effect BayesianAttractor::inject(const PlaceObservation& observation) {
   if (!state_->links.activate(observation.template_id)) return Effect::None;
   const ViewLink& link = *state_->links.find(observation.template_id);
-  const double strength = strengthOf(observation, link.mark);
+  double strength = strengthOf(observation, link.mark);
+  const bool relocated = !(strength > 0) && relocates(observation, link.mark);
+  if (relocated) strength = parameters_.metric_strength;
   if (!(strength > 0)) return Effect::RuledOut;
   const PlanarPose step = stepFromTemplate(observation).pose;
   state_->cells.inject(state_->cells.displaced(link.learned, step), strength);
-  return Effect::Injected;
+  return relocated ? Effect::Relocated : Effect::Injected;
+}
+
+/// A view of a part of the path that the present one is not joined with, or wrongly.
+bool BayesianAttractor::relocates(const PlaceObservation& observation, const PathMark& learned) {
+  if (!parameters_.path_evidence || learned.part == state_->path.now().part) return false;
+  const bool agreed = state_->relocation.agrees(state_->path, state_->evidence, learned,
+                                                stepFromTemplate(observation));
+  if (agreed) state_->evidence.count();
+  return agreed;
+}
+
+/// Links that were made since the robot woke up hang on phases of a world that was not this one.
+void BayesianAttractor::relearn() {
+  const CellPose here = state_->cells.estimate();
+  const PathMark& now = state_->path.now();
+  state_->links.relearn(now.part, [&](const ViewLink& link) {
+    return state_->cells.displaced(here, between(now.pose, link.mark.pose));
+  });
 }
 
 /// Where the view puts the robot, seen from where its template was made.
@@ -173,6 +210,7 @@ double BayesianAttractor::strengthOf(const PlaceObservation& observation, const 
   const bool metric = observation.has_relative_pose;
   const double alone = metric ? parameters_.metric_strength : parameters_.injected_strength;
   if (!parameters_.path_evidence) return alone;
+  if (!state_->path.reaches(learned)) return 0;
   switch (state_->evidence.judge(state_->path, learned, stepFromTemplate(observation))) {
     case Verdict::RuledOut:
       return 0;

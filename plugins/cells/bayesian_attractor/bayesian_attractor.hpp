@@ -30,15 +30,18 @@ class BayesianAttractor final : public Cells, public ArraySource, public StateKe
 
  private:
   using State = AttractorState;
-  enum class Effect : std::uint8_t { None, Injected, RuledOut };
+  enum class Effect : std::uint8_t { None, Injected, Relocated, RuledOut };
 
   State freshState() const;
   void integrate(const Motion& motion);
-  bool perceive(const Motion& motion, const PlaceObservation& observation);
+  void wakeUp();
+  Effect perceive(const Motion& motion, const PlaceObservation& observation);
   Effect inject(const PlaceObservation& observation);
   bool inhibits(Recognition recognition, Effect effect) const;
   UncertainStep stepFromTemplate(const PlaceObservation& observation) const;
   double strengthOf(const PlaceObservation& observation, const PathMark& learned);
+  bool relocates(const PlaceObservation& observation, const PathMark& learned);
+  void relearn();
   void closeLoop(const PlaceObservation& observation, const ViewLink& link, Decision& decision);
   void learn(std::int64_t template_id);
 

@@ -52,6 +52,7 @@ struct AttractorParameters {
   double evidence_views = 100;
   double evidence_gate = 16;
   double decisive_odds = 20;
+  int relocation_views = 3;
   double drift_heading = 1e-4;
   double drift_scale = 0.01;
   double view_sigma_position = 3;
@@ -178,6 +179,10 @@ struct AttractorParameters {
         parameter("decisive_odds", &P::decisive_odds)
             .range(1, 1e12)
             .doc("Odds of right against wrong at which a view with a measured pose decides alone."),
+        parameter("relocation_views", &P::relocation_views)
+            .range(2, 1000)
+            .unit("views")
+            .doc("So many views must agree where a robot is that woke up somewhere."),
         parameter("drift_heading", &P::drift_heading)
             .range(0, 1)
             .unit("rad/m")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tolman::bayesian_attractor {
 namespace {
@@ -93,10 +94,24 @@ UncertainStep PathMemory::over(const ClosedLoop& loop, const PathMark& from) con
   return chained(chained(between(from, loop.home), loop.offset), between(loop.visit, now_));
 }
 
+bool PathMemory::leads(const ClosedLoop& loop, const PathMark& from) const {
+  return loop.home.part == from.part && loop.visit.part == now_.part;
+}
+
+bool PathMemory::reaches(const PathMark& from) const {
+  return from.part == now_.part ||
+         std::ranges::any_of(loops_, [&](const ClosedLoop& loop) { return leads(loop, from); });
+}
+
 UncertainStep PathMemory::predict(const PathMark& from) const {
-  UncertainStep surest = between(from, now_);
-  double least = surest.covariance.determinant();
+  UncertainStep surest;
+  double least = std::numeric_limits<double>::infinity();
+  if (from.part == now_.part) {
+    surest = between(from, now_);
+    least = surest.covariance.determinant();
+  }
   for (const ClosedLoop& loop : loops_) {
+    if (!leads(loop, from)) continue;
     const UncertainStep other = over(loop, from);
     const double determinant = other.covariance.determinant();
     if (determinant >= least) continue;
@@ -107,10 +122,18 @@ UncertainStep PathMemory::predict(const PathMark& from) const {
 }
 
 void PathMemory::close(const PathMark& home, const UncertainStep& offset, double gate) {
-  std::erase_if(loops_,
-                [&](const ClosedLoop& loop) { return chiSquare(over(loop, home), offset) > gate; });
+  std::erase_if(loops_, [&](const ClosedLoop& loop) {
+    return leads(loop, home) && chiSquare(over(loop, home), offset) > gate;
+  });
   loops_.push_back({home, now_, offset});
-  if (loops_.size() > kLoopsRemembered) loops_.pop_front();
+  if (loops_.size() > kLoopsRemembered) forgetOne();
+}
+
+/// The oldest, but what leads over a gap only when there is nothing else.
+void PathMemory::forgetOne() {
+  const auto within = std::ranges::find_if(
+      loops_, [](const ClosedLoop& loop) { return loop.home.part == loop.visit.part; });
+  loops_.erase(within == loops_.end() ? loops_.begin() : within);
 }
 
 double PathMemory::exploredArea(double margin) const {

@@ -31,6 +31,7 @@ struct DriftSettings {
 /// A moment of the path: the pose by dead reckoning, and sums along the way to it.
 struct PathMark {
   std::int64_t step = 0;  ///< motions before it
+  std::int64_t part = 0;  ///< gaps before it: between two parts dead reckoning says nothing
   PlanarPose pose;
   /// Sum of w (1, x, y, xx, xy, yy), w the variance of each turn: where turns went wrong.
   Eigen::Matrix<double, 6, 1> turns = Eigen::Matrix<double, 6, 1>::Zero();
@@ -53,11 +54,18 @@ class PathMemory {
   /// One motion with the variances (m^2 per axis, rad^2) that odometry claims for it.
   void advance(const PlanarPose& motion, double step_variance, double turn_variance);
   const PathMark& now() const { return now_; }
+  /// The robot is somewhere else now, and nobody knows where.
+  void startPart() { ++now_.part; }
 
-  /// `to` seen from `from`, in either order of time, by dead reckoning alone.
+  /// `to` seen from `from`, in either order of time, by dead reckoning alone; of one part.
   UncertainStep between(const PathMark& from, const PathMark& to) const;
-  /// The present seen from `from`: directly, or over one closed loop, whichever is surest.
+  /// Whether the present can be seen from `from`: no gap lies between, or a loop leads over it.
+  bool reaches(const PathMark& from) const;
+  /// The present seen from `from`, which it reaches: directly, or over one closed loop, whichever is
+  /// surest.
   UncertainStep predict(const PathMark& from) const;
+  /// The same over this loop.
+  UncertainStep over(const ClosedLoop& loop, const PathMark& from) const;
 
   /// Keeps a loop as a short cut, and forgets those that it contradicts (chi-square above `gate`).
   void close(const PathMark& home, const UncertainStep& offset, double gate);
@@ -75,7 +83,8 @@ class PathMemory {
   void restore(const State& state);
 
  private:
-  UncertainStep over(const ClosedLoop& loop, const PathMark& from) const;
+  bool leads(const ClosedLoop& loop, const PathMark& from) const;
+  void forgetOne();
 
   DriftSettings settings_;
   PathMark now_;

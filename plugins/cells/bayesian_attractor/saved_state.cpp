@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "saved_state.hpp"
 
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 2;
+constexpr std::uint64_t kStateVersion = 3;
 
 /// Phases are worthless on a manifold of another size.
 std::vector<double> manifold(const AttractorParameters& p) {
@@ -78,6 +79,7 @@ void getMatrix(StateReader& reader, Matrix& matrix) {
 
 void put(StateWriter& writer, const PathMark& mark) {
   writer.put(mark.step);
+  writer.put(mark.part);
   put(writer, mark.pose);
   putMatrix(writer, mark.turns);
   putMatrix(writer, mark.lengths);
@@ -87,6 +89,7 @@ void put(StateWriter& writer, const PathMark& mark) {
 PathMark getMark(StateReader& reader) {
   PathMark mark;
   mark.step = reader.get<std::int64_t>();
+  mark.part = reader.get<std::int64_t>();
   mark.pose = getPlanar(reader);
   getMatrix(reader, mark.turns);
   getMatrix(reader, mark.lengths);
@@ -125,9 +128,34 @@ PathMemory::State getPath(StateReader& reader) {
   return state;
 }
 
+void put(StateWriter& writer, const std::deque<Relocation::Claim>& claims) {
+  writer.put(static_cast<std::int64_t>(claims.size()));
+  for (const Relocation::Claim& claim : claims) {
+    put(writer, claim.learned);
+    put(writer, claim.here);
+    put(writer, claim.seen.pose);
+    putMatrix(writer, claim.seen.covariance);
+  }
+}
+
+std::deque<Relocation::Claim> getClaims(StateReader& reader) {
+  std::deque<Relocation::Claim> claims;
+  const auto count = reader.get<std::int64_t>();
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
+    Relocation::Claim claim;
+    claim.learned = getMark(reader);
+    claim.here = getMark(reader);
+    claim.seen.pose = getPlanar(reader);
+    getMatrix(reader, claim.seen.covariance);
+    claims.push_back(claim);
+  }
+  return claims;
+}
+
 void put(StateWriter& writer, const ViewLinks& links) {
   writer.put(links.views());
   writer.put(links.previous());
+  writer.put(links.settled());
   writer.put(static_cast<std::int64_t>(links.links().size()));
   for (const auto& [id, link] : links.links()) {
     writer.put(id);
@@ -146,6 +174,7 @@ void put(StateWriter& writer, const ViewLinks& links) {
 void get(StateReader& reader, ViewLinks& links) {
   const auto views = reader.get<std::int64_t>();
   const auto previous = reader.get<std::int64_t>();
+  const auto settled = reader.get<std::int64_t>();
   const auto count = reader.get<std::int64_t>();
   std::map<std::int64_t, ViewLink> read;
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
@@ -160,7 +189,7 @@ void get(StateReader& reader, ViewLinks& links) {
     link.decay = reader.get<double>();
     link.last_view = reader.get<std::int64_t>();
   }
-  links.restore(views, previous, read);
+  links.restore(views, previous, settled, read);
 }
 
 void put(StateWriter& writer, const ExperienceLog::State& log) {
@@ -168,6 +197,7 @@ void put(StateWriter& writer, const ExperienceLog::State& log) {
   put(writer, log.T_experience_current);
   writer.put(log.travel);
   writer.put(log.travel_at_loop);
+  writer.put(std::int64_t{log.woken});
   writer.put(static_cast<std::int64_t>(log.travel_when_left.size()));
   writer.putAll(std::span<const double>(log.travel_when_left));
 }
@@ -178,11 +208,29 @@ ExperienceLog::State getLog(StateReader& reader) {
   log.T_experience_current = getPose(reader);
   log.travel = reader.get<double>();
   log.travel_at_loop = reader.get<double>();
+  log.woken = reader.get<std::int64_t>() != 0;
   const auto count = static_cast<std::size_t>(reader.get<std::int64_t>());
   if (count != reader.remaining() / sizeof(double)) return log;  // complete() will tell
   log.travel_when_left.resize(count);
   reader.getAll(std::span<double>(log.travel_when_left));
   return log;
+}
+
+/// Indices within bounds, and numbers that are numbers: a file may be anybody's.
+bool isSound(const AttractorState& state) {
+  const ExperienceLog::State log = state.log.state();
+  const auto experiences = static_cast<std::int64_t>(log.travel_when_left.size());
+  const auto known = [&](std::int64_t id) { return id >= 0 && id < experiences; };
+  bool sound = (log.current == -1 && experiences == 0) || known(log.current);
+  sound = sound && std::isfinite(log.travel) && log.T_experience_current.matrix().allFinite();
+  sound = sound && std::isfinite(state.cells.estimate().heading) &&
+          state.cells.estimate().position.isFinite().all();
+  for (const auto& [id, link] : state.links.links()) {
+    sound = sound && id >= 0 && known(link.experience) && std::isfinite(link.learned.heading) &&
+            link.learned.position.isFinite().all() &&
+            link.T_experience_template.matrix().allFinite();
+  }
+  return sound && state.evidence.counts().right >= 0 && state.evidence.counts().views >= 0;
 }
 
 }  // namespace
@@ -199,6 +247,8 @@ Status saveState(const AttractorParameters& parameters, const AttractorState& st
   put(writer, state.path);
   writer.put(state.evidence.counts().views);
   writer.put(state.evidence.counts().right);
+  put(writer, state.relocation.claims());
+  writer.put(std::int64_t{state.initialising});
   put(writer, state.log.state());
   return writer.write(stream, kMagic, kStateVersion);
 }
@@ -226,8 +276,13 @@ Status loadState(const AttractorParameters& parameters, std::istream& stream,
   counts.views = reader.get<std::int64_t>();
   counts.right = reader.get<std::int64_t>();
   state.evidence.restore(counts);
+  state.relocation.restore(getClaims(reader));
+  state.initialising = reader.get<std::int64_t>() != 0;
   state.log.restore(getLog(reader));
   if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
+  if (!isSound(state)) {
+    return Status::invalidInput("the saved state is damaged: numbers that cannot be");
+  }
   return Status::ok();
 }
 

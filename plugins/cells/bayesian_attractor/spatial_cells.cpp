@@ -52,7 +52,10 @@ void SpatialCells::adoptEstimate() {
 
 void SpatialCells::noteUnsupportedView() {
   // With symmetric inhibition a calibration above half wins for good, right or wrong.
-  if (++support_.unsupported <= settings_.patience) return;
+  if (++support_.unsupported > settings_.patience) forgetCalibration();
+}
+
+void SpatialCells::forgetCalibration() {
   ring_.restartCalibration();
   torus_.restartCalibration();
   support_ = {};

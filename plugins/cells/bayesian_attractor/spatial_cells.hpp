@@ -47,6 +47,8 @@ class SpatialCells {
   bool familiar() const;
   /// The familiar place becomes the integrators' place.
   void adoptEstimate();
+  /// What the calibration held to be true was elsewhere.
+  void forgetCalibration();
   /// A view without injection: an unsupported calibration ends after `patience` of them.
   void noteUnsupportedView();
 

@@ -36,6 +36,7 @@ Verdict ViewEvidence::weigh(const PathMemory& memory, const PathMark& learned,
     return ratio >= settings_.decisive ? Verdict::Decisive : Verdict::Plausible;
   }
   // A closed loop may itself be false: what dead reckoning alone allows gets a chance, not more.
+  if (learned.part != memory.now().part) return Verdict::RuledOut;
   const UncertainStep reckoned = memory.between(learned, memory.now());
   return chiSquare(reckoned, seen) <= settings_.gate ? Verdict::Plausible : Verdict::RuledOut;
 }

@@ -32,10 +32,14 @@ class ViewEvidence {
   double odds(const UncertainStep& predicted, const UncertainStep& seen, double area) const;
   /// Judges a view, and counts it.
   Verdict judge(const PathMemory& memory, const PathMark& learned, const UncertainStep& seen);
+  /// Counts one that was judged by others.
+  void count() { ++counts_.views; }
   /// The network decided for so many views: they were right.
   void confirm(std::int64_t views) { counts_.right += views; }
   /// Expected share of right ones among familiar views (mean of a beta distribution).
   double prior() const;
+
+  double margin() const { return settings_.margin; }
 
   /// All that decides the future, for saving.
   struct Counts {

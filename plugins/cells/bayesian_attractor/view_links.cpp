@@ -36,15 +36,16 @@ bool ViewLinks::activate(std::int64_t template_id) {
   if (repeated) link.decay += settings_.increment;
 
   const auto count = static_cast<std::int64_t>(links_.size());
-  const bool too_new = link.order >= count - settings_.newest_ignored;
+  const bool too_new = link.order >= std::max(settled_, count - settings_.newest_ignored);
   const bool too_early = views_ <= settings_.first_views_ignored;
   return !too_new && !too_early && std::exp(1.2 * link.decay) < 30;
 }
 
-void ViewLinks::restore(std::int64_t views, std::int64_t previous,
+void ViewLinks::restore(std::int64_t views, std::int64_t previous, std::int64_t settled,
                         const std::map<std::int64_t, ViewLink>& links) {
   views_ = views;
   previous_ = previous;
+  settled_ = settled;
   links_ = links;
 }
 

@@ -37,6 +37,15 @@ class ViewLinks {
   /// Called once for each view, before it is used.
   void countView() { ++views_; }
   void learn(std::int64_t template_id, ViewLink link);
+  /// The robot is somewhere else: no link is too new any more.
+  void wakeUp() { settled_ = static_cast<std::int64_t>(links_.size()); }
+  /// Links of the present part get the patterns that `pattern(link)` says.
+  template <class Pattern>
+  void relearn(std::int64_t part, Pattern&& pattern) {
+    for (auto& [id, link] : links_) {
+      if (link.mark.part == part) link.learned = pattern(link);
+    }
+  }
   /// Null when the template was never seen.
   const ViewLink* find(std::int64_t template_id) const;
   /// Activates the link of a familiar view; true if it is to inject. A view that comes again and
@@ -46,7 +55,8 @@ class ViewLinks {
   std::int64_t views() const { return views_; }
   std::int64_t previous() const { return previous_; }
   const std::map<std::int64_t, ViewLink>& links() const { return links_; }
-  void restore(std::int64_t views, std::int64_t previous,
+  std::int64_t settled() const { return settled_; }
+  void restore(std::int64_t views, std::int64_t previous, std::int64_t settled,
                const std::map<std::int64_t, ViewLink>& links);
 
  private:
@@ -54,6 +64,7 @@ class ViewLinks {
   std::map<std::int64_t, ViewLink> links_;  ///< by template id
   std::int64_t views_ = 0;
   std::int64_t previous_ = -1;
+  std::int64_t settled_ = 0;  ///< links from before the last gap
 };
 
 }  // namespace tolman::bayesian_attractor

@@ -7,6 +7,18 @@
 #include <utility>
 
 namespace tolman::experience_map {
+namespace {
+
+/// Nothing is known of the motion over a gap: beside loops it must weigh nothing. Where there are
+/// none it holds the part in place, or the system would be singular.
+Eigen::Matrix3d gapCovariance(bool holds) {
+  constexpr double kLooseVariance = 1e6;     // m^2
+  constexpr double kLooseVarianceTurn = 1e4;  // rad^2
+  if (holds) return Eigen::Matrix3d::Identity();
+  return Eigen::Vector3d(kLooseVariance, kLooseVariance, kLooseVarianceTurn).asDiagonal();
+}
+
+}  // namespace
 
 Anchor& ExperienceChain::append(const MotionLog& log) {
   const Anchor& before = anchors_.back();
@@ -19,11 +31,13 @@ Anchor& ExperienceChain::append(const MotionLog& log) {
 }
 
 void ExperienceChain::addExperience(const MotionLog& log, std::int64_t template_id) {
-  const bool at_start = log.last() == 0 && anchors_.front().experience < 0;
-  Anchor& anchor = at_start ? anchors_.front() : append(log);
+  const Anchor& last = anchors_.back();
+  const bool begins_part = last.slot == log.last() && (last.gap || current() == 0);
+  const bool linked = !begins_part && last.experience >= 0;
+  Anchor& anchor = begins_part ? anchors_.back() : append(log);
   anchor.experience = experiences();
   anchor.template_id = template_id;
-  if (anchor.experience > 0) ++links_;
+  if (linked) ++links_;
   of_experience_.push_back(static_cast<std::size_t>(current()));
 }
 
@@ -48,7 +62,9 @@ void ExperienceChain::addVisit(const MotionLog& log, std::int64_t experience, do
 
 void ExperienceChain::addVisit(const MotionLog& log, std::int64_t experience,
                                const UncertainPose& offset, bool assumed) {
-  const bool folded = anchors_.back().experience != experience;  // no link from a node to itself
+  const PathParts before = parts();
+  const std::int64_t last = anchors_.back().experience;
+  const bool folded = last >= 0 && last != experience;  // no link from a node to itself
   Anchor& anchor = append(log);
   anchor.experience = experience;
   anchor.visit = true;
@@ -57,11 +73,12 @@ void ExperienceChain::addVisit(const MotionLog& log, std::int64_t experience,
   if (folded) ++links_, ++loops_;
   last_visit_ = static_cast<std::size_t>(current());
   pending_ = true;
+  if (before.count() > 1) layOver(log, before);
 }
 
 void ExperienceChain::refresh(const MotionLog& log, std::size_t first) {
   for (std::size_t i = anchors_.size(); i-- > 1 && anchors_[i].slot >= first;) {
-    anchors_[i].way = log.between(anchors_[i - 1].slot, anchors_[i].slot);
+    if (!anchors_[i].gap) anchors_[i].way = log.between(anchors_[i - 1].slot, anchors_[i].slot);
   }
   // Behind the last visit the chain is free: no loop strains it, whatever its motions are.
   if (last_visit_ > 0 && first <= anchors_[last_visit_].slot) pending_ = true;
@@ -84,52 +101,67 @@ Status ExperienceChain::judge(const MotionLog& log, int iterations, double toler
   return status;
 }
 
-Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions options, Care care) {
-  std::vector<PlanarPose> reckoned;
-  std::vector<PlanarPose> nodes;
+ExperienceChain::Sketch ExperienceChain::sketch(const MotionLog& log) const {
+  Sketch sketch;
   for (const Anchor& anchor : anchors_) {
-    reckoned.push_back(toPlanar(log[anchor.slot].T_start_camera));
-    nodes.push_back(compose(anchor.correction, reckoned.back()));
+    sketch.reckoned.push_back(toPlanar(log[anchor.slot].T_start_camera));
+    sketch.nodes.push_back(compose(anchor.correction, sketch.reckoned.back()));
   }
-  std::vector<PlanarLink> links;
-  for (std::size_t i = 1; i < anchors_.size(); ++i) links.push_back(wayLink(log, i));
+  const PathParts joined = parts();
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    if (anchors_[i].visit) links.push_back(loopLink(log, i));
+    sketch.links.push_back(wayLink(log, i, joined));
   }
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    if (anchors_[i].visit) sketch.links.push_back(loopLink(log, i));
+  }
+  return sketch;
+}
+
+Status ExperienceChain::optimiseAll(const MotionLog& log, OptimiserOptions options, Care care) {
+  constexpr std::size_t kThoroughAttempts = 10;
   options.solver = parameters_.solver;
   options.loss = parameters_.loss;
   options.delta =
       options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale;
-  const Result<Outcome> outcome = care == Care::Brief
-                                      ? optimise(options, nodes, links)
-                                      : experience_map::judge(options, reckoned, nodes, links);
+  const Sketch start = sketch(log);
+  Sketch found = start;
+  const Result<Outcome> outcome =
+      care == Care::Brief
+          ? optimise(options, found.nodes, found.links)
+          : experience_map::judge(options, found.reckoned, found.nodes, found.links);
   if (!outcome.isOk()) return outcome.status();
-  pending_ = !outcome.value().converged;
-  apply(log, nodes, links);
+  Outcome best = outcome.value();
+  rearrange(parts(), start, options, care == Care::Brief ? 1 : kThoroughAttempts, found, best);
+  pending_ = !best.converged;
+  apply(found);
   return Status::ok();
 }
 
-void ExperienceChain::apply(const MotionLog& log, const std::vector<PlanarPose>& nodes,
-                            const std::vector<PlanarLink>& links) {
+void ExperienceChain::apply(const Sketch& sketch) {
   std::size_t loop = anchors_.size() - 1;  // loops come after all ways
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     Anchor& anchor = anchors_[i];
-    const PlanarPose reckoned = toPlanar(log[anchor.slot].T_start_camera);
-    anchor.correction = compose(nodes[i], tolman::between(reckoned, PlanarPose{}));
-    anchor.way_weight = links[i - 1].weight;
-    if (anchor.visit) anchor.offset_weight = links[loop++].weight;
+    anchor.correction =
+        compose(sketch.nodes[i], tolman::between(sketch.reckoned[i], PlanarPose{}));
+    anchor.way_weight = sketch.links[i - 1].weight;
+    if (anchor.visit) anchor.offset_weight = sketch.links[loop++].weight;
   }
 }
 
-PlanarLink ExperienceChain::wayLink(const MotionLog& log, std::size_t i) const {
+PlanarLink ExperienceChain::wayLink(const MotionLog& log, std::size_t i,
+                                    const PathParts& parts) const {
   // Seen in the plane of the world, not of the leaning camera: dead reckoning then has no residual.
   const PlanarPose from = toPlanar(log[anchors_[i - 1].slot].T_start_camera);
   const Eigen::Isometry3d& T_start_to = log[anchors_[i].slot].T_start_camera;
+  const Eigen::Matrix3d covariance =
+      anchors_[i].gap
+          ? gapCovariance(parts.first(parts.of(i)) == parts.of(i))
+          : planarCovariance(anchors_[i].way.covariance, T_start_to.linear(), from.theta);
   return {
       .from = i - 1,
       .to = i,
       .pose = tolman::between(from, toPlanar(T_start_to)),
-      .covariance = planarCovariance(anchors_[i].way.covariance, T_start_to.linear(), from.theta),
+      .covariance = covariance,
       .robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber,
       .weight = anchors_[i].way_weight};
 }
@@ -208,7 +240,7 @@ void ExperienceChain::graph(const MotionLog& log, MapGraph& graph) const {
     if (!counts(anchors_[i])) continue;
     const std::size_t previous = std::exchange(before, i);
     const std::int64_t from = anchors_[previous].experience;
-    if (from < 0 || from == anchors_[i].experience) continue;
+    if (from < 0 || from == anchors_[i].experience || anchors_[i].gap) continue;
     Link link = foldedLink(log, previous, i);
     link.id = static_cast<std::int64_t>(graph.links.size());
     graph.links.push_back(link);

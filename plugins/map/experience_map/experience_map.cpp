@@ -3,6 +3,9 @@
 #include "experience_map.hpp"
 
 #include <string>
+#include <utility>
+
+#include "saved_map.hpp"
 
 namespace tolman::experience_map {
 namespace {
@@ -34,6 +37,7 @@ Status ExperienceMap::update(const Motion& motion, const Decision& decision, Map
   revise(motion.revisions);
   if (motions_.size() == 0) chain_.start();
   motions_.append(motion, chain_.current());
+  if (motions_[motions_.last()].gap) startPart();
   obey(decision);
   if (correctionDue()) correct();
   report(update);
@@ -75,8 +79,14 @@ void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {
   ++version_;
 }
 
+void ExperienceMap::startPart() {
+  chain_.startPart(motions_);
+  log_->info("frame " + std::to_string(motions_[motions_.last()].frame) +
+             ": how the robot came here is unknown; a new part of the map begins");
+}
+
 void ExperienceMap::obey(const Decision& decision) {
-  const bool at_home = chain_[chain_.current()].experience == decision.experience;
+  const bool at_home = decision.experience >= 0 && chain_[chain_.current()].experience == decision.experience;
   if (decision.action == Action::CreateExperience) {
     chain_.addExperience(motions_, decision.template_id);
   } else if (decision.action == Action::CloseLoop && decision.has_relative_pose) {
@@ -135,6 +145,21 @@ Status ExperienceMap::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_came
 Status ExperienceMap::graph(MapGraph& graph) const {
   graph.version = version_;
   chain_.graph(motions_, graph);
+  return Status::ok();
+}
+
+Status ExperienceMap::save(std::ostream& stream) const {
+  return saveMap({motions_, chain_, version_, next_correction_}, stream);
+}
+
+Status ExperienceMap::load(std::istream& stream) {
+  if (Status status = reset(); !status.isOk()) return status;
+  MapState loaded{motions_, chain_, 0, 0};
+  if (Status status = loadMap(stream, loaded); !status.isOk()) return status;
+  motions_ = std::move(loaded.motions);
+  chain_ = std::move(loaded.chain);
+  version_ = loaded.version;
+  next_correction_ = loaded.next_correction;
   return Status::ok();
 }
 

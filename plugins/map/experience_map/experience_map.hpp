@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tolman/extras.hpp>
 #include <tolman/roles.hpp>
 #include <vector>
 
@@ -13,7 +14,7 @@
 
 namespace tolman::experience_map {
 
-class ExperienceMap final : public Map {
+class ExperienceMap final : public Map, public StateKeeper {
  public:
   using Parameters = experience_map::Parameters;
 
@@ -24,9 +25,13 @@ class ExperienceMap final : public Map {
   Status graph(MapGraph& graph) const override;
   Status finish(const std::vector<MotionRevision>& revisions) override;
 
+  Status save(std::ostream& stream) const override;
+  Status load(std::istream& stream) override;
+
  private:
   Status check(const Motion& motion, const Decision& decision) const;
   void revise(const std::vector<MotionRevision>& revisions);
+  void startPart();
   void obey(const Decision& decision);
   void correct();
   void noteCorrection(const Status& status);

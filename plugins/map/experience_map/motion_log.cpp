@@ -3,6 +3,7 @@
 #include "motion_log.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tolman::experience_map {
 
@@ -18,7 +19,9 @@ void MotionLog::append(const Motion& motion, std::int64_t anchor) {
   logged.frame = motion.frame;
   logged.stamp_ns = motion.stamp_ns;
   logged.anchor = anchor;
+  logged.initialising = motion.state == TrackingState::Initialising;
   if (!frames_.empty()) {
+    logged.gap = logged.initialising && !frames_.back().initialising;
     logged.motion = {motion.T_previous_current, motion.covariance};
     if (motion.state != TrackingState::Tracking) {
       logged.motion.covariance +=
@@ -35,15 +38,25 @@ std::size_t MotionLog::revise(std::span<const MotionRevision> revisions, std::si
   for (const MotionRevision& revision : revisions) {
     const std::optional<std::size_t> slot = slotOf(revision.frame);
     if (!slot) ++unknown;
-    if (!slot || *slot == 0) continue;  // nothing arrives at the origin
+    // Nothing arrives at the origin, and nobody knows what arrives after a gap.
+    if (!slot || *slot == 0 || frames_[*slot].gap) continue;
     frames_[*slot].motion = {revision.T_previous_current, revision.covariance};
     first = std::min(first, *slot);
   }
+  reckon(first);
+  return first;
+}
+
+void MotionLog::reckon(std::size_t first) {
   for (std::size_t slot = first; slot < frames_.size(); ++slot) {
     frames_[slot].T_start_camera =
         normalised(frames_[slot - 1].T_start_camera * frames_[slot].motion.T);
   }
-  return first;
+}
+
+void MotionLog::restore(std::vector<LoggedFrame> frames) {
+  frames_ = std::move(frames);
+  if (!frames_.empty()) reckon(1);
 }
 
 std::optional<std::size_t> MotionLog::slotOf(std::int64_t frame) const {

@@ -21,6 +21,8 @@ struct LoggedFrame {
   UncertainPose motion;  ///< from the slot before; the identity at slot 0
   Eigen::Isometry3d T_start_camera = Eigen::Isometry3d::Identity();  ///< dead reckoning
   std::int64_t anchor = 0;                                           ///< see ExperienceChain
+  bool initialising = false;  ///< odometry had no motion yet
+  bool gap = false;           ///< how the robot came here is unknown
 };
 
 class MotionLog {
@@ -29,6 +31,8 @@ class MotionLog {
 
   /// What is wrong with the motion as the next one; ok when append() would take it.
   Status check(const Motion& motion) const;
+  /// A motion that is Initialising, and the one before was not: odometry has begun anew, because
+  /// the robot was switched on again or carried away. That is a gap.
   void append(const Motion& motion, std::int64_t anchor);
   /// Replaces motions and reckons anew from there; later revisions win. Returns the first slot
   /// whose pose changed, size() for none. Counts revisions of frames never seen in `unknown`.
@@ -43,8 +47,12 @@ class MotionLog {
   void moveTo(std::size_t slot, std::int64_t anchor) { frames_[slot].anchor = anchor; }
   std::size_t size() const { return frames_.size(); }
   std::size_t last() const { return frames_.size() - 1; }
+  /// Takes frames of a saved log; T_start_camera is reckoned anew.
+  void restore(std::vector<LoggedFrame> frames);
 
  private:
+  void reckon(std::size_t first);
+
   Parameters parameters_;
   std::vector<LoggedFrame> frames_;
 };

@@ -48,6 +48,7 @@ Status Progress::reset() {
   state_ = {};
   begin_ns_ = shown_ns_ = clock_->steadyNs();
   shown_frames_ = 0;
+  first_frame_ = -1;
   if (drawn_ > 0) redraw("");
   return Status::ok();
 }
@@ -57,6 +58,7 @@ Status Progress::begin(const RunInfo& run) {
   state_.total = run.source.frames;
   begin_ns_ = shown_ns_ = clock_->steadyNs();
   shown_frames_ = 0;
+  first_frame_ = -1;
   if (interactive_) redraw(barLine(state_, width_()));
   return Status::ok();
 }
@@ -93,7 +95,8 @@ Status Progress::finish(const MapGraph& graph) {
 void Progress::count(const Snapshot& snapshot) {
   ++state_.frames;
   if (snapshot.frame != nullptr) {  // some frames may have been left out
-    state_.frames = std::max(state_.frames, snapshot.frame->frame + 1);
+    if (first_frame_ < 0) first_frame_ = snapshot.frame->frame;  // later sessions count on
+    state_.frames = std::max(state_.frames, snapshot.frame->frame - first_frame_ + 1);
   }
   if (snapshot.place != nullptr) {
     state_.templates = std::max(state_.templates, snapshot.place->template_id + 1);

@@ -46,7 +46,7 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   const bool lost = random_.uniform() < parameters_.lost;
   const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
   last_stamp_ns_ = frame.stamp_ns;
-  if (frame.frame == 0) return Status::ok();
+  if (frame.frame == 0 || frame.frame == parameters_.carried_at) return Status::ok();
   motion.state = lost ? TrackingState::Lost : TrackingState::Tracking;
   if (!lost) last_step_ = step;
   motion.T_previous_current = fromPlanar(last_step_);

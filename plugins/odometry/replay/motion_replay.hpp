@@ -16,6 +16,7 @@ struct ReplayParameters {
   double bias_distance = 0;
   double bias_heading = 0;
   double lost = 0;
+  std::int64_t carried_at = -1;
 
   static constexpr auto declaration() {
     using P = ReplayParameters;
@@ -43,7 +44,11 @@ struct ReplayParameters {
             .doc("Turn added for each metre driven."),
         parameter("lost", &P::lost)
             .range(0, 1)
-            .doc("Share of frames whose motion is lost and predicted from the one before."));
+            .doc("Share of frames whose motion is lost and predicted from the one before."),
+        parameter("carried_at", &P::carried_at)
+            .range(-1, 1e9)
+            .unit("frame")
+            .doc("At this frame odometry begins anew, as if the robot had been carried; -1 never."));
   }
 };
 

@@ -2,9 +2,19 @@
 #include "place_replay.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 namespace tolman::place_replay {
+namespace {
+
+constexpr std::string_view kMagic = "TLMPLRPL";
+constexpr std::uint64_t kStateVersion = 1;
+constexpr std::int64_t kNothing = -1;
+using RandomWords = std::array<std::uint64_t, sizeof(RandomStream) / sizeof(std::uint64_t)>;
+
+}  // namespace
 
 Status PlaceReplay::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
@@ -77,6 +87,8 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
                             PlaceObservation& observation) {
   observation.frame = frame.frame;
   observation.stamp_ns = frame.stamp_ns;
+  // A frame that nothing is known to lead to is no step after the view that is still owed.
+  if (motion && motion->state == TrackingState::Initialising) owed_.reset();
   if (recognise(frame, observation) || invent(frame, observation)) {
     owed_ = frame.source_index;
     return Status::ok();
@@ -92,6 +104,53 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
     owed_.reset();
   }
   return Status::ok();
+}
+
+Status PlaceReplay::save(std::ostream& stream) const {
+  StateWriter writer;
+  for (const std::uint64_t word : std::bit_cast<RandomWords>(random_)) writer.put(word);
+  writer.put(templates_);
+  writer.put(owed_.value_or(kNothing));
+  writer.put(static_cast<std::int64_t>(views_.size()));
+  for (const auto& [source_index, view] : views_) {
+    writer.put(source_index);
+    writer.put(view.template_id);
+    for (const double number : {view.in_template.x, view.in_template.y, view.in_template.theta}) {
+      writer.put(number);
+    }
+  }
+  return writer.write(stream, kMagic, kStateVersion);
+}
+
+Status PlaceReplay::load(std::istream& stream) {
+  if (Status status = reset(); !status.isOk()) return status;
+  Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
+  if (!opened.isOk()) return opened.status();
+  const Status status = read(opened.value());
+  if (!status.isOk()) (void)reset();
+  return status;
+}
+
+Status PlaceReplay::read(StateReader& reader) {
+  RandomWords words{};
+  for (std::uint64_t& word : words) word = reader.get<std::uint64_t>();
+  random_ = std::bit_cast<RandomStream>(words);
+  templates_ = reader.get<std::int64_t>();
+  const auto owed = reader.get<std::int64_t>();
+  if (owed != kNothing) owed_ = owed;
+  bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; });
+  const auto count = reader.get<std::int64_t>();
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
+    const auto source_index = reader.get<std::int64_t>();
+    View& view = views_[source_index];
+    view.template_id = reader.get<std::int64_t>();
+    PlanarPose& pose = view.in_template;
+    for (double* number : {&pose.x, &pose.y, &pose.theta}) *number = reader.get<double>();
+    sound = sound && view.template_id >= 0 && view.template_id < templates_ &&
+            std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
+  }
+  if (sound && reader.complete()) return Status::ok();
+  return Status::invalidInput("the saved views are damaged: numbers that cannot be");
 }
 
 }  // namespace tolman::place_replay

@@ -6,7 +6,9 @@
 #include <map>
 #include <optional>
 
+#include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
+#include "tolman/state_stream.hpp"
 
 namespace tolman::place_replay {
 
@@ -51,7 +53,7 @@ struct ReplayParameters {
 /// A candidate "frame i looks like frame j" is the template of j seen again at i. Each view that
 /// is not recognised makes a template; one that is makes its own with the next frame, so that it
 /// can be recognised, too.
-class PlaceReplay final : public Place {
+class PlaceReplay final : public Place, public StateKeeper {
  public:
   using Parameters = ReplayParameters;
 
@@ -59,6 +61,9 @@ class PlaceReplay final : public Place {
   Status reset() override;
   PlaceInput input() const override { return PlaceInput::FrameAndMotion; }
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
+
+  Status save(std::ostream& stream) const override;
+  Status load(std::istream& stream) override;
 
  private:
   /// Where the view of a frame of the data set is kept.
@@ -72,6 +77,8 @@ class PlaceReplay final : public Place {
   bool invent(const Frame& frame, PlaceObservation& observation);
   void claim(const View& view, const PlanarPose& here_in_earlier,
              PlaceObservation& observation) const;
+
+  Status read(StateReader& reader);
 
   Parameters parameters_;
   std::uint64_t seed_ = 0;

@@ -85,7 +85,8 @@ Status MotionLog::next(Frame& frame) {
   };
   if (!truth_.empty()) {
     frame.has_truth = true;
-    const PlanarPose start = at(truth_, sequence_.sourceIndex(0));
+    const bool own_world = parameters_.truth_origin == TruthOrigin::First;
+    const PlanarPose start = at(truth_, own_world ? sequence_.sourceIndex(0) : 0);
     frame.T_world_camera_truth = fromPlanar(between(start, at(truth_, here)));
   }
   const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(next_ - 1, 0));

@@ -2,8 +2,12 @@
 // Source `motion_log`: recorded planar motion and loop candidates instead of images.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -13,12 +17,21 @@
 
 namespace tolman::motion_log {
 
+/// Where the true poses are seen from.
+enum class TruthOrigin : std::uint8_t {
+  First,  ///< the first selected frame, as the rest of the host has it
+  Data,   ///< the first frame of the data: one world for several sessions on the same data
+};
+inline constexpr std::array<std::string_view, 2> kTruthOriginNames = {"first", "data"};
+constexpr std::span<const std::string_view> enumNames(TruthOrigin) { return kTruthOriginNames; }
+
 struct LogParameters : FrameSelection {
   std::string path;
   std::string odometry = "odometry.g2o";
   std::string truth = "ground_truth.g2o";
   std::string candidates = "loop_candidates.g2o";
   double rate = 10;
+  TruthOrigin truth_origin = TruthOrigin::First;
 
   static constexpr auto declaration() {
     using P = LogParameters;
@@ -33,7 +46,10 @@ struct LogParameters : FrameSelection {
                 .doc("True motion, EDGE_SE2; a file that is not there means no truth."),
             parameter("candidates", &P::candidates)
                 .doc("What looked alike, EDGE_SE2 from a frame to an earlier one; empty for none."),
-            parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames a second.")),
+            parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames a second."),
+            parameter("truth_origin", &P::truth_origin)
+                .doc("Frame that true poses are seen from: the first selected one, or the first of "
+                     "the data, so that several sessions have one world.")),
         selectionParameters<P>());
   }
 };

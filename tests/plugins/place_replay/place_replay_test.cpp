@@ -3,6 +3,7 @@
 #include "place_replay.hpp"
 
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "support/context.hpp"
 
@@ -22,6 +23,7 @@ struct Replay {
     frame.frame = frame.source_index = next++;
     frame.sensors.push_back({"place.candidate", {static_cast<int>(alike.size() / 4), 4}, alike});
     Motion motion;
+    motion.state = TrackingState::Tracking;
     motion.T_previous_current = fromPlanar({1, 0, 0});
     PlaceObservation observation;
     REQUIRE(place.observe(frame, &motion, observation).isOk());
@@ -120,4 +122,39 @@ TEST_CASE("candidates can be dropped and look-alikes invented, by the seed") {
   CHECK(lies.size() > all + 180);
   CHECK(lies.size() < all + 320);
   CHECK(lies == answers(lying));
+}
+
+TEST_CASE("saved views are recognised in the next session, and the random stream goes on") {
+  const ParameterValues values = {{"relative_pose", true}, {"kept", 0.5}, {"invented", 0.5}};
+  Replay saved(values);
+  for (int i = 0; i < 203; ++i) saved.look(i > 20 && i % 5 == 0 ? std::vector<float>{10, 2, 0, 0} : std::vector<float>{});
+  std::stringstream stream;
+  REQUIRE(saved.place.save(stream).isOk());
+  Replay loaded(values);
+  REQUIRE(loaded.place.load(stream).isOk());
+  loaded.next = saved.next;
+  for (int i = 0; i < 100; ++i) {
+    const PlaceObservation a = saved.look({10, 1, 0, 0});
+    const PlaceObservation b = loaded.look({10, 1, 0, 0});
+    CHECK(a.recognition == b.recognition);
+    CHECK(a.template_id == b.template_id);
+    CHECK(a.T_template_current.matrix() == b.T_template_current.matrix());
+  }
+}
+
+TEST_CASE("damaged views are refused and leave a fresh instance") {
+  Replay saved;
+  for (int i = 0; i < 30; ++i) saved.look();
+  std::ostringstream stream;
+  REQUIRE(saved.place.save(stream).isOk());
+  StateWriter dead;  // a random stream of zeros would give zeros for ever
+  for (int i = 0; i < 7; ++i) dead.put(std::int64_t{0});
+  std::ostringstream zeros;
+  REQUIRE(dead.write(zeros, "TLMPLRPL", 1).isOk());
+  for (const std::string& bytes : {std::string("nothing"), stream.str().substr(0, 100), zeros.str()}) {
+    Replay replay;
+    std::istringstream damaged(bytes);
+    CHECK(replay.place.load(damaged).code() == StatusCode::InvalidInput);
+    CHECK(replay.look().template_id == 0);
+  }
 }

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "saved_map.hpp"
+
+#include <cmath>
+#include <tolman/state_stream.hpp>
+#include <utility>
+#include <vector>
+
+namespace tolman::experience_map {
+namespace {
+
+constexpr std::string_view kMagic = "TLMEXMAP";
+constexpr std::uint64_t kStateVersion = 1;
+
+void put(StateWriter& writer, const UncertainPose& pose) {
+  writer.putAll(std::span<const double>(pose.T.data(), 16));
+  writer.putAll(std::span<const double>(pose.covariance.data(), 36));
+}
+
+UncertainPose getPose(StateReader& reader) {
+  UncertainPose pose;
+  reader.getAll(std::span<double>(pose.T.data(), 16));
+  reader.getAll(std::span<double>(pose.covariance.data(), 36));
+  return pose;
+}
+
+bool isSound(const UncertainPose& pose) {
+  const Eigen::Matrix3d R = pose.T.linear();
+  return pose.T.matrix().allFinite() && pose.covariance.allFinite() &&
+         (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-6 && R.determinant() > 0 &&
+         pose.T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
+         pose.covariance.diagonal().minCoeff() >= 0;
+}
+
+bool isWeight(double weight) { return weight >= 0 && weight <= 1; }
+
+void put(StateWriter& writer, const LoggedFrame& frame) {
+  writer.put(frame.frame);
+  writer.put(frame.stamp_ns);
+  writer.put(frame.anchor);
+  writer.put(std::int64_t{frame.initialising});
+  writer.put(std::int64_t{frame.gap});
+  put(writer, frame.motion);
+}
+
+LoggedFrame getFrame(StateReader& reader) {
+  LoggedFrame frame;
+  frame.frame = reader.get<std::int64_t>();
+  frame.stamp_ns = reader.get<std::int64_t>();
+  frame.anchor = reader.get<std::int64_t>();
+  frame.initialising = reader.get<std::int64_t>() != 0;
+  frame.gap = reader.get<std::int64_t>() != 0;
+  frame.motion = getPose(reader);
+  return frame;
+}
+
+void put(StateWriter& writer, const Anchor& anchor) {
+  writer.put(static_cast<std::int64_t>(anchor.slot));
+  writer.put(anchor.experience);
+  writer.put(anchor.template_id);
+  for (const bool flag : {anchor.gap, anchor.visit, anchor.assumed, anchor.taken_back}) {
+    writer.put(std::int64_t{flag});
+  }
+  writer.put(anchor.way_weight);
+  writer.put(anchor.offset_weight);
+  for (const double number : {anchor.correction.x, anchor.correction.y, anchor.correction.theta}) {
+    writer.put(number);
+  }
+  put(writer, anchor.offset);
+}
+
+Anchor getAnchor(StateReader& reader) {
+  Anchor anchor;
+  anchor.slot = static_cast<std::size_t>(reader.get<std::int64_t>());
+  anchor.experience = reader.get<std::int64_t>();
+  anchor.template_id = reader.get<std::int64_t>();
+  for (bool* flag : {&anchor.gap, &anchor.visit, &anchor.assumed, &anchor.taken_back}) {
+    *flag = reader.get<std::int64_t>() != 0;
+  }
+  anchor.way_weight = reader.get<double>();
+  anchor.offset_weight = reader.get<double>();
+  for (double* number : {&anchor.correction.x, &anchor.correction.y, &anchor.correction.theta}) {
+    *number = reader.get<double>();
+  }
+  anchor.offset = getPose(reader);
+  return anchor;
+}
+
+/// `get` so many times as the file says, but never more often than it has bytes.
+template <class T>
+std::vector<T> getList(StateReader& reader, T (*get)(StateReader&)) {
+  const auto count = reader.get<std::int64_t>();
+  std::vector<T> list;
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) list.push_back(get(reader));
+  return list;
+}
+
+bool areSound(const std::vector<LoggedFrame>& frames, std::size_t anchors) {
+  for (std::size_t slot = 0; slot < frames.size(); ++slot) {
+    const LoggedFrame& frame = frames[slot];
+    const bool later = slot == 0 || frame.frame > frames[slot - 1].frame;
+    if (!later || frame.frame < 0 || frame.anchor < 0 || !isSound(frame.motion) ||
+        frame.anchor >= static_cast<std::int64_t>(anchors)) {
+      return false;
+    }
+  }
+  return frames.empty() == (anchors == 0);
+}
+
+/// Anchors in the order of their frames; experiences are numbered as they are made, and visited
+/// only afterwards.
+bool areSound(const std::vector<Anchor>& anchors, const std::vector<LoggedFrame>& frames) {
+  std::int64_t made = 0;
+  for (std::size_t i = 0; i < anchors.size(); ++i) {
+    const Anchor& anchor = anchors[i];
+    const bool in_order = i == 0 ? anchor.slot == 0 && !anchor.visit
+                                 : anchor.slot >= anchors[i - 1].slot;
+    const bool finite = std::isfinite(anchor.correction.x) && std::isfinite(anchor.correction.y) &&
+                        std::isfinite(anchor.correction.theta);
+    const bool known = anchor.visit ? anchor.experience >= 0 && anchor.experience < made
+                                    : anchor.experience == -1 || anchor.experience == made;
+    if (!in_order || !finite || !known || anchor.slot >= frames.size() ||
+        !isWeight(anchor.way_weight) || !isWeight(anchor.offset_weight) ||
+        !isSound(anchor.offset)) {
+      return false;
+    }
+    if (!anchor.visit && anchor.experience >= 0) ++made;
+  }
+  return true;
+}
+
+}  // namespace
+
+Status saveMap(const MapState& map, std::ostream& stream) {
+  StateWriter writer;
+  writer.put(map.version);
+  writer.put(static_cast<std::int64_t>(map.next_correction));
+  writer.put(static_cast<std::int64_t>(map.motions.size()));
+  for (std::size_t slot = 0; slot < map.motions.size(); ++slot) put(writer, map.motions[slot]);
+  const ExperienceChain::State chain = map.chain.state();
+  writer.put(static_cast<std::int64_t>(chain.anchors.size()));
+  for (const Anchor& anchor : chain.anchors) put(writer, anchor);
+  writer.put(chain.links);
+  writer.put(chain.loops);
+  writer.put(std::int64_t{chain.pending});
+  return writer.write(stream, kMagic, kStateVersion);
+}
+
+Status loadMap(std::istream& stream, MapState& map) {
+  Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
+  if (!opened.isOk()) return opened.status();
+  StateReader& reader = opened.value();
+  const auto version = reader.get<std::int64_t>();
+  const auto next_correction = reader.get<std::int64_t>();
+  std::vector<LoggedFrame> frames = getList(reader, &getFrame);
+  ExperienceChain::State chain;
+  chain.anchors = getList(reader, &getAnchor);
+  chain.links = reader.get<std::int64_t>();
+  chain.loops = reader.get<std::int64_t>();
+  chain.pending = reader.get<std::int64_t>() != 0;
+  if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
+  if (version < 0 || next_correction < 0 || chain.links < 0 || chain.loops < 0 ||
+      !areSound(frames, chain.anchors.size()) || !areSound(chain.anchors, frames)) {
+    return Status::invalidInput("the saved map is damaged: numbers that cannot be");
+  }
+  map.motions.restore(std::move(frames));
+  map.chain.restore(map.motions, std::move(chain));
+  map.version = version;
+  map.next_correction = static_cast<std::size_t>(next_correction);
+  return Status::ok();
+}
+
+}  // namespace tolman::experience_map

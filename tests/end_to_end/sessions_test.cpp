@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Maps live on: real motion cut in two, the second session on the map of the first.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "end_to_end/process.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Settings = std::vector<std::string>;
+
+/// Frames first ... last of a sequence; `settings` follow --set.
+Finished drive(const fs::path& data, const fs::path& out, int first, int last,
+               const Settings& settings = {}, const std::string& earlier = "") {
+  Settings arguments = {"run", TOLMAN_SOURCE_DIR "/configs/motion.yaml", "--quiet", "--out",
+                        out.string()};
+  Settings all = {"source.path=" + data.string(), "source.first=" + std::to_string(first),
+                  "source.last=" + std::to_string(last), "source.truth_origin=data"};
+  all.insert(all.end(), settings.begin(), settings.end());
+  for (const std::string& setting : all) {
+    arguments.insert(arguments.end(), {"--set", setting});
+  }
+  if (!earlier.empty()) arguments.insert(arguments.end(), {"--continue", earlier});
+  return tolman::test::tolman(arguments);
+}
+
+std::size_t linesOf(const fs::path& file) {
+  const std::string text = readText(file);
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+void replaceIn(const fs::path& file, const std::string& what, const std::string& by) {
+  std::string text = readText(file);
+  REQUIRE(contains(text, what));
+  text.replace(text.find(what), what.size(), by);
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+struct Cut {
+  const char* sequence;
+  int first;   ///< of the second session
+  int middle;  ///< end of the first session
+  int last;
+  double bar;  ///< m, joint RMSE
+};
+
+}  // namespace
+
+TEST_CASE("a second session joins the map of the first, as good as in one go") {
+  // 00 and 05 cut in two; and 05 once more, the second session waking up amid the first one's way.
+  const Cut cut = GENERATE(Cut{"00", 2271, 2270, 4540, 2.6}, Cut{"05", 1381, 1380, 2760, 2.8},
+                           Cut{"05", 700, 1500, 2760, 2.8});
+  const auto data = dataOrSkip(std::string("kitti_motion/") + cut.sequence);
+  if (!data) return;
+  const TemporaryFolder out;
+  const fs::path first = out.path() / "first";
+  const fs::path second = out.path() / "second";
+  const Finished one = drive(*data, first, 0, cut.middle);
+  INFO(one.err);
+  REQUIRE(one.exit_code == 0);
+  const Finished two = drive(*data, second, cut.first, cut.last, {"evaluation.sessions=joint"},
+                             first.string());
+  INFO(two.err);
+  REQUIRE(two.exit_code == 0);
+
+  const auto metrics = readJson(second / "metrics.json");
+  CHECK(metrics["parts"] == 1);
+  REQUIRE(metrics["sessions"].size() == 2);
+  CHECK(metrics["sessions"][1]["first_frame"] == cut.middle + 1);
+  CHECK(metrics["map"]["matched"] == cut.middle + 1 + cut.last - cut.first + 1);
+  const double joint = metrics["map"]["ate"]["rmse_m"].get<double>();
+  CHECK(joint <= cut.bar);
+  WARN("KITTI " << cut.sequence << ", second session from frame " << cut.first << ": joint RMSE "
+                << joint << " m");
+  // The record is complete in itself, and the exported trajectories are of one session each.
+  fs::remove_all(first);
+  CHECK(linesOf(second / "trajectory.tum") == static_cast<std::size_t>(cut.last - cut.first + 1));
+  REQUIRE(tolman::test::tolman({"export", second.string(), "--out", (out.path() / "a").string(),
+                                "--session", "0"})
+              .exit_code == 0);
+  CHECK(linesOf(out.path() / "a/trajectory.tum") == static_cast<std::size_t>(cut.middle + 1));
+  const Finished way = tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "600"});
+  INFO(way.err);
+  CHECK(way.exit_code == 0);
+}
+
+TEST_CASE("what nothing joins is said to be apart") {
+  const auto data = dataOrSkip("kitti_motion/07");
+  if (!data) return;
+  const TemporaryFolder out;
+  const std::string first = (out.path() / "first").string();
+  const std::string second = (out.path() / "second").string();
+  REQUIRE(drive(*data, first, 0, 300).exit_code == 0);
+  REQUIRE(drive(*data, second, 400, 600, {"evaluation.sessions=joint"}, first).exit_code == 0);
+  const auto metrics = readJson(fs::path(second) / "metrics.json");
+  CHECK(metrics["parts"] == 2);
+  CHECK(metrics["map"]["ate"]["rmse_m"].is_null());
+  CHECK(contains(metrics["map"]["reason"].get<std::string>(), "session 1 in part 1"));
+  CHECK(contains(readText(fs::path(second) / "report.html"), "poses of different parts"));
+  CHECK(contains(readText(fs::path(second) / "map.g2o"), "# 2 parts"));
+  const auto last = metrics["experiences"].get<int>() - 1;
+  const Finished way =
+      tolman::test::tolman({"plan", second, "--from", "0", "--to", std::to_string(last)});
+  CHECK(way.exit_code == 2);
+  CHECK(contains(way.err, "no loop has joined"));
+}
+
+TEST_CASE("a state that does not fit is refused in one sentence, with exit code 9") {
+  const auto data = dataOrSkip("kitti_motion/07");
+  if (!data) return;
+  const TemporaryFolder out;
+  const fs::path first = out.path() / "first";
+  REQUIRE(drive(*data, first, 0, 200).exit_code == 0);
+  const auto refusal = [&](const Settings& settings = {}) {
+    const Finished finished =
+        drive(*data, out.path() / "second", 300, 400, settings, first.string());
+    CHECK(finished.exit_code == 9);
+    CHECK_FALSE(fs::exists(out.path() / "second"));
+    CHECK(std::count(finished.err.begin(), finished.err.end(), '\n') == 1);
+    return finished.err;
+  };
+  const fs::path contents = first / "state/session.json";
+  const fs::path map = first / "state/map.bin";
+  CHECK(contains(refusal({"cells.period=12"}), "cells.period is 12.0, and was 15.0"));
+  CHECK(contains(refusal({"map.plugin=relaxation"}), "is 'relaxation', and was 'experience_map'"));
+  SECTION("damaged bytes") {
+    replaceIn(map, "TLMEXMAP", "tlmexmap");
+    CHECK(contains(refusal(), "its digest does not agree"));
+  }
+  SECTION("cut short, and nothing left") {
+    fs::resize_file(map, 100);
+    CHECK(contains(refusal(), "its digest does not agree"));
+    fs::remove(map);
+    CHECK(contains(refusal(), "cannot be read"));
+    fs::remove(contents);
+    CHECK(contains(refusal(), "has left no map to go on with"));
+    fs::remove_all(first);
+    CHECK(contains(refusal(), "is no run directory"));
+  }
+  SECTION("a newer version, of the format or of a plugin") {
+    replaceIn(contents, "\"format\": 1", "\"format\": 7");
+    CHECK(contains(refusal(), "has format 7, this program reads 1"));
+    replaceIn(contents, "\"format\": 7", "\"format\": 1");
+    replaceIn(contents, "\"version\": \"0.1.0\"", "\"version\": \"9.0.0\"");
+    CHECK(contains(refusal(), "and had 9.0.0"));
+  }
+  SECTION("no JSON") {
+    std::ofstream(contents) << "{\"format\": ";
+    CHECK(contains(refusal(), "is damaged"));
+    std::ofstream(contents) << "{\"format\": 1, \"stages\": 3}";
+    CHECK(contains(refusal(), "saved no state"));
+  }
+}
+
+TEST_CASE("carried away within a session: the same as two sessions") {
+  const auto data = dataOrSkip("kitti_motion/05");
+  if (!data) return;
+  const TemporaryFolder out;
+  const Finished finished =
+      drive(*data, out.path() / "run", 0, 2760, {"odometry.carried_at=1380"});
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto metrics = readJson(out.path() / "run/metrics.json");
+  CHECK(metrics["parts"] == 1);
+  CHECK(metrics["map"]["ate"]["rmse_m"].get<double>() <= 2.8);
+}

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs that go on from earlier ones, and maps in parts.
+#include "record/export.hpp"
+#include "record/graph_parts.hpp"
+#include "record/sample_run.hpp"
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::record;
+
+namespace {
+
+Eigen::Isometry3d at(double z) {
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.translation().z() = z;
+  return T;
+}
+
+/// Frames first ... end - 1 of one session.
+void record(Recorder& recorder, std::int64_t id, std::int64_t first, std::int64_t end) {
+  REQUIRE(recorder.session({id, first, "run" + std::to_string(id), "made up"}).isOk());
+  for (std::int64_t i = first; i < end; ++i) REQUIRE(test::recordFrame(recorder, i).isOk());
+}
+
+MapGraph chainOf(std::int64_t experiences) {
+  MapGraph graph;
+  for (std::int64_t i = 0; i < experiences; ++i) graph.experiences.push_back({i, i, -1, at(0)});
+  return graph;
+}
+
+void join(MapGraph& graph, std::int64_t from, std::int64_t to, double weight = 1) {
+  Link link;
+  link.id = static_cast<std::int64_t>(graph.links.size());
+  link.from = from;
+  link.to = to;
+  link.weight = weight;
+  graph.links.push_back(link);
+}
+
+}  // namespace
+
+TEST_CASE("a run inherits the frames of an earlier one, and its record needs the old no more") {
+  const test::TemporaryFolder old_folder;
+  const test::TemporaryFolder folder;
+  {
+    auto recorder = Recorder::open(old_folder.path()).value();
+    record(*recorder, 0, 0, 4);
+    REQUIRE(recorder->revisions({{3, at(5), Matrix6d::Zero()}}).isOk());
+    REQUIRE(recorder->close().isOk());
+  }
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(recorder->inherit(*RunReader::open(old_folder.path()).value()).isOk());
+  record(*recorder, 1, 4, 7);
+  REQUIRE(recorder->finalPoses({{1, at(9)}, {5, at(-2)}}).isOk());
+  REQUIRE(recorder->close().isOk());
+
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK(reader->nextFrame().value() == 7);
+  REQUIRE(reader->sessions().value().size() == 2);
+  CHECK(reader->sessions().value()[1].first_frame == 4);
+  const auto& odometry = reader->odometry().value();
+  REQUIRE(odometry.size() == 7);
+  CHECK(odometry[3].T_world_camera.translation().z() == 7);  // 1 m + 1 m + 5 m, revised
+  CHECK(odometry[4].T_world_camera.translation().z() == 0);  // each session from its own start
+  CHECK(odometry[6].T_world_camera.translation().z() == 2);
+  // The map's last word goes before what follows from experiences.
+  CHECK(reader->map().value()[1].T_world_camera.translation().z() == 9);
+  CHECK(reader->map().value()[5].T_world_camera.translation().z() == -2);
+
+  const test::TemporaryFolder out;
+  REQUIRE(exportRun(*reader, out.path()).isOk());
+  REQUIRE(exportRun(*reader, out.path(), 0).isOk());
+  CHECK(exportRun(*reader, out.path(), 2).status().message().find("has no session 2; the last is 1") !=
+        std::string::npos);
+}
+
+TEST_CASE("parts of a map hang together by links that are believed") {
+  MapGraph graph = chainOf(6);
+  join(graph, 0, 1);
+  join(graph, 3, 2);
+  join(graph, 4, 5);
+  join(graph, 5, 1, 0.01);  // given up
+  GraphParts parts = partsOf(graph);
+  CHECK(parts.count == 3);
+  CHECK(parts.of_experience == std::vector<std::int64_t>{0, 0, 1, 1, 2, 2});
+  join(graph, 5, 0);
+  parts = partsOf(graph);
+  CHECK(parts.count == 2);
+  CHECK(parts.of_experience == std::vector<std::int64_t>{0, 0, 1, 1, 0, 0});
+  CHECK(partsOf(MapGraph{}).count == 0);
+}
