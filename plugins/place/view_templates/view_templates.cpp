@@ -14,11 +14,11 @@ namespace tolman::view_templates {
 namespace {
 
 constexpr std::string_view kMagic = "TLMVIEWS";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr std::uint64_t kStateVersion = 2;
 
 ViewSettings viewSettings(const ViewTemplates::Parameters& p) {
-  return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,       p.crop_y_min,
-          p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std};
+  return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,        p.crop_y_min,
+          p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std, p.cells};
 }
 
 Status check(const ViewTemplates::Parameters& p) {
@@ -30,6 +30,11 @@ Status check(const ViewTemplates::Parameters& p) {
     return Status::invalidParameter(
         "a shift of " + std::to_string(p.shift) + " cells to both sides leaves none of " +
         std::to_string(p.columns) + " columns to compare; lower `shift`");
+  }
+  if (2 * p.vertical_shift >= p.rows) {
+    return Status::invalidParameter("a vertical shift of " + std::to_string(p.vertical_shift) +
+                                    " cells up and down leaves none of " + std::to_string(p.rows) +
+                                    " rows to compare; lower `vertical_shift`");
   }
   return Status::ok();
 }
@@ -49,9 +54,10 @@ Status ViewTemplates::configure(const Context& context) {
 Status ViewTemplates::reset() {
   const Parameters& p = parameters_;
   maker_ = std::make_unique<ViewMaker>(viewSettings(p));
-  matcher_ = std::make_unique<Matcher>(MatchSettings{p.shift, p.step, p.threshold, p.panoramic},
-                                       p.columns, p.rows);
-  bank_ = std::make_unique<TemplateBank>(p.columns, p.rows);
+  matcher_ = std::make_unique<Matcher>(
+      MatchSettings{p.shift, p.step, p.threshold, p.panoramic, p.vertical_shift, layersOf(p.cells)},
+      p.columns, p.rows);
+  bank_ = std::make_unique<TemplateBank>(p.columns, storedRows());
   view_ = View{};
   last_template_ = -1;
   return Status::ok();
@@ -83,11 +89,11 @@ double ViewTemplates::relativeYaw(const Match& match, int image_width) const {
   if (p.panoramic) return yawOfPanoramicShift(match.moved_right, p.columns);
   const double fov = p.field_of_view * std::numbers::pi / 180;
   const double focal = rig_.calibrated ? rig_.pinhole.fx : focalOfFieldOfView(fov, image_width);
-  return yawOfPinholeShift(match.moved_right * view_.block_width_px, focal);
+  return yawOfPinholeShift(match.moved_right * view_.cell_width_px, focal);
 }
 
 void ViewTemplates::arrays(std::vector<NamedArray>& arrays) const {
-  const std::vector<int> shape = {parameters_.rows, parameters_.columns};
+  const std::vector<int> shape = {storedRows(), parameters_.columns};
   std::vector<float> current(bank_->cellsPerTemplate());
   std::vector<float> stored(bank_->cellsPerTemplate());
   std::copy(view_.cells.begin(), view_.cells.end(), current.begin());
@@ -111,7 +117,8 @@ std::vector<double> ViewTemplates::recipe() const {
           p.crop_y_max,
           p.normalisation,
           static_cast<double>(p.patch_radius),
-          p.patch_minimum_std};
+          p.patch_minimum_std,
+          static_cast<double>(p.cells)};
 }
 
 Status ViewTemplates::save(std::ostream& stream) const {
@@ -133,7 +140,8 @@ Status ViewTemplates::load(std::istream& stream) {
   reader.getAll<double>(saved_recipe);
   if (saved_recipe != recipe()) {
     return Status::invalidInput(
-        "the saved templates were made with other parameters (columns, rows, crop, normalisation)");
+        "the saved templates were made with other parameters (columns, rows, cells, crop, "
+        "normalisation)");
   }
   const auto last = reader.get<std::int64_t>();
   const auto count = reader.get<std::uint64_t>();
