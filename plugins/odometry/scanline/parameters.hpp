@@ -8,16 +8,16 @@ namespace tolman::scanline {
 
 struct Parameters {
   double field_of_view = 81.6;
-  double turn_x_min = 0;
-  double turn_x_max = 1;
+  double turn_x_min = 0.3;
+  double turn_x_max = 0.7;
   double turn_y_min = 0.2;
-  double turn_y_max = 0.6;
+  double turn_y_max = 0.5;
   double largest_turn = 15;
   double speed_x_min = 0;
   double speed_x_max = 1;
   double speed_y_min = 0.5;
   double speed_y_max = 1;
-  double metres_per_difference = 50;
+  double metres_per_difference = 35;
   double still = 0.002;
   double largest_speed = 30;
   double weakest_contrast = 0.01;
