@@ -58,6 +58,10 @@ Status ViewTemplates::reset() {
       MatchSettings{p.shift, p.step, p.threshold, p.panoramic, p.vertical_shift, layersOf(p.cells)},
       p.columns, p.rows);
   bank_ = std::make_unique<TemplateBank>(p.columns, storedRows());
+  landmarks_.reset();
+  if (p.landmarks > 0) {
+    landmarks_ = std::make_unique<LandmarkMemory>(rig_, p.landmarks, p.landmarks_agreeing);
+  }
   view_ = View{};
   last_template_ = -1;
   return Status::ok();
@@ -70,18 +74,33 @@ Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
   if (frame.left.empty()) return Status::ok();
   if (Status status = maker_->make(frame.left, view_); !status.isOk()) return status;
 
-  const Match match = matcher_->nearest(view_, *bank_);
-  observation.score = match.distance;
-  if (match.id >= 0 && match.distance <= parameters_.threshold) {
-    observation.recognition = Recognition::Familiar;
-    observation.template_id = match.id;
-    observation.relative_yaw = relativeYaw(match, frame.left.width());
-  } else {
+  if (!recognise(frame, observation)) {
     observation.recognition = Recognition::Novel;
     observation.template_id = bank_->add(view_);
+    if (landmarks_) landmarks_->add(frame);
   }
   last_template_ = observation.template_id;
   return Status::ok();
+}
+
+/// False for a novel view.
+bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation) {
+  const Match match = matcher_->nearest(view_, *bank_);
+  observation.score = match.distance;
+  if (match.id < 0 || match.distance > parameters_.threshold) return false;
+  if (landmarks_ && landmarks_->knows(match.id)) {
+    const std::optional<MeasuredPose> measured = landmarks_->locate(frame, match.id);
+    if (!measured) return false;  // a look-alike
+    observation.has_relative_pose = true;
+    observation.T_template_current = measured->T_template_current;
+    observation.covariance = measured->covariance;
+  }
+  observation.recognition = Recognition::Familiar;
+  observation.template_id = match.id;
+  observation.relative_yaw = observation.has_relative_pose
+                                 ? toPlanar(observation.T_template_current).theta
+                                 : relativeYaw(match, frame.left.width());
+  return true;
 }
 
 double ViewTemplates::relativeYaw(const Match& match, int image_width) const {
@@ -118,7 +137,8 @@ std::vector<double> ViewTemplates::recipe() const {
           p.normalisation,
           static_cast<double>(p.patch_radius),
           p.patch_minimum_std,
-          static_cast<double>(p.cells)};
+          static_cast<double>(p.cells),
+          static_cast<double>(p.landmarks)};
 }
 
 Status ViewTemplates::save(std::ostream& stream) const {
@@ -128,6 +148,7 @@ Status ViewTemplates::save(std::ostream& stream) const {
   writer.put(bank_->size());
   writer.putAll(bank_->allMeans());
   writer.putAll(bank_->allCells());
+  if (landmarks_) landmarks_->save(writer);
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -146,14 +167,18 @@ Status ViewTemplates::load(std::istream& stream) {
   const auto last = reader.get<std::int64_t>();
   const auto count = reader.get<std::uint64_t>();
   const std::size_t bytes_each = sizeof(double) + bank_->cellsPerTemplate() * sizeof(FixedCell);
-  if (count != reader.remaining() / bytes_each || last >= static_cast<std::int64_t>(count)) {
+  if (count > reader.remaining() / bytes_each || last >= static_cast<std::int64_t>(count)) {
     return Status::invalidInput("the saved state is damaged: wrong number of templates");
   }
   std::vector<double> means(count);
   std::vector<FixedCell> cells(count * bank_->cellsPerTemplate());
   reader.getAll<double>(means);
   reader.getAll<FixedCell>(cells);
-  if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
+  const bool sound = !landmarks_ || (landmarks_->load(reader) && landmarks_->size() == count);
+  if (!sound || !reader.complete()) {
+    static_cast<void>(reset());
+    return Status::invalidInput("the saved state is damaged: wrong length");
+  }
   bank_->restore(std::move(cells), std::move(means));
   last_template_ = last;
   return Status::ok();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "landmark_memory.hpp"
 #include "matcher.hpp"
 #include "template_bank.hpp"
 #include "tolman/plugin.hpp"
@@ -33,6 +34,8 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
     double patch_minimum_std = 0;
     bool panoramic = false;
     double field_of_view = 81.6;
+    int landmarks = 0;
+    int landmarks_agreeing = 20;
 
     static constexpr auto declaration() {
       using P = Parameters;
@@ -81,8 +84,13 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
           parameter("field_of_view", &P::field_of_view)
               .range(1, 179)
               .unit("deg")
-              .doc(
-                  "Horizontal field of view of the whole image, for cameras without calibration."));
+              .doc("Horizontal field of view of the whole image, for cameras without calibration."),
+          parameter("landmarks", &P::landmarks)
+              .range(0, 5000)
+              .doc("Corners of a stereo pair by which a template checks and measures; 0: none."),
+          parameter("landmarks_agreeing", &P::landmarks_agreeing)
+              .range(6, 1000)
+              .doc("Fewest that must agree on a pose; a view without them is novel."));
     }
   };
 
@@ -99,6 +107,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
 
  private:
   int storedRows() const { return parameters_.rows * layersOf(parameters_.cells); }
+  bool recognise(const Frame& frame, PlaceObservation& observation);
   double relativeYaw(const Match& match, int image_width) const;
   std::vector<double> recipe() const;
 
@@ -107,6 +116,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   std::unique_ptr<ViewMaker> maker_;
   std::unique_ptr<Matcher> matcher_;
   std::unique_ptr<TemplateBank> bank_;
+  std::unique_ptr<LandmarkMemory> landmarks_;  ///< null without landmarks
   View view_;
   std::int64_t last_template_ = -1;
 };
