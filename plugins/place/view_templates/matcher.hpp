@@ -16,6 +16,8 @@ struct MatchSettings {
   int step = 1;              ///< between the shifts that are tried, cells
   double threshold = 0.085;  ///< largest mean absolute difference of a match
   bool panoramic = false;    ///< the view closes on itself: all cyclic shifts
+  int vertical_shift = 0;    ///< largest vertical shift, cells; all between are tried
+  int layers = 1;            ///< so many views of the same size lie one below the other
 };
 
 struct Match {
@@ -28,17 +30,19 @@ struct Match {
 
 class Matcher {
  public:
-  /// settings.shift must leave at least one column of `columns` to compare.
+  /// The shifts must leave at least one cell of a layer of columns x rows to compare.
   Matcher(const MatchSettings& settings, int columns, int rows);
 
   /// Ties go to the older template, then to the shift that was tried first.
   Match nearest(const View& view, const TemplateBank& bank);
 
  private:
-  /// One tried shift: the first compared column of view and of template.
+  /// One tried shift: the first compared column of view and of template, and how many rows lower
+  /// the template is read.
   struct Shift {
     int view_column;
     int template_column;
+    int down;
   };
 
   void setQuery(const View& view);
@@ -48,9 +52,11 @@ class Matcher {
 
   MatchSettings settings_;
   int columns_;
-  int rows_;
+  int rows_;  ///< of a layer
+  int first_row_;
+  int compared_rows_;
   int compared_columns_;
-  int shifts_;
+  int shifts_;  ///< horizontal ones
   int query_stride_;
   std::vector<FixedCell> query_;  ///< rows of the view; twice side by side for panoramas
 };

@@ -97,39 +97,54 @@ void normalisePatches(int columns, int radius, double minimum_std, const std::ve
   }
 }
 
-Result<ViewMaker::Blocks> ViewMaker::blocksOf(int image_width, int image_height) const {
+Result<Crop> ViewMaker::cropOf(int image_width, int image_height) const {
   const ViewSettings& s = settings_;
   const int x0 = pixelOf(s.crop_x_min, image_width);
   const int y0 = pixelOf(s.crop_y_min, image_height);
-  const int width = pixelOf(s.crop_x_max, image_width) - x0;
-  const int height = pixelOf(s.crop_y_max, image_height) - y0;
-  // The remainder on the right and below is ignored.
-  const Blocks blocks{x0, y0, width / s.columns, height / s.rows};
-  if (blocks.width >= 1 && blocks.height >= 1) return blocks;
+  const Crop crop{x0, y0, pixelOf(s.crop_x_max, image_width) - x0,
+                  pixelOf(s.crop_y_max, image_height) - y0};
+  const int finest = s.kind == CellKind::Gradients ? kSamplesPerCell : 1;
+  if (crop.width >= s.columns * finest && crop.height >= s.rows * finest) return crop;
   return Status::invalidParameter(
       "the crop of the " + sizeText(image_width, image_height) + " image has " +
-      sizeText(width, height) + " pixels, too few for a template of " +
-      sizeText(s.columns, s.rows) + " cells; make `columns` and `rows` smaller or the crop larger");
+      sizeText(crop.width, crop.height) + " pixels, too few for a template of " +
+      sizeText(s.columns, s.rows) + " cells" +
+      (finest > 1 ? " of " + sizeText(finest, finest) + " pixels" : "") +
+      "; make `columns` and `rows` smaller or the crop larger");
 }
 
 Status ViewMaker::checkSize(int image_width, int image_height) const {
-  return blocksOf(image_width, image_height).status();
+  return cropOf(image_width, image_height).status();
 }
 
 Status ViewMaker::make(const Image& image, View& view) {
   const ViewSettings& s = settings_;
-  const Result<Blocks> blocks = blocksOf(image.width(), image.height());
-  if (!blocks.isOk()) return blocks.status();
-  const auto& [x0, y0, width, height] = blocks.value();
-  averageBlocks(image, x0, y0, width, height, s.columns, s.rows, view.cells);
-  if (s.normalisation > 0) normaliseMean(s.normalisation, view.cells);
-  if (s.patch_radius > 0) {
-    before_patches_.swap(view.cells);
-    normalisePatches(s.columns, s.patch_radius, s.patch_minimum_std, before_patches_, view.cells);
+  const Result<Crop> crop = cropOf(image.width(), image.height());
+  if (!crop.isOk()) return crop.status();
+  if (s.kind == CellKind::Gradients) {
+    averageCrop(image, crop.value(), s.columns * kSamplesPerCell, s.rows * kSamplesPerCell,
+                scratch_);
+    gradientCells(scratch_, s.columns, s.rows, view.cells);
+    view.cell_width_px = static_cast<double>(crop.value().width) / s.columns;
+  } else {
+    makeGrey(image, crop.value(), view);
   }
   view.mean = meanOf(view.cells);
-  view.block_width_px = width;
   return Status::ok();
+}
+
+void ViewMaker::makeGrey(const Image& image, const Crop& crop, View& view) {
+  const ViewSettings& s = settings_;
+  // The remainder on the right and below is ignored.
+  const int width = crop.width / s.columns;
+  const int height = crop.height / s.rows;
+  averageBlocks(image, crop.x0, crop.y0, width, height, s.columns, s.rows, view.cells);
+  if (s.normalisation > 0) normaliseMean(s.normalisation, view.cells);
+  if (s.patch_radius > 0) {
+    scratch_.swap(view.cells);
+    normalisePatches(s.columns, s.patch_radius, s.patch_minimum_std, scratch_, view.cells);
+  }
+  view.cell_width_px = width;
 }
 
 }  // namespace tolman::view_templates

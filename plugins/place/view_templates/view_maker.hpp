@@ -1,19 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From an image to a view: crop, block average, normalisation (algorithms of OpenRatSLAM).
+// From an image to a view: crop, then block averages with normalisation (algorithms of
+// OpenRatSLAM), or directions of edges.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
+#include "gradient_cells.hpp"
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::view_templates {
 
-/// What the camera sees, as a few hundred numbers in [0, 1]; row-major.
+/// What the cells of a view hold.
+enum class CellKind : std::uint8_t {
+  Grey,       ///< mean grey of a block, as in OpenRatSLAM
+  Gradients,  ///< strength of edges, kDirections layers of rows x columns one below the other
+};
+inline constexpr std::array<std::string_view, 2> kCellKindNames = {"grey", "gradients"};
+constexpr std::span<const std::string_view> enumNames(CellKind) { return kCellKindNames; }
+constexpr int layersOf(CellKind kind) { return kind == CellKind::Gradients ? kDirections : 1; }
+
+/// What the camera sees, as hundreds of numbers in [0, 1]; row-major.
 struct View {
   std::vector<float> cells;
-  double mean = 0;         ///< of all cells
-  int block_width_px = 0;  ///< image columns that one cell averages
+  double mean = 0;           ///< of all cells
+  double cell_width_px = 0;  ///< image columns that one cell stands for
 };
 
 struct ViewSettings {
@@ -24,9 +39,10 @@ struct ViewSettings {
   double crop_x_max = 1;
   double crop_y_min = 0;
   double crop_y_max = 1;
-  double normalisation = 0;      ///< mean that each view is scaled to; 0: off
-  int patch_radius = 0;          ///< cells; 0: no patch normalisation
-  double patch_minimum_std = 0;  ///< flatter patches become 0.5
+  double normalisation = 0;        ///< mean that each view is scaled to; 0: off
+  int patch_radius = 0;            ///< cells; 0: no patch normalisation
+  double patch_minimum_std = 0;    ///< flatter patches become 0.5
+  CellKind kind = CellKind::Grey;  ///< the normalisations are for grey ones
 };
 
 class ViewMaker {
@@ -39,17 +55,11 @@ class ViewMaker {
   Status checkSize(int image_width, int image_height) const;
 
  private:
-  /// The crop's corner, and the size of the blocks that become cells, px.
-  struct Blocks {
-    int x0;
-    int y0;
-    int width;
-    int height;
-  };
-  Result<Blocks> blocksOf(int image_width, int image_height) const;
+  Result<Crop> cropOf(int image_width, int image_height) const;
+  void makeGrey(const Image& image, const Crop& crop, View& view);
 
   ViewSettings settings_;
-  std::vector<float> before_patches_;
+  std::vector<float> scratch_;
 };
 
 /// Mean grey / 255 of blocks of block_width x block_height pixels from (x0, y0) on; colour counts

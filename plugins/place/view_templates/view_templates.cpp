@@ -14,11 +14,11 @@ namespace tolman::view_templates {
 namespace {
 
 constexpr std::string_view kMagic = "TLMVIEWS";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr std::uint64_t kStateVersion = 2;
 
 ViewSettings viewSettings(const ViewTemplates::Parameters& p) {
-  return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,       p.crop_y_min,
-          p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std};
+  return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,        p.crop_y_min,
+          p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std, p.cells};
 }
 
 Status check(const ViewTemplates::Parameters& p) {
@@ -30,6 +30,11 @@ Status check(const ViewTemplates::Parameters& p) {
     return Status::invalidParameter(
         "a shift of " + std::to_string(p.shift) + " cells to both sides leaves none of " +
         std::to_string(p.columns) + " columns to compare; lower `shift`");
+  }
+  if (2 * p.vertical_shift >= p.rows) {
+    return Status::invalidParameter("a vertical shift of " + std::to_string(p.vertical_shift) +
+                                    " cells up and down leaves none of " + std::to_string(p.rows) +
+                                    " rows to compare; lower `vertical_shift`");
   }
   return Status::ok();
 }
@@ -49,9 +54,14 @@ Status ViewTemplates::configure(const Context& context) {
 Status ViewTemplates::reset() {
   const Parameters& p = parameters_;
   maker_ = std::make_unique<ViewMaker>(viewSettings(p));
-  matcher_ = std::make_unique<Matcher>(MatchSettings{p.shift, p.step, p.threshold, p.panoramic},
-                                       p.columns, p.rows);
-  bank_ = std::make_unique<TemplateBank>(p.columns, p.rows);
+  matcher_ = std::make_unique<Matcher>(
+      MatchSettings{p.shift, p.step, p.threshold, p.panoramic, p.vertical_shift, layersOf(p.cells)},
+      p.columns, p.rows);
+  bank_ = std::make_unique<TemplateBank>(p.columns, storedRows());
+  landmarks_.reset();
+  if (p.landmarks > 0) {
+    landmarks_ = std::make_unique<LandmarkMemory>(rig_, p.landmarks, p.landmarks_agreeing);
+  }
   view_ = View{};
   last_template_ = -1;
   return Status::ok();
@@ -64,18 +74,33 @@ Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
   if (frame.left.empty()) return Status::ok();
   if (Status status = maker_->make(frame.left, view_); !status.isOk()) return status;
 
-  const Match match = matcher_->nearest(view_, *bank_);
-  observation.score = match.distance;
-  if (match.id >= 0 && match.distance <= parameters_.threshold) {
-    observation.recognition = Recognition::Familiar;
-    observation.template_id = match.id;
-    observation.relative_yaw = relativeYaw(match, frame.left.width());
-  } else {
+  if (!recognise(frame, observation)) {
     observation.recognition = Recognition::Novel;
     observation.template_id = bank_->add(view_);
+    if (landmarks_) landmarks_->add(frame);
   }
   last_template_ = observation.template_id;
   return Status::ok();
+}
+
+/// False for a novel view.
+bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation) {
+  const Match match = matcher_->nearest(view_, *bank_);
+  observation.score = match.distance;
+  if (match.id < 0 || match.distance > parameters_.threshold) return false;
+  if (landmarks_ && landmarks_->knows(match.id)) {
+    const std::optional<MeasuredPose> measured = landmarks_->locate(frame, match.id);
+    if (!measured) return false;  // a look-alike
+    observation.has_relative_pose = true;
+    observation.T_template_current = measured->T_template_current;
+    observation.covariance = measured->covariance;
+  }
+  observation.recognition = Recognition::Familiar;
+  observation.template_id = match.id;
+  observation.relative_yaw = observation.has_relative_pose
+                                 ? toPlanar(observation.T_template_current).theta
+                                 : relativeYaw(match, frame.left.width());
+  return true;
 }
 
 double ViewTemplates::relativeYaw(const Match& match, int image_width) const {
@@ -83,11 +108,11 @@ double ViewTemplates::relativeYaw(const Match& match, int image_width) const {
   if (p.panoramic) return yawOfPanoramicShift(match.moved_right, p.columns);
   const double fov = p.field_of_view * std::numbers::pi / 180;
   const double focal = rig_.calibrated ? rig_.pinhole.fx : focalOfFieldOfView(fov, image_width);
-  return yawOfPinholeShift(match.moved_right * view_.block_width_px, focal);
+  return yawOfPinholeShift(match.moved_right * view_.cell_width_px, focal);
 }
 
 void ViewTemplates::arrays(std::vector<NamedArray>& arrays) const {
-  const std::vector<int> shape = {parameters_.rows, parameters_.columns};
+  const std::vector<int> shape = {storedRows(), parameters_.columns};
   std::vector<float> current(bank_->cellsPerTemplate());
   std::vector<float> stored(bank_->cellsPerTemplate());
   std::copy(view_.cells.begin(), view_.cells.end(), current.begin());
@@ -111,7 +136,9 @@ std::vector<double> ViewTemplates::recipe() const {
           p.crop_y_max,
           p.normalisation,
           static_cast<double>(p.patch_radius),
-          p.patch_minimum_std};
+          p.patch_minimum_std,
+          static_cast<double>(p.cells),
+          static_cast<double>(p.landmarks)};
 }
 
 Status ViewTemplates::save(std::ostream& stream) const {
@@ -121,6 +148,7 @@ Status ViewTemplates::save(std::ostream& stream) const {
   writer.put(bank_->size());
   writer.putAll(bank_->allMeans());
   writer.putAll(bank_->allCells());
+  if (landmarks_) landmarks_->save(writer);
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -133,19 +161,24 @@ Status ViewTemplates::load(std::istream& stream) {
   reader.getAll<double>(saved_recipe);
   if (saved_recipe != recipe()) {
     return Status::invalidInput(
-        "the saved templates were made with other parameters (columns, rows, crop, normalisation)");
+        "the saved templates were made with other parameters (columns, rows, cells, crop, "
+        "normalisation)");
   }
   const auto last = reader.get<std::int64_t>();
   const auto count = reader.get<std::uint64_t>();
   const std::size_t bytes_each = sizeof(double) + bank_->cellsPerTemplate() * sizeof(FixedCell);
-  if (count != reader.remaining() / bytes_each || last >= static_cast<std::int64_t>(count)) {
+  if (count > reader.remaining() / bytes_each || last >= static_cast<std::int64_t>(count)) {
     return Status::invalidInput("the saved state is damaged: wrong number of templates");
   }
   std::vector<double> means(count);
   std::vector<FixedCell> cells(count * bank_->cellsPerTemplate());
   reader.getAll<double>(means);
   reader.getAll<FixedCell>(cells);
-  if (!reader.complete()) return Status::invalidInput("the saved state is damaged: wrong length");
+  const bool sound = !landmarks_ || (landmarks_->load(reader) && landmarks_->size() == count);
+  if (!sound || !reader.complete()) {
+    static_cast<void>(reset());
+    return Status::invalidInput("the saved state is damaged: wrong length");
+  }
   bank_->restore(std::move(cells), std::move(means));
   last_template_ = last;
   return Status::ok();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "landmark_memory.hpp"
 #include "matcher.hpp"
 #include "template_bank.hpp"
 #include "tolman/plugin.hpp"
@@ -18,6 +19,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   struct Parameters {
     int columns = 60;
     int rows = 10;
+    CellKind cells = CellKind::Grey;
     // 100-1150 and 50-300 px of KITTI's 1241x376 images, as fractions: any image size works.
     double crop_x_min = 100.0 / 1241;
     double crop_x_max = 1150.0 / 1241;
@@ -26,17 +28,23 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
     double threshold = 0.085;
     int shift = 5;
     int step = 1;
+    int vertical_shift = 0;
     double normalisation = 0.4;
     int patch_radius = 0;
     double patch_minimum_std = 0;
     bool panoramic = false;
     double field_of_view = 81.6;
+    int landmarks = 0;
+    int landmarks_agreeing = 20;
 
     static constexpr auto declaration() {
       using P = Parameters;
       return parameters(
           parameter("columns", &P::columns).range(1, 512).unit("cells").doc("Template width."),
           parameter("rows", &P::rows).range(1, 512).unit("cells").doc("Template height."),
+          parameter("cells", &P::cells)
+              .doc("What a cell holds: grey, or gradients (how strongly edges run in 8 "
+                   "directions)."),
           parameter("crop_x_min", &P::crop_x_min)
               .range(0, 1)
               .doc("Left edge of the part of the image that is used, as a fraction of its width."),
@@ -57,6 +65,10 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
               .unit("cells")
               .doc("Largest horizontal shift that is tried to either side."),
           parameter("step", &P::step).range(1, 64).unit("cells").doc("Between tried shifts."),
+          parameter("vertical_shift", &P::vertical_shift)
+              .range(0, 255)
+              .unit("cells")
+              .doc("Largest vertical shift that is tried; for cameras that nod."),
           parameter("normalisation", &P::normalisation)
               .range(0, 1)
               .doc("Mean that every view is scaled to; 0 turns it off."),
@@ -72,8 +84,13 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
           parameter("field_of_view", &P::field_of_view)
               .range(1, 179)
               .unit("deg")
-              .doc(
-                  "Horizontal field of view of the whole image, for cameras without calibration."));
+              .doc("Horizontal field of view of the whole image, for cameras without calibration."),
+          parameter("landmarks", &P::landmarks)
+              .range(0, 5000)
+              .doc("Corners of a stereo pair by which a template checks and measures; 0: none."),
+          parameter("landmarks_agreeing", &P::landmarks_agreeing)
+              .range(6, 1000)
+              .doc("Fewest that must agree on a pose; a view without them is novel."));
     }
   };
 
@@ -81,13 +98,16 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   Status reset() override;
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
 
-  /// "view.current" and "view.template" (the one of the last answer), rows x columns in [0, 1].
+  /// "view.current" and "view.template" (the one of the last answer), rows x columns in [0, 1];
+  /// of gradients one such block for each direction, below each other.
   void arrays(std::vector<NamedArray>& arrays) const override;
 
   Status save(std::ostream& stream) const override;
   Status load(std::istream& stream) override;
 
  private:
+  int storedRows() const { return parameters_.rows * layersOf(parameters_.cells); }
+  bool recognise(const Frame& frame, PlaceObservation& observation);
   double relativeYaw(const Match& match, int image_width) const;
   std::vector<double> recipe() const;
 
@@ -96,6 +116,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   std::unique_ptr<ViewMaker> maker_;
   std::unique_ptr<Matcher> matcher_;
   std::unique_ptr<TemplateBank> bank_;
+  std::unique_ptr<LandmarkMemory> landmarks_;  ///< null without landmarks
   View view_;
   std::int64_t last_template_ = -1;
 };

@@ -135,3 +135,28 @@ TEST_CASE("an empty bank has no nearest template") {
   CHECK(match.id == -1);
   CHECK(match.distance == 1);
 }
+
+TEST_CASE("vertical shifts are tried in every layer, and never across layers") {
+  // Two layers of 3 rows: the later view is the earlier one, a row higher in both.
+  constexpr int kLayers = 2;
+  RandomStream random(15);
+  const View stored = randomView(random);
+  View now = stored;
+  for (int layer = 0; layer < kLayers; ++layer) {
+    const int top = layer * kRows / kLayers;
+    for (int r = 0; r + 1 < kRows / kLayers; ++r) {
+      const auto from = stored.cells.begin() + (top + r + 1) * kColumns;
+      std::copy(from, from + kColumns, now.cells.begin() + (top + r) * kColumns);
+    }
+  }
+  const TemplateBank bank = bankOf({randomView(random), stored});
+  const MatchSettings still = {2, 1, 0.9, false, 0, kLayers};
+  const MatchSettings nodding = {2, 1, 0.9, false, 1, kLayers};
+  const Match match = Matcher(nodding, kColumns, kRows / kLayers).nearest(now, bank);
+  CHECK(match.id == 1);
+  CHECK(match.distance == 0);
+  CHECK(match.moved_right == Approx(0).margin(0.2));
+  CHECK(Matcher(still, kColumns, kRows / kLayers).nearest(now, bank).distance > 0.1);
+  CHECK_THROWS_AS(Matcher({2, 1, 0.9, false, 2, kLayers}, kColumns, kRows / kLayers),
+                  std::invalid_argument);
+}

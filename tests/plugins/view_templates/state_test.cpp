@@ -81,5 +81,6 @@ TEST_CASE("templates of another recipe are refused") {
   REQUIRE(configure(saved, {}).isOk());
   REQUIRE(configure(other, {{"normalisation", 0.5}}).isOk());
   CHECK(loadText(other, stateAfter(saved, 2)).message() ==
-        "the saved templates were made with other parameters (columns, rows, crop, normalisation)");
+        "the saved templates were made with other parameters (columns, rows, cells, crop, "
+        "normalisation)");
 }

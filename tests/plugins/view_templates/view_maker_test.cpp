@@ -121,7 +121,7 @@ TEST_CASE("the default crop is KITTI's, to the pixel") {
   const Image image = noise(1241, 376, random);
   View view;
   REQUIRE(ViewMaker(settings).make(image, view).isOk());
-  CHECK(view.block_width_px == 17);  // (1150 - 100) / 60 = 17.5
+  CHECK(view.cell_width_px == 17);  // (1150 - 100) / 60 = 17.5
   CHECK(view.cells[0] == Approx(naiveBlock(image, 100, 50, 17, 25)).margin(1e-6));
   CHECK(view.cells[599] ==
         Approx(naiveBlock(image, 100 + 59 * 17, 50 + 9 * 25, 17, 25)).margin(1e-6));

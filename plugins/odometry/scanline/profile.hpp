@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A scanline: the mean brightness of each column of a part of an image, over the bearing.
+#pragma once
+
+#include <vector>
+
+#include "tolman/camera.hpp"
+#include "tolman/image.hpp"
+
+namespace tolman::scanline {
+
+/// Part of an image, as fractions of its width and height.
+struct Region {
+  double x_min = 0;
+  double x_max = 1;
+  double y_min = 0;
+  double y_max = 1;
+};
+
+/// Samples at equal steps of bearing, left to right, in [0, 1].
+using Profile = std::vector<float>;
+
+/// From image columns to samples at equal steps of bearing. There a turn of the camera shifts the
+/// whole profile by one amount; in the columns of a pinhole camera it shifts the edges further than
+/// the centre.
+class ProfileMaker {
+ public:
+  /// As many samples as the region has columns. A camera that is not calibrated is taken to see
+  /// `field_of_view` (rad) over its width, the same angle with each column.
+  ProfileMaker(const CameraRig& rig, const Region& region, double field_of_view);
+
+  /// The image must have the rig's size; colour counts as the mean of its channels.
+  Profile make(const Image& image) const;
+  double radiansPerSample() const { return radians_per_sample_; }
+  int samples() const { return static_cast<int>(columns_.size()); }
+
+ private:
+  int first_column_ = 0;
+  int column_count_ = 0;
+  int first_row_ = 0;
+  int row_count_ = 0;
+  double radians_per_sample_ = 0;
+  std::vector<double> columns_;  ///< of each sample, from first_column_ on
+};
+
+/// Standard deviation: a flat profile shows no motion.
+double contrastOf(const Profile& profile);
+
+}  // namespace tolman::scanline

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells that hold how strongly edges run in each of eight directions: what stays of a view when
+// light and contrast change (histograms of gradients; Dalal and Triggs 2005).
+#pragma once
+
+#include <vector>
+
+#include "tolman/image.hpp"
+
+namespace tolman::view_templates {
+
+/// Directions of an edge, over half a turn: light to dark counts as dark to light.
+inline constexpr int kDirections = 8;
+/// Samples along each side of a cell, from which its gradients come.
+inline constexpr int kSamplesPerCell = 8;
+
+/// Part of an image, px.
+struct Crop {
+  int x0 = 0;
+  int y0 = 0;
+  int width = 0;
+  int height = 0;
+};
+
+/// Mean grey in [0, 1] of `columns` x `rows` blocks that fill the crop; their sides are rounded to
+/// pixels, so they differ by one. Colour counts as the mean of its channels.
+void averageCrop(const Image& image, const Crop& crop, int columns, int rows,
+                 std::vector<float>& samples);
+
+/// From samples of (columns x rows) * kSamplesPerCell: one block of columns x rows cells for each
+/// direction, one after the other, in [0, 1]. Each cell is measured against the edges of its
+/// neighbourhood of 3x3 cells; where there are hardly any, it stays near 0.
+void gradientCells(const std::vector<float>& samples, int columns, int rows,
+                   std::vector<float>& cells);
+
+}  // namespace tolman::view_templates

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "landmark_memory.hpp"
+
+#include <opencv2/imgproc.hpp>
+
+#include "tolman/image_cv.hpp"
+
+namespace tolman::view_templates {
+namespace {
+
+cv::Mat grayOf(const Image& image) {
+  const cv::Mat mat = asMat(image);
+  if (image.format() == PixelFormat::Gray8) return mat;
+  cv::Mat gray;
+  cv::cvtColor(mat, gray, cv::COLOR_BGR2GRAY);
+  return gray;
+}
+
+}  // namespace
+
+const Corners& LandmarkMemory::cornersOf(const Frame& frame) {
+  if (seen_frame_ != frame.frame || frame.frame < 0) {
+    seen_ = findCorners(grayOf(frame.left), corners_);
+    seen_frame_ = frame.frame;
+  }
+  return seen_;
+}
+
+void LandmarkMemory::add(const Frame& frame) {
+  Landmarks landmarks;
+  if (!frame.right.empty() && rig_.isStereo() && rig_.calibrated) {
+    landmarks = findLandmarks(grayOf(frame.left), grayOf(frame.right), rig_, cornersOf(frame));
+  }
+  templates_.push_back(std::move(landmarks));
+}
+
+bool LandmarkMemory::knows(std::int64_t id) const {
+  return static_cast<int>(templates_[static_cast<std::size_t>(id)].points.size()) >= least_;
+}
+
+std::optional<MeasuredPose> LandmarkMemory::locate(const Frame& frame, std::int64_t id) {
+  const Landmarks& landmarks = templates_[static_cast<std::size_t>(id)];
+  return poseOf(findAgain(landmarks, cornersOf(frame)), rig_.pinhole, least_);
+}
+
+void LandmarkMemory::save(StateWriter& writer) const {
+  writer.put(static_cast<std::uint64_t>(templates_.size()));
+  for (const Landmarks& landmarks : templates_) {
+    writer.put(static_cast<std::uint64_t>(landmarks.points.size()));
+    for (std::size_t i = 0; i < landmarks.points.size(); ++i) {
+      const cv::Point3f& p = landmarks.points[i];
+      writer.putAll<float>(std::vector<float>{p.x, p.y, p.z});
+      writer.putAll(std::span<const std::uint8_t>(
+          landmarks.descriptions.ptr<std::uint8_t>(static_cast<int>(i)), kDescriptionBytes));
+    }
+  }
+}
+
+bool LandmarkMemory::load(StateReader& reader) {
+  constexpr std::size_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
+  templates_.clear();
+  seen_frame_ = -1;
+  const auto count = reader.get<std::uint64_t>();
+  if (count > reader.remaining() / sizeof(std::uint64_t)) return false;
+  for (std::uint64_t t = 0; t < count; ++t) {
+    const auto points = reader.get<std::uint64_t>();
+    if (points > reader.remaining() / kBytesEach) return false;
+    Landmarks landmarks;
+    landmarks.descriptions.create(static_cast<int>(points), kDescriptionBytes, CV_8U);
+    for (std::uint64_t i = 0; i < points; ++i) {
+      std::array<float, 3> p{};
+      reader.getAll<float>(p);
+      landmarks.points.emplace_back(p[0], p[1], p[2]);
+      reader.getAll(std::span<std::uint8_t>(
+          landmarks.descriptions.ptr<std::uint8_t>(static_cast<int>(i)), kDescriptionBytes));
+    }
+    templates_.push_back(std::move(landmarks));
+  }
+  return true;
+}
+
+}  // namespace tolman::view_templates

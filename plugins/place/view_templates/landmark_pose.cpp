@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "landmark_pose.hpp"
+
+#include <Eigen/Cholesky>
+#include <opencv2/calib3d.hpp>
+#include <opencv2/features2d.hpp>
+
+namespace tolman::view_templates {
+namespace {
+
+constexpr double kSigma = 1.0;   // px, of a corner found again
+constexpr double kInlier = 3.0;  // px
+using Jacobian = Eigen::Matrix<double, 2, 6>;
+
+cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
+
+/// Samples of three points; the numbers are drawn from a fixed seed inside OpenCV.
+std::optional<Eigen::Isometry3d> consensus(const std::vector<Sighting>& sightings,
+                                           const Pinhole& pinhole) {
+  std::vector<cv::Point3f> points;
+  std::vector<cv::Point2f> pixels;
+  for (const Sighting& sighting : sightings) {
+    points.push_back(sighting.point);
+    pixels.push_back(sighting.pixel);
+  }
+  cv::Vec3d rotation;
+  cv::Vec3d translation;
+  const bool found =
+      cv::solvePnPRansac(points, pixels, matrixOf(pinhole), cv::noArray(), rotation, translation,
+                         false, 200, kInlier, 0.999, cv::noArray(), cv::SOLVEPNP_AP3P);
+  if (!found) return std::nullopt;
+  Eigen::Isometry3d T_current_template = Eigen::Isometry3d::Identity();
+  T_current_template.linear() = expSo3({rotation[0], rotation[1], rotation[2]});
+  T_current_template.translation() << translation[0], translation[1], translation[2];
+  return T_current_template.inverse();
+}
+
+/// The normal equations of all sightings that a pose explains.
+struct Normal {
+  Matrix6d H = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  int inliers = 0;
+};
+
+Normal normalOf(const std::vector<Sighting>& sightings, const Pinhole& K,
+                const Eigen::Isometry3d& T_template_current) {
+  Normal normal;
+  const Eigen::Isometry3d T_current_template = T_template_current.inverse();
+  for (const Sighting& sighting : sightings) {
+    const Eigen::Vector3d p =
+        T_current_template * Eigen::Vector3d(sighting.point.x, sighting.point.y, sighting.point.z);
+    if (p.z() < 0.1) continue;
+    const Eigen::Vector2d error =
+        Eigen::Vector2d(sighting.pixel.x, sighting.pixel.y) - K.project(p);
+    if (error.norm() > kInlier) continue;
+    Eigen::Matrix<double, 2, 3> projection;
+    projection << K.fx / p.z(), 0, -K.fx * p.x() / (p.z() * p.z()), 0, K.fy / p.z(),
+        -K.fy * p.y() / (p.z() * p.z());
+    // p moves by -rho - theta x p when the current frame moves by (rho, theta).
+    Jacobian J;
+    J.leftCols<3>() = -projection;
+    J.rightCols<3>() = projection * skew(p);
+    normal.H += J.transpose() * J / (kSigma * kSigma);
+    normal.b += J.transpose() * error / (kSigma * kSigma);
+    ++normal.inliers;
+  }
+  return normal;
+}
+
+}  // namespace
+
+std::vector<Sighting> findAgain(const Landmarks& landmarks, const Corners& corners) {
+  std::vector<Sighting> sightings;
+  if (landmarks.points.empty() || corners.pixels.size() < 2) return sightings;
+  constexpr float kFarthest = 64;  // of 256 bits
+  constexpr float kRival = 0.8F;
+  std::vector<std::vector<cv::DMatch>> nearest;
+  cv::BFMatcher(cv::NORM_HAMMING)
+      .knnMatch(landmarks.descriptions, corners.descriptions, nearest, 2);
+  for (const std::vector<cv::DMatch>& two : nearest) {
+    if (two[0].distance > kFarthest || two[0].distance > kRival * two[1].distance) continue;
+    sightings.push_back({landmarks.points[static_cast<std::size_t>(two[0].queryIdx)],
+                         corners.pixels[static_cast<std::size_t>(two[0].trainIdx)]});
+  }
+  return sightings;
+}
+
+std::optional<MeasuredPose> poseOf(const std::vector<Sighting>& sightings, const Pinhole& pinhole,
+                                   int least) {
+  if (static_cast<int>(sightings.size()) < least) return std::nullopt;
+  const std::optional<Eigen::Isometry3d> start = consensus(sightings, pinhole);
+  if (!start) return std::nullopt;
+  MeasuredPose measured;
+  measured.T_template_current = *start;
+  Normal normal = normalOf(sightings, pinhole, *start);
+  constexpr int kSteps = 5;
+  for (int step = 0; step < kSteps && normal.inliers >= least; ++step) {
+    measured.T_template_current =
+        normalised(measured.T_template_current * expSe3(Vector6d(normal.H.ldlt().solve(normal.b))));
+    normal = normalOf(sightings, pinhole, measured.T_template_current);
+  }
+  if (normal.inliers < least) return std::nullopt;
+  measured.inliers = normal.inliers;
+  measured.covariance = normal.H.ldlt().solve(Matrix6d::Identity());
+  measured.covariance = 0.5 * (measured.covariance + measured.covariance.transpose().eval());
+  const bool usable =
+      measured.covariance.allFinite() && measured.covariance.diagonal().minCoeff() > 0;
+  return usable ? std::optional(measured) : std::nullopt;
+}
+
+}  // namespace tolman::view_templates
