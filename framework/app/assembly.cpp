@@ -34,12 +34,17 @@ constexpr std::array<std::string_view, 4> kChain = {"odometry", "place", "cells"
 void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
   if (scope == Scope::All) return;
   loaded.tree.erase("observers");
-  if (scope != Scope::Source) return;
-  for (const std::string_view stage : kChain) loaded.tree.erase(stage);
-  if (loaded.complete && loaded.tree.find("source") == nullptr) {
-    problems.push_back({loaded.tree.origin, "source",
-                        "the stage is missing; add 'source: {plugin: ...}' ('tolman plugins list' "
-                        "shows what there is)"});
+  if (scope == Scope::WithoutObservers) return;
+  std::vector<std::string_view> needed = {"source"};
+  if (scope == Scope::SourceAndOdometry) needed.emplace_back("odometry");
+  for (const std::string_view stage : kChain) {
+    if (stage != needed.back()) loaded.tree.erase(stage);
+  }
+  for (const std::string_view stage : needed) {
+    if (!loaded.complete || loaded.tree.find(stage) != nullptr) continue;
+    problems.push_back({loaded.tree.origin, std::string(stage),
+                        "the stage is missing; add '" + std::string(stage) +
+                            ": {plugin: ...}' ('tolman plugins list' shows what there is)"});
   }
   loaded.complete = false;  // of the other stages nothing is to be said
 }

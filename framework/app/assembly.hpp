@@ -43,7 +43,7 @@ struct CheckedSystem {
 };
 
 /// Which stages of a configuration a command is about; the others are neither checked nor loaded.
-enum class Scope : std::uint8_t { All, WithoutObservers, Source };
+enum class Scope : std::uint8_t { All, WithoutObservers, SourceAndOdometry, Source };
 
 /// All problems at once: those of files, values and plugins.
 std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options,

@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <fstream>
 #include <iostream>
 #include <optional>
-#include <string_view>
 
 #include "app/progress_line.hpp"
+#include "conformance/process_state.hpp"
 #include "pipeline/run.hpp"
 #include "plugins/scratch_folder.hpp"
 
@@ -20,18 +19,6 @@ namespace tolman::app {
 namespace {
 
 constexpr double kSecondsPerNs = 1e-9;
-
-/// Linux keeps the peak of resident memory and can be asked to start afresh.
-void resetPeakMemory() { std::ofstream("/proc/self/clear_refs") << "5"; }
-
-double peakMemoryMib() {
-  constexpr std::string_view kKey = "VmHWM:";
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(kKey)) return std::stod(line.substr(kKey.size())) / 1024;  // kB
-  }
-  return 0;
-}
 
 /// Collects what the recorder would have written as timing, and asks for the end after `frames`.
 /// Frames that are then still in flight are finished and not counted.
@@ -65,7 +52,7 @@ class Stopwatch : public pipeline::Listener, public Cancellation {
 
   BenchPass pass() const {
     BenchPass pass = pass_;
-    pass.peak_mib = peakMemoryMib();
+    pass.peak_mib = conformance::peakResidentMib();
     for (std::size_t role = 0; role < durations_ns_.size(); ++role) {
       if (durations_ns_.at(role).empty()) continue;
       pass.stages[std::string(kRoleNames.at(role))] =
@@ -108,7 +95,7 @@ class Runner {
 
   MaybeFailure pass(Scope scope, std::vector<BenchPass>& passes) {
     if (cancellation_.requested()) return std::nullopt;
-    resetPeakMemory();
+    conformance::resetPeakResident();
     auto checked = checkSystem(system_, scope);
     if (auto* failure = std::get_if<Failure>(&checked)) return *failure;
     auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_,
@@ -158,7 +145,7 @@ class Runner {
       ++pass.frames;
       progress.step();
     }
-    pass.peak_mib = peakMemoryMib();
+    pass.peak_mib = conformance::peakResidentMib();
     pass.stages["source"] = evaluation::stageTiming(durations_ns);
     return pass;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "pipeline/undisturbed.hpp"
 #include "plugins/prediction.hpp"
 
 namespace tolman::pipeline {
@@ -70,7 +71,8 @@ void Chain::admit(Packet& packet) {
 void Chain::odometry(Packet& packet) {
   if (failed()) return;
   const StageTimer timer(packet.times, Role::Odometry);
-  packet.odometry_status = stages_.odometry.track(packet.frame, packet.motion);
+  packet.odometry_status =
+      undisturbed([&] { return stages_.odometry.track(packet.frame, packet.motion); });
 }
 
 void Chain::place(Packet& packet) {
@@ -81,7 +83,8 @@ void Chain::place(Packet& packet) {
   if (packet.leave_out_place) return;
   const StageTimer timer(packet.times, Role::Place);
   const Motion* motion = place_needs_motion_ ? &packet.motion : nullptr;
-  packet.place_status = stages_.place.observe(packet.frame, motion, packet.place);
+  packet.place_status =
+      undisturbed([&] { return stages_.place.observe(packet.frame, motion, packet.place); });
 }
 
 bool Chain::takeOdometry(Packet& packet) {

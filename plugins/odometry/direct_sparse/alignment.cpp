@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eight.hpp"
+
 namespace tolman::direct_sparse {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr std::size_t kLanes = ReferenceLevel::kGroup;
 constexpr std::size_t kGroupsPerChunk = 128;  // fixed, for the same sums with any thread count
 constexpr float kCutoff = 20;                 // grey levels
 constexpr std::array<int, Pyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
-
-using Lanes = std::array<float, kLanes>;
 
 /// T_current_reference and the camera of one level, in float.
 struct LevelView {
@@ -72,81 +72,110 @@ LevelView levelView(const CameraRig& rig, int l, const AlignmentState& state) {
   return view;
 }
 
-/// Pixels of eight samples, and their grey levels; weight 0 where out of view.
-void lookUp(const LevelView& view, const ReferenceLevel& level, const GrayLevel& image,
-            std::size_t first, Lanes& grey, Lanes& weight) {
-  alignas(32) Lanes u;
-  alignas(32) Lanes v;
-  alignas(32) Lanes z;
-  const float* x = level.x.data() + first;
-  const float* y = level.y.data() + first;
-  const float* d = level.d.data() + first;
+/// Eight samples in the image.
+struct Seen {
+  Eight grey;
+  Eight weight;  ///< 0 where out of view; such samples look at the pixel (1, 1)
+};
+
+/// Bilinear grey levels at u, v; two neighbours are read at once.
+TOLMAN_INLINE Eight lookUp(const GrayLevel& image, Eight u, Eight v) {
+  const EightInts column = truncated(u);
+  const EightInts row = truncated(v);
+  const EightInts pixel = row * image.width + column;
+  EightInts above;
+  EightInts below;
   for (std::size_t k = 0; k < kLanes; ++k) {
-    z[k] = view.R[6] * x[k] + view.R[7] * y[k] + view.R[8] + view.t[2] * d[k];
-    const float inverse = 1.0F / z[k];
-    const float px = view.R[0] * x[k] + view.R[1] * y[k] + view.R[2] + view.t[0] * d[k];
-    const float py = view.R[3] * x[k] + view.R[4] * y[k] + view.R[5] + view.t[1] * d[k];
-    u[k] = view.fx * px * inverse + view.cx;
-    v[k] = view.fy * py * inverse + view.cy;
+    const std::uint8_t* p = image.pixels.data() + pixel[k];
+    above[k] = p[0] | p[1] << 8;
+    below[k] = p[image.width] | p[image.width + 1] << 8;
   }
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    const bool seen = z[k] > 1e-3F && image.contains(u[k], v[k], 1.0F);
-    weight[k] = seen ? level.weight[first + k] : 0.0F;
-    grey[k] = seen ? image.at(u[k], v[k]) : 0.0F;
+  const Eight fx = u - toFloat(column);
+  const Eight fy = v - toFloat(row);
+  const Eight p0 = toFloat(above & 255);
+  const Eight q0 = toFloat(below & 255);
+  const Eight top = p0 + fx * (toFloat(above >> 8) - p0);
+  const Eight bottom = q0 + fx * (toFloat(below >> 8) - q0);
+  return top + fy * (bottom - top);
+}
+
+TOLMAN_INLINE Seen see(const LevelView& view, const ReferenceLevel& level, const GrayLevel& image,
+                       std::size_t first) {
+  const Eight x = loadEight(level.x.data() + first);
+  const Eight y = loadEight(level.y.data() + first);
+  const Eight d = loadEight(level.d.data() + first);
+  const Eight z = view.R[6] * x + view.R[7] * y + view.R[8] + view.t[2] * d;
+  const Eight inverse = 1.0F / z;
+  const Eight px = view.R[0] * x + view.R[1] * y + view.R[2] + view.t[0] * d;
+  const Eight py = view.R[3] * x + view.R[4] * y + view.R[5] + view.t[1] * d;
+  const Eight u = view.fx * px * inverse + view.cx;
+  const Eight v = view.fy * py * inverse + view.cy;
+  const float right = static_cast<float>(image.width) - 2.0F;
+  const float bottom = static_cast<float>(image.height) - 2.0F;
+  const EightInts seen = (z > 1e-3F) & (u >= 1.0F) & (v >= 1.0F) & (u < right) & (v < bottom);
+  const Eight one = Eight{} + 1.0F;
+  const Eight weight = loadEight(level.weight.data() + first);
+  return {lookUp(image, seen ? u : one, seen ? v : one), seen ? weight : Eight{}};
+}
+
+/// Running sums of each lane.
+using LaneSums = std::array<Eight, Aligner::kSums>;
+
+/// Adds eight samples.
+TOLMAN_INLINE void addSamples(const LevelView& view, const ReferenceLevel& level, std::size_t first,
+                              const Seen& sample, float cutoff, bool with_H, LaneSums& sums) {
+  constexpr std::size_t n = Aligner::kSums - 4;
+  const Eight zero{};
+  const Eight one = zero + 1.0F;
+  const Eight scene = view.gain * loadEight(level.value.data() + first);
+  const Eight r = sample.grey - scene - view.offset;
+  const Eight size = absolute(r);
+  const Eight in = size < cutoff ? one : zero;
+  const Eight capped = size < cutoff ? size : zero + cutoff;
+  const Eight huber = size <= kHuber ? one : kHuber / size;
+  const Eight capped_huber = capped <= kHuber ? one : kHuber / capped;
+  const Eight seen = sample.weight > 0.0F ? one : zero;
+  sums[n] += sample.weight * capped_huber * (2.0F - capped_huber) * capped * capped;
+  sums[n + 1] += seen * capped * capped;
+  sums[n + 2] += seen * in;
+  sums[n + 3] += seen;
+  const Eight w = in * sample.weight * huber;
+  std::array<Eight, Aligner::kColumns> column;
+  for (std::size_t i = 0; i < 6; ++i) {
+    column[i] = -view.gain * loadEight(level.by_twist[i].data() + first);
+  }
+  column[6] = -scene;
+  column[7] = -one;
+  column[8] = r;
+  std::size_t s = 0;
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    const Eight wi = w * column[i];
+    const std::size_t skipped = with_H ? 0 : column.size() - 1 - i;
+    s += skipped;
+    for (std::size_t j = i + skipped; j < column.size(); ++j, ++s) sums[s] += wi * column[j];
   }
 }
 
 }  // namespace
 
-void Aligner::sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
-                       int l, const AlignmentState& state, float cutoff, Sought sought,
-                       std::size_t begin, std::size_t end, Sums& sums) {
+TOLMAN_WIDE_LANES void Aligner::sumChunk(const CameraRig& rig, const ReferenceLevel& level,
+                                         const GrayLevel& image, int l, const AlignmentState& state,
+                                         float cutoff, Sought sought, std::size_t begin,
+                                         std::size_t end, Sums& sums) {
   const LevelView view = levelView(rig, l, state);
-  alignas(32) std::array<Lanes, kSums> lanes{};
-  alignas(32) std::array<Lanes, kColumns> column;
-  alignas(32) Lanes grey;
-  alignas(32) Lanes weight;
-  alignas(32) Lanes w;
+  LaneSums lanes{};
   for (std::size_t group = begin; group < end; ++group) {
     const std::size_t first = group * kLanes;
-    lookUp(view, level, image, first, grey, weight);
-    constexpr std::size_t n = kSums - 4;
-    for (std::size_t k = 0; k < kLanes; ++k) {
-      const float scene = view.gain * level.value[first + k];
-      const float r = grey[k] - scene - view.offset;
-      const float size = std::fabs(r);
-      const float huber = size <= kHuber ? 1.0F : kHuber / size;
-      const float in = size < cutoff ? 1.0F : 0.0F;
-      const float capped = size < cutoff ? size : cutoff;
-      const float capped_huber = capped <= kHuber ? 1.0F : kHuber / capped;
-      w[k] = in * weight[k] * huber;
-      column[6][k] = -scene;
-      column[7][k] = -1.0F;
-      column[8][k] = r;
-      const float seen = weight[k] > 0 ? 1.0F : 0.0F;
-      lanes[n][k] += weight[k] * capped_huber * (2.0F - capped_huber) * capped * capped;
-      lanes[n + 1][k] += seen * capped * capped;
-      lanes[n + 2][k] += seen * in;
-      lanes[n + 3][k] += seen;
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-      const float* J = level.by_twist[i].data() + first;
-      for (std::size_t k = 0; k < kLanes; ++k) column[i][k] = -view.gain * J[k];
-    }
-    std::size_t s = 0;
-    for (std::size_t i = 0; i < kColumns; ++i) {
-      alignas(32) Lanes wi;
-      for (std::size_t k = 0; k < kLanes; ++k) wi[k] = w[k] * column[i][k];
-      const std::size_t skipped = sought == Sought::Gradient ? kColumns - 1 - i : 0;
-      s += skipped;
-      for (std::size_t j = i + skipped; j < kColumns; ++j, ++s) {
-        for (std::size_t k = 0; k < kLanes; ++k) lanes[s][k] += wi[k] * column[j][k];
-      }
+    const Seen sample = see(view, level, image, first);
+    if (sought == Sought::GradientAndH) {
+      addSamples(view, level, first, sample, cutoff, true, lanes);
+    } else {
+      addSamples(view, level, first, sample, cutoff, false, lanes);
     }
   }
   for (std::size_t i = 0; i < kSums; ++i) {
     sums[i] = 0;
-    for (const float value : lanes[i]) sums[i] += value;
+    for (std::size_t k = 0; k < kLanes; ++k) sums[i] += lanes[i][k];
   }
 }
 

@@ -31,6 +31,10 @@ struct AlignmentResult {
 
 class Aligner {
  public:
+  /// Sums of samples: upper triangle of [J a b r]' W [J a b r], energy, squares, inliers, in view.
+  static constexpr std::size_t kColumns = 9;
+  static constexpr std::size_t kSums = kColumns * (kColumns + 1) / 2 + 4;
+
   /// Levels from `coarsest` down to `finest`, starting at `guess`.
   AlignmentResult align(const CameraRig& rig, const AlignmentReference& reference,
                         const Pyramid& image, const AlignmentState& guess, int coarsest,
@@ -52,9 +56,6 @@ class Aligner {
   void alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
                   AlignmentState& state, Normal& normal);
 
-  /// Sums of a chunk: upper triangle of [J a b r]' W [J a b r], energy, squares, inliers, in view.
-  static constexpr std::size_t kColumns = 9;
-  static constexpr std::size_t kSums = kColumns * (kColumns + 1) / 2 + 4;
   using Sums = std::array<float, kSums>;
   static void sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
                        int l, const AlignmentState& state, float cutoff, Sought sought,

@@ -23,17 +23,18 @@ constexpr std::array<Offset, 5> kCoarse = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0
 
 }  // namespace
 
-void ReferenceLevel::clear() {
-  for (auto* array : {&x, &y, &d, &value, &weight}) array->clear();
-  for (auto& array : by_twist) array.clear();
+void ReferenceLevel::makeRoom(std::size_t most) {
+  const std::size_t size = (most + kGroup - 1) / kGroup * kGroup;
+  for (auto* array : {&x, &y, &d, &value, &weight}) array->resize(std::max(size, array->size()));
+  for (auto& array : by_twist) array.resize(std::max(size, array.size()));
   count = 0;
 }
 
 void ReferenceLevel::pad() {
-  count = x.size();
-  const std::size_t size = (count + kGroup - 1) / kGroup * kGroup;
-  for (auto* array : {&x, &y, &d, &value, &weight}) array->resize(size, 0);
-  for (auto& array : by_twist) array.resize(size, 0);
+  for (std::size_t i = count; i < groups() * kGroup; ++i) {
+    x[i] = y[i] = d[i] = value[i] = weight[i] = 0;
+    for (auto& array : by_twist) array[i] = 0;
+  }
 }
 
 void AlignmentReference::project(const CameraRig& rig, const Window& window) {
@@ -61,7 +62,8 @@ void AlignmentReference::project(const CameraRig& rig, const Window& window) {
 
 void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& image, int l) {
   ReferenceLevel& level = samples_[static_cast<std::size_t>(l)];
-  level.clear();
+  const auto& offsets = l < 2 ? kFine : kCoarse;
+  level.makeRoom(projected_.size() * offsets.size());
   std::vector<unsigned char>& taken = taken_[static_cast<std::size_t>(l)];
   taken.assign(image.pixels.size(), 0);
   const float scale = 1.0F / static_cast<float>(1 << l);
@@ -69,7 +71,6 @@ void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& imag
   const float fy = static_cast<float>(rig.pinhole.fy) * scale;
   const float cx = toLevel(static_cast<float>(rig.pinhole.cx), l);
   const float cy = toLevel(static_cast<float>(rig.pinhole.cy), l);
-  const auto& offsets = l < 2 ? kFine : kCoarse;
   for (const Projected& point : projected_) {
     for (const Offset& offset : offsets) {
       const float u = toLevel(point.u, l) + offset.u;
@@ -86,14 +87,15 @@ void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& imag
       const float gu = fx * gx;
       const float gv = fy * gy;
       const float along = x * gu + y * gv;
-      level.x.push_back(x);
-      level.y.push_back(y);
-      level.d.push_back(point.d);
-      level.value.push_back(image.at(u, v));
-      level.weight.push_back(gradientWeight(gx * gx + gy * gy));
+      const std::size_t i = level.count++;
+      level.x[i] = x;
+      level.y[i] = y;
+      level.d[i] = point.d;
+      level.value[i] = image.at(u, v);
+      level.weight[i] = gradientWeight(gx * gx + gy * gy);
       const std::array<float, 6> J = {gu * point.d,    gv * point.d,   -along * point.d,
                                       -gv - y * along, gu + x * along, x * gv - y * gu};
-      for (std::size_t i = 0; i < 6; ++i) level.by_twist[i].push_back(J[i]);
+      for (std::size_t k = 0; k < J.size(); ++k) level.by_twist[k][i] = J[k];
     }
   }
   level.pad();

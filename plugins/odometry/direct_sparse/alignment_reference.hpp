@@ -22,8 +22,9 @@ struct ReferenceLevel {
   std::array<std::vector<float>, 6> by_twist;  ///< of the value, when the scene point is moved
   std::size_t count = 0;                       ///< without padding
 
-  std::size_t groups() const { return x.size() / kGroup; }
-  void clear();
+  std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
+  /// Empty, with memory for so many samples.
+  void makeRoom(std::size_t most);
   void pad();
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "photometric_residual.hpp"
 #include "window.hpp"
@@ -35,8 +36,8 @@ class ChunkSystem {
                    const CentreJacobian& J, PointTerms& terms);
   /// `sums` of stereoSums, `coupling` is the paper's lambda.
   void addStereo(const PixelSums& sums, float focal_baseline, float lambda, PointTerms& terms);
-  /// After the point's residuals: its Schur complement.
-  void eliminate(PointTerms& terms);
+  /// After the points' residuals: their Schur complement.
+  void eliminate(std::span<PointTerms> points);
 
   /// Sum over points: relative variables (rows 0 to 7: twist, a, b; column 8: gradient).
   using RelativeBlock = std::array<std::array<float, 12>, 8>;
@@ -54,6 +55,9 @@ class ChunkSystem {
   std::array<int, 128> histogram{};  ///< of square roots of pattern energies, outliers too
 
  private:
+  using FourPoints = std::array<const PointTerms*, 4>;  // each sum is loaded once for four points
+  void eliminateFour(const FourPoints& points);
+
   int host_ = 0;
   std::uint32_t targets_ = 0;
   alignas(32) std::array<RelativeBlock, kSlots> relative_;

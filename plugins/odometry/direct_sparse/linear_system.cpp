@@ -13,6 +13,7 @@ namespace tolman::direct_sparse {
 namespace {
 
 constexpr int kChunk = 128;  // points; fixed, for the same sums with any number of threads
+constexpr std::size_t kAhead = 3;  // points whose pixels are on their way while one is evaluated
 
 std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
 
@@ -104,7 +105,7 @@ void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& set
     if (target != chunk.range.host) addTarget(rig, window, chunk, target, system, terms);
   }
   if (settings.lambda > 0) addRight(settings, window, chunk, system, terms);
-  for (PointTerms& point : terms) system.eliminate(point);
+  system.eliminate(terms);
 }
 
 void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& chunk, int target,
@@ -112,9 +113,11 @@ void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& 
   const int host = chunk.range.host;
   const PairGeometry& pair = pairs_[index(host * kSlots + target)];
   const GradientImage& image = window.keyframe(target).gradients;
+  Point* points = window.keyframe(host).points.data() + chunk.range.begin;
   PixelSums sums;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    Point& point = window.keyframe(host).points[index(chunk.range.begin) + k];
+    if (k + kAhead < terms.size()) prefetchTemporal(pair, image, points[k + kAhead]);
+    Point& point = points[k];
     ResidualState& state = point.temporal[index(target)];
     if (state == ResidualState::Absent) continue;
     if (!temporalSums(pair, image, point, sums)) {

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "wide_lanes.hpp"
+
 namespace tolman::direct_sparse {
 namespace {
 
@@ -17,7 +19,7 @@ struct Half {
 };
 
 /// Pixels of the pattern in the target; false when one is not usable.
-bool projectPattern(const PairGeometry& pair, const GradientImage& target, const Point& point,
+TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage& target, const Point& point,
                     std::array<Half, 2>& halves) {
   static constexpr std::array<Four, 2> kU = {Four{0, -1, 1, -2}, Four{0, 2, -1, 0}};
   static constexpr std::array<Four, 2> kV = {Four{-2, -1, -1, 0}, Four{0, 0, 1, 2}};
@@ -45,7 +47,7 @@ struct HalfSums {
   Four xx, xy, yy, xa, ya, x1, y1, aa, a1, w, xr, yr, ar, r1, energy;
 };
 
-HalfSums addUp(const PairGeometry& pair, const Pattern& pattern, std::size_t h, Four value, Four gx,
+TOLMAN_INLINE HalfSums addUp(const PairGeometry& pair, const Pattern& pattern, std::size_t h, Four value, Four gx,
                Four gy) {
   const Four omega = loadFour(pattern.weight.data() + 4 * h);
   const Four scene = pair.gain * (loadFour(pattern.value.data() + 4 * h) - pair.host_b);
@@ -61,7 +63,7 @@ HalfSums addUp(const PairGeometry& pair, const Pattern& pattern, std::size_t h, 
           wx * r,  wy * r,  wa * r,      w * r,       w * (2.0F - huber) * r * r};
 }
 
-PixelSums combined(const HalfSums& a, const HalfSums& b) {
+TOLMAN_INLINE PixelSums combined(const HalfSums& a, const HalfSums& b) {
   const Four s0 = sums(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, a.xa + b.xa);
   const Four s1 = sums(a.ya + b.ya, a.x1 + b.x1, a.y1 + b.y1, a.aa + b.aa);
   const Four s2 = sums(a.a1 + b.a1, a.w + b.w, a.xr + b.xr, a.yr + b.yr);
@@ -76,7 +78,7 @@ struct RowSamples {
   Four value;
   Four slope;
 };
-RowSamples rowSamples(Four a, Four b, Four c, Four d, float f) {
+TOLMAN_INLINE RowSamples rowSamples(Four a, Four b, Four c, Four d, float f) {
   const Four left = 0.5F * (c - a);
   const Four right = 0.5F * (d - b);
   const Four k3 = left + right - 2.0F * (c - b);
@@ -119,7 +121,7 @@ PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Key
   return pair;
 }
 
-bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
+TOLMAN_WIDE_LANES bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
                   PixelSums& sums) {
   std::array<Half, 2> halves;
   if (!projectPattern(pair, target, point, halves)) return false;
@@ -138,6 +140,23 @@ bool temporalSums(const PairGeometry& pair, const GradientImage& target, const P
   }
   sums = combined(parts[0], parts[1]);
   return true;
+}
+
+void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point) {
+  const auto& m = pair.warp;
+  const float d = point.inverse_depth;
+  const float z = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
+  const float u = (m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d) / z;
+  const float v = (m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d) / z;
+  constexpr float kReach = kPatternRadius + 1;
+  if (!(z > kSmallestDepth) || !target.contains(u, v, kReach)) return;
+  const int x = static_cast<int>(u);
+  const int y = static_cast<int>(v);
+  for (int row = y - kPatternRadius; row <= y + kPatternRadius + 1; ++row) {
+    // A row of the pattern has less bytes than a cache line, but may lie across two.
+    __builtin_prefetch(target.pixel(x - kPatternRadius, row));
+    __builtin_prefetch(target.pixel(x + kPatternRadius + 1, row));
+  }
 }
 
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
@@ -159,7 +178,7 @@ CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, f
   return J;
 }
 
-bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
+TOLMAN_WIDE_LANES bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
                 PixelSums& sums) {
   const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
   constexpr float kMargin = kPatternRadius + 1;

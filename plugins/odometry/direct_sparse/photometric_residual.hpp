@@ -28,7 +28,7 @@ struct PairGeometry {
   Eigen::Matrix3f R0 = Eigen::Matrix3f::Identity();
   Eigen::Vector3f t0 = Eigen::Vector3f::Zero();
   /// Relative variables by those of the host; by those of the target it is the identity.
-  Matrix8f relative_by_host = Matrix8f::Zero();
+  Eigen::Matrix<float, 8, 8, Eigen::RowMajor> relative_by_host = Matrix8f::Zero();
 };
 
 PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Keyframe& target);
@@ -52,6 +52,9 @@ struct CentreJacobian {
 /// False when the pattern leaves the image or lies behind the camera.
 bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
                   PixelSums& sums);
+/// Asks for the pixels that temporalSums() will read. They lie anywhere in an image that is larger
+/// than the caches; so ask some points ahead.
+void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point);
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
                               float inverse_depth);
 

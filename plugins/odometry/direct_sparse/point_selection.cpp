@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace tolman::direct_sparse {
 namespace {
@@ -24,16 +26,59 @@ std::array<float, 2> direction(int u, int v) {
   return {std::cos(angle), std::sin(angle)};
 }
 
+#if defined(__SSE2__)
+/// Lengths of four gradients, as bytes.
+void storeFour(const std::int16_t* quads, std::uint8_t* out) {
+  const auto squares = [](const std::int16_t* p) {
+    const __m128i two = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
+    const __m128i gradients = _mm_and_si128(two, _mm_set1_epi64x(0x0000FFFFFFFF0000LL));
+    return _mm_castsi128_ps(_mm_madd_epi16(gradients, gradients));  // gx^2 and gy^2 side by side
+  };
+  const __m128 a = squares(quads);
+  const __m128 b = squares(quads + 8);
+  const __m128i sum = _mm_add_epi32(_mm_castps_si128(_mm_shuffle_ps(a, b, 0x88)),
+                                    _mm_castps_si128(_mm_shuffle_ps(a, b, 0xDD)));
+  const __m128 length = _mm_mul_ps(_mm_set1_ps(0.5F), _mm_sqrt_ps(_mm_cvtepi32_ps(sum)));
+  const __m128i shorts = _mm_packs_epi32(_mm_cvttps_epi32(length), _mm_setzero_si128());
+  const std::int32_t bytes = _mm_cvtsi128_si32(_mm_packus_epi16(shorts, shorts));
+  std::memcpy(out, &bytes, sizeof bytes);
+}
+#endif
+
+/// Calls `visit(u)` for each pixel of a row from `begin` to `end` that is above `limit`. Up to 16
+/// pixels behind the end may be read.
+template <class Visit>
+void forEachAbove(const std::uint8_t* row, int begin, int end, int limit, const Visit& visit) {
+#if defined(__SSE2__)
+  const __m128i limits = _mm_set1_epi8(static_cast<char>(limit));
+  for (int u = begin; u < end; u += 16) {
+    const __m128i pixels = _mm_loadu_si128(reinterpret_cast<const __m128i*>(row + u));
+    const __m128i none = _mm_cmpeq_epi8(_mm_subs_epu8(pixels, limits), _mm_setzero_si128());
+    auto above = ~static_cast<std::uint32_t>(_mm_movemask_epi8(none)) & 0xFFFFU;
+    if (end - u < 16) above &= (1U << static_cast<unsigned>(end - u)) - 1U;
+    for (; above != 0; above &= above - 1) visit(u + std::countr_zero(above));
+  }
+#else
+  for (int u = begin; u < end; ++u) {
+    if (row[u] > limit) visit(u);
+  }
+#endif
+}
+
 }  // namespace
 
 void PointSelector::measure(const GradientImage& image) {
   width_ = image.width();
   height_ = image.height();
-  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 16);
   tbb::parallel_for(0, height_, [&](int v) {
     const std::int16_t* in = image.pixel(0, v);
     std::uint8_t* out = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    for (int u = 0; u < width_; ++u) {
+    int u = 0;
+#if defined(__SSE2__)
+    for (; u + 4 <= width_; u += 4) storeFour(in + 4 * u, out + u);
+#endif
+    for (; u < width_; ++u) {
       const int squared = in[4 * u + 1] * in[4 * u + 1] + in[4 * u + 2] * in[4 * u + 2];
       out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(squared)));
     }
@@ -90,20 +135,20 @@ void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int
   const int v_end = std::min(v0 + size, height_ - border);
   if (u_begin >= u_end || v_begin >= v_end) return;
   const float threshold = relax * thresholdAt((u_begin + u_end) / 2, (v_begin + v_end) / 2);
+  const int limit = std::min(static_cast<int>(threshold), 255);
   const std::array<float, 2> along = direction(u0, v0);
   Pixel best;
   float best_projection = 0;
   for (int v = v_begin; v < v_end; ++v) {
     const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    for (int u = u_begin; u < u_end; ++u) {
-      if (static_cast<float>(row[u]) <= threshold) continue;
+    forEachAbove(row, u_begin, u_end, limit, [&](int u) {
       const std::int16_t* p = image.pixel(u, v);
       const float projection =
           std::fabs(along[0] * static_cast<float>(p[1]) + along[1] * static_cast<float>(p[2]));
-      if (projection <= best_projection) continue;
+      if (projection <= best_projection) return;
       best_projection = projection;
       best = {u, v};
-    }
+    });
   }
   if (best_projection > 0) pixels_.push_back(best);
 }

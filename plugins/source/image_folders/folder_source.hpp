@@ -27,6 +27,7 @@ constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCor
 struct FolderParameters : FrameSelection {
   bool colour = false;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
+  bool yardstick = false;
 };
 
 template <std::derived_from<FolderParameters> P>
@@ -35,7 +36,10 @@ constexpr auto folderParameters() {
       parameters(parameter<P, bool>("colour", &P::colour)
                      .doc("Give colour images; otherwise colour files are read as grey."),
                  parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt)
-                     .doc("Damaged image files: stop the run, or skip to a frame without image.")),
+                     .doc("Damaged image files: stop the run, or skip to a frame without image."),
+                 parameter<P, bool>("yardstick", &P::yardstick)
+                     .doc("Decode with plain cv::imread, nothing checked: what `tolman bench "
+                          "odometry` compares with.")),
       selectionParameters<P>());
 }
 
@@ -55,6 +59,7 @@ class FolderSource : public Source {
 
  private:
   Status readImages(std::size_t index, Frame& frame) const;
+  Result<Image> readImage(const std::filesystem::path& file) const;
 
   FolderParameters parameters_;
   ImageDataset dataset_;

@@ -95,11 +95,12 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   return bytes;
 }
 
+int modeOf(bool colour) { return colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE; }
+
 Result<Image> decode(const std::vector<std::uint8_t>& bytes, bool colour, ImageSize size) {
-  const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
   cv::Mat pixels;
   try {
-    pixels = cv::imdecode(bytes, mode | cv::IMREAD_IGNORE_ORIENTATION);
+    pixels = cv::imdecode(bytes, modeOf(colour) | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
     pixels.release();
   }
@@ -140,6 +141,12 @@ Result<ImageSize> checkImageFile(const fs::path& file) {
   if (!bytes.isOk()) return named(file, bytes.status());
   Result<ImageSize> size = checkImageBytes(bytes.value());
   return size.isOk() ? size : named(file, size.status());
+}
+
+Result<Image> readUnchecked(const fs::path& file, bool colour) {
+  const cv::Mat pixels = cv::imread(file.string(), modeOf(colour) | cv::IMREAD_IGNORE_ORIENTATION);
+  if (pixels.empty()) return named(file, problem("cannot be decoded"));
+  return asImage(pixels);
 }
 
 Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected) {

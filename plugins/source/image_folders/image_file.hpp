@@ -30,4 +30,7 @@ Result<ImageSize> checkImageFile(const std::filesystem::path& file);
 /// is ignored: calibration is of the pixels as stored.
 Result<Image> readImageFile(const std::filesystem::path& file, bool colour, ImageSize expected);
 
+/// What plain cv::imread makes of the file: the measure of how long decoding must take.
+Result<Image> readUnchecked(const std::filesystem::path& file, bool colour);
+
 }  // namespace tolman::image_folders

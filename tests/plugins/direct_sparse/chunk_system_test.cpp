@@ -144,7 +144,7 @@ TEST_CASE("elimination is the Schur complement of the depth") {
   stereo.xx = 0.02F;
   stereo.xr = 0.01F;
   system.addStereo(stereo, 300, 1, terms);
-  system.eliminate(terms);
+  system.eliminate({&terms, 1});
   for (std::size_t r = 0; r < kVariables; ++r) {
     for (std::size_t c = r; c < kVariables; ++c) {
       const float expected = terms.coupling[r] * terms.coupling[c] / terms.information;

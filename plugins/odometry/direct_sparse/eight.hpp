@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Eight floats at once, for functions that are TOLMAN_WIDE_LANES: one register of AVX2, two of
+// SSE2. Whether such values pass between functions in registers depends on the processor that the
+// caller is made for: so only pass them to functions that become part of the caller.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "wide_lanes.hpp"
+
+namespace tolman::direct_sparse {
+
+using Eight = float __attribute__((vector_size(32)));
+using EightInts = std::int32_t __attribute__((vector_size(32)));
+
+TOLMAN_INLINE Eight loadEight(const float* p) {
+  Eight value;
+  std::memcpy(&value, p, sizeof value);
+  return value;
+}
+TOLMAN_INLINE Eight toFloat(EightInts value) { return __builtin_convertvector(value, Eight); }
+TOLMAN_INLINE EightInts truncated(Eight value) { return __builtin_convertvector(value, EightInts); }
+TOLMAN_INLINE Eight absolute(Eight value) { return value < 0.0F ? -value : value; }
+
+}  // namespace tolman::direct_sparse
