@@ -38,4 +38,16 @@ export async function untilCaughtUp(page, rows) {
   await until(page, (n) => window.tolman?.rows >= n && window.tolman.shownFrame >= 0, rows);
 }
 
+/** The map has its rows, its graph and its place. */
+export async function untilSettled(page) {
+  await untilCaughtUp(page, 1);
+  let before = '';
+  for (;;) {
+    await page.waitForTimeout(500);
+    const now = await page.evaluate(() => JSON.stringify([window.tolman.rows, window.tolman.map.zoom]));
+    if (now === before) return;
+    before = now;
+  }
+}
+
 export const text = (page, name) => page.locator(`[data-testid="${name}"]`).innerText();

@@ -67,11 +67,7 @@ class App {
     this.last = now;
     const view = this.session.view(this.theme.colours);
     let unfinished = false;
-    for (const panel of this.panels) {
-      const again = panel.update(view, now);
-      if (again && panel === this.map) this.invalidate();
-      unfinished ||= again;
-    }
+    for (const panel of this.panels) unfinished = panel.update(view, now) || unfinished;
     this.drawn.note(++this.draws, now / 1000);
     if (view.mode === 'playing') this.invalidate();
     // Rates fall also when nothing comes any more.

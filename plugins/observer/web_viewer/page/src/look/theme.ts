@@ -6,7 +6,7 @@ export type ThemeName = 'light' | 'dark';
 
 const kTokens = [
   'ink', 'soft', 'faint', 'line', 'panel', 'well', 'blue', 'orange', 'green', 'vermilion',
-  'purple', 'sky', 'grey', 'accent',
+  'purple', 'sky', 'grey', 'accent', 'truth',
 ] as const;
 type Token = (typeof kTokens)[number];
 export type Colours = Readonly<Record<Token, string>>;

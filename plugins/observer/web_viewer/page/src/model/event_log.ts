@@ -46,10 +46,10 @@ export class EventLog {
   /** Reads rows that it has not read yet. */
   scan(rows: RowStore): void {
     for (; this.scanned < rows.count; ++this.scanned) {
-      const moment = momentOf(rows, this.scanned);
-      if (moment === null || this.moments.length >= kMostMoments) continue;
-      this.moments.push(moment);
-      ++this.edition_;
+      for (const moment of momentsOf(rows, this.scanned)) {
+        if (this.moments.length < kMostMoments) this.moments.push(moment);
+        ++this.edition_;
+      }
     }
   }
 
@@ -69,19 +69,19 @@ function lastUpTo(events: readonly LogEvent[], frame: number, most: number): Log
   return last;
 }
 
-function momentOf(rows: RowStore, row: number): LogEvent | null {
+function momentsOf(rows: RowStore, row: number): LogEvent[] {
+  const moments: LogEvent[] = [];
   const frame = rows.frame(row);
+  const note = (level: string, source: string, message: string) =>
+    moments.push({ frame, level, source, message });
   const now = rows.value(row, 'tracking');
   const before = rows.value(row - 1, 'tracking');
-  if (now === 2 && before !== 2) {
-    return { frame, level: 'warning', source: 'odometry', message: 'tracking lost' };
-  }
-  if (now === 1 && before === 2) {
-    return { frame, level: 'info', source: 'odometry', message: 'tracking again' };
-  }
-  if (rows.value(row, 'action') !== 2) return null;
+  if (now === 2 && before !== 2) note('warning', 'odometry', 'tracking lost');
+  if (now === 1 && before === 2) note('info', 'odometry', 'tracking again');
+  if (rows.value(row, 'action') !== 2) return moments;
   const experience = rows.value(row, 'experience');
   const template = rows.value(row, 'template_id');
   const by = template >= 0 ? ` by template ${template}` : '';
-  return { frame, level: 'loop', source: 'cells', message: `loop to experience ${experience}${by}` };
+  note('loop', 'cells', `loop to experience ${experience}${by}`);
+  return moments;
 }

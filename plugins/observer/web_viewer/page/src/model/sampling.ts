@@ -1,30 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fewer points than rows, for plots: what is kept must look the same.
 
-/** Indices in [from, to) so that the least and the greatest value of every bucket are kept. */
-export function extremes(values: Float64Array, from: number, to: number, buckets: number): number[] {
-  const kept: number[] = [];
-  if (to - from <= 2 * buckets) {
-    for (let i = from; i < to; ++i) kept.push(i);
-    return kept;
-  }
-  const size = (to - from) / buckets;
-  for (let b = 0; b < buckets; ++b) {
-    const first = Math.floor(from + b * size);
-    const last = Math.floor(from + (b + 1) * size);
-    let low = first;
-    let high = first;
-    for (let i = first + 1; i < last; ++i) {
-      const value = values[i] as number;
-      if (!(value >= (values[low] as number))) low = i;
-      if (!(value <= (values[high] as number))) high = i;
-    }
-    kept.push(Math.min(low, high));
-    if (low !== high) kept.push(Math.max(low, high));
-  }
-  return kept;
-}
-
 /** Every n-th of [0, count), so that at most `most` remain; always with the last. */
 export function strided(count: number, most: number): number[] {
   const step = Math.max(1, Math.ceil(count / most));

@@ -6,6 +6,8 @@ import type { Graph } from '../model/graph';
 import type { RowStore } from '../model/row_store';
 import type { View } from '../model/view';
 import type { Colours } from '../look/theme';
+import { countBelow } from '../model/thinning';
+import type { Resolution } from './line_material';
 import { DotLayer, SegmentLayer, toScene } from './map_layers';
 
 export const kLayers = ['links', 'loops', 'experiences', 'odometry', 'truth'] as const;
@@ -24,10 +26,10 @@ export class MapContent {
   readonly robot = new Group();
   truthMode: TruthMode | null = null; // null: to be decided by where the truth starts
   private readonly hidden = new Set<LayerName>();
-  private readonly truth = new SegmentLayer(4, 1, 0.55);
-  private readonly odometry = new SegmentLayer(1.4, 2, 0.9);
-  private readonly links = new SegmentLayer(1.6, 3);
-  private readonly loops = new SegmentLayer(3, 5);
+  private readonly truth: SegmentLayer;
+  private readonly odometry: SegmentLayer;
+  private readonly links: SegmentLayer;
+  private readonly loops: SegmentLayer;
   private readonly dots = new DotLayer(4);
   private readonly fill = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private readonly rim = new MeshBasicMaterial({ depthTest: false, transparent: true });
@@ -38,7 +40,11 @@ export class MapContent {
   private loopLinks: number[] = []; // links that are loops, in order
   private otherLinks: number[] = [];
 
-  constructor() {
+  constructor(resolution: Resolution) {
+    this.truth = new SegmentLayer(4.5, 1, resolution);
+    this.odometry = new SegmentLayer(1.4, 2, resolution);
+    this.links = new SegmentLayer(1.6, 3, resolution);
+    this.loops = new SegmentLayer(3, 5, resolution);
     for (const layer of [this.truth, this.odometry, this.links, this.loops, this.dots]) {
       this.group.add(layer.object);
     }
@@ -61,7 +67,7 @@ export class MapContent {
   }
 
   setColours(colours: Colours): void {
-    this.truth.setColour(colours.grey);
+    this.truth.setColour(colours.truth);
     this.odometry.setColour(colours.orange);
     this.links.setColour(colours.blue);
     this.loops.setColour(colours.vermilion);
@@ -74,10 +80,14 @@ export class MapContent {
     this.dots.setSize(size);
   }
 
-  /** Brings buffers up to the newest rows and graph, then shows what stood at the shown row. */
-  update(view: View): void {
+  /** Brings buffers and bounds up to the newest rows and graph. */
+  take(view: View): void {
     this.updateRows(view.rows);
     if (view.graph.edition !== this.drawnGraph) this.updateGraph(view.graph);
+  }
+
+  /** Shows what stood at the shown row; lines as fine as the cell asks. */
+  show(view: View, cell: number): void {
     const { rows, row } = view;
     const newest = row === rows.count - 1;
     const limit = (column: string, all: number) => {
@@ -85,16 +95,17 @@ export class MapContent {
       return newest || !Number.isFinite(then) ? all : Math.min(all, then);
     };
     const links = limit('links', view.graph.links);
-    this.show('odometry', this.odometry, row);
-    this.show('truth', this.truth, row);
-    this.show('experiences', this.dots, limit('experiences', view.graph.experiences));
-    this.show('links', this.links, countBelow(this.otherLinks, links));
-    this.show('loops', this.loops, countBelow(this.loopLinks, links));
+    this.draw('odometry', this.odometry, row, cell);
+    this.draw('truth', this.truth, row, cell);
+    const dots = limit('experiences', view.graph.experiences);
+    this.dots.show(this.hidden.has('experiences') ? 0 : dots);
+    this.draw('links', this.links, countBelow(this.otherLinks, links), cell);
+    this.draw('loops', this.loops, countBelow(this.loopLinks, links), cell);
     this.placeRobot(rows, row);
   }
 
-  private show(name: LayerName, layer: SegmentLayer | DotLayer, count: number): void {
-    layer.show(this.hidden.has(name) ? 0 : count);
+  private draw(name: LayerName, layer: SegmentLayer, count: number, cell: number): void {
+    layer.show(this.hidden.has(name) ? 0 : count, cell);
   }
 
   private updateRows(rows: RowStore): void {
@@ -102,6 +113,8 @@ export class MapContent {
       this.drawnRows = { rows, count: 0 };
       this.truthMode = null;
       this.bounds.makeEmpty();
+      this.odometry.cut(0);
+      this.truth.cut(0);
     }
     const first = this.drawnRows.count;
     if (rows.count === first) return;
@@ -146,7 +159,6 @@ export class MapContent {
       if (i > 0) layer.set(i - 1, known ? from : (before ?? [0, 0, 0]), known ? point : (before ?? [0, 0, 0]));
       if (known) before = point;
     }
-    layer.upload();
   }
 
   private updateGraph(graph: Graph): void {
@@ -166,7 +178,9 @@ export class MapContent {
       (isLoop ? this.loops : this.links).set(list.length, at(from), at(to));
       list.push(i);
     }
-    for (const layer of [this.dots, this.loops, this.links]) layer.upload();
+    this.loops.cut(this.loopLinks.length);
+    this.links.cut(this.otherLinks.length);
+    this.dots.upload();
   }
 
   private placeRobot(rows: RowStore, row: number): void {
@@ -194,16 +208,4 @@ export class MapContent {
       this.robot.add(mesh);
     }
   }
-}
-
-/** How many of an ascending list are less than `limit`. */
-export function countBelow(ascending: readonly number[], limit: number): number {
-  let low = 0;
-  let high = ascending.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if ((ascending[middle] as number) < limit) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

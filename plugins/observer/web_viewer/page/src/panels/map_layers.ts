@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines and dots of the map in buffers that are written in place and grow by doubling. How much of
-// a layer is drawn is a count, so going back in time costs nothing.
-import {
-  BufferAttribute, BufferGeometry, CanvasTexture, InstancedInterleavedBuffer, InterleavedBufferAttribute,
-  Points, PointsMaterial,
-} from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
+// Lines and dots of the map in buffers that grow by doubling. How much of a layer is drawn is a
+// count, so going back in time costs nothing.
+import { BufferAttribute, BufferGeometry, CanvasTexture, Mesh, Points, PointsMaterial } from 'three';
+import { countBelow, SegmentThinner } from '../model/thinning';
+import { LineMaterial, type Resolution } from './line_material';
+
+const kFew = 800; // segments that need no thinning
 
 /** World (x right, y down, z forward) to the scene (y up): half a turn about x. */
 export function toScene(x: number, y: number, z: number): [number, number, number] {
@@ -15,62 +13,102 @@ export function toScene(x: number, y: number, z: number): [number, number, numbe
 }
 
 export class SegmentLayer {
-  readonly object: LineSegments2;
-  private readonly material: LineMaterial;
-  private values = new Float32Array(6 * 64);
-  private buffer = new InstancedInterleavedBuffer(this.values, 6, 1);
+  readonly object: Mesh<BufferGeometry, LineMaterial>;
+  private raw = new Float32Array(6 * 64);
+  private count = 0;
+  private thinner = new SegmentThinner(0);
+  private stale = true;
+  private room = 64;
 
-  constructor(width: number, order: number, opacity = 1) {
-    this.material = new LineMaterial({
-      linewidth: width, transparent: true, opacity, depthTest: false, depthWrite: false,
-    });
-    this.object = new LineSegments2(new LineSegmentsGeometry(), this.material);
+  constructor(width: number, order: number, resolution: Resolution) {
+    this.object = new Mesh(rectangles(this.room), new LineMaterial(width, resolution));
     this.object.frustumCulled = false;
     this.object.renderOrder = order;
-    this.bind();
-    this.show(0);
   }
 
   setColour(colour: string): void {
-    this.material.color.set(colour);
+    this.object.material.setColour(colour);
   }
 
-  /** The ends of a segment, in the scene. Makes room as needed. */
+  /** The ends of a segment, in the scene. */
   set(segment: number, a: readonly number[], b: readonly number[]): void {
-    if (6 * segment + 6 > this.values.length) this.grow(6 * segment + 6);
-    this.values.set(a as number[], 6 * segment);
-    this.values.set(b as number[], 6 * segment + 3);
+    const end = 6 * segment + 6;
+    if (end > this.raw.length) {
+      const raw = new Float32Array(Math.max(end, 2 * this.raw.length));
+      raw.set(this.raw);
+      this.raw = raw;
+    }
+    this.raw.set(a as number[], end - 6);
+    this.raw.set(b as number[], end - 3);
+    if (segment < this.thinner.count) this.stale = true;
+    this.count = Math.max(this.count, segment + 1);
   }
 
-  /** To be called after set(). */
-  upload(): void {
-    this.buffer.needsUpdate = true;
+  /** Forgets the segments from `count` on. */
+  cut(count: number): void {
+    if (count >= this.count) return;
+    this.count = count;
+    this.stale = true;
   }
 
-  show(count: number): void {
-    this.object.geometry.instanceCount = Math.max(0, count);
-    this.object.visible = count > 0;
+  /** Draws the first `count` segments, as fine as the cell asks; 0 is as fine as they are. */
+  show(count: number, cell: number): void {
+    const wanted = this.count > kFew ? cell : 0;
+    if (this.stale || this.thinner.cell !== wanted) this.thinner = new SegmentThinner(wanted);
+    this.stale = false;
+    const before = this.thinner.kept.length;
+    if (this.thinner.take(this.raw, this.count)) this.upload(before);
+    const shown = countBelow(this.thinner.kept, count);
+    this.object.geometry.setDrawRange(0, 6 * shown);
+    this.object.visible = shown > 0;
+  }
+
+  /** Four corners for each kept segment from `from` on. */
+  private upload(from: number): void {
+    const { values, kept } = this.thinner;
+    if (kept.length > this.room) this.grow(kept.length);
+    const [start, end] = this.ends();
+    for (let i = from; i < kept.length; ++i) {
+      const [a, b] = [values.subarray(6 * i, 6 * i + 3), values.subarray(6 * i + 3, 6 * i + 6)];
+      for (let corner = 0; corner < 4; ++corner) {
+        (start.array as Float32Array).set(a, 12 * i + 3 * corner);
+        (end.array as Float32Array).set(b, 12 * i + 3 * corner);
+      }
+    }
+    start.needsUpdate = end.needsUpdate = true;
+  }
+
+  private ends(): [BufferAttribute, BufferAttribute] {
+    const { start, end } = this.object.geometry.attributes;
+    return [start as BufferAttribute, end as BufferAttribute];
   }
 
   private grow(needed: number): void {
-    let length = this.values.length;
-    while (length < needed) length *= 2;
-    const values = new Float32Array(length);
-    values.set(this.values);
-    this.values = values;
-    this.buffer = new InstancedInterleavedBuffer(values, 6, 1);
-    this.bind();
-  }
-
-  private bind(): void {
+    while (this.room < needed) this.room *= 2;
     const old = this.object.geometry;
-    const geometry = new LineSegmentsGeometry();
-    geometry.setAttribute('instanceStart', new InterleavedBufferAttribute(this.buffer, 3, 0));
-    geometry.setAttribute('instanceEnd', new InterleavedBufferAttribute(this.buffer, 3, 3));
-    geometry.instanceCount = old.instanceCount;
-    this.object.geometry = geometry;
+    const [start, end] = this.ends();
+    this.object.geometry = rectangles(this.room);
+    const [longerStart, longerEnd] = this.ends();
+    (longerStart.array as Float32Array).set(start.array);
+    (longerEnd.array as Float32Array).set(end.array);
     old.dispose();
   }
+}
+
+/** Room for rectangles; of a corner, x tells the end and y the side. */
+function rectangles(room: number): BufferGeometry {
+  const corners = new Float32Array(12 * room);
+  const index = new Uint32Array(6 * room);
+  for (let i = 0; i < room; ++i) {
+    corners.set([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 12 * i);
+    index.set([0, 1, 2, 0, 2, 3].map((corner) => 4 * i + corner), 6 * i);
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(corners, 3));
+  geometry.setAttribute('start', new BufferAttribute(new Float32Array(12 * room), 3));
+  geometry.setAttribute('end', new BufferAttribute(new Float32Array(12 * room), 3));
+  geometry.setIndex(new BufferAttribute(index, 1));
+  return geometry;
 }
 
 export class DotLayer {
@@ -108,8 +146,7 @@ export class DotLayer {
   }
 
   upload(): void {
-    const positions = this.object.geometry.getAttribute('position');
-    positions.needsUpdate = true;
+    this.object.geometry.getAttribute('position').needsUpdate = true;
   }
 
   show(count: number): void {

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The experience map with its tools: layers, 2-D and 3-D, fit, robot in the middle, scale.
+import { Vector2 } from 'three';
 import { byId, make, setAttribute, setText } from '../look/dom';
 import { metres } from '../look/format';
+import { webGl } from '../look/web_gl';
 import { roundDown } from '../model/sampling';
+import { cellFor } from '../model/thinning';
 import type { Panel, View } from '../model/view';
 import type { Colours } from '../look/theme';
 import { kLayers, MapContent, type LayerName } from './map_content';
 import { MapStage, type Dimension } from './map_stage';
-import { hasWebGl } from './torus_scene';
 
 const kRobotSize = 17; // px
+const kRest = 300; // ms without a change
 const kColourOf = {
-  links: 'blue', loops: 'vermilion', experiences: 'green', odometry: 'orange', truth: 'grey',
+  links: 'blue', loops: 'vermilion', experiences: 'green', odometry: 'orange', truth: 'truth',
 } as const;
 
 export class MapPanel implements Panel {
   renders = 0;
   private readonly stage: MapStage | null;
-  private readonly content = new MapContent();
+  private readonly content: MapContent;
   private readonly texts = { foot: byId('map-foot'), scale: byId('scale-text'), axes: byId('axes') };
   private readonly bar = byId('scale-bar');
   private readonly numbers = new Map<LayerName, HTMLElement>();
@@ -25,13 +28,17 @@ export class MapPanel implements Panel {
   private readonly align = byId('align');
   private centred = false;
   private dirty = true;
+  private lastMove = 0; // ms
   private key = '';
+  private cell = 0;
+  private relayer = false; // which layers are drawn, or how, has changed
   private colours: Colours | null = null;
   private hasTruth: boolean | null = null;
 
   constructor(private readonly changed: () => void) {
     const canvas = byId<HTMLCanvasElement>('map');
-    this.stage = hasWebGl() ? new MapStage(canvas, () => this.touch()) : null;
+    this.stage = webGl() !== 'none' ? new MapStage(canvas, () => this.touch()) : null;
+    this.content = new MapContent(this.stage?.resolution ?? { value: new Vector2(1, 1) });
     this.stage?.add(this.content.group);
     if (this.stage === null) {
       const empty = byId('map-empty');
@@ -83,28 +90,46 @@ export class MapPanel implements Panel {
 
   toggle(layer: LayerName): void {
     this.content.setHidden(layer, !this.content.isHidden(layer));
+    this.relayer = true;
     this.touch();
   }
 
-  update(view: View): boolean {
+  update(view: View, now: number): boolean {
     if (this.stage === null) return false;
     const resized = this.stage.resize();
     if (view.colours !== this.colours) this.paint(view.colours);
     const key = `${view.rows.count} ${view.row} ${view.graph.edition}`;
-    if (!resized && !this.dirty && key === this.key) return false;
-    if (key !== this.key || this.dirty) this.refresh(view);
-    this.key = key;
-    this.dirty = false;
+    if (!resized && !this.dirty && key === this.key) return this.refine(this.stage, now);
+    this.stage.fine = false;
+    this.stage.resize();
+    this.lastMove = now;
+    const fresh = key !== this.key || this.relayer;
+    if (fresh) this.content.take(view);
     if (this.stage.untouched) this.stage.fit(this.content.bounds);
+    const cell = cellFor(this.stage.zoom);
+    if (fresh || cell !== this.cell) this.content.show(view, cell);
+    if (fresh) this.describe(view);
+    [this.key, this.cell, this.relayer, this.dirty] = [key, cell, false, false];
     if (this.centred && this.content.robot.visible) this.stage.centreOn(this.content.robot.position);
     const zoom = this.stage.zoom;
     this.content.robot.scale.setScalar(kRobotSize / zoom);
     this.content.setDotSize(Math.max(3.4, Math.min(9, 2.2 * zoom)));
-    const gliding = this.stage.render(this.content.bounds);
+    this.dirty = this.stage.render(this.content.bounds);
     ++this.renders;
     this.showScale(zoom);
-    this.dirty = gliding;
-    return gliding;
+    if (this.dirty) this.changed(); // still gliding
+    return this.stage.software;
+  }
+
+  /** Nothing moves. True when a finer drawing is due soon. */
+  private refine(stage: MapStage, now: number): boolean {
+    if (!stage.software || stage.fine) return false;
+    if (now - this.lastMove < kRest) return true;
+    stage.fine = true;
+    stage.resize();
+    stage.render(this.content.bounds);
+    ++this.renders;
+    return false;
   }
 
   private touch(): void {
@@ -115,12 +140,11 @@ export class MapPanel implements Panel {
   private paint(colours: Colours): void {
     this.colours = colours;
     this.content.setColours(colours);
-    this.stage?.setGridColour(colours.line);
+    this.stage?.setColours(colours.well, colours.line);
     this.dirty = true;
   }
 
-  private refresh(view: View): void {
-    this.content.update(view);
+  private describe(view: View): void {
     const { rows, row, graph } = view;
     setText(this.numbers.get('experiences') as HTMLElement, String(graph.experiences));
     setText(this.numbers.get('links') as HTMLElement, String(graph.links - graph.loops));
@@ -162,6 +186,7 @@ export class MapPanel implements Panel {
     }
     this.align.onclick = () => {
       this.content.setTruthMode(this.content.truthMode === 'fitted' ? 'given' : 'fitted');
+      this.relayer = true;
       this.touch();
     };
   }

@@ -2,19 +2,22 @@
 // The stage of the map: renderer, ground grid, and two cameras, one from above and one in space.
 import {
   Box3, BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, MOUSE, type Object3D,
-  OrthographicCamera, PerspectiveCamera, Scene, TOUCH, Vector3, WebGLRenderer,
+  OrthographicCamera, PerspectiveCamera, Scene, TOUCH, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { webGl } from '../look/web_gl';
 import { roundDown } from '../model/sampling';
 
 export type Dimension = '2d' | '3d';
 
 const kHeight = 5000; // m of the camera from above
-const kGridLines = 40;
 
 export class MapStage {
   readonly scene = new Scene();
   dimension: Dimension = '2d';
+  /** Where a program draws: coarse while things move, fine when they rest. */
+  readonly software = webGl() === 'software';
+  fine = false;
   untouched = true; // nobody has moved the view yet: it may fit itself
   gridStep = 0; // m
   private readonly renderer: WebGLRenderer;
@@ -25,11 +28,12 @@ export class MapStage {
   private readonly gridMaterial = new LineBasicMaterial({ transparent: true, depthWrite: false });
   private readonly grid = new LineSegments(new BufferGeometry(), this.gridMaterial);
   private gridKey = '';
+  readonly resolution = { value: new Vector2(1, 1) }; // CSS px
   private width = 1;
   private height = 1;
 
   constructor(private readonly canvas: HTMLCanvasElement, changed: () => void) {
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.software, alpha: false });
     this.flat.up.set(0, 0, -1);
     this.flat.position.set(0, kHeight, 0);
     this.space.position.set(40, 60, 80);
@@ -68,18 +72,20 @@ export class MapStage {
     this.spaceControls.enabled = dimension === '3d';
   }
 
-  setGridColour(colour: string): void {
-    this.gridMaterial.color.set(colour);
+  setColours(ground: string, grid: string): void {
+    this.renderer.setClearColor(ground);
+    this.gridMaterial.color.set(grid);
   }
 
   /** True when the size on the screen is another one now. */
   resize(): boolean {
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    const ratio = Math.min(window.devicePixelRatio, 2);
+    const ratio = this.software ? (this.fine ? 2 : 1) : Math.min(window.devicePixelRatio, 2);
     if (width === this.width && height === this.height && ratio === this.renderer.getPixelRatio()) {
       return false;
     }
     [this.width, this.height] = [Math.max(1, width), Math.max(1, height)];
+    this.resolution.value.set(this.width, this.height);
     this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(this.width, this.height, false);
     // In pixels: zoom is pixels a metre.
@@ -157,18 +163,19 @@ export class MapStage {
     const middle = this.dimension === '2d' || bounds.isEmpty() ? this.centre : bounds.getCenter(new Vector3());
     const snap = (v: number) => Math.round(v / step) * step;
     const [x, z] = [snap(middle.x), snap(middle.z)];
-    const key = `${step} ${x} ${z}`;
+    const key = `${this.dimension} ${step} ${x} ${z}`;
     if (key === this.gridKey) return;
     this.gridKey = key;
     this.gridStep = step;
-    // Square by square: long lines that pass behind the camera are lost by some drivers.
+    // Long lines that pass behind the camera are lost by some drivers: in space square by square.
+    const [half, pieces] = this.dimension === '2d' ? [8, 1] : [16, 32];
     const values: number[] = [];
-    const half = kGridLines / 2;
     for (let i = -half; i <= half; ++i) {
-      for (let j = -half; j < half; ++j) {
-        const [off, from, to] = [i * step, j * step, (j + 1) * step];
-        values.push(x + off, 0, z + from, x + off, 0, z + to);
-        values.push(x + from, 0, z + off, x + to, 0, z + off);
+      for (let j = 0; j < pieces; ++j) {
+        const from = (-half + (2 * half * j) / pieces) * step;
+        const to = from + ((2 * half) / pieces) * step;
+        values.push(x + i * step, 0, z + from, x + i * step, 0, z + to);
+        values.push(x + from, 0, z + i * step, x + to, 0, z + i * step);
       }
     }
     this.grid.geometry.setAttribute('position', new BufferAttribute(new Float32Array(values), 3));

@@ -21,11 +21,17 @@ export function axis(label: string, size: number, colours: () => Colours): uPlot
   };
 }
 
+/** What is drawn is named by the element around it. */
+export function hideCanvas(plot: uPlot): void {
+  plot.ctx.canvas.setAttribute('aria-hidden', 'true');
+}
+
 /** A line over the plot at a value of x. */
 export class NowLine {
   private readonly line = make('div', { class: 'now' });
 
   constructor(private readonly plot: uPlot) {
+    hideCanvas(plot);
     plot.over.append(this.line);
   }
 

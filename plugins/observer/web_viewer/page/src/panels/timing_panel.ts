@@ -6,7 +6,7 @@ import { brief } from '../look/format';
 import type { Colours } from '../look/theme';
 import { median } from '../model/sampling';
 import { Pace, type Panel, type View } from '../model/view';
-import { axis, fitPlot } from './plot_look';
+import { axis, fitPlot, hideCanvas } from './plot_look';
 
 const kFrames = 300;
 const kLeast = 1e-3; // ms; a logarithmic axis has no zero
@@ -87,6 +87,7 @@ export class TimingPanel implements Panel {
       [[], ...stages.map(() => [])],
       this.root,
     );
+    hideCanvas(this.plot);
   }
 
   private series(stage: string): uPlot.Series {

@@ -7,6 +7,7 @@ import {
 } from 'three';
 import { rgbaTable } from '../look/colour_map';
 import type { Surface } from '../look/dom';
+import { webGl } from '../look/web_gl';
 import type { Colours } from '../look/theme';
 import type { Population } from '../model/cell_modules';
 
@@ -14,13 +15,13 @@ const kTable = rgbaTable();
 const kDegreesPerPixel = 0.6;
 
 export class TorusScene {
-  readonly possible = hasWebGl();
+  readonly possible = webGl() !== 'none';
   moved = false;
   private renderer: WebGLRenderer | null = null;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(36, 1, 0.1, 20);
   private readonly material = new MeshBasicMaterial({ transparent: true, side: DoubleSide, depthWrite: false });
-  private readonly wire = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.1, depthWrite: false });
+  private readonly wire = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.07, depthWrite: false });
   private readonly mesh = new Mesh(new TorusGeometry(1, 0.48, 40, 80), this.material);
   private canvas: HTMLCanvasElement | null = null;
   private readonly drag = (event: PointerEvent) => this.turn(event);
@@ -90,12 +91,4 @@ function texture({ shape, activity }: Population): DataTexture {
   made.wrapS = made.wrapT = RepeatWrapping;
   made.needsUpdate = true;
   return made;
-}
-
-export function hasWebGl(): boolean {
-  try {
-    return document.createElement('canvas').getContext('webgl2') !== null;
-  } catch {
-    return false;
-  }
 }

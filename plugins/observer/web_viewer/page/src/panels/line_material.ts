@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lines of a width in pixels, as one rectangle a segment: opaque, plain and without instances (which
+// cost most where the graphics card is a program), so that they are cheap.
+import { Color, ShaderMaterial, Vector2 } from 'three';
+
+const kVertex = /* glsl */ `
+attribute vec3 start;
+attribute vec3 end;
+uniform vec2 resolution;
+uniform float width;
+const float kNear = 0.01;
+
+void main() {
+  vec4 a = projectionMatrix * modelViewMatrix * vec4(start, 1.0);
+  vec4 b = projectionMatrix * modelViewMatrix * vec4(end, 1.0);
+  // What lies behind the viewer has no place on the screen: cut it off.
+  if (a.w < kNear && b.w > kNear) a = mix(a, b, (kNear - a.w) / (b.w - a.w));
+  else if (b.w < kNear && a.w > kNear) b = mix(b, a, (kNear - b.w) / (a.w - b.w));
+  vec2 way = (b.xy / b.w - a.xy / a.w) * resolution;
+  float far = length(way);
+  vec2 along = far > 1e-6 ? way / far : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  vec4 here = position.x > 0.0 ? b : a;
+  // Half a width beyond the ends closes the corners.
+  here.xy += (along * position.x + across * position.y) * width / resolution * here.w;
+  gl_Position = here;
+}`;
+
+const kFragment = /* glsl */ `
+uniform vec3 colour;
+void main() {
+  gl_FragColor = vec4(colour, 1.0);
+  #include <colorspace_fragment>
+}`;
+
+/** Shared by all lines of a stage: its size in CSS pixels. */
+export type Resolution = { value: Vector2 };
+
+export class LineMaterial extends ShaderMaterial {
+  constructor(width: number, resolution: Resolution) {
+    super({
+      vertexShader: kVertex,
+      fragmentShader: kFragment,
+      uniforms: { width: { value: width }, colour: { value: new Color() }, resolution },
+      depthTest: false,
+      depthWrite: false,
+      side: 2,
+    });
+  }
+
+  setColour(colour: string): void {
+    (this.uniforms['colour']?.value as Color).set(colour);
+  }
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The page during a run: it follows, recovers from reloads and drops, and knows the end.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { openPage, text, until, untilCaughtUp } from '../browser.mjs';
+import * as source from '../source.mjs';
+import { real, target } from '../target.mjs';
+
+/** Frames that the page has, and whether they are dense and ascending. */
+function frames(page) {
+  return page.evaluate(() => {
+    const list = [];
+    for (let i = 0; i < window.tolman.rows; ++i) list.push(window.tolman.row(i).frame);
+    return list;
+  });
+}
+
+async function expectNoGaps(page, url) {
+  const shown = await frames(page);
+  const rows = (await source.allRows(url)).slice(0, shown.length);
+  assert.deepEqual(shown, rows.map((r) => r.frame));
+}
+
+describe('a page that opens during a run', () => {
+  const t = target({ start: 150 });
+
+  it('has the past, follows the present and complains of nothing', async () => {
+    t.fake?.play(10);
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    const before = await page.evaluate(() => window.tolman.rows);
+    if (t.fake) await until(page, (n) => window.tolman.rows > n + 20, before);
+    if (t.fake) assert.equal(await text(page, 'link'), 'live');
+    await expectNoGaps(page, t.url);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('recovers when it is loaded again in mid-run', async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    const before = await page.evaluate(() => window.tolman.rows);
+    for (let i = 0; i < 3; ++i) {
+      await page.reload();
+      await untilCaughtUp(page, before);
+    }
+    await expectNoGaps(page, t.url);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('stays where one looks while the run goes on', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    await page.keyboard.press('Home');
+    const before = await page.evaluate(() => window.tolman.rows);
+    await until(page, (n) => window.tolman.rows > n + 20, before);
+    assert.equal(await page.evaluate(() => window.tolman.shownFrame), 0);
+    assert.ok([...t.fake.clients.values()].some((c) => !c.flow), 'no images asked for meanwhile');
+    await page.keyboard.press('End');
+    await until(page, () => window.tolman.mode === 'live' && window.tolman.imageFrame > 0);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('comes back after a drop, without gaps', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    t.fake.drop();
+    await page.getByTestId('banner').waitFor({ state: 'visible' });
+    assert.match(await text(page, 'banner'), /does not answer/);
+    const before = await page.evaluate(() => window.tolman.rows);
+    await until(page, (n) => window.tolman.rows > n + 20, before);
+    await page.getByTestId('banner').waitFor({ state: 'hidden' });
+    await expectNoGaps(page, t.url);
+  });
+
+  it('says when the run has ended, and plays it', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    t.fake.finish();
+    await until(page, (n) => window.tolman.rows === n && !window.tolman.live, t.fake.rows);
+    assert.equal(await text(page, 'link'), 'run has ended');
+    await page.keyboard.press('Home');
+    await until(page, () => window.tolman.imageFrame === 0);
+    await page.keyboard.press(' ');
+    await until(page, () => window.tolman.shownFrame > 3 && window.tolman.mode === 'playing');
+    await page.keyboard.press(' ');
+    assert.equal(await page.evaluate(() => window.tolman.mode), 'paused');
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe('a page without server', () => {
+  const t = target({ start: 150, frames: 900 });
+
+  it('keeps what it has and says that nobody answers', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    await t.fake.close();
+    await page.getByTestId('banner').waitFor({ state: 'visible' });
+    assert.equal(await text(page, 'link'), 'no server');
+    assert.equal(await page.evaluate(() => window.tolman.rows), 150);
+    await t.fake.listen(t.fake.port);
+    await until(page, () => document.querySelector('[data-testid="link"]').innerText === 'live');
+  });
+});
+
+describe('a run without images', () => {
+  const t = target({ start: 150, frames: 300, images: false });
+
+  it('asks for none and complains of nothing', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 150);
+    await page.keyboard.press('Home');
+    await page.keyboard.press('ArrowRight');
+    await until(page, () => window.tolman.shownFrame === 1);
+    await page.waitForTimeout(300);
+    assert.ok(!t.fake.requests.some((r) => r.startsWith('/api/template')));
+    assert.deepEqual(page.complaints, []);
+  });
+});

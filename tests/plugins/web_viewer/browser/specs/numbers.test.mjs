@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every panel shows what the run says: the numbers on the page against those of the source.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+import { openPage, text, until, untilCaughtUp } from '../browser.mjs';
+import * as source from '../source.mjs';
+import { target } from '../target.mjs';
+
+const kTracking = ['initialising', 'tracking', 'lost'];
+const kRecognition = ['none', 'novel', 'familiar'];
+
+async function show(page, at, frame) {
+  await page.locator('#scrub').fill(String(at));
+  await until(page, (f) => window.tolman.shownFrame === f && window.tolman.mode === 'paused', frame);
+}
+
+const degrees = (heading) => `${((heading * 180) / Math.PI).toFixed(1)}°`;
+
+async function compareCounters(page, row, rows) {
+  const seen = async (name) => text(page, name);
+  assert.equal(await seen('tracking'), kTracking[row.tracking]);
+  assert.equal(await seen('speed'), row.v.toFixed(2).replace('-0.00', '0.00'));
+  assert.equal(await seen('tracked'), String(row.tracked));
+  assert.equal(await seen('heading'), degrees(row.heading));
+  assert.equal(await seen('experiences'), String(row.experiences));
+  assert.equal(await seen('links'), String(row.links));
+  assert.equal(await seen('loops'), String(row.loops));
+  const past = rows.filter((r) => r.frame <= row.frame && r.template_id >= 0);
+  assert.equal(Number(await seen('templates')), Math.max(-1, ...past.map((r) => r.template_id)) + 1);
+  assert.equal(await seen('shown-frame'), String(row.frame));
+}
+
+async function compareMatch(page, row, rows) {
+  const judged = rows.filter((r) => r.frame <= row.frame && r.recognition > 0).at(-1);
+  if (!judged || row.frame - judged.frame > 30) return;
+  assert.equal(await text(page, 'template'), String(judged.template_id));
+  assert.equal(await text(page, 'recognition'), kRecognition[judged.recognition]);
+  assert.ok(Math.abs(Number(await text(page, 'score')) - judged.score) <= 0.005 * Math.max(1, judged.score));
+}
+
+async function compareTiming(page, row, rows) {
+  const last = rows.filter((r) => r.frame <= row.frame).slice(-300);
+  for (const stage of ['source', 'odometry', 'place', 'cells', 'map']) {
+    const values = last.map((r) => r[`${stage}_ms`]).filter(Number.isFinite).sort((a, b) => a - b);
+    if (values.length === 0) continue;
+    const middle = values.length >> 1;
+    const median = values.length % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+    for (const [name, value] of [['now', row[`${stage}_ms`]], ['median', median]]) {
+      const shown = Number(await text(page, `${stage}-${name}`));
+      assert.ok(Math.abs(shown - value) <= 0.0051 * Math.max(0.1, value), `${stage} ${name}: ${shown}, ${value}`);
+    }
+  }
+}
+
+async function compareCells(page, url, frame) {
+  const { arrays } = await source.storedFrame(url, frame);
+  for (const [name, { values }] of Object.entries(arrays)) {
+    const module = name.match(/^cells\.(.*)\.activity$/)?.[1];
+    if (!module) continue;
+    const peak = values.indexOf(Math.max(...values));
+    const shown = await page.getByTestId(`cells-${module}`).getAttribute('data-peak');
+    assert.equal(Number(shown), peak, module);
+  }
+}
+
+function compareRecord(frame, row) {
+  const record = source.recorded(frame);
+  if (record === null) return;
+  assert.equal(kTracking[row.tracking], record.motion.state);
+  assert.equal(row.tracked, record.motion.tracked);
+  assert.equal(kRecognition[row.recognition], record.place.recognition);
+  assert.equal(row.template_id, record.place.template_id);
+  assert.equal(row.experience, record.decision.experience);
+  assert.ok(Math.abs(row.heading - record.decision.heading) < 1e-9);
+  for (const name of ['experiences', 'links', 'loops']) assert.equal(row[name], record.map_update[name]);
+}
+
+describe('the numbers on the page', () => {
+  const t = target({ start: 4000 });
+
+  it('are those of the source, wherever one looks', async () => {
+    const page = await openPage(t.browser, t.url);
+    const rows = await source.allRows(t.url);
+    await untilCaughtUp(page, rows.length);
+    for (const share of [0.999, 0.75, 0.5, 0.31, 0]) {
+      const at = Math.floor(share * (rows.length - 1));
+      const row = rows[at];
+      await show(page, at, row.frame);
+      await until(page, (f) => !(window.tolman.imageFrame > f), row.frame);
+      await page.waitForTimeout(500); // plots and lists take their time
+      await compareCounters(page, row, rows);
+      await compareMatch(page, row, rows);
+      await compareTiming(page, row, rows);
+      await compareCells(page, t.url, row.frame);
+      compareRecord(row.frame, row);
+    }
+    assert.deepEqual(page.complaints, []);
+  });
+
+  it('are those of the graph', async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 1);
+    await until(page, () => window.tolman.graph.experiences > 0);
+    const graph = await source.graph(t.url);
+    const shown = await page.evaluate(() => window.tolman.graph);
+    if (t.fake) assert.deepEqual(shown, graph);
+    assert.equal(Number(await text(page, 'graph-experiences')), shown.experiences);
+    assert.equal(Number(await text(page, 'graph-loops')), shown.loops);
+    assert.equal(Number(await text(page, 'graph-links')), shown.links - shown.loops);
+  });
+
+  it('keep every row bit for bit', async () => {
+    const page = await openPage(t.browser, t.url);
+    const rows = await source.allRows(t.url);
+    await untilCaughtUp(page, rows.length);
+    for (const at of [0, 1, Math.floor(rows.length / 2), rows.length - 1]) {
+      const shown = await page.evaluate((i) => {
+        const row = window.tolman.row(i);
+        return Object.fromEntries(Object.entries(row).map(([k, v]) => [k, String(v)]));
+      }, at);
+      assert.deepEqual(shown, Object.fromEntries(Object.entries(rows[at]).map(([k, v]) => [k, String(v)])));
+    }
+  });
+});
