@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A map must not spoil odometry that is better than its loops: a real street driven forward,
+// backward, forward and backward, where each way meets old places again.
+#include <catch2/catch.hpp>
+
+#include "end_to_end/process.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+
+TEST_CASE("the map of a street driven up and down is as good as its odometry") {
+  const std::string config = GENERATE("direct.yaml", "kitti.yaml");
+  const auto clip = dataOrSkip("kitti_clips/06");
+  if (!clip) return;
+  const TemporaryFolder out;
+  const Finished finished = tolman::test::tolman(
+      {"run", TOLMAN_SOURCE_DIR "/configs/" + config, "--set", "source.path=" + clip->string(),
+       "--set", "source.order=pingpong", "--set", "source.passes=4", "--set",
+       "record.arrays_every=0", "--out", (out.path() / "run").string(), "--quiet"});
+  INFO(config << " " << finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto metrics = readJson(out.path() / "run/metrics.json");
+  const double odometry = metrics["odometry"]["ate"]["rmse_m"].get<double>();
+  const double map = metrics["map"]["ate"]["rmse_m"].get<double>();
+  CHECK(metrics["loops"].get<int>() > 3);
+  CHECK(map <= 1.1 * odometry);
+  WARN(config << ": ATE of odometry " << odometry << " m, of the map " << map << " m");
+}
