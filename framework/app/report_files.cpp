@@ -8,6 +8,7 @@
 #include "config/loader.hpp"
 #include "config/system_config.hpp"
 #include "record/atomic_file.hpp"
+#include "report/comparison.hpp"
 #include "report/page.hpp"
 
 namespace tolman::app {
@@ -63,6 +64,12 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
     const Status status = writeFigures(page.value(), figures, written);
     if (!status.isOk()) return status;
     pages.push_back(std::move(page).value());
+  }
+  if (const auto maps = report::sideBySide(pages, "map")) {
+    written.push_back(folder / "figures/maps.svg");
+    if (Status status = record::writeAtomically(written.back(), *maps); !status.isOk()) {
+      return status;
+    }
   }
   const Status status = record::writeAtomically(written.front(), report::html(pages));
   if (!status.isOk()) return status;
