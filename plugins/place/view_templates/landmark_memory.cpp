@@ -19,10 +19,8 @@ cv::Mat grayOf(const Image& image) {
 }  // namespace
 
 const Corners& LandmarkMemory::cornersOf(const Frame& frame) {
-  if (seen_frame_ != frame.frame || frame.frame < 0) {
-    seen_ = findCorners(grayOf(frame.left), corners_);
-    seen_frame_ = frame.frame;
-  }
+  if (!looked_) seen_ = findCorners(grayOf(frame.left), corners_);
+  looked_ = true;
   return seen_;
 }
 
@@ -59,7 +57,7 @@ void LandmarkMemory::save(StateWriter& writer) const {
 bool LandmarkMemory::load(StateReader& reader) {
   constexpr std::size_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
   templates_.clear();
-  seen_frame_ = -1;
+  looked_ = false;
   const auto count = reader.get<std::uint64_t>();
   if (count > reader.remaining() / sizeof(std::uint64_t)) return false;
   for (std::uint64_t t = 0; t < count; ++t) {

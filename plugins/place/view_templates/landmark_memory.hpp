@@ -18,6 +18,8 @@ class LandmarkMemory {
   LandmarkMemory(const CameraRig& rig, int corners, int least_agreeing)
       : rig_(rig), corners_(corners), least_(least_agreeing) {}
 
+  /// A new frame comes: what was seen in the last one no longer counts.
+  void beginFrame() { looked_ = false; }
   /// Landmarks of the next template.
   void add(const Frame& frame);
   std::size_t size() const { return templates_.size(); }
@@ -38,8 +40,8 @@ class LandmarkMemory {
   int corners_;
   int least_;
   std::vector<Landmarks> templates_;
-  Corners seen_;  ///< of the frame seen_frame_
-  std::int64_t seen_frame_ = -1;
+  Corners seen_;         ///< in the present frame
+  bool looked_ = false;  ///< whether seen_ is up to date
 };
 
 }  // namespace tolman::view_templates

@@ -73,6 +73,7 @@ Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
   observation.stamp_ns = frame.stamp_ns;
   if (frame.left.empty()) return Status::ok();
   if (Status status = maker_->make(frame.left, view_); !status.isOk()) return status;
+  if (landmarks_) landmarks_->beginFrame();
 
   if (!recognise(frame, observation)) {
     observation.recognition = Recognition::Novel;
