@@ -138,7 +138,7 @@ TEST_CASE("KITTI 06 with the right camera covered for two seconds: not lost, sca
   if (!clip) return;
   test::Host host(readRig(*clip, readImage(*clip, "image_0", 0)));
   CHECK(run(host, *clip, range(0, 51), ".png", {15, 35}) == 0);
-  CHECK(ateOf(host, *clip, range(0, 51)) < 0.2);
+  CHECK(ateOf(host, *clip, range(0, 51)) < 0.1);
 }
 
 TEST_CASE("KITTI raw 0001 with moving traffic has the length that others agree on") {
