@@ -23,11 +23,11 @@ struct Track {
   Finished bench(const std::vector<std::string>& more, bool odometry = false) const {
     std::vector<std::string> words = {"bench"};
     if (odometry) words.emplace_back("odometry");
-    for (const char* folder : {"steady", "painted"}) {
-      words.emplace_back("--plugin-path");
-      words.push_back(std::string(TOLMAN_BINARY_DIR "/tests/fixtures/plugins/") + folder);
-    }
     words.push_back(config.string());
+    for (const char* plugin : {"steady", "painted"}) {
+      words.emplace_back("--plugin-path");
+      words.push_back(std::string(TOLMAN_BINARY_DIR "/tests/fixtures/plugins/") + plugin);
+    }
     words.insert(words.end(), more.begin(), more.end());
     return tolman::test::tolman(words);
   }
