@@ -5,10 +5,25 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
-#include "wide_lanes.hpp"
+#include "eight.hpp"
 
 namespace tolman::direct_sparse {
+namespace {
+
+static_assert(kFrameVariables == 8);
+
+TOLMAN_INLINE void add(Eight value, float* sum) {
+  value += loadEight(sum);
+  std::memcpy(sum, &value, sizeof value);
+}
+
+/// Fills up the eight columns behind those of the slots.
+constexpr std::size_t kGradientIndex = kOffsetIndex + 1;
+static_assert(kGradientIndex < kPadded);
+
+}  // namespace
 
 void ChunkSystem::clear(int host) {
   host_ = host;
@@ -17,7 +32,6 @@ void ChunkSystem::clear(int host) {
     for (auto& row : block) row.fill(0);
   }
   for (auto& row : schur_) row.fill(0);
-  schur_gradient_.fill(0);
   offset_information = 0;
   offset_gradient = 0;
   energy = 0;
@@ -36,27 +50,23 @@ ResidualState ChunkSystem::judge(const PixelSums& sums, float threshold) {
   return ResidualState::Good;
 }
 
-TOLMAN_WIDE_LANES void ChunkSystem::addTemporal(int target, const PairGeometry& pair, const PixelSums& s,
-                              const CentreJacobian& J, PointTerms& terms) {
-  // Columns of (gx, gy)' W (J_geo | a | b | r): the two image directions share all columns.
-  alignas(32) std::array<float, 12> p{};
-  alignas(32) std::array<float, 12> q{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    p[i] = s.xx * J.u_by_twist[i] + s.xy * J.v_by_twist[i];
-    q[i] = s.xy * J.u_by_twist[i] + s.yy * J.v_by_twist[i];
-  }
+TOLMAN_WIDE_LANES void ChunkSystem::addTemporal(int target, const PairGeometry& pair,
+                                                const PixelSums& s, const CentreJacobian& J,
+                                                PointTerms& terms) {
+  // Columns of (gx, gy)' W (J_geo | a | b): the two image directions share all columns.
+  const Eight ju = loadEight(J.u_by_twist.data());
+  const Eight jv = loadEight(J.v_by_twist.data());
+  Eight p = s.xx * ju + s.xy * jv;
+  Eight q = s.xy * ju + s.yy * jv;
   p[6] = s.xa;
   q[6] = s.ya;
   p[7] = -s.x1;
   q[7] = -s.y1;
-  p[8] = s.xr;
-  q[8] = s.yr;
   const auto slot = static_cast<std::size_t>(target);
   RelativeBlock& block = relative_[slot];
   for (std::size_t i = 0; i < 6; ++i) {
-    const float ju = J.u_by_twist[i];
-    const float jv = J.v_by_twist[i];
-    for (std::size_t k = 0; k < 12; ++k) block[i][k] += ju * p[k] + jv * q[k];
+    add(J.u_by_twist[i] * p + J.v_by_twist[i] * q, block[i].data());
+    block[i][8] += J.u_by_twist[i] * s.xr + J.v_by_twist[i] * s.yr;
   }
   block[6][6] += s.aa;
   block[6][7] -= s.a1;
@@ -65,25 +75,17 @@ TOLMAN_WIDE_LANES void ChunkSystem::addTemporal(int target, const PairGeometry& 
   block[7][8] -= s.r1;
   targets_ |= 1U << slot;
 
-  alignas(32) std::array<float, kFrameVariables> c;  // relative variables by inverse depth
-  for (std::size_t k = 0; k < kFrameVariables; ++k) {
-    c[k] = p[k] * J.u_by_depth + q[k] * J.v_by_depth;
-  }
+  const Eight by_depth = p * J.u_by_depth + q * J.v_by_depth;
   const float pd = s.xx * J.u_by_depth + s.xy * J.v_by_depth;
   const float qd = s.xy * J.u_by_depth + s.yy * J.v_by_depth;
   terms.information += pd * J.u_by_depth + qd * J.v_by_depth;
   terms.gradient += s.xr * J.u_by_depth + s.yr * J.v_by_depth;
-  alignas(32) std::array<float, kFrameVariables> by_host{};
+  Eight by_host{};
   for (std::size_t k = 0; k < kFrameVariables; ++k) {
-    const float* row = pair.relative_by_host.data() + kFrameVariables * k;
-    for (std::size_t i = 0; i < kFrameVariables; ++i) by_host[i] += row[i] * c[k];
+    by_host += by_depth[k] * loadEight(pair.relative_by_host.data() + kFrameVariables * k);
   }
-  float* at_target = terms.coupling.data() + kFrameVariables * slot;
-  float* at_host = terms.coupling.data() + kFrameVariables * static_cast<std::size_t>(host_);
-  for (std::size_t i = 0; i < kFrameVariables; ++i) {
-    at_target[i] += c[i];
-    at_host[i] += by_host[i];
-  }
+  add(by_depth, terms.coupling.data() + kFrameVariables * slot);
+  add(by_host, terms.coupling.data() + kFrameVariables * static_cast<std::size_t>(host_));
   terms.slots |= (1U << slot) | (1U << static_cast<unsigned>(host_));
   ++terms.good;
 }
@@ -102,7 +104,10 @@ void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline, float lamb
 
 void ChunkSystem::eliminate(std::span<PointTerms> points) {
   constexpr float kLeastInformation = 1e-3F;
-  for (PointTerms& point : points) point.information += kLeastInformation;
+  for (PointTerms& point : points) {
+    point.information += kLeastInformation;
+    point.coupling[kGradientIndex] = point.gradient;  // eliminated like one more variable
+  }
   PointTerms nothing;
   nothing.information = 1;
   for (std::size_t first = 0; first < points.size(); first += 4) {
@@ -117,36 +122,34 @@ void ChunkSystem::eliminate(std::span<PointTerms> points) {
 /// Adds to the rows and columns of all variables that any of the four couples with.
 TOLMAN_WIDE_LANES void ChunkSystem::eliminateFour(const FourPoints& points) {
   constexpr std::size_t n = kFrameVariables;
-  const float* c0 = points[0]->coupling.data();
-  const float* c1 = points[1]->coupling.data();
-  const float* c2 = points[2]->coupling.data();
-  const float* c3 = points[3]->coupling.data();
-  const std::array<float, 4> inverse = {1 / points[0]->information, 1 / points[1]->information,
-                                        1 / points[2]->information, 1 / points[3]->information};
+  constexpr std::uint32_t kLast = 1U << kSlots;  // the disparity offset and the gradient
+  std::array<const float*, 4> c{};
+  std::array<float, 4> inverse{};
+  std::uint32_t all = kLast;
+  for (std::size_t p = 0; p < 4; ++p) {
+    c[p] = points[p]->coupling.data();
+    inverse[p] = 1.0F / points[p]->information;
+    all |= points[p]->slots;
+  }
   const auto addRow = [&](std::size_t i, std::uint32_t slots) TOLMAN_INLINE_LAMBDA {
-    const float s0 = c0[i] * inverse[0];
-    const float s1 = c1[i] * inverse[1];
-    const float s2 = c2[i] * inverse[2];
-    const float s3 = c3[i] * inverse[3];
-    schur_[i][kOffsetIndex] += (s0 * c0[kOffsetIndex] + s1 * c1[kOffsetIndex]) +
-                               (s2 * c2[kOffsetIndex] + s3 * c3[kOffsetIndex]);
-    schur_gradient_[i] += (s0 * points[0]->gradient + s1 * points[1]->gradient) +
-                          (s2 * points[2]->gradient + s3 * points[3]->gradient);
+    const Eight s0 = Eight{} + c[0][i] * inverse[0];
+    const Eight s1 = Eight{} + c[1][i] * inverse[1];
+    const Eight s2 = Eight{} + c[2][i] * inverse[2];
+    const Eight s3 = Eight{} + c[3][i] * inverse[3];
     for (; slots != 0; slots &= slots - 1) {
-      const std::size_t begin = n * static_cast<std::size_t>(std::countr_zero(slots));
-      float* out = schur_[i].data() + begin;
-      for (std::size_t k = begin; k < begin + n; ++k, ++out) {
-        *out += (s0 * c0[k] + s1 * c1[k]) + (s2 * c2[k] + s3 * c3[k]);
-      }
+      const std::size_t k = n * static_cast<std::size_t>(std::countr_zero(slots));
+      add((s0 * loadEight(c[0] + k) + s1 * loadEight(c[1] + k)) +
+              (s2 * loadEight(c[2] + k) + s3 * loadEight(c[3] + k)),
+          schur_[i].data() + k);
     }
   };
-  const std::uint32_t all =
-      points[0]->slots | points[1]->slots | points[2]->slots | points[3]->slots;
-  for (std::uint32_t slots = all; slots != 0; slots &= slots - 1) {  // from the first to the last
+  for (std::uint32_t slots = all; slots != kLast; slots &= slots - 1) {  // from first to last
     const std::size_t begin = n * static_cast<std::size_t>(std::countr_zero(slots));
     for (std::size_t i = begin; i < begin + n; ++i) addRow(i, slots);
   }
-  addRow(kOffsetIndex, 0);
+  addRow(kOffsetIndex, kLast);
 }
+
+float ChunkSystem::schurGradient(std::size_t i) const { return schur_[i][kGradientIndex]; }
 
 }  // namespace tolman::direct_sparse

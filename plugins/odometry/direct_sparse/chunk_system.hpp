@@ -47,7 +47,7 @@ class ChunkSystem {
   bool hasTarget(int target) const { return (targets_ >> static_cast<unsigned>(target)) & 1U; }
   /// What elimination takes away, blocks (i, j) with slot(i) <= slot(j) only, and the offset row.
   const std::array<std::array<float, kPadded>, kPadded>& schur() const { return schur_; }
-  const std::array<float, kPadded>& schurGradient() const { return schur_gradient_; }
+  float schurGradient(std::size_t variable) const;
   float offset_information = 0;
   float offset_gradient = 0;
   double energy = 0;
@@ -62,7 +62,6 @@ class ChunkSystem {
   std::uint32_t targets_ = 0;
   alignas(32) std::array<RelativeBlock, kSlots> relative_;
   alignas(32) std::array<std::array<float, kPadded>, kPadded> schur_;
-  alignas(32) std::array<float, kPadded> schur_gradient_;
 };
 
 }  // namespace tolman::direct_sparse

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "four.hpp"
 #include "wide_lanes.hpp"
 
 namespace tolman::direct_sparse {
@@ -22,5 +23,15 @@ TOLMAN_INLINE Eight loadEight(const float* p) {
 TOLMAN_INLINE Eight toFloat(EightInts value) { return __builtin_convertvector(value, Eight); }
 TOLMAN_INLINE EightInts truncated(Eight value) { return __builtin_convertvector(value, EightInts); }
 TOLMAN_INLINE Eight absolute(Eight value) { return value < 0.0F ? -value : value; }
+TOLMAN_INLINE Eight smaller(Eight a, Eight b) { return a < b ? a : b; }
+TOLMAN_INLINE Four lowHalf(Eight v) { return __builtin_shufflevector(v, v, 0, 1, 2, 3); }
+TOLMAN_INLINE Four highHalf(Eight v) { return __builtin_shufflevector(v, v, 4, 5, 6, 7); }
+TOLMAN_INLINE Eight joined(Four low, Four high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+TOLMAN_INLINE bool all(EightInts mask) {
+  return all(FourInts(__builtin_shufflevector(mask, mask, 0, 1, 2, 3) &
+                      __builtin_shufflevector(mask, mask, 4, 5, 6, 7)));
+}
 
 }  // namespace tolman::direct_sparse

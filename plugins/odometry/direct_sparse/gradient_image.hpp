@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "four.hpp"
+#include "large_pages.hpp"
 #include "pyramid.hpp"
 
 namespace tolman::direct_sparse {
@@ -53,7 +54,7 @@ class GradientImage {
  private:
   int width_ = 0;
   int height_ = 0;
-  std::vector<std::int16_t> quads_;
+  std::vector<std::int16_t, LargePages<std::int16_t>> quads_;
 };
 
 }  // namespace tolman::direct_sparse

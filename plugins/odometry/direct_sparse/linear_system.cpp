@@ -12,7 +12,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr int kChunk = 128;  // points; fixed, for the same sums with any number of threads
+constexpr int kChunk = 128;        // points; fixed, for the same sums with any number of threads
 constexpr std::size_t kAhead = 3;  // points whose pixels are on their way while one is evaluated
 
 std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
@@ -137,8 +137,12 @@ void LinearSystem::addRight(const SystemSettings& settings, Window& window, cons
   Keyframe& keyframe = window.keyframe(chunk.range.host);
   const StereoGeometry& stereo = stereos_[index(chunk.range.host)];
   PixelSums sums;
+  Point* points = keyframe.points.data() + chunk.range.begin;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    Point& point = keyframe.points[index(chunk.range.begin) + k];
+    if (k + kAhead < terms.size()) {
+      prefetchStereo(stereo, keyframe.right.level(0), points[k + kAhead]);
+    }
+    Point& point = points[k];
     if (point.stereo == ResidualState::Absent) continue;
     const bool inside = stereoSums(stereo, keyframe.right.level(0), point, sums);
     point.stereo = inside ? system.judge(sums, window.energy_threshold) : ResidualState::Outside;
@@ -164,7 +168,7 @@ void LinearSystem::sumUp(const Window& window) {
       for (int c = r - r % kFrameVariables; c < kVariables; ++c) {
         schur(r, c) += system.schur()[index(r)][index(c)];
       }
-      b_[r] -= system.schurGradient()[index(r)];
+      b_[r] -= system.schurGradient(index(r));
     }
     H_(kOffsetIndex, kOffsetIndex) += system.offset_information;
     b_[kOffsetIndex] += system.offset_gradient;

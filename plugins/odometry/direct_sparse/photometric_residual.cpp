@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "wide_lanes.hpp"
+#include "eight.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -12,17 +12,11 @@ namespace {
 constexpr float kBorder = 2;             // px that projections keep from the border
 constexpr float kSmallestDepth = 1e-3F;  // of the host's depth
 
-/// Half of the pattern in the target.
-struct Half {
-  Four u;
-  Four v;
-};
-
 /// Pixels of the pattern in the target; false when one is not usable.
-TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage& target, const Point& point,
-                    std::array<Half, 2>& halves) {
-  static constexpr std::array<Four, 2> kU = {Four{0, -1, 1, -2}, Four{0, 2, -1, 0}};
-  static constexpr std::array<Four, 2> kV = {Four{-2, -1, -1, 0}, Four{0, 0, 1, 2}};
+TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage& target,
+                                  const Point& point, Eight& u, Eight& v) {
+  constexpr Eight kU = {0, -1, 1, -2, 0, 2, -1, 0};  // kPatternU
+  constexpr Eight kV = {-2, -1, -1, 0, 0, 0, 1, 2};
   const auto& m = pair.warp;
   const float d = point.inverse_depth;
   const float x0 = m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d;
@@ -31,45 +25,59 @@ TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage&
   if (!(z0 > kSmallestDepth)) return false;
   const float width = static_cast<float>(target.width()) - 1.0F - kBorder;
   const float height = static_cast<float>(target.height()) - 1.0F - kBorder;
-  FourInts inside = {-1, -1, -1, -1};
-  for (std::size_t h = 0; h < 2; ++h) {
-    const Four scale = 1.0F / (z0 + m[6] * kU[h] + m[7] * kV[h]);
-    const Four u = (x0 + m[0] * kU[h] + m[1] * kV[h]) * scale;
-    const Four v = (y0 + m[3] * kU[h] + m[4] * kV[h]) * scale;
-    inside &= (u >= kBorder) & (v >= kBorder) & (u < width) & (v < height);
-    halves[h] = {u, v};
-  }
-  return all(inside);
+  const Eight scale = 1.0F / (z0 + m[6] * kU + m[7] * kV);
+  u = (x0 + m[0] * kU + m[1] * kV) * scale;
+  v = (y0 + m[3] * kU + m[4] * kV) * scale;
+  return all((u >= kBorder) & (v >= kBorder) & (u < width) & (v < height));
 }
 
-/// What one half of the pattern adds to the sums, lane by lane.
-struct HalfSums {
-  Four xx, xy, yy, xa, ya, x1, y1, aa, a1, w, xr, yr, ar, r1, energy;
+/// The target at the pixels of the pattern.
+struct PatternSamples {
+  Eight value;
+  Eight gx;
+  Eight gy;
 };
 
-TOLMAN_INLINE HalfSums addUp(const PairGeometry& pair, const Pattern& pattern, std::size_t h, Four value, Four gx,
-               Four gy) {
-  const Four omega = loadFour(pattern.weight.data() + 4 * h);
-  const Four scene = pair.gain * (loadFour(pattern.value.data() + 4 * h) - pair.host_b);
-  const Four r = value - scene - pair.target_b;
-  const Four size = absolute(r);
-  const Four huber = smaller(four(1.0F), kHuber / (size + 1e-6F));
-  const Four w = omega * huber;
-  const Four wx = w * gx;
-  const Four wy = w * gy;
-  const Four wa = -w * scene;
-  return {wx * gx, wx * gy, wy * gy,     -wx * scene, -wy * scene,
-          wx,      wy,      -wa * scene, wa,          w,
-          wx * r,  wy * r,  wa * r,      w * r,       w * (2.0F - huber) * r * r};
+TOLMAN_INLINE PatternSamples samplesAt(const GradientImage& target, Eight u, Eight v) {
+  const EightInts x = truncated(u);
+  const EightInts y = truncated(v);
+  const EightInts fx = truncated((u - toFloat(x)) * float{kMixOne} + 0.5F);
+  const EightInts fy = truncated((v - toFloat(y)) * float{kMixOne} + 0.5F);
+  const EightInts w11 = fx * fy;
+  const EightInts w01 = kMixOne * fx - w11;
+  const EightInts w10 = kMixOne * fy - w11;
+  const EightInts top = (kMixOne * kMixOne - w01 - w10 - w11) | w01 << 16;
+  const EightInts bottom = w10 | w11 << 16;
+  const EightInts place = 4 * (y * target.width() + x);
+  const std::int16_t* quads = target.pixel(0, 0);
+  const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(target.width());
+  std::array<Four, kPatternSize> s;
+  for (std::size_t k = 0; k < kPatternSize; ++k) {
+    s[k] = mixShorts(quads + place[k], quads + place[k] + row, top[k], bottom[k]);
+  }
+  transpose(s[0], s[1], s[2], s[3]);
+  transpose(s[4], s[5], s[6], s[7]);
+  return {joined(s[0], s[4]), 0.5F * joined(s[1], s[5]), 0.5F * joined(s[2], s[6])};
 }
 
-TOLMAN_INLINE PixelSums combined(const HalfSums& a, const HalfSums& b) {
-  const Four s0 = sums(a.xx + b.xx, a.xy + b.xy, a.yy + b.yy, a.xa + b.xa);
-  const Four s1 = sums(a.ya + b.ya, a.x1 + b.x1, a.y1 + b.y1, a.aa + b.aa);
-  const Four s2 = sums(a.a1 + b.a1, a.w + b.w, a.xr + b.xr, a.yr + b.yr);
-  const Four s3 = sums(a.ar + b.ar, a.r1 + b.r1, a.energy + b.energy, four(0));
-  return {s0[0], s0[1], s0[2], s0[3], s1[0], s1[1], s1[2], s1[3],
-          s2[0], s2[1], s2[2], s2[3], s3[0], s3[1], s3[2]};
+TOLMAN_INLINE Four folded(Eight v) { return lowHalf(v) + highHalf(v); }
+
+TOLMAN_INLINE PixelSums addUp(const PairGeometry& pair, const Pattern& pattern,
+                              const PatternSamples& s) {
+  const Eight scene = pair.gain * (loadEight(pattern.value.data()) - pair.host_b);
+  const Eight r = s.value - scene - pair.target_b;
+  const Eight huber = smaller(Eight{} + 1.0F, kHuber / (absolute(r) + 1e-6F));
+  const Eight w = loadEight(pattern.weight.data()) * huber;
+  const Eight wx = w * s.gx;
+  const Eight wy = w * s.gy;
+  const Eight wa = -w * scene;
+  const Four xx =
+      sums(folded(wx * s.gx), folded(wx * s.gy), folded(wy * s.gy), folded(-wx * scene));
+  const Four ya = sums(folded(-wy * scene), folded(wx), folded(wy), folded(-wa * scene));
+  const Four a1 = sums(folded(wa), folded(w), folded(wx * r), folded(wy * r));
+  const Four ar = sums(folded(wa * r), folded(w * r), folded(w * (2.0F - huber) * r * r), four(0));
+  return {xx[0], xx[1], xx[2], xx[3], ya[0], ya[1], ya[2], ya[3],
+          a1[0], a1[1], a1[2], a1[3], ar[0], ar[1], ar[2]};
 }
 
 /// Catmull-Rom value and central-difference slope between b and c. Bilinear values are blurred by
@@ -121,24 +129,12 @@ PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Key
   return pair;
 }
 
-TOLMAN_WIDE_LANES bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
-                  PixelSums& sums) {
-  std::array<Half, 2> halves;
-  if (!projectPattern(pair, target, point, halves)) return false;
-  std::array<HalfSums, 2> parts;
-  for (std::size_t h = 0; h < 2; ++h) {
-    const FourInts x = truncated(halves[h].u);
-    const FourInts y = truncated(halves[h].v);
-    const Four fx = halves[h].u - toFloat(x);
-    const Four fy = halves[h].v - toFloat(y);
-    Four value = target.at(x[0], y[0], fx[0], fy[0]);
-    Four gx = target.at(x[1], y[1], fx[1], fy[1]);
-    Four gy = target.at(x[2], y[2], fx[2], fy[2]);
-    Four nothing = target.at(x[3], y[3], fx[3], fy[3]);
-    transpose(value, gx, gy, nothing);
-    parts[h] = addUp(pair, point.pattern, h, value, 0.5F * gx, 0.5F * gy);
-  }
-  sums = combined(parts[0], parts[1]);
+TOLMAN_WIDE_LANES bool temporalSums(const PairGeometry& pair, const GradientImage& target,
+                                    const Point& point, PixelSums& sums) {
+  Eight u;
+  Eight v;
+  if (!projectPattern(pair, target, point, u, v)) return false;
+  sums = addUp(pair, point.pattern, samplesAt(target, u, v));
   return true;
 }
 
@@ -152,11 +148,15 @@ void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, con
   if (!(z > kSmallestDepth) || !target.contains(u, v, kReach)) return;
   const int x = static_cast<int>(u);
   const int y = static_cast<int>(v);
-  for (int row = y - kPatternRadius; row <= y + kPatternRadius + 1; ++row) {
-    // A row of the pattern has less bytes than a cache line, but may lie across two.
+  // Rows of the pattern have less bytes than a cache line, but may lie across two.
+  __builtin_prefetch(target.pixel(x, y - 2));
+  __builtin_prefetch(target.pixel(x, y - 1));
+  for (const int row : {y, y + 1}) {
     __builtin_prefetch(target.pixel(x - kPatternRadius, row));
     __builtin_prefetch(target.pixel(x + kPatternRadius + 1, row));
   }
+  __builtin_prefetch(target.pixel(x, y + 2));
+  __builtin_prefetch(target.pixel(x, y + 3));
 }
 
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
@@ -178,8 +178,8 @@ CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, f
   return J;
 }
 
-TOLMAN_WIDE_LANES bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
-                PixelSums& sums) {
+TOLMAN_WIDE_LANES bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right,
+                                  const Point& point, PixelSums& sums) {
   const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
   constexpr float kMargin = kPatternRadius + 1;
   if (!right.contains(u, point.v, kMargin)) return false;
@@ -211,6 +211,16 @@ TOLMAN_WIDE_LANES bool stereoSums(const StereoGeometry& stereo, const GrayLevel&
   sums.xr = total[1];
   sums.energy = total[2];
   return true;
+}
+
+void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point) {
+  const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
+  if (!right.contains(u, point.v, kPatternRadius + 1)) return;
+  const int x = static_cast<int>(u);
+  const int y = static_cast<int>(point.v);
+  for (int row = y - kPatternRadius; row <= y + kPatternRadius; ++row) {
+    __builtin_prefetch(right.row(row) + x);
+  }
 }
 
 }  // namespace tolman::direct_sparse

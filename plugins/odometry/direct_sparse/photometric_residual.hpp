@@ -43,8 +43,8 @@ struct PixelSums {
 
 /// Derivatives of the pixel of the pattern's centre.
 struct CentreJacobian {
-  std::array<float, 6> u_by_twist{};
-  std::array<float, 6> v_by_twist{};
+  alignas(32) std::array<float, 8> u_by_twist{};  ///< six, and two zeros
+  alignas(32) std::array<float, 8> v_by_twist{};
   float u_by_depth = 0;  ///< inverse depth
   float v_by_depth = 0;
 };
@@ -52,9 +52,6 @@ struct CentreJacobian {
 /// False when the pattern leaves the image or lies behind the camera.
 bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
                   PixelSums& sums);
-/// Asks for the pixels that temporalSums() will read. They lie anywhere in an image that is larger
-/// than the caches; so ask some points ahead.
-void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point);
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
                               float inverse_depth);
 
@@ -69,5 +66,11 @@ struct StereoGeometry {
 /// Only xx, xr and energy are filled: the row is the only direction.
 bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
                 PixelSums& sums);
+
+/// Asks for the pixels that temporalSums() will read. They lie anywhere in an image that is larger
+/// than the caches; so ask some points ahead.
+void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point);
+/// The same for stereoSums().
+void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point);
 
 }  // namespace tolman::direct_sparse

@@ -151,7 +151,7 @@ TEST_CASE("elimination is the Schur complement of the depth") {
       CHECK(system.schur()[r][c] == Approx(expected).epsilon(1e-3).margin(1e-3));
     }
     CHECK(
-        system.schurGradient()[r] ==
+        system.schurGradient(r) ==
         Approx(terms.coupling[r] * terms.gradient / terms.information).epsilon(1e-3).margin(1e-3));
   }
 }

@@ -150,7 +150,7 @@ TEST_CASE("turning round on the spot of a road is no loss") {
 }
 
 TEST_CASE("images that show nothing: lost, predicted, and measured across the gap afterwards") {
-  const std::string kind = GENERATE("missing", "black", "white");
+  const std::string kind = GENERATE("missing", "black", "grey", "white");
   CAPTURE(kind);
   test::Host host(test::streetRig());
   double sigma = 0;
@@ -162,6 +162,7 @@ TEST_CASE("images that show nothing: lost, predicted, and measured across the ga
       frame.defect = "left/000005.png is damaged";
     }
     if (blind && kind == "black") frame.left = frame.right = test::filled(0);
+    if (blind && kind == "grey") frame.left = frame.right = test::filled(128);
     if (blind && kind == "white") frame.left = frame.right = test::filled(255);
     const Motion motion = host.track(frame);
     if (k > 0) CHECK((motion.state == TrackingState::Lost) == blind);

@@ -42,6 +42,30 @@ TEST_CASE("values agree with the grey level's own, gradients with its central di
   }
 }
 
+TEST_CASE("every pixel of any width: grey value and both differences, none at the border") {
+  for (const int width : {16, 17, 21, 24, 31, 50}) {
+    const GrayLevel level =
+        test::levelOf(width, 9, [](int u, int v) { return (u * u * 37 + v * 91 + u * v) % 256; });
+    GradientImage image;
+    image.build(level);
+    for (int v = 0; v < level.height; ++v) {
+      for (int u = 0; u < level.width; ++u) {
+        CAPTURE(width, u, v);
+        const std::int16_t* p = image.pixel(u, v);
+        CHECK(p[0] == level.row(v)[u]);
+        CHECK(p[3] == 0);
+        if (u == 0 || u == level.width - 1) {
+          CHECK(p[1] == 0);
+          CHECK(p[2] == 0);
+          continue;
+        }
+        CHECK(p[1] == level.row(v)[u + 1] - level.row(v)[u - 1]);
+        if (v > 0 && v < level.height - 1) CHECK(p[2] == level.row(v + 1)[u] - level.row(v - 1)[u]);
+      }
+    }
+  }
+}
+
 TEST_CASE("a smaller image after a larger one leaves nothing behind") {
   GradientImage image;
   image.build(test::levelOf(80, 40, [](int u, int) { return 3 * u; }));

@@ -48,9 +48,15 @@ cv::Mat readImage(const std::filesystem::path& clip, const char* camera, int ind
   return cv::imread((clip / camera / (name.str() + type)).string(), cv::IMREAD_GRAYSCALE);
 }
 
+/// Frames whose right image is dark.
+struct Covered {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
 /// Runs images `order` of a clip at 10 Hz; counts frames without measurement.
 int run(test::Host& host, const std::filesystem::path& clip, const std::vector<int>& order,
-        const char* type = ".png") {
+        const char* type = ".png", Covered covered = {}) {
   int lost = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     Frame frame;
@@ -58,7 +64,10 @@ int run(test::Host& host, const std::filesystem::path& clip, const std::vector<i
     frame.stamp_ns = frame.frame * 100'000'000;
     frame.left = asImage(readImage(clip, "image_0", order[k], type));
     if (std::filesystem::exists(clip / "image_1")) {
-      frame.right = asImage(readImage(clip, "image_1", order[k], type));
+      cv::Mat right = readImage(clip, "image_1", order[k], type);
+      if (k >= covered.begin && k < covered.end)
+        right = cv::Mat(right.size(), CV_8U, cv::Scalar(6));
+      frame.right = asImage(right);
     }
     lost += host.track(frame).state == TrackingState::Lost ? 1 : 0;
   }
@@ -122,6 +131,14 @@ TEST_CASE("KITTI 06, forwards, backwards and back again") {
     CHECK(run(host, *clip, order) == 0);
     CHECK(host.trajectory().back().translation().norm() < 0.06);
   }
+}
+
+TEST_CASE("KITTI 06 with the right camera covered for two seconds: not lost, scale kept") {
+  const auto clip = test::dataOrSkip("kitti_clips/06");
+  if (!clip) return;
+  test::Host host(readRig(*clip, readImage(*clip, "image_0", 0)));
+  CHECK(run(host, *clip, range(0, 51), ".png", {15, 35}) == 0);
+  CHECK(ateOf(host, *clip, range(0, 51)) < 0.1);
 }
 
 TEST_CASE("KITTI raw 0001 with moving traffic has the length that others agree on") {

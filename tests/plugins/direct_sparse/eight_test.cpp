@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Vectors of eight, in a function that exists for each kind of processor, against plain loops.
+#include "eight.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using namespace tolman::direct_sparse;
+
+namespace {
+
+using Floats = std::array<float, 8>;
+
+constexpr Floats kNumbers = {1.5F, -2, 0.25F, -4.75F, 1e6F, -1e-3F, 7.999F, -0.5F};
+
+/// What the operations make of the numbers; compiled for wide and for narrow registers.
+struct Answers {
+  Floats size, least, whole, joined;
+  bool all_large = false, all_small = false;
+};
+
+TOLMAN_WIDE_LANES Answers answersFor(const Floats& numbers) {
+  const Eight value = loadEight(numbers.data());
+  const Eight size = absolute(value);
+  const Eight least = smaller(value, Eight{});
+  const Eight whole = toFloat(truncated(value));
+  const Eight back = joined(highHalf(value), lowHalf(value));
+  Answers answers{};
+  for (std::size_t k = 0; k < 8; ++k) {
+    answers.size[k] = size[k];
+    answers.least[k] = least[k];
+    answers.whole[k] = whole[k];
+    answers.joined[k] = back[k];
+  }
+  answers.all_large = all(value > -10.0F);
+  answers.all_small = all(value < 10.0F);
+  return answers;
+}
+
+/// A sum whose rounding would change if products were not rounded before they are added.
+TOLMAN_WIDE_LANES float sumOfProducts(const Floats& a, const Floats& b) {
+  const Eight product = loadEight(a.data()) * loadEight(b.data()) + loadEight(b.data());
+  float sum = 0;
+  for (std::size_t k = 0; k < 8; ++k) sum += product[k];
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("operations on eight lanes are those on each") {
+  const Answers answers = answersFor(kNumbers);
+  for (std::size_t k = 0; k < 8; ++k) {
+    CHECK(answers.size[k] == std::fabs(kNumbers[k]));
+    CHECK(answers.least[k] == std::min(kNumbers[k], 0.0F));
+    CHECK(answers.whole[k] == std::trunc(kNumbers[k]));
+    CHECK(answers.joined[k] == kNumbers[(k + 4) % 8]);
+  }
+  CHECK(answers.all_large);
+  CHECK_FALSE(answers.all_small);
+}
+
+TEST_CASE("whatever the processor has, products are rounded before they are added") {
+  Floats a;
+  Floats b;
+  for (std::size_t k = 0; k < 8; ++k) {
+    a[k] = 1.0F / (3.0F + static_cast<float>(k));
+    b[k] = 1.0F / (7.0F - 0.3F * static_cast<float>(k));
+  }
+  float expected = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    const volatile float product = a[k] * b[k];
+    const volatile float rounded = product + b[k];
+    expected += rounded;
+  }
+  CHECK(sumOfProducts(a, b) == expected);
+}
