@@ -59,8 +59,11 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
   return {
       SpatialCells(HeadDirectionRing(ringSettings(p)),
                    GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
-      ViewLinks(habituation), ExperienceLog(experience),
-      PathMemory({p.drift_heading, p.drift_scale}), ViewEvidence(evidence), Relocation(relocation)};
+      ViewLinks(habituation),
+      ExperienceLog(experience),
+      PathMemory({p.drift_heading, p.drift_scale}),
+      ViewEvidence(evidence),
+      Relocation(relocation)};
 }
 
 Status BayesianAttractor::reset() {
