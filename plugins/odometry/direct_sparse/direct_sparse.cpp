@@ -39,12 +39,20 @@ Affine relative(const Affine& reference, const Affine& other) {
   return {a, other.b - std::exp(a) * reference.b};
 }
 
+template <class P>
+Status bind(const ParameterValues& values, Parameters& parameters) {
+  const Result<P> bound = bindParameters<P>(values);
+  if (bound.isOk()) parameters = bound.value();
+  return bound.status();
+}
+
 }  // namespace
 
 Status DirectSparse::configure(const Context& context) {
-  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
-  if (!bound.isOk()) return bound.status();
-  parameters_ = bound.value();
+  const Status bound = cameras_ == Cameras::Single
+                           ? bind<MonoParameters>(context.parameters, parameters_)
+                           : bind<Parameters>(context.parameters, parameters_);
+  if (!bound.isOk()) return bound;
   rig_ = context.rig;
   if (Status status = checkRig(); !status.isOk()) return status;
   log_ = &context.log;

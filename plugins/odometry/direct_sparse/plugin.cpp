@@ -14,7 +14,7 @@ class DirectSparseStereo final : public DirectSparse {
 
 class DirectSparseMono final : public DirectSparse {
  public:
-  using Parameters = direct_sparse::Parameters;
+  using Parameters = MonoParameters;
   DirectSparseMono() : DirectSparse(Cameras::Single) {}
 };
 
