@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Real laps of a toy car with one uncalibrated camera: configs/ratslam.yaml against the gyroscope.
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+#include <tolman/geometry.hpp>
+
+#include "end_to_end/process.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+/// Heading of each image, rad: the yaw rate in the table, integrated; gaps above a second are
+/// pauses.
+std::vector<double> gyroscope(const fs::path& table) {
+  std::vector<double> headings;
+  std::ifstream stream(table);
+  std::string line;
+  std::getline(stream, line);
+  double last_time = 0;
+  double last_rate = 0;
+  while (std::getline(stream, line)) {
+    std::replace(line.begin(), line.end(), ',', ' ');
+    std::istringstream fields(line);
+    std::string file;
+    double time = 0;
+    double rate = 0;
+    fields >> file >> time >> rate;
+    const double dt = time - last_time;
+    const double turned = dt < 1 ? 0.5 * (rate + last_rate) / kDegrees * dt : 0;
+    headings.push_back(headings.empty() ? 0 : headings.back() + turned);
+    last_time = time;
+    last_rate = rate;
+  }
+  return headings;
+}
+
+std::vector<double> headingsOf(const fs::path& trajectory) {
+  std::vector<double> headings;
+  std::ifstream stream(trajectory);
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream fields(line);
+    double t = 0, x = 0, y = 0, z = 0, qx = 0, qy = 0, qz = 0, qw = 0;
+    if (!(fields >> t >> x >> y >> z >> qx >> qy >> qz >> qw)) continue;
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.linear() = Eigen::Quaterniond(qw, qx, qy, qz).toRotationMatrix();
+    headings.push_back(tolman::toPlanar(T).theta);
+  }
+  return headings;
+}
+
+/// Median of the absolute differences after the best common turn, degrees.
+double medianError(const std::vector<double>& headings, const std::vector<double>& truth) {
+  double sine = 0;
+  double cosine = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    sine += std::sin(headings[i] - truth[i]);
+    cosine += std::cos(headings[i] - truth[i]);
+  }
+  const double turn = std::atan2(sine, cosine);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    errors.push_back(std::abs(tolman::wrapAngle(headings[i] - truth[i] - turn)) * kDegrees);
+  }
+  std::nth_element(errors.begin(), errors.begin() + static_cast<long>(errors.size() / 2),
+                   errors.end());
+  return errors[errors.size() / 2];
+}
+
+/// For each view recognised from more than 60 images ago: what the gyroscope says that it is
+/// turned against then, degrees.
+std::vector<double> turnsAtRecognition(const fs::path& run, const std::vector<double>& gyro) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open_v2((run / "run.sqlite").c_str(), &database, SQLITE_OPEN_READONLY, nullptr) ==
+          SQLITE_OK);
+  sqlite3_stmt* rows = nullptr;
+  REQUIRE(sqlite3_prepare_v2(
+              database,
+              "SELECT frame, template_id, recognition = 'novel' FROM place ORDER BY frame", -1,
+              &rows, nullptr) == SQLITE_OK);
+  std::map<std::int64_t, std::size_t> made_at;
+  std::vector<double> turns;
+  while (sqlite3_step(rows) == SQLITE_ROW) {
+    const auto frame = static_cast<std::size_t>(sqlite3_column_int64(rows, 0));
+    const std::size_t first =
+        made_at.try_emplace(sqlite3_column_int64(rows, 1), frame).first->second;
+    if (frame - first <= 60) continue;
+    turns.push_back(std::abs(tolman::wrapAngle(gyro[frame] - gyro[first])) * kDegrees);
+  }
+  sqlite3_finalize(rows);
+  sqlite3_close(database);
+  return turns;
+}
+
+}  // namespace
+
+TEST_CASE("laps: the map keeps the gyroscope's heading better than odometry, with either cells") {
+  const auto folder = dataOrSkip("laps_office");
+  if (!folder) return;
+  const std::string cells = GENERATE("pose_cells", "bayesian_attractor");
+  const TemporaryFolder out;
+  const fs::path run = out.path() / "run";
+  const Finished finished = tolman::test::tolman(
+      {"run", TOLMAN_SOURCE_DIR "/configs/ratslam.yaml", "--set", "source.path=" + folder->string(),
+       "--set", "cells.plugin=" + cells, "--out", run.string(), "--quiet"});
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const std::vector<double> gyro = gyroscope(*folder / "frames.csv");
+  const std::vector<double> map = headingsOf(run / "trajectory.tum");
+  const std::vector<double> odometry = headingsOf(run / "odometry.tum");
+  REQUIRE(map.size() == gyro.size());
+  REQUIRE(odometry.size() == gyro.size());
+  const double map_error = medianError(map, gyro);
+  const double odometry_error = medianError(odometry, gyro);
+  WARN(cells << ": heading against the gyroscope, map " << map_error << ", odometry "
+             << odometry_error << " degrees");
+  CHECK(map_error < 30);
+  CHECK(map_error < 0.6 * odometry_error);
+
+  const std::vector<double> turns = turnsAtRecognition(run, gyro);
+  CHECK(turns.size() > 500);
+  CHECK(*std::max_element(turns.begin(), turns.end()) < 60);
+}
