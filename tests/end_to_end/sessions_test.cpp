@@ -84,7 +84,7 @@ TEST_CASE("a second session joins the map of the first, as good as in one go") {
                                 "--session", "0"})
               .exit_code == 0);
   CHECK(linesOf(out.path() / "a/trajectory.tum") == static_cast<std::size_t>(cut.middle + 1));
-  const Finished way = tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "600"});
+  const Finished way = tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "500"});
   INFO(way.err);
   CHECK(way.exit_code == 0);
 }
