@@ -40,9 +40,8 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
   auto session = std::make_shared<std::int64_t>(-1);
   command->add_option("--session", *session,
                       "Session whose trajectories to write, from 0 (default: the run's own)");
-  command->callback([run, out, session, &invocation] {
-    exportFiles(*run, *out, *session, invocation);
-  });
+  command->callback(
+      [run, out, session, &invocation] { exportFiles(*run, *out, *session, invocation); });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");
   schema->callback([] { std::cout << record::recordsMarkdown(); });

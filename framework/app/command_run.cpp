@@ -148,8 +148,8 @@ class Run {
   void keepSession(const pipeline::Outcome& outcome, RunListener& listener) {
     const pipeline::Counters& n = outcome.counters;
     if (!outcome.status.isOk() || n.frames == 0 || !listener.recordStatus().isOk()) return;
-    const Status saved = saveSession(*assembly_, directory_->path(),
-                                     {listener.nextFrame(), n.experiences, -1});
+    const Status saved =
+        saveSession(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
     if (!saved.isOk()) listener.onEvent({-1, LogLevel::Warning, "session", saved.message()});
   }
 

@@ -51,7 +51,9 @@ Json parametersOf(const Keeper& keeper) {
   return json;
 }
 
-std::string fileOf(const Keeper& keeper) { return std::string(enumName(keeper.config->role)) + ".bin"; }
+std::string fileOf(const Keeper& keeper) {
+  return std::string(enumName(keeper.config->role)) + ".bin";
+}
 
 std::string digestOf(const std::string& bytes) {
   record::Sha256 sha;
@@ -114,15 +116,15 @@ void compareParameters(const Json& then, const Json& now, const std::string& sta
 
 void checkEntry(const Json& entry, const Keeper& keeper, const fs::path& folder) {
   const std::string& stage = keeper.config->path;
-  const std::string remedy =
-      "configure it as in " + (folder.parent_path() / "config.resolved.yaml").string() +
-      ", or begin a new map";
+  const std::string remedy = "configure it as in " +
+                             (folder.parent_path() / "config.resolved.yaml").string() +
+                             ", or begin a new map";
   const auto plugin = entry.at("plugin").get<std::string>();
   const auto version = entry.at("version").get<std::string>();
   const plugins::Manifest& manifest = keeper.instance->manifest();
   if (plugin != manifest.id) {
-    refuse(stage + ": is '" + manifest.id + "', and was '" + plugin +
-           "' in the earlier session; " + remedy);
+    refuse(stage + ": is '" + manifest.id + "', and was '" + plugin + "' in the earlier session; " +
+           remedy);
   }
   if (version != manifest.version) {
     refuse(stage + ": '" + plugin + "' has version " + manifest.version + ", and had " + version +
@@ -137,7 +139,8 @@ void loadStage(const Json& contents, const Keeper& keeper, const fs::path& folde
   const fs::path file = folder / fileOf(keeper);
   const std::string bytes = textOf(file);
   if (digestOf(bytes) != entry.at("sha256").get<std::string>()) {
-    refuse(file.string() + ": is damaged, its digest does not agree; run the earlier session again");
+    refuse(file.string() +
+           ": is damaged, its digest does not agree; run the earlier session again");
   }
   const Status status = keeper.instance->load(bytes);
   if (!status.isOk()) refuse(file.string() + ": " + status.message());

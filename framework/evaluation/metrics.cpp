@@ -110,7 +110,8 @@ StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
 
 std::string unjoinedText(const Metrics& metrics) {
   if (metrics.parts <= 1) return "";
-  std::string text = "the map is in " + std::to_string(metrics.parts) + " parts that nothing joins (";
+  std::string text =
+      "the map is in " + std::to_string(metrics.parts) + " parts that nothing joins (";
   const char* separator = "";
   for (std::size_t i = 0; i < metrics.sessions.size(); ++i) {
     for (const std::int64_t part : metrics.sessions[i].parts) {

@@ -115,10 +115,11 @@ Status SourceStage::check(const Frame& frame) const {
 }
 
 Status SourceStage::next(Frame& frame) {
-  const Status status = instance_->call<Source>("next", first_frame_ + next_frame_, [&](Source& source) {
-    const Status answered = source.next(frame);
-    return answered.isOk() ? check(frame) : answered;
-  });
+  const Status status =
+      instance_->call<Source>("next", first_frame_ + next_frame_, [&](Source& source) {
+        const Status answered = source.next(frame);
+        return answered.isOk() ? check(frame) : answered;
+      });
   if (!status.isOk()) return status;
   ++next_frame_;
   last_stamp_ns_ = frame.stamp_ns;

@@ -17,8 +17,8 @@ inline constexpr std::array<std::string_view, 5> kExportedFiles = {
 
 /// Writes kExportedFiles into `folder`, each atomically; the folder must exist. `trajectory` is the
 /// map's. Trajectories are those of one session, -1 for the last: stamps of different sessions may
-/// be of different clocks. Files that would be empty (a run without a map) are left out. Returns what was written;
-/// InvalidInput where the record has nothing to export.
+/// be of different clocks. Files that would be empty (a run without a map) are left out. Returns
+/// what was written; InvalidInput where the record has nothing to export.
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session = -1);

@@ -112,9 +112,8 @@ Status Recorder::inherit(const RunReader& earlier) {
     forEachRow<Session>(old, "", [&](const Session& row) { store_.insert(row); });
     forEachRow<Frame>(old, "", [&](const Frame& row) { store_.insert(row); });
     forEachRow<Motion>(old, "", [&](const Motion& row) { store_.insert(row); });
-    forEachRow<MotionRevision>(old, "WHERE \"announced_at\" IS NULL", [&](const auto& row) {
-      store_.insertAnnounced(std::nullopt, row);
-    });
+    forEachRow<MotionRevision>(old, "WHERE \"announced_at\" IS NULL",
+                               [&](const auto& row) { store_.insertAnnounced(std::nullopt, row); });
     forEachRow<PlaceObservation>(old, "", [&](const auto& row) { store_.insert(row); });
     forEachRow<Decision>(old, "", [&](const Decision& row) {
       store_.insert(row);

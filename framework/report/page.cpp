@@ -104,13 +104,14 @@ std::string errorTable(const evaluation::Metrics& metrics) {
 /// Nothing for one session in one piece.
 std::string sessionTable(const evaluation::Metrics& metrics) {
   if (metrics.sessions.size() < 2 && metrics.parts < 2) return "";
-  std::string text = "<h2>Sessions</h2>\n<table><tr><th>session</th><th>name</th><th>first frame"
-                     "</th><th>frames</th><th>experiences</th><th>parts of the map</th></tr>\n";
+  std::string text =
+      "<h2>Sessions</h2>\n<table><tr><th>session</th><th>name</th><th>first frame"
+      "</th><th>frames</th><th>experiences</th><th>parts of the map</th></tr>\n";
   for (std::size_t i = 0; i < metrics.sessions.size(); ++i) {
     const evaluation::SessionFigures& s = metrics.sessions[i];
-    text += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        i, escaped(s.name), s.first_frame, s.frames, s.experiences,
-                        fmt::join(s.parts, ", "));
+    text += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", i,
+        escaped(s.name), s.first_frame, s.frames, s.experiences, fmt::join(s.parts, ", "));
   }
   text += "</table>\n";
   const std::string unjoined = evaluation::unjoinedText(metrics);

@@ -73,9 +73,9 @@ evaluation::Trajectory since(std::int64_t first, evaluation::Trajectory trajecto
   return trajectory;
 }
 
-std::vector<evaluation::SessionFigures> sessionFigures(
-    const std::vector<record::Session>& sessions, std::int64_t frames, const MapGraph& graph,
-    const record::GraphParts& parts) {
+std::vector<evaluation::SessionFigures> sessionFigures(const std::vector<record::Session>& sessions,
+                                                       std::int64_t frames, const MapGraph& graph,
+                                                       const record::GraphParts& parts) {
   std::vector<evaluation::SessionFigures> figures;
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     const std::int64_t first = sessions[i].first_frame;

@@ -63,8 +63,8 @@ TEST_CASE("a second session joins the map of the first, as good as in one go") {
   const Finished one = drive(*data, first, 0, cut.middle);
   INFO(one.err);
   REQUIRE(one.exit_code == 0);
-  const Finished two = drive(*data, second, cut.first, cut.last, {"evaluation.sessions=joint"},
-                             first.string());
+  const Finished two =
+      drive(*data, second, cut.first, cut.last, {"evaluation.sessions=joint"}, first.string());
   INFO(two.err);
   REQUIRE(two.exit_code == 0);
 
@@ -80,11 +80,12 @@ TEST_CASE("a second session joins the map of the first, as good as in one go") {
   // The record is complete in itself, and the exported trajectories are of one session each.
   fs::remove_all(first);
   CHECK(linesOf(second / "trajectory.tum") == static_cast<std::size_t>(cut.last - cut.first + 1));
-  REQUIRE(tolman::test::tolman({"export", second.string(), "--out", (out.path() / "a").string(),
-                                "--session", "0"})
+  REQUIRE(tolman::test::tolman(
+              {"export", second.string(), "--out", (out.path() / "a").string(), "--session", "0"})
               .exit_code == 0);
   CHECK(linesOf(out.path() / "a/trajectory.tum") == static_cast<std::size_t>(cut.middle + 1));
-  const Finished way = tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "500"});
+  const Finished way =
+      tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "500"});
   INFO(way.err);
   CHECK(way.exit_code == 0);
 }
@@ -161,8 +162,7 @@ TEST_CASE("carried away within a session: the same as two sessions") {
   const auto data = dataOrSkip("kitti_motion/05");
   if (!data) return;
   const TemporaryFolder out;
-  const Finished finished =
-      drive(*data, out.path() / "run", 0, 2760, {"odometry.carried_at=1380"});
+  const Finished finished = drive(*data, out.path() / "run", 0, 2760, {"odometry.carried_at=1380"});
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
   const auto metrics = readJson(out.path() / "run/metrics.json");

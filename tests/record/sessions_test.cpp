@@ -70,8 +70,10 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
   const test::TemporaryFolder out;
   REQUIRE(exportRun(*reader, out.path()).isOk());
   REQUIRE(exportRun(*reader, out.path(), 0).isOk());
-  CHECK(exportRun(*reader, out.path(), 2).status().message().find("has no session 2; the last is 1") !=
-        std::string::npos);
+  CHECK(exportRun(*reader, out.path(), 2)
+            .status()
+            .message()
+            .find("has no session 2; the last is 1") != std::string::npos);
 }
 
 TEST_CASE("parts of a map hang together by links that are believed") {

@@ -70,11 +70,13 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
                                      p.decisive_odds, 2 * p.metres_per_cell};
   const RelocationSettings relocation = {p.relocation_views, p.loop_spacing, p.evidence_gate,
                                          p.decisive_odds};
-  return {
-      SpatialCells(HeadDirectionRing(ringSettings(p)), gridModule(p, 0), decision,
-                   furtherModules(p)),
-      ViewLinks(habituation), ExperienceLog(experience),
-      PathMemory({p.drift_heading, p.drift_scale}), ViewEvidence(evidence), Relocation(relocation)};
+  return {SpatialCells(HeadDirectionRing(ringSettings(p)), gridModule(p, 0), decision,
+                       furtherModules(p)),
+          ViewLinks(habituation),
+          ExperienceLog(experience),
+          PathMemory({p.drift_heading, p.drift_scale}),
+          ViewEvidence(evidence),
+          Relocation(relocation)};
 }
 
 Status BayesianAttractor::reset() {

@@ -55,8 +55,7 @@ void ExperienceLog::closeLoopTo(std::int64_t experience,
 }
 
 ExperienceLog::State ExperienceLog::state() const {
-  return {current_, T_experience_current_, travel_, travel_at_loop_, travel_when_left_,
-          woken_};
+  return {current_, T_experience_current_, travel_, travel_at_loop_, travel_when_left_, woken_};
 }
 
 void ExperienceLog::restore(const State& state) {

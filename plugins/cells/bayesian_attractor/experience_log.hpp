@@ -24,8 +24,8 @@ class ExperienceLog {
 
   void advance(const Eigen::Isometry3d& T_previous_current);
 
-  /// The first one (also after waking up), or the distance on the manifold (by path integration) is above its threshold,
-  /// or the view is novel.
+  /// The first one (also after waking up), or the distance on the manifold (by path integration) is
+  /// above its threshold, or the view is novel.
   bool wantsNew(bool view_is_novel) const;
   /// Not to where the robot is or has just been, and not one after the other.
   bool allowsLoopTo(std::int64_t experience) const;

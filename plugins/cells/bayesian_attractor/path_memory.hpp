@@ -61,8 +61,8 @@ class PathMemory {
   UncertainStep between(const PathMark& from, const PathMark& to) const;
   /// Whether the present can be seen from `from`: no gap lies between, or a loop leads over it.
   bool reaches(const PathMark& from) const;
-  /// The present seen from `from`, which it reaches: directly, or over one closed loop, whichever is
-  /// surest.
+  /// The present seen from `from`, which it reaches: directly, or over one closed loop, whichever
+  /// is surest.
   UncertainStep predict(const PathMark& from) const;
   /// The same over this loop.
   UncertainStep over(const ClosedLoop& loop, const PathMark& from) const;

@@ -18,8 +18,7 @@ bool SpatialCells::contradictsCalibration(const CellPose& pose) const {
   if (turn > settings_.gate_heading || step > settings_.gate_position) return true;
   for (std::size_t i = 0; i < further_.size(); ++i) {
     const GridTorus& torus = further_[i];
-    const double apart =
-        distance<2>(torus.calibration().mean, pose.further.at(i), torus.period());
+    const double apart = distance<2>(torus.calibration().mean, pose.further.at(i), torus.period());
     if (apart > settings_.gate_position) return true;
   }
   return false;
@@ -94,9 +93,8 @@ CellPose SpatialCells::displaced(const CellPose& pose, const PlanarPose& step) c
     const Phase<2> position = from + torus.toCells(step.x, step.y, pose.heading);
     return wrapped<2>(position, torus.period());
   };
-  CellPose there{wrapPeriod(pose.heading + step.theta, ring_.period()),
-                 moved(torus_, pose.position),
-                 {}};
+  CellPose there{
+      wrapPeriod(pose.heading + step.theta, ring_.period()), moved(torus_, pose.position), {}};
   for (std::size_t i = 0; i < further_.size(); ++i) {
     there.further.push_back(moved(further_[i], pose.further.at(i)));
   }

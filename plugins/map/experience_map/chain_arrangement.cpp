@@ -30,8 +30,7 @@ PlanarPose carrying(const PlanarPose& from, const PlanarPose& to) {
 PlanarPose obeying(const PlanarLink& loop, const std::vector<PlanarPose>& nodes,
                    bool visit_is_later) {
   if (visit_is_later) return carrying(nodes[loop.to], compose(nodes[loop.from], loop.pose));
-  return carrying(nodes[loop.from],
-                  compose(nodes[loop.to], between(loop.pose, PlanarPose{})));
+  return carrying(nodes[loop.from], compose(nodes[loop.to], between(loop.pose, PlanarPose{})));
 }
 
 }  // namespace
@@ -79,7 +78,8 @@ void ExperienceChain::layOver(const MotionLog& log, const PathParts& before) {
   }
 }
 
-/// A loop between parts that is not believed proposes where the parts lie; the least energy decides.
+/// A loop between parts that is not believed proposes where the parts lie; the least energy
+/// decides.
 void ExperienceChain::rearrange(const PathParts& parts, const Sketch& start,
                                 OptimiserOptions options, std::size_t attempts, Sketch& best,
                                 Outcome& outcome) const {

@@ -12,7 +12,7 @@ namespace {
 /// Nothing is known of the motion over a gap: beside loops it must weigh nothing. Where there are
 /// none it holds the part in place, or the system would be singular.
 Eigen::Matrix3d gapCovariance(bool holds) {
-  constexpr double kLooseVariance = 1e6;     // m^2
+  constexpr double kLooseVariance = 1e6;      // m^2
   constexpr double kLooseVarianceTurn = 1e4;  // rad^2
   if (holds) return Eigen::Matrix3d::Identity();
   return Eigen::Vector3d(kLooseVariance, kLooseVariance, kLooseVarianceTurn).asDiagonal();
@@ -141,8 +141,7 @@ void ExperienceChain::apply(const Sketch& sketch) {
   std::size_t loop = anchors_.size() - 1;  // loops come after all ways
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     Anchor& anchor = anchors_[i];
-    anchor.correction =
-        compose(sketch.nodes[i], tolman::between(sketch.reckoned[i], PlanarPose{}));
+    anchor.correction = compose(sketch.nodes[i], tolman::between(sketch.reckoned[i], PlanarPose{}));
     anchor.way_weight = sketch.links[i - 1].weight;
     if (anchor.visit) anchor.offset_weight = sketch.links[loop++].weight;
   }
@@ -157,13 +156,12 @@ PlanarLink ExperienceChain::wayLink(const MotionLog& log, std::size_t i,
       anchors_[i].gap
           ? gapCovariance(parts.first(parts.of(i)) == parts.of(i))
           : planarCovariance(anchors_[i].way.covariance, T_start_to.linear(), from.theta);
-  return {
-      .from = i - 1,
-      .to = i,
-      .pose = tolman::between(from, toPlanar(T_start_to)),
-      .covariance = covariance,
-      .robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber,
-      .weight = anchors_[i].way_weight};
+  return {.from = i - 1,
+          .to = i,
+          .pose = tolman::between(from, toPlanar(T_start_to)),
+          .covariance = covariance,
+          .robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber,
+          .weight = anchors_[i].way_weight};
 }
 
 PlanarLink ExperienceChain::loopLink(const MotionLog& log, std::size_t i) const {

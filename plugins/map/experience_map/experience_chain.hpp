@@ -52,8 +52,8 @@ class ExperienceChain {
 
   /// The first frame of all; before everything else.
   void start() { anchors_.emplace_back(); }
-  /// The log's last frame is somewhere unknown: a new part of the path begins. Until a loop joins it
-  /// with an earlier part it is kept as if it began where that one ended.
+  /// The log's last frame is somewhere unknown: a new part of the path begins. Until a loop joins
+  /// it with an earlier part it is kept as if it began where that one ended.
   void startPart(const MotionLog& log);
   /// The log's last frame becomes the next experience.
   void addExperience(const MotionLog& log, std::int64_t template_id);

@@ -86,7 +86,8 @@ void ExperienceMap::startPart() {
 }
 
 void ExperienceMap::obey(const Decision& decision) {
-  const bool at_home = decision.experience >= 0 && chain_[chain_.current()].experience == decision.experience;
+  const bool at_home =
+      decision.experience >= 0 && chain_[chain_.current()].experience == decision.experience;
   if (decision.action == Action::CreateExperience) {
     chain_.addExperience(motions_, decision.template_id);
   } else if (decision.action == Action::CloseLoop && decision.has_relative_pose) {

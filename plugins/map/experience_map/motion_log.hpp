@@ -21,8 +21,8 @@ struct LoggedFrame {
   UncertainPose motion;  ///< from the slot before; the identity at slot 0
   Eigen::Isometry3d T_start_camera = Eigen::Isometry3d::Identity();  ///< dead reckoning
   std::int64_t anchor = 0;                                           ///< see ExperienceChain
-  bool initialising = false;  ///< odometry had no motion yet
-  bool gap = false;           ///< how the robot came here is unknown
+  bool initialising = false;                                         ///< odometry had no motion yet
+  bool gap = false;  ///< how the robot came here is unknown
 };
 
 class MotionLog {

@@ -113,8 +113,8 @@ bool areSound(const std::vector<Anchor>& anchors, const std::vector<LoggedFrame>
   std::int64_t made = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const Anchor& anchor = anchors[i];
-    const bool in_order = i == 0 ? anchor.slot == 0 && !anchor.visit
-                                 : anchor.slot >= anchors[i - 1].slot;
+    const bool in_order =
+        i == 0 ? anchor.slot == 0 && !anchor.visit : anchor.slot >= anchors[i - 1].slot;
     const bool finite = std::isfinite(anchor.correction.x) && std::isfinite(anchor.correction.y) &&
                         std::isfinite(anchor.correction.theta);
     const bool known = anchor.visit ? anchor.experience >= 0 && anchor.experience < made

@@ -48,7 +48,8 @@ struct ReplayParameters {
         parameter("carried_at", &P::carried_at)
             .range(-1, 1e9)
             .unit("frame")
-            .doc("At this frame odometry begins anew, as if the robot had been carried; -1 never."));
+            .doc(
+                "At this frame odometry begins anew, as if the robot had been carried; -1 never."));
   }
 };
 

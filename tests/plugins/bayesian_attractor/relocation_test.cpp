@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Waking up somewhere: views judge each other.
+#include "relocation.hpp"
+
 #include <catch2/catch.hpp>
 #include <sstream>
 
 #include "harness.hpp"
-#include "relocation.hpp"
 
 using namespace tolman;
 using namespace tolman::bayesian_attractor;

@@ -103,11 +103,11 @@ TEST_CASE("a false loop joins falsely, until true ones outvote it") {
 TEST_CASE("a part may join a part that has joined") {
   Fixture f;
   streetTwice(f);
-  wakeUp(f);                                                // third part
+  wakeUp(f);  // third part
   f.create(step(5));
-  f.closeMeasured(step(5), 12, fromPlanar({0, 0, 0.5}));    // with the second
+  f.closeMeasured(step(5), 12, fromPlanar({0, 0, 0.5}));  // with the second
   f.create(step(5));
-  f.closeMeasured(step(5), 4, fromPlanar({0, 2, -0.5}));    // and with the first
+  f.closeMeasured(step(5), 4, fromPlanar({0, 2, -0.5}));  // and with the first
   REQUIRE(f.map.finish({}).isOk());
   CHECK(distance(f.poseOf(f.frame - 1), fromPlanar({20, 2, 0})) < 0.05);
 }

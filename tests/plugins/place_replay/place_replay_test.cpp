@@ -127,7 +127,8 @@ TEST_CASE("candidates can be dropped and look-alikes invented, by the seed") {
 TEST_CASE("saved views are recognised in the next session, and the random stream goes on") {
   const ParameterValues values = {{"relative_pose", true}, {"kept", 0.5}, {"invented", 0.5}};
   Replay saved(values);
-  for (int i = 0; i < 203; ++i) saved.look(i > 20 && i % 5 == 0 ? std::vector<float>{10, 2, 0, 0} : std::vector<float>{});
+  for (int i = 0; i < 203; ++i)
+    saved.look(i > 20 && i % 5 == 0 ? std::vector<float>{10, 2, 0, 0} : std::vector<float>{});
   std::stringstream stream;
   REQUIRE(saved.place.save(stream).isOk());
   Replay loaded(values);
@@ -151,7 +152,8 @@ TEST_CASE("damaged views are refused and leave a fresh instance") {
   for (int i = 0; i < 7; ++i) dead.put(std::int64_t{0});
   std::ostringstream zeros;
   REQUIRE(dead.write(zeros, "TLMPLRPL", 1).isOk());
-  for (const std::string& bytes : {std::string("nothing"), stream.str().substr(0, 100), zeros.str()}) {
+  for (const std::string& bytes :
+       {std::string("nothing"), stream.str().substr(0, 100), zeros.str()}) {
     Replay replay;
     std::istringstream damaged(bytes);
     CHECK(replay.place.load(damaged).code() == StatusCode::InvalidInput);
