@@ -29,6 +29,7 @@ void recordRun(const std::filesystem::path& folder, std::int64_t frames) {
 /// One row at least in every table.
 void recordEverything(const std::filesystem::path& folder) {
   auto recorder = Recorder::open(folder).value();
+  REQUIRE(recorder->session({0, 0, "one", "made up"}).isOk());
   REQUIRE(recorder->camera({}).isOk());
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
   const Frame frame = test::frameAt(3);
@@ -47,6 +48,7 @@ void recordEverything(const std::filesystem::path& folder) {
                        {test::linkBetween(0, 0, 1, 1)}})
               .isOk());
   REQUIRE(recorder->revisions({{1, {}, Matrix6d::Identity()}}).isOk());
+  REQUIRE(recorder->finalPoses({{0, Eigen::Isometry3d::Identity()}}).isOk());
   REQUIRE(recorder->timing(0, "odometry", 5).isOk());
   REQUIRE(recorder->event(0, LogLevel::Info, "host", "hello").isOk());
   REQUIRE(recorder->close().isOk());

@@ -176,7 +176,7 @@ TEST_CASE("another schema version is refused") {
   recordFrames(folder.path(), 2);
   test::queryByHand(folder.path(), "UPDATE run SET value = '99' WHERE key = 'schema_version'");
   CHECK(refusal(folder.path()) ==
-        "/run.sqlite: has schema version 99, this program reads 1; use the version that wrote it");
+        "/run.sqlite: has schema version 99, this program reads 2; use the version that wrote it");
 }
 
 TEST_CASE("a graph with holes is refused, not read past its end") {

@@ -17,7 +17,7 @@ Eigen::Isometry3d at(double z) {
 }
 
 /// Frames first ... end - 1 of one session.
-void record(Recorder& recorder, std::int64_t id, std::int64_t first, std::int64_t end) {
+void recordSession(Recorder& recorder, std::int64_t id, std::int64_t first, std::int64_t end) {
   REQUIRE(recorder.session({id, first, "run" + std::to_string(id), "made up"}).isOk());
   for (std::int64_t i = first; i < end; ++i) REQUIRE(test::recordFrame(recorder, i).isOk());
 }
@@ -44,13 +44,13 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
   const test::TemporaryFolder folder;
   {
     auto recorder = Recorder::open(old_folder.path()).value();
-    record(*recorder, 0, 0, 4);
+    recordSession(*recorder, 0, 0, 4);
     REQUIRE(recorder->revisions({{3, at(5), Matrix6d::Zero()}}).isOk());
     REQUIRE(recorder->close().isOk());
   }
   auto recorder = Recorder::open(folder.path()).value();
   REQUIRE(recorder->inherit(*RunReader::open(old_folder.path()).value()).isOk());
-  record(*recorder, 1, 4, 7);
+  recordSession(*recorder, 1, 4, 7);
   REQUIRE(recorder->finalPoses({{1, at(9)}, {5, at(-2)}}).isOk());
   REQUIRE(recorder->close().isOk());
 

@@ -58,14 +58,19 @@ std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int
 void appendArrays(const SpatialCells& cells, int ring_units, int sheet_units,
                   std::vector<NamedArray>& arrays) {
   const HeadDirectionRing& ring = cells.ring();
-  const GridTorus& torus = cells.torus();
   arrays.push_back(
       {"hd.activity", {ring_units}, ringActivity(ring.estimated(), ring.period(), ring_units)});
   appendBumps<1>("hd", ring, arrays);
-  arrays.push_back({"grid.activity",
-                    {sheet_units, sheet_units},
-                    torusActivity(torus.estimated(), torus.period(), sheet_units)});
-  appendBumps<2>("grid", torus, arrays);
+  const auto append = [&](const std::string& name, const GridTorus& module) {
+    arrays.push_back({name + ".activity",
+                      {sheet_units, sheet_units},
+                      torusActivity(module.estimated(), module.period(), sheet_units)});
+    appendBumps<2>(name, module, arrays);
+  };
+  append("grid", cells.torus());
+  for (std::size_t i = 0; i < cells.further().size(); ++i) {
+    append("grid" + std::to_string(i + 2), cells.further()[i]);
+  }
 }
 
 }  // namespace tolman::bayesian_attractor

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bayesian_attractor.hpp"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,19 @@ NetworkSettings ringSettings(const AttractorParameters& p) {
   NetworkSettings settings = networkSettings(p, p.energy_heading);
   settings.on_circle = p.ring_bump == RingBump::VonMises;
   return settings;
+}
+
+/// All modules have bumps of one size; only their periods differ.
+GridTorus gridModule(const AttractorParameters& p, int module) {
+  NetworkSettings settings = networkSettings(p, p.energy_position);
+  settings.period *= std::pow(p.module_ratio, module);
+  return {settings, p.metres_per_cell};
+}
+
+std::vector<GridTorus> furtherModules(const AttractorParameters& p) {
+  std::vector<GridTorus> further;
+  for (int module = 1; module < p.modules; ++module) further.push_back(gridModule(p, module));
+  return further;
 }
 
 Status check(const AttractorParameters& p) {
@@ -56,14 +70,13 @@ BayesianAttractor::State BayesianAttractor::freshState() const {
                                      p.decisive_odds, 2 * p.metres_per_cell};
   const RelocationSettings relocation = {p.relocation_views, p.loop_spacing, p.evidence_gate,
                                          p.decisive_odds};
-  return {
-      SpatialCells(HeadDirectionRing(ringSettings(p)),
-                   GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell), decision),
-      ViewLinks(habituation),
-      ExperienceLog(experience),
-      PathMemory({p.drift_heading, p.drift_scale}),
-      ViewEvidence(evidence),
-      Relocation(relocation)};
+  return {SpatialCells(HeadDirectionRing(ringSettings(p)), gridModule(p, 0), decision,
+                       furtherModules(p)),
+          ViewLinks(habituation),
+          ExperienceLog(experience),
+          PathMemory({p.drift_heading, p.drift_scale}),
+          ViewEvidence(evidence),
+          Relocation(relocation)};
 }
 
 Status BayesianAttractor::reset() {

@@ -22,7 +22,8 @@ class BayesianAttractor final : public Cells, public ArraySource, public StateKe
 
   /// hd.activity {ring_units}, grid.activity {sheet_units, sheet_units}; hd.integrator,
   /// hd.calibration, hd.estimate, hd.injected as (mean rad, precision); the same of grid.* as
-  /// (mean x, mean y in cells, precision). An injected precision of 0: none in this frame.
+  /// (mean x, mean y in cells, precision). Further modules are grid2.*, grid3.* ... An injected
+  /// precision of 0: none in this frame.
   void arrays(std::vector<NamedArray>& arrays) const override;
 
   Status save(std::ostream& stream) const override;

@@ -32,6 +32,8 @@ struct AttractorParameters {
   RingBump ring_bump = RingBump::VonMises;
   double period = 15;
   double metres_per_cell = 10;
+  int modules = 1;
+  double module_ratio = 1.4142135623730951;
   double initial_calibration = 0.1;
   double floor = 1e-4;
   double injected_strength = 0.4;
@@ -93,6 +95,12 @@ struct AttractorParameters {
             .range(1e-4, 1e5)
             .unit("m")
             .doc("Scale of the grid; 10 for a car, about 0.1 for a small robot."),
+        parameter("modules", &P::modules)
+            .range(1, 8)
+            .doc("Grid modules; places that share a phase in one differ in another."),
+        parameter("module_ratio", &P::module_ratio)
+            .range(1.01, 4)
+            .doc("Period of a grid module against that of the one before."),
         parameter("initial_calibration", &P::initial_calibration)
             .range(0, 1)
             .doc("Precision of the calibration cells at the start, as a share of E."),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "saved_state.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
@@ -15,7 +16,12 @@ constexpr std::uint64_t kStateVersion = 3;
 
 /// Phases are worthless on a manifold of another size.
 std::vector<double> manifold(const AttractorParameters& p) {
-  return {p.period, p.metres_per_cell, p.energy_heading, p.energy_position};
+  return {p.period,
+          p.metres_per_cell,
+          p.energy_heading,
+          p.energy_position,
+          static_cast<double>(p.modules),
+          p.module_ratio};
 }
 
 template <int Axes>
@@ -75,6 +81,21 @@ void putMatrix(StateWriter& writer, const Matrix& matrix) {
 template <class Matrix>
 void getMatrix(StateReader& reader, Matrix& matrix) {
   reader.getAll(std::span<double>(matrix.data(), static_cast<std::size_t>(matrix.size())));
+}
+
+void put(StateWriter& writer, const CellPose& pose) {
+  writer.put(pose.heading);
+  putMatrix(writer, pose.position);
+  for (const Phase<2>& position : pose.further) putMatrix(writer, position);
+}
+
+CellPose getCellPose(StateReader& reader, std::size_t further_modules) {
+  CellPose pose;
+  pose.heading = reader.get<double>();
+  getMatrix(reader, pose.position);
+  pose.further.resize(further_modules);
+  for (Phase<2>& position : pose.further) getMatrix(reader, position);
+  return pose;
 }
 
 void put(StateWriter& writer, const PathMark& mark) {
@@ -159,9 +180,7 @@ void put(StateWriter& writer, const ViewLinks& links) {
   writer.put(static_cast<std::int64_t>(links.links().size()));
   for (const auto& [id, link] : links.links()) {
     writer.put(id);
-    writer.put(link.learned.heading);
-    writer.put(link.learned.position.x());
-    writer.put(link.learned.position.y());
+    put(writer, link.learned);
     writer.put(link.order);
     writer.put(link.experience);
     put(writer, link.T_experience_template);
@@ -171,7 +190,7 @@ void put(StateWriter& writer, const ViewLinks& links) {
   }
 }
 
-void get(StateReader& reader, ViewLinks& links) {
+void get(StateReader& reader, ViewLinks& links, std::size_t further_modules) {
   const auto views = reader.get<std::int64_t>();
   const auto previous = reader.get<std::int64_t>();
   const auto settled = reader.get<std::int64_t>();
@@ -179,9 +198,7 @@ void get(StateReader& reader, ViewLinks& links) {
   std::map<std::int64_t, ViewLink> read;
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
     ViewLink& link = read[reader.get<std::int64_t>()];
-    link.learned.heading = reader.get<double>();
-    link.learned.position.x() = reader.get<double>();
-    link.learned.position.y() = reader.get<double>();
+    link.learned = getCellPose(reader, further_modules);
     link.order = reader.get<std::int64_t>();
     link.experience = reader.get<std::int64_t>();
     link.T_experience_template = getPose(reader);
@@ -228,6 +245,8 @@ bool isSound(const AttractorState& state) {
   for (const auto& [id, link] : state.links.links()) {
     sound = sound && id >= 0 && known(link.experience) && std::isfinite(link.learned.heading) &&
             link.learned.position.isFinite().all() &&
+            std::ranges::all_of(link.learned.further,
+                                [](const Phase<2>& p) { return p.isFinite().all(); }) &&
             link.T_experience_template.matrix().allFinite();
   }
   return sound && state.evidence.counts().right >= 0 && state.evidence.counts().views >= 0;
@@ -241,6 +260,7 @@ Status saveState(const AttractorParameters& parameters, const AttractorState& st
   writer.putAll(std::span<const double>(manifold(parameters)));
   put<1>(writer, state.cells.ring());
   put<2>(writer, state.cells.torus());
+  for (const GridTorus& torus : state.cells.further()) put<2>(writer, torus);
   writer.put(state.cells.support().views);
   writer.put(state.cells.support().unsupported);
   put(writer, state.links);
@@ -266,11 +286,12 @@ Status loadState(const AttractorParameters& parameters, std::istream& stream,
   }
   get<1>(reader, state.cells.ring());
   get<2>(reader, state.cells.torus());
+  for (GridTorus& torus : state.cells.further()) get<2>(reader, torus);
   SpatialCells::Support support;
   support.views = reader.get<std::int64_t>();
   support.unsupported = reader.get<std::int64_t>();
   state.cells.restore(support);
-  get(reader, state.links);
+  get(reader, state.links, state.cells.further().size());
   state.path.restore(getPath(reader));
   ViewEvidence::Counts counts;
   counts.views = reader.get<std::int64_t>();

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ring and torus together: path integration, calibration by views behind the consistency gate, and
+// Ring and tori together: path integration, calibration by views behind the consistency gate, and
 // the decision that a place is familiar.
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "grid_torus.hpp"
 #include "head_direction_ring.hpp"
@@ -14,6 +16,7 @@ namespace tolman::bayesian_attractor {
 struct CellPose {
   double heading = 0;                    ///< rad in [0, 2 pi)
   Phase<2> position = Phase<2>::Zero();  ///< cells in [0, period)
+  std::vector<Phase<2>> further = {};    ///< the same in each further module
 };
 
 struct DecisionSettings {
@@ -28,9 +31,10 @@ struct DecisionSettings {
 
 class SpatialCells {
  public:
+  /// `further`: grid modules of other periods, in which places one period apart differ.
   SpatialCells(const HeadDirectionRing& ring, const GridTorus& torus,
-               const DecisionSettings& settings)
-      : ring_(ring), torus_(torus), settings_(settings) {}
+               const DecisionSettings& settings, std::vector<GridTorus> further = {})
+      : ring_(ring), torus_(torus), further_(std::move(further)), settings_(settings) {}
 
   /// Path integration of one planar motion (m, rad).
   void integrate(const PlanarPose& motion);
@@ -61,6 +65,8 @@ class SpatialCells {
   const GridTorus& torus() const { return torus_; }
   HeadDirectionRing& ring() { return ring_; }
   GridTorus& torus() { return torus_; }
+  const std::vector<GridTorus>& further() const { return further_; }
+  std::vector<GridTorus>& further() { return further_; }
   /// Views that made the present calibration, and views since the last of them.
   struct Support {
     std::int64_t views = 0;
@@ -70,10 +76,12 @@ class SpatialCells {
   void restore(const Support& support) { support_ = support; }
 
  private:
+  void restartCalibrations();
   bool contradictsCalibration(const CellPose& pose) const;
 
   HeadDirectionRing ring_;
   GridTorus torus_;
+  std::vector<GridTorus> further_;
   DecisionSettings settings_;
   Support support_;
 };
