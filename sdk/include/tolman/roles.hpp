@@ -7,7 +7,8 @@
 // Threads:  one call at a time per instance, but not always from the same thread. A plugin may use
 //           threads of its own (oneTBB) inside a call; none may run on after finish().
 // Order:    frames come in order, frame.frame = 0, 1, 2 ...; under `realtime` some may be left out.
-// Sessions: in a run that goes on from another, source and odometry count from 0 again; place, cells,
+// Sessions: in a run that goes on from another, source and odometry count from 0 again; place,
+// cells,
 //           map and observers see the numbers go on from where the earlier run ended, restored to
 //           its state (StateKeeper), and first an Initialising motion: the way between is unknown.
 // Answers:  outputs are default-constructed records made by the host. Exactly one answer a frame:
