@@ -50,11 +50,11 @@ struct Frame {
   }
 };
 
+/// Initialising after a frame that was not: the robot was carried away, the way is unknown.
 enum class TrackingState : std::uint8_t {
-  Initialising,  ///< no motion known; T_previous_current is the identity. After a frame that was
-                 ///< not Initialising: the robot was carried away, and nothing is known of the way
-  Tracking,  ///< measured
-  Lost,      ///< T_previous_current is a prediction, with a covariance that says so
+  Initialising,  ///< no motion known; T_previous_current is the identity
+  Tracking,      ///< measured
+  Lost,          ///< T_previous_current is a prediction, with a covariance that says so
 };
 inline constexpr std::array<std::string_view, 3> kTrackingStateNames = {"initialising", "tracking",
                                                                         "lost"};
