@@ -8,8 +8,8 @@
 //           threads of its own (oneTBB) inside a call; none may run on after finish().
 // Order:    frames come in order, frame.frame = 0, 1, 2 ...; under `realtime` some may be left out.
 // Sessions: in a run that goes on from another, source and odometry count from 0 again; place,
-//           cells, map and observers are restored to where it ended (StateKeeper), see the numbers
-//           go on from there, and first an Initialising motion: the way between is unknown.
+//           cells and map are restored to where it ended (StateKeeper). They and observers see the
+//           numbers go on from there, and first an Initialising motion: the way is unknown.
 // Answers:  outputs are default-constructed records made by the host. Exactly one answer a frame:
 //           copy frame and stamp_ns from the input, fill what you know.
 // Failure:  return a Status, or throw std::exception; both stop the run or skip the frame, as the
