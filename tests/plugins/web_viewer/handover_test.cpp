@@ -49,7 +49,11 @@ TEST_CASE("what is not wanted yet waits for the next time") {
 
 TEST_CASE("memory is bounded when nobody takes: events and views") {
   Handover handover(false);
-  for (std::int64_t i = 0; i < 5000; ++i) (void)handover.put(Moment(10 * i).snapshot());
+  Moment moment(0);
+  for (std::int64_t i = 0; i < 5000; ++i) {
+    moment.frame.frame = moment.events[0].frame = 10 * i;
+    (void)handover.put(moment.snapshot());
+  }
   Delivery delivery;
   handover.take(delivery, true, true);
   CHECK(delivery.rows.size() == 5000);
