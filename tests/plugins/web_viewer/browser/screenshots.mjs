@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of the page, to look at: node screenshots.mjs URL FOLDER [frame]
+// Pictures of the page, to look at: node screenshots.mjs URL FOLDER [row]
 import { join } from 'node:path';
-import { launch, openPage, untilCaughtUp } from './browser.mjs';
+import { launch, openPage, untilSettled } from './browser.mjs';
 
 const [url, folder, frame] = process.argv.slice(2);
 const browser = await launch();
 for (const colorScheme of ['light', 'dark']) {
   for (const [width, height] of [[1280, 800], [390, 844], [1680, 1050]]) {
     const page = await openPage(browser, url, { viewport: { width, height }, colorScheme });
-    await untilCaughtUp(page, 1);
+    await untilSettled(page);
     if (frame !== undefined) {
       await page.locator('#scrub').fill(frame);
       await page.waitForFunction((f) => window.tolman.imageFrame === f, Number(frame));

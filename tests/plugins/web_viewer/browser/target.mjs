@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the specs look at: the server that TOLMAN_VIEWER_URL names, or a fake one of their own.
-import { after, before } from 'node:test';
+import { after, afterEach, before } from 'node:test';
 import { launch } from './browser.mjs';
 import { FakeServer } from './fake/server.mjs';
 
@@ -13,6 +13,10 @@ export function target(options = {}) {
     t.fake = real ? null : await new FakeServer(options).listen();
     t.url = (real ?? t.fake.url).replace(/\/$/, '');
     t.browser = await launch();
+  });
+  // A page left open goes on drawing, and slows the next one.
+  afterEach(async () => {
+    for (const context of t.browser.contexts()) await context.close();
   });
   after(async () => {
     await t.browser?.close();

@@ -11,7 +11,8 @@ const kRecognition = ['none', 'novel', 'familiar'];
 
 async function show(page, at, frame) {
   await page.locator('#scrub').fill(String(at));
-  await until(page, (f) => window.tolman.shownFrame === f && window.tolman.mode === 'paused', frame);
+  await until(page, (f) => document.querySelector('#shown-frame').textContent === String(f) &&
+    window.tolman.mode === 'paused', frame);
 }
 
 const degrees = (heading) => `${((heading * 180) / Math.PI).toFixed(1)}°`;

@@ -38,7 +38,7 @@ export function clock(seconds: number): string {
 
 export const kTrackingNames = ['initialising', 'tracking', 'lost'] as const;
 export const kRecognitionNames = ['none', 'novel', 'familiar'] as const;
-export const kActionNames = ['stay', 'new experience', 'loop closed'] as const;
+export const kActionNames = ['stay', 'create', 'loop'] as const;
 
 export function nameOf(names: readonly string[], index: number): string {
   return names[index] ?? kUnknown;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lines of a width in pixels, as one rectangle a segment: opaque, plain and without instances (which
 // cost most where the graphics card is a program), so that they are cheap.
-import { Color, ShaderMaterial, Vector2 } from 'three';
+import { Color, NoBlending, ShaderMaterial, Vector2 } from 'three';
 
 const kVertex = /* glsl */ `
 attribute vec3 start;
@@ -42,6 +42,9 @@ export class LineMaterial extends ShaderMaterial {
       vertexShader: kVertex,
       fragmentShader: kFragment,
       uniforms: { width: { value: width }, colour: { value: new Color() }, resolution },
+      // Opaque, but in the pass of the transparent ones, so that layers keep their order.
+      transparent: true,
+      blending: NoBlending,
       depthTest: false,
       depthWrite: false,
       side: 2,

@@ -157,9 +157,9 @@ export class MapPanel implements Panel {
     }
     setText(this.align, this.content.truthMode === 'fitted' ? 'as given' : 'align');
     const past = row < rows.count - 1;
-    const corrected = `positions after correction ${graph.version}`;
+    const corrected = `correction ${graph.version}`;
     const truth = !hasTruth ? '' : ` · truth ${truthText(this.content.truthMode)}`;
-    setText(this.texts.foot, (past ? `what stood at frame ${view.frame}, at ` : '') + corrected + truth);
+    setText(this.texts.foot, (past ? `as far as frame ${view.frame} · ` : '') + corrected + truth);
     setAttribute(this.texts.foot, 'data-version', String(graph.version));
   }
 
@@ -193,6 +193,6 @@ export class MapPanel implements Panel {
 }
 
 function truthText(mode: string | null): string {
-  if (mode === 'fitted') return 'moved onto the map (least squares: turn, shift)';
+  if (mode === 'fitted') return 'fitted (turn and shift)';
   return mode === 'given' ? 'as given' : 'not known yet';
 }
