@@ -23,7 +23,8 @@ constexpr auto kFarewell = 1s;
 constexpr std::size_t kMostDrained = 1U << 20U;  // bytes
 constexpr auto kReadPatience = 30s;              // for a client to take an answer
 constexpr const char* kPolicy =
-    "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' ws:; "
+    "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; connect-src "
+    "'self' ws:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'; object-src 'none'";
 
 std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }

@@ -48,6 +48,10 @@ TEST_CASE("the page comes with headers that lock it in") {
   CHECK(page.headers.at("content-type") == "text/html; charset=utf-8");
   CHECK(page.headers.at("x-content-type-options") == "nosniff");
   CHECK(page.headers.at("content-security-policy").find("default-src 'self'") == 0);
+  // uPlot and three.js put styles on elements; scripts have no such leave.
+  CHECK(page.headers.at("content-security-policy").find("style-src 'self' 'unsafe-inline'") !=
+        std::string::npos);
+  CHECK(page.headers.at("content-security-policy").find("script-src") == std::string::npos);
   CHECK(page.body.find("<html") != std::string::npos);
   CHECK(served.get("/index.html").body == page.body);
   const HttpAnswer head = get(served.drive.port(), "/", "HEAD");
