@@ -71,7 +71,7 @@ describe('a long look at a live run', () => {
     const early = await page.evaluate(() => window.tolman.nodes);
     await until(page, () => window.tolman.rows > 4000);
     const late = await page.evaluate(() => window.tolman.nodes);
-    assert.ok(late - early <= 4 * 60 + 40, `${early} then ${late}`); // the list of events may fill up
+    assert.ok(late - early <= 5 * 60 + 20, `${early} then ${late}`); // the list of events may fill up
     assert.ok(late < 1200, `${late} elements`);
     assert.deepEqual(page.complaints, []);
   });
