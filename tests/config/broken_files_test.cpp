@@ -21,7 +21,8 @@ TEST_CASE("The whole configuration that the broken ones extend is sound") {
 TEST_CASE("Mistyped keys are refused with the nearest known name, at every level") {
   CHECK(complaints("typos.yaml") ==
         "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (known here: name, "
-        "seed, threads, source, odometry, place, cells, map, observers, pipeline, evaluation, "
+        "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
+        "evaluation, "
         "record, isolation, extends)\n"
         "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (known here: "
         "mode, queue, input_policy, place_policy, speed)\n"
@@ -87,7 +88,8 @@ TEST_CASE("Values out of range show the range with its unit; bad choices show th
 TEST_CASE("Missing and malformed stages say what to add") {
   CHECK(complaints("stages.yaml") ==
         "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (known here: name, "
-        "seed, threads, source, odometry, place, cells, map, observers, pipeline, evaluation, "
+        "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
+        "evaluation, "
         "record, isolation, extends)\n"
         "broken/stages.yaml:1:1: source: the stage is missing; add 'source: {plugin: ...}' "
         "('tolman plugins list' shows what there is)\n"

@@ -29,7 +29,8 @@ TEST_CASE("The resolved configuration holds every value, defaults included") {
   const test::CheckedSystem system =
       test::checkSystem("whole.yaml", {"source.path=/data/06", "evaluation.segments=[5, 10.5]"});
   REQUIRE(system.complaints() == "");
-  CHECK(resolved(system) == R"(name: whole
+  CHECK(resolved(system) == R"(continue: ""
+name: whole
 seed: 7
 threads: 0
 pipeline:
@@ -42,6 +43,7 @@ evaluation:
   alignment: se3
   segment_lengths: [5, 10.5]
   segments: auto
+  sessions: own
 record:
   arrays_every: 1
 isolation:
