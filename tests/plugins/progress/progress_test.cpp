@@ -140,6 +140,7 @@ TEST_CASE("colour is for terminals, and NO_COLOR turns it off") {
 TEST_CASE("the summary counts the final map, and frames that were left out") {
   Run run(false);
   run.begin(50);
+  run.frame(0);
   run.place.template_id = 11;
   run.frame_record.frame = 38;
   run.frame(4000);
@@ -149,6 +150,15 @@ TEST_CASE("the summary counts the final map, and frames that were left out") {
   graph.links[3].kind = LinkKind::Loop;
   CHECK(run.finish(graph) ==
         "40 frames in 0:04, 10.0 frames/s, 12 templates, 8 experiences, 1 loop\n");
+}
+
+TEST_CASE("a later session counts its own frames") {
+  Run run(false);
+  run.begin(2);
+  run.frame_record.frame = 500;
+  run.frame(100);
+  run.frame(100);
+  CHECK(run.finish({}).starts_with("2 frames in "));
 }
 
 TEST_CASE("a run that fails leaves the terminal's cursor on a line of its own") {
