@@ -30,7 +30,7 @@ function isGpuRemark(text) {
 }
 
 export async function until(page, condition, argument) {
-  await page.waitForFunction(condition, argument, { timeout: 30000, polling: 50 });
+  await page.waitForFunction(condition, argument, { timeout: 120000, polling: 50 });
 }
 
 /** The page has all rows that the server has, and shows a frame. */
