@@ -3,6 +3,7 @@
 #include "bundle_adjustment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tolman::direct_sparse {
@@ -35,15 +36,41 @@ StepSize apply(Window& window, const SystemVector& step) {
           std::sqrt(size.a / frames), std::sqrt(size.b / frames)};
 }
 
+using Poses = std::array<Eigen::Isometry3d, kSlots>;
+
+/// Poses of the keyframes in the oldest one.
+Poses posesInOldest(const Window& window) {
+  Poses poses;
+  const Eigen::Isometry3d T_oldest_world = window.keyframe(window.order().front()).T_camera_world();
+  for (const int slot : window.order()) {
+    poses.at(static_cast<std::size_t>(slot)) =
+        T_oldest_world * window.keyframe(slot).T_world_camera();
+  }
+  return poses;
+}
+
+void measureMoves(const Window& window, const Poses& before, AdjustmentResult& result) {
+  const Poses after = posesInOldest(window);
+  for (const int slot : window.order()) {
+    const auto i = static_cast<std::size_t>(slot);
+    const Eigen::Isometry3d move = before.at(i).inverse() * after.at(i);
+    result.metres = std::max(result.metres, move.translation().norm());
+    result.radians = std::max(result.radians, logSo3(move.linear()).norm());
+  }
+}
+
 }  // namespace
 
 AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& settings,
                               Window& window, LinearSystem& system) {
   AdjustmentResult result;
+  const Poses before = posesInOldest(window);
   const std::vector<PointRange> points = allPoints(window);
   for (int i = 0; i < settings.iterations; ++i) {
     system.build(rig, settings.system, window, points);
-    result = {i + 1, system.energy(), system.residuals()};
+    result.iterations = i + 1;
+    result.energy = system.energy();
+    result.residuals = system.residuals();
     const SystemVector step = solve(window, system.H(), system.b(), settings.damping);
     const double depth_change = system.applyToDepths(window, step);
     const StepSize size = apply(window, step);
@@ -55,6 +82,7 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
     system.storeInformation(window);
     window.energy_threshold = system.outlierThreshold();
   }
+  measureMoves(window, before, result);
   return result;
 }
 

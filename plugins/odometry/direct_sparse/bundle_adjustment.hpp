@@ -17,6 +17,8 @@ struct AdjustmentResult {
   int iterations = 0;
   double energy = 0;  ///< before the last step
   int residuals = 0;
+  double metres = 0;   ///< farthest that a keyframe went from where it was, as the oldest sees it
+  double radians = 0;  ///< and the most that one turned
 };
 
 /// `system` is working memory. Residual states and informations of the points are up to date with

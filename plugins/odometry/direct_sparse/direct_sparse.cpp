@@ -34,6 +34,13 @@ Affine absolute(const Affine& reference, const Affine& relative) {
   return {reference.a + relative.a, relative.b + std::exp(relative.a) * reference.b};
 }
 
+/// Tracking and the window see the same images: an adjustment moves keyframes by centimetres and
+/// fractions of a degree. Much more is no adjustment.
+bool isSound(const AdjustmentResult& adjustment, double largest_metres) {
+  constexpr double kLargestRadians = 0.05;
+  return adjustment.metres < largest_metres && adjustment.radians < kLargestRadians;
+}
+
 Affine relative(const Affine& reference, const Affine& other) {
   const double a = other.a - reference.a;
   return {a, other.b - std::exp(a) * reference.b};
@@ -174,7 +181,7 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
     }
     ++unrecognised_;
   }
-  answerPredicted(motion);
+  answerPredicted(mapper_.window().newest(), motion);
   constexpr int kPatience = 2;  // frames; one strange image must not cost the window
   if (visible && (!can_track_ || unrecognised_ >= kPatience)) restart(frame, motion);
 }
@@ -211,7 +218,10 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   Eigen::Isometry3d T_world_final = T_world_camera;
   if (wantsKeyframe(tracked)) {
     const std::int64_t draft = mapper_.isDraft() ? mapper_.window().newest().frame : -1;
-    makeKeyframe(frame, T_world_camera, brightness_, motion);
+    if (!makeKeyframe(frame, T_world_camera, brightness_, motion)) {
+      abandonWindow(frame, motion);
+      return;
+    }
     T_world_final = mapper_.window().newest().T_world_camera();
     // Frames that were placed in a draft have its wrong lengths.
     if (draft >= 0) trajectory_.bridge(draft + 1, T_world_final);
@@ -247,19 +257,32 @@ void DirectSparse::answerDraft(Motion& motion) {
   motion.covariance = predictionCovariance(motion.T_previous_current, 100);
 }
 
-void DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
+bool DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
                                 const Affine& affine, Motion& motion) {
   lookRight(frame);
+  const bool was_draft = mapper_.isDraft();  // whose lengths are guesses
   mapper_.addKeyframe(frame.frame, T_world_camera, affine, current_, right_);
+  const bool is_sound = isSound(mapper_.adjustment(), parameters_.largest_adjustment);
+  if (!was_draft && !is_sound) return false;
   known_ = true;
   can_track_ = tracker_.setReference(rig_, mapper_.window());
   trajectory_.follow(mapper_.window());
   brightness_ = mapper_.window().newest().affine();
   motion.is_keyframe = true;
   publishPoints(motion);
+  return true;
 }
 
-void DirectSparse::answerPredicted(Motion& motion) {
+void DirectSparse::abandonWindow(const Frame& frame, Motion& motion) {
+  log_->warning("the window contradicts tracking and is given up");
+  motion.tracked = 0;
+  const Window& window = mapper_.window();
+  answerPredicted(window.keyframe(window.order().front()), motion);
+  look(frame);  // the window has taken the pyramid
+  restart(frame, motion);
+}
+
+void DirectSparse::answerPredicted(const Keyframe& keyframe, Motion& motion) {
   if (first_lost_ < 0) {
     first_lost_ = motion.frame;
     log_->warning("tracking lost; going on as before until the images are good again");
@@ -268,9 +291,8 @@ void DirectSparse::answerPredicted(Motion& motion) {
   const Eigen::Isometry3d step = expSe3(velocity_ * motion.dt);
   motion.state = TrackingState::Lost;
   motion.covariance = predictionCovariance(step, lost_frames_);
-  motion.T_previous_current =
-      trajectory_.add(motion.frame, normalised(trajectory_.lastPose() * step),
-                      mapper_.window().newest(), motion.covariance);
+  motion.T_previous_current = trajectory_.add(
+      motion.frame, normalised(trajectory_.lastPose() * step), keyframe, motion.covariance);
 }
 
 void DirectSparse::restart(const Frame& frame, Motion& motion) {

@@ -36,12 +36,16 @@ class DirectSparse : public Odometry {
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
   /// While the scene is a draft, nothing is known of the motion; it is revised later.
   void answerDraft(Motion& motion);
-  void answerPredicted(Motion& motion);
+  /// The frame rides on this keyframe.
+  void answerPredicted(const Keyframe& keyframe, Motion& motion);
   void restart(const Frame& frame, Motion& motion);
   Expectation expect(double dt) const;
   bool wantsKeyframe(const AlignmentResult& tracked) const;
-  void makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
+  /// False when the window that came out is not to be believed; then only restart() may follow.
+  bool makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
                     const Affine& affine, Motion& motion);
+  /// The window has come apart: lost, and a new one starts from this frame.
+  void abandonWindow(const Frame& frame, Motion& motion);
   void lookRight(const Frame& frame);
   Matrix6d motionCovariance(const AlignmentResult& tracked,
                             const Eigen::Isometry3d& T_previous_current);

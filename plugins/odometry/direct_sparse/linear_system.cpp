@@ -251,8 +251,11 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
                    double damping) {
   SystemMatrix whole = H + window.prior.H;
   SystemVector rhs = -(b + window.prior.b + window.prior.H * changes(window));
+  // Where the window as a whole is nobody can see: its oldest keyframe stays.
+  const int held = window.empty() ? kVariables : kFrameVariables * window.order().front();
   for (int i = 0; i < kVariables; ++i) {
-    if (whole(i, i) > 0) continue;
+    const bool is_held = i >= held && i < held + kFrameVariables;
+    if (whole(i, i) > 0 && !is_held) continue;
     whole.row(i).setZero();
     whole.col(i).setZero();
     whole(i, i) = 1;

@@ -75,8 +75,9 @@ class LinearSystem {
   int residuals_ = 0;
 };
 
-/// H, b plus the window's prior at the present change, solved; unused variables stay 0. `damping`
-/// is added to the diagonal, scaled to one: directions that are observed less do not move.
+/// H, b plus the window's prior at the present change, solved; unused variables and those of the
+/// oldest keyframe, which holds the gauge, stay 0. `damping` is added to the diagonal, scaled to
+/// one: directions that are observed less do not move.
 SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
                    double damping = kLeastDamping);
 

@@ -30,13 +30,10 @@ void Mapper::reset() {
   selector_.reset();
   activator_.reset();
   draft_ = false;
+  adjustment_ = AdjustmentResult();
 }
 
-void Mapper::holdGauge(Keyframe& first) {
-  constexpr double kHold = 1e13;
-  const int i = kFrameVariables * window_.newestSlot();
-  window_.prior.H.diagonal().segment<kFrameVariables>(i).setConstant(kHold);
-  first.has_prior = true;
+void Mapper::holdOffset() {
   const double sigma = std::max(settings_.offset_sigma, 1e-6);
   window_.prior.H(kOffsetIndex, kOffsetIndex) = kGreyVariance / (sigma * sigma);
 }
@@ -49,7 +46,7 @@ Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_ca
   keyframe.affine0 = affine;
   std::swap(keyframe.left, left);
   keyframe.gradients.build(keyframe.left.level(0));
-  if (window_.size() == 1) holdGauge(keyframe);
+  if (window_.size() == 1) holdOffset();
   selectCandidates(keyframe);
   return keyframe;
 }
@@ -63,7 +60,7 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
   keyframe.has_right = !keyframe.right.empty();
   if (keyframe.has_right) matchCandidates(keyframe);
   activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
-  adjustWindow(rig_, settings_.adjustment, window_, system_);
+  adjustment_ = adjustWindow(rig_, settings_.adjustment, window_, system_);
   dropOutliers(window_);
   shrink();
   return window_.pointCount();
@@ -153,6 +150,7 @@ void Mapper::shrink() {
   marginalisePoints(rig_, settings_.adjustment.system, leaving, settings_.marginal_weight, window_,
                     system_);
   for (const int slot : leaving) marginaliseKeyframe(slot, window_);
+  forgetGauge(window_);
 }
 
 void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,

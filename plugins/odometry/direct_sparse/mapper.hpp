@@ -32,7 +32,7 @@ class Mapper {
   const Window& window() const { return window_; }
 
   /// Takes the pyramids (swaps its own old ones in). `right` may be empty: a covered camera.
-  /// The first keyframe of an empty window holds the gauge. Returns the points in the window.
+  /// The oldest keyframe of the window holds the gauge. Returns the points in the window.
   std::size_t addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                           const Affine& affine, Pyramid& left, Pyramid& right);
   /// The first keyframe of a single camera, with a drafted scene of this camera height. The next
@@ -40,13 +40,15 @@ class Mapper {
   void draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                      double camera_height, Pyramid& left);
   bool isDraft() const { return draft_; }
+  /// How the window was adjusted to the last keyframe.
+  const AdjustmentResult& adjustment() const { return adjustment_; }
   /// Refines the candidates of all keyframes with a frame of known pose.
   void observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine, const Pyramid& left);
 
  private:
   Keyframe& insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                    const Affine& affine, Pyramid& left);
-  void holdGauge(Keyframe& first);
+  void holdOffset();
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
   void balanceRight(Keyframe& keyframe, const StereoSearch& search) const;
@@ -56,6 +58,7 @@ class Mapper {
   MapperSettings settings_;
   Window window_;
   bool draft_ = false;
+  AdjustmentResult adjustment_;
   PointSelector selector_;
   Activator activator_;
   LinearSystem system_;

@@ -51,6 +51,21 @@ bool outOfSight(const Window& window, int host, const Point& point) {
   return true;
 }
 
+using FrameBlock = Eigen::Matrix<double, kFrameVariables, kFrameVariables>;
+
+/// How the variables of `keyframe` change, at the first estimates, when the whole window moves or
+/// brightens such that those of `anchor` change by one each.
+FrameBlock byGauge(const Keyframe& keyframe, const Keyframe& anchor) {
+  const Eigen::Isometry3d T = keyframe.T0_camera_world * anchor.T0_camera_world.inverse();
+  FrameBlock moved = FrameBlock::Zero();
+  moved.block<3, 3>(0, 0) = T.linear();
+  moved.block<3, 3>(3, 3) = T.linear();
+  moved.block<3, 3>(0, 3) = skew(T.translation()) * T.linear();
+  moved(6, 6) = 1;
+  moved(7, 7) = std::exp(keyframe.affine0.a - anchor.affine0.a);
+  return moved;
+}
+
 bool worthKeeping(const Point& point) {
   constexpr float kLeastInformation = 50;
   return point.information > kLeastInformation && point.seen_good >= 3;
@@ -116,7 +131,7 @@ void marginaliseKeyframe(int slot, Window& window) {
   const int i = n * slot;
   SystemMatrix& H = window.prior.H;
   SystemVector& b = window.prior.b;
-  using Block = Eigen::Matrix<double, n, n>;
+  using Block = FrameBlock;
   const Block own = 0.5 * (H.block<n, n>(i, i) + H.block<n, n>(i, i).transpose());
   const Eigen::Matrix<double, n, 1> scale = (own.diagonal().array() + 1e-3).rsqrt();
   Block scaled = scale.asDiagonal() * own * scale.asDiagonal();
@@ -132,6 +147,36 @@ void marginaliseKeyframe(int slot, Window& window) {
   b.segment<n>(i).setZero();
   H = (0.5 * (H + H.transpose())).eval();
   window.remove(slot);
+}
+
+void forgetGauge(Window& window) {
+  constexpr int n = kFrameVariables;
+  const auto with_prior = [&](int slot) { return window.keyframe(slot).has_prior; };
+  const auto first = std::find_if(window.order().begin(), window.order().end(), with_prior);
+  if (first == window.order().end()) return;
+  SystemMatrix& H = window.prior.H;
+  SystemVector& b = window.prior.b;
+  const int anchor = n * *first;
+  // The others say all that is relative; the anchor's part follows, such that H N = 0, N' b = 0.
+  Eigen::Matrix<double, kVariables, n> column = Eigen::Matrix<double, kVariables, n>::Zero();
+  Eigen::Matrix<double, n, 1> gradient = Eigen::Matrix<double, n, 1>::Zero();
+  for (const int slot : window.order()) {
+    if (slot == *first || !with_prior(slot)) continue;
+    const FrameBlock N = byGauge(window.keyframe(slot), window.keyframe(*first));
+    column -= H.middleCols<n>(n * slot) * N;
+    gradient -= N.transpose() * b.segment<n>(n * slot);
+  }
+  column.middleRows<n>(anchor).setZero();
+  H.middleCols<n>(anchor) = column;
+  H.middleRows<n>(anchor) = column.transpose();
+  FrameBlock own = FrameBlock::Zero();
+  for (const int slot : window.order()) {
+    if (slot == *first || !with_prior(slot)) continue;
+    const FrameBlock N = byGauge(window.keyframe(slot), window.keyframe(*first));
+    own -= N.transpose() * column.middleRows<n>(n * slot);
+  }
+  H.block<n, n>(anchor, anchor) = 0.5 * (own + own.transpose());
+  b.segment<n>(anchor) = gradient;
 }
 
 }  // namespace tolman::direct_sparse

@@ -22,4 +22,9 @@ void marginalisePoints(const CameraRig& rig, const SystemSettings& settings,
 /// Eliminates the variables of the slot from the prior and removes the keyframe.
 void marginaliseKeyframe(int slot, Window& window);
 
+/// Takes from the prior what it says of the window as a whole: where it is, how bright it is. That
+/// is nothing but rounding of floats, but it adds up over a long drive, and once it outweighs what
+/// is left of the start, the window is free to jump.
+void forgetGauge(Window& window);
+
 }  // namespace tolman::direct_sparse

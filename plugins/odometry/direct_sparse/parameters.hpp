@@ -15,6 +15,7 @@ struct Parameters {
   double keyframe_weight = 0.4;
   double nearest = 2.5;
   double marginal_weight = 0.06;
+  double largest_adjustment = 0.5;
   double offset_sigma = 0;
   double camera_height = 1.65;
 
@@ -48,6 +49,11 @@ struct Parameters {
         parameter<P, double>("marginal_weight", &P::marginal_weight)
             .range(0, 1)
             .doc("Trust in what marginalised points and keyframes leave behind."),
+        parameter<P, double>("largest_adjustment", &P::largest_adjustment)
+            .range(0, 1000)
+            .unit("m")
+            .doc("How far a keyframe may move when the window is adjusted; a window that moves one "
+                 "farther is given up, the frame is lost."),
         parameter<P, double>("offset_sigma", &P::offset_sigma)
             .range(0, 5)
             .unit("px")
