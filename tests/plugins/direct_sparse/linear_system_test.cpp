@@ -201,24 +201,27 @@ TEST_CASE("residuals without a right image or out of view leave the system") {
   CHECK(system.outlierThreshold() >= 13 * 13);
 }
 
-TEST_CASE("variables without residuals stay; damping holds what is hardly observed") {
+TEST_CASE("variables without residuals and the oldest keyframe stay; damping holds the rest") {
+  constexpr int k = kFrameVariables;  // of the second keyframe
   Window window;
+  window.add();
   window.add();
   SystemMatrix H = SystemMatrix::Zero();
   SystemVector b = SystemVector::Zero();
-  H(0, 0) = 4;
-  H(1, 1) = 1e6;
-  b[0] = -8;
-  b[1] = 1e6;
-  b[2] = 5;  // of a variable that nothing observes
+  H(0, 0) = H(k, k) = 4;
+  H(k + 1, k + 1) = 1e6;
+  b[0] = b[k] = -8;
+  b[k + 1] = 1e6;
+  b[k + 2] = 5;  // of a variable that nothing observes
   const SystemVector step = solve(window, H, b);
-  CHECK(step[0] == Approx(2));
-  CHECK(step[1] == Approx(-1));
-  CHECK(step.tail<kVariables - 2>().isZero(0));
+  CHECK(step.head<k>().isZero(0));
+  CHECK(step[k] == Approx(2));
+  CHECK(step[k + 1] == Approx(-1));
+  CHECK(step.tail<kVariables - k - 2>().isZero(0));
   // Two variables of which only the difference is observed: rounding must not move their sum.
-  H.topLeftCorner<2, 2>() << 1, -1, -1, 1 + 1e-9;
-  b.head<2>() << -1e-3, 1e-3 + 1e-7;
+  H.block<2, 2>(k, k) << 1, -1, -1, 1 + 1e-9;
+  b.segment<2>(k) << -1e-3, 1e-3 + 1e-7;
   const SystemVector damped = solve(window, H, b, 1e-4);
-  CHECK(damped[0] - damped[1] == Approx(1e-3).epsilon(0.01));
-  CHECK(std::abs(damped[0] + damped[1]) < 2e-3);
+  CHECK(damped[k] - damped[k + 1] == Approx(1e-3).epsilon(0.01));
+  CHECK(std::abs(damped[k] + damped[k + 1]) < 2e-3);
 }
