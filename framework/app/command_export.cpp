@@ -15,7 +15,10 @@ namespace {
 
 void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
                  Invocation& invocation) {
-  const std::filesystem::path folder = out.empty() ? run : out;
+  // Another session's files stand apart: those of the run have digests.
+  const std::filesystem::path own =
+      session < 0 ? run : std::filesystem::path(run) / ("session-" + std::to_string(session));
+  const std::filesystem::path folder = out.empty() ? own : out;
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const auto written = record::exportRun(run, folder, session);
@@ -36,7 +39,9 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
   auto run = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
   command->add_option("run", *run, "Run directory")->required();
-  command->add_option("--out", *out, "Folder to write to (default: the run directory)");
+  command->add_option(
+      "--out", *out,
+      "Folder to write to (default: the run directory; of a session, session-N in it)");
   auto session = std::make_shared<std::int64_t>(-1);
   command->add_option("--session", *session,
                       "Session whose trajectories to write, from 0 (default: the run's own)");

@@ -56,6 +56,12 @@ class Run {
   std::optional<Failure> goOn() {
     const std::string& directory = config().general.go_on_from;
     if (directory.empty()) return std::nullopt;
+    std::error_code ignored;
+    if (!out_.empty() && std::filesystem::equivalent(out_, directory, ignored)) {
+      return Failure{ExitCode::Session, directory +
+                                            ": cannot go on in its own directory; give "
+                                            "another one with --out"};
+    }
     auto opened = record::RunReader::open(directory);
     if (!opened.isOk()) return Failure{ExitCode::Session, opened.status().message()};
     earlier_ = std::move(opened).value();

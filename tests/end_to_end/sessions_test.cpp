@@ -80,14 +80,24 @@ TEST_CASE("a second session joins the map of the first, as good as in one go") {
   // The record is complete in itself, and the exported trajectories are of one session each.
   fs::remove_all(first);
   CHECK(linesOf(second / "trajectory.tum") == static_cast<std::size_t>(cut.last - cut.first + 1));
-  REQUIRE(tolman::test::tolman(
-              {"export", second.string(), "--out", (out.path() / "a").string(), "--session", "0"})
-              .exit_code == 0);
-  CHECK(linesOf(out.path() / "a/trajectory.tum") == static_cast<std::size_t>(cut.middle + 1));
+  REQUIRE(tolman::test::tolman({"export", second.string(), "--session", "0"}).exit_code == 0);
+  CHECK(linesOf(second / "session-0/trajectory.tum") == static_cast<std::size_t>(cut.middle + 1));
   const Finished way =
       tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "500"});
   INFO(way.err);
   CHECK(way.exit_code == 0);
+}
+
+TEST_CASE("a run does not go on in its own directory") {
+  const auto data = dataOrSkip("kitti_motion/07");
+  if (!data) return;
+  const TemporaryFolder out;
+  const std::string run = (out.path() / "run").string();
+  REQUIRE(drive(*data, run, 0, 30).exit_code == 0);
+  const Finished again = drive(*data, run, 31, 60, {}, run);
+  CHECK(again.exit_code == 9);
+  CHECK(contains(again.err, "cannot go on in its own directory; give another one with --out"));
+  CHECK(linesOf(fs::path(run) / "trajectory.tum") == 31);
 }
 
 TEST_CASE("what nothing joins is said to be apart") {
