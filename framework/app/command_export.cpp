@@ -16,9 +16,8 @@ namespace {
 void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
                  Invocation& invocation) {
   // Another session's files stand apart: those of the run have digests.
-  const std::filesystem::path own =
-      session < 0 ? run : std::filesystem::path(run) / ("session-" + std::to_string(session));
-  const std::filesystem::path folder = out.empty() ? own : out;
+  std::filesystem::path folder = out.empty() ? run : out;
+  if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const auto written = record::exportRun(run, folder, session);
