@@ -51,3 +51,8 @@ export async function untilSettled(page) {
 }
 
 export const text = (page, name) => page.locator(`[data-testid="${name}"]`).innerText();
+
+/** What is shown follows the state with the next drawing. */
+export async function untilText(page, name, expected) {
+  await page.locator(`[data-testid="${name}"]`, { hasText: expected }).waitFor();
+}

@@ -2,7 +2,7 @@
 // The page during a run: it follows, recovers from reloads and drops, and knows the end.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { openPage, text, until, untilCaughtUp } from '../browser.mjs';
+import { openPage, text, until, untilCaughtUp, untilText } from '../browser.mjs';
 import * as source from '../source.mjs';
 import { real, target } from '../target.mjs';
 
@@ -30,7 +30,7 @@ describe('a page that opens during a run', () => {
     await untilCaughtUp(page, 150);
     const before = await page.evaluate(() => window.tolman.rows);
     if (t.fake) await until(page, (n) => window.tolman.rows > n + 20, before);
-    if (t.fake) assert.equal(await text(page, 'link'), 'live');
+    if (t.fake) await untilText(page, 'link', 'live');
     await expectNoGaps(page, t.url);
     assert.deepEqual(page.complaints, []);
   });
@@ -77,7 +77,7 @@ describe('a page that opens during a run', () => {
     await untilCaughtUp(page, 150);
     t.fake.finish();
     await until(page, (n) => window.tolman.rows === n && !window.tolman.live, t.fake.rows);
-    assert.equal(await text(page, 'link'), 'run has ended');
+    await untilText(page, 'link', 'run has ended');
     await page.keyboard.press('Home');
     await until(page, () => window.tolman.imageFrame === 0);
     await page.keyboard.press(' ');
