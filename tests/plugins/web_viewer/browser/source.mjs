@@ -65,7 +65,7 @@ db = sqlite3.connect(f"file:{sys.argv[1]}/run.sqlite?mode=ro", uri=True)
 db.row_factory = sqlite3.Row
 f = int(sys.argv[2])
 one = lambda table: dict(db.execute(f'select * from {table} where frame = ?', (f,)).fetchone() or {})
-print(json.dumps({t: one(t) for t in ('motion', 'place', 'decision', 'map_update')}))
+print(json.dumps({t: one(t) for t in ("motion", "place", "decision", "map_update")}, default=repr))
 `;
 
 /** What run.sqlite says of a frame; null when there is no run to compare with. */
