@@ -76,6 +76,18 @@ function compareRecord(frame, row) {
   for (const name of ['experiences', 'links', 'loops']) assert.equal(row[name], record.map_update[name]);
 }
 
+/** What does not hold after half a minute does not hold. */
+async function eventually(check) {
+  for (const started = Date.now(); ;) {
+    try {
+      return await check();
+    } catch (error) {
+      if (Date.now() - started > 30000) throw error;
+      await new Promise((wake) => setTimeout(wake, 250));
+    }
+  }
+}
+
 describe('the numbers on the page', () => {
   const t = target({ start: 4000 });
 
@@ -88,11 +100,12 @@ describe('the numbers on the page', () => {
       const row = rows[at];
       await show(page, at, row.frame);
       await until(page, (f) => !(window.tolman.imageFrame > f), row.frame);
-      await page.waitForTimeout(500); // plots and lists take their time
-      await compareCounters(page, row, rows);
-      await compareMatch(page, row, rows);
-      await compareTiming(page, row, rows);
-      await compareCells(page, t.url, row.frame);
+      await eventually(async () => { // plots and lists take their time
+        await compareCounters(page, row, rows);
+        await compareMatch(page, row, rows);
+        await compareTiming(page, row, rows);
+        await compareCells(page, t.url, row.frame);
+      });
       compareRecord(row.frame, row);
     }
     assert.deepEqual(page.complaints, []);
