@@ -192,6 +192,16 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
                  config::format(problems)};
 }
 
+std::variant<std::unique_ptr<Assembly>, Failure> Assembly::open(const SystemOptions& options,
+                                                                Scope scope, RunLog& log,
+                                                                const Clock& clock,
+                                                                const Cancellation& cancellation) {
+  auto checked = checkSystem(options, scope);
+  if (auto* failure = std::get_if<Failure>(&checked)) return *failure;
+  return create(std::move(std::get<CheckedSystem>(checked)), log, clock, cancellation,
+                {false, true});
+}
+
 std::variant<std::unique_ptr<Assembly>, Failure> Assembly::create(CheckedSystem checked,
                                                                   RunLog& log, const Clock& clock,
                                                                   const Cancellation& cancellation,

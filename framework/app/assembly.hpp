@@ -72,6 +72,12 @@ class Assembly {
                                                                  const Cancellation& cancellation,
                                                                  const Audience& audience);
 
+  /// Checks and creates for a command that shows progress itself: the stages are silent.
+  static std::variant<std::unique_ptr<Assembly>, Failure> open(const SystemOptions& options,
+                                                               Scope scope, RunLog& log,
+                                                               const Clock& clock,
+                                                               const Cancellation& cancellation);
+
   /// From now on artefacts can be written.
   void openArtefacts(const std::filesystem::path& run_directory);
   /// Destroys all stages against the order of the flow; returns what their destructors threw.

@@ -2,7 +2,6 @@
 #include "app/bench.hpp"
 
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 
 #include <algorithm>
 #include <array>
@@ -96,10 +95,7 @@ class Runner {
   MaybeFailure pass(Scope scope, std::vector<BenchPass>& passes) {
     if (cancellation_.requested()) return std::nullopt;
     conformance::resetPeakResident();
-    auto checked = checkSystem(system_, scope);
-    if (auto* failure = std::get_if<Failure>(&checked)) return *failure;
-    auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_,
-                                      cancellation_, {false, true});
+    auto assembled = Assembly::open(system_, scope, log_, clock_, cancellation_);
     if (auto* failure = std::get_if<Failure>(&assembled)) return *failure;
     Assembly& assembly = *std::get<std::unique_ptr<Assembly>>(assembled);
     const plugins::ScratchFolder scratch("tolman-bench");
@@ -109,7 +105,8 @@ class Runner {
     if (!informed.isOk()) return Failure{ExitCode::Dataset, informed.message()};
     bench_.name = assembly.system().config.general.name;
     bench_.source = info.description;
-    ProgressLine progress(std::cerr, clock_, options_.audience, framesOf(info));
+    ProgressLine progress(std::cerr, clock_, options_.audience,
+                          framesToCome(options_.frames, info.frames));
     auto measured =
         scope == Scope::Source ? sourceAlone(assembly, progress) : chain(assembly, progress);
     (void)assembly.teardown();
@@ -119,16 +116,10 @@ class Runner {
     return std::nullopt;
   }
 
-  std::int64_t framesOf(const SourceInfo& info) const {
-    if (info.frames < 0 || options_.frames < 0) return std::max(info.frames, options_.frames);
-    return std::min(info.frames, options_.frames);
-  }
-
   std::variant<BenchPass, Failure> sourceAlone(Assembly& assembly, ProgressLine& progress) {
-    const int threads = assembly.system().config.general.threads;
-    const tbb::global_control limit(
-        tbb::global_control::max_allowed_parallelism,
-        static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency()));
+    const int threads = pipeline::concurrency(assembly.system().config.general.threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
     std::vector<std::int64_t> durations_ns;
     BenchPass pass;
     while (pass.frames != options_.frames && !cancellation_.requested()) {

@@ -2,7 +2,6 @@
 #include "app/bench_odometry.hpp"
 
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -15,6 +14,7 @@
 
 #include "app/progress_line.hpp"
 #include "conformance/process_state.hpp"
+#include "pipeline/run.hpp"
 #include "pipeline/undisturbed.hpp"
 
 namespace tolman::app {
@@ -46,11 +46,6 @@ class Meter {
   std::int64_t wall_ns_;
   double cpu_s_;
 };
-
-int concurrencyOf(const Assembly& assembly) {
-  const int threads = assembly.system().config.general.threads;
-  return threads > 0 ? threads : tbb::info::default_concurrency();
-}
 
 /// One drive: frames from the source, and what becomes of them.
 class Drive {
@@ -161,10 +156,7 @@ class Runner {
 
   MaybeFailure pass(const SystemOptions& system, Scope scope, std::vector<DrivePass>& passes) {
     if (cancellation_.requested()) return std::nullopt;
-    auto checked = checkSystem(system, scope);
-    if (auto* failure = std::get_if<Failure>(&checked)) return *failure;
-    auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_,
-                                      cancellation_, {false, true});
+    auto assembled = Assembly::open(system, scope, log_, clock_, cancellation_);
     if (auto* failure = std::get_if<Failure>(&assembled)) return *failure;
     Assembly& assembly = *std::get<std::unique_ptr<Assembly>>(assembled);
     SourceInfo info;
@@ -183,10 +175,9 @@ class Runner {
   std::variant<DrivePass, Failure> drive(Assembly& assembly, Scope scope, std::int64_t frames) {
     const bool alone = scope == Scope::Source;
     const std::int64_t most = options_.frames;
-    ProgressLine progress(std::cerr, clock_, options_.audience,
-                          most < 0 || frames < 0 ? std::max(most, frames) : std::min(most, frames));
+    ProgressLine progress(std::cerr, clock_, options_.audience, framesToCome(most, frames));
     Drive drive(assembly, most, cancellation_, progress);
-    const int threads = alone ? 1 : concurrencyOf(assembly);
+    const int threads = alone ? 1 : pipeline::concurrency(assembly.system().config.general.threads);
     if (!alone) bench_.threads = threads;
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));

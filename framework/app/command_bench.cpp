@@ -18,10 +18,7 @@ ExitCode bench(const Run& run, const Text& text, const Json& json, const Invocat
   const Interrupts interrupts;  // before anything that starts threads
   RunLog log(invocation.quiet);
   const auto result = run(log, interrupts);
-  if (const auto* failure = std::get_if<Failure>(&result)) {
-    std::cerr << failure->message << (failure->message.ends_with('\n') ? "" : "\n");
-    return failure->code;
-  }
+  if (const auto* failure = std::get_if<Failure>(&result)) return tell(*failure);
   const auto& measured = std::get<0>(result);
   if (invocation.json) {
     std::cout << json(measured).dump(2) << "\n";

@@ -15,8 +15,7 @@ void addCheckCommand(CLI::App& app, Invocation& invocation) {
   command->callback([options, explain, &invocation] {
     const auto result = checkSystem(options->read(invocation));
     if (const auto* failure = std::get_if<Failure>(&result)) {
-      std::cerr << failure->message;
-      invocation.exit_code = static_cast<int>(failure->code);
+      invocation.exit_code = static_cast<int>(tell(*failure));
       return;
     }
     const auto& checked = std::get<CheckedSystem>(result);

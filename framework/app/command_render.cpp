@@ -2,7 +2,6 @@
 // tolman dataset render: the frames of any source as a KITTI folder, for any other program.
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/info.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include "app/progress_line.hpp"
 #include "app/rendering.hpp"
 #include "app/system_options.hpp"
+#include "pipeline/run.hpp"
 
 namespace tolman::app {
 namespace {
@@ -79,49 +79,37 @@ class RenderRun {
 
   ExitCode execute(const SystemOptions& options) {
     auto checked = checkSource(options, command_.render.depth);
-    if (auto* failure = std::get_if<Failure>(&checked)) return report(*failure);
+    if (auto* failure = std::get_if<Failure>(&checked)) return tell(*failure);
     if (readsFrom(std::get<CheckedSystem>(checked), command_.out)) {
-      return report({ExitCode::Record, command_.out + ": the source reads from there; choose "
-                                                      "another --out"});
+      return tell({ExitCode::Record, command_.out + ": the source reads from there; choose "
+                                                    "another --out"});
     }
     auto assembled =
         Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_, interrupts_,
                          {false, true});  // the command itself shows progress
-    if (auto* failure = std::get_if<Failure>(&assembled)) return report(*failure);
+    if (auto* failure = std::get_if<Failure>(&assembled)) return tell(*failure);
     assembly_ = std::move(std::get<std::unique_ptr<Assembly>>(assembled));
     Status status = assembly_->source().info(info_);
-    if (!status.isOk()) return report({ExitCode::Dataset, status.message()});
+    if (!status.isOk()) return tell({ExitCode::Dataset, status.message()});
     status = checkRig(info_);
-    if (!status.isOk()) return report({ExitCode::Dataset, status.message()});
+    if (!status.isOk()) return tell({ExitCode::Dataset, status.message()});
     const auto folder = KittiFolder::create(command_.out, command_.replace);
-    if (!folder.isOk()) return report({ExitCode::Record, folder.status().message()});
+    if (!folder.isOk()) return tell({ExitCode::Record, folder.status().message()});
     return render(folder.value());
   }
 
  private:
-  static ExitCode report(const Failure& failure) {
-    std::cerr << failure.message << (failure.message.ends_with('\n') ? "" : "\n");
-    return failure.code;
-  }
-
-  std::int64_t total() const {
-    if (command_.render.frames < 0 || info_.frames < 0) {
-      return std::max(command_.render.frames, info_.frames);
-    }
-    return std::min(command_.render.frames, info_.frames);
-  }
-
   ExitCode render(const KittiFolder& folder) {
-    const int threads = assembly_->system().config.general.threads;
-    const tbb::global_control limit(
-        tbb::global_control::max_allowed_parallelism,
-        static_cast<std::size_t>(threads > 0 ? threads : tbb::info::default_concurrency()));
+    const int threads = pipeline::concurrency(assembly_->system().config.general.threads);
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(threads));
     const std::int64_t begin_ns = clock_.steadyNs();
     StageLogger logger(log_, "render");
     RenderOutcome outcome;
     {
       const Audience audience{isatty(STDERR_FILENO) == 1 && !invocation_.quiet, invocation_.quiet};
-      ProgressLine progress(std::cerr, clock_, audience, total());
+      ProgressLine progress(std::cerr, clock_, audience,
+                            framesToCome(command_.render.frames, info_.frames));
       Rendering rendering(assembly_->source(), info_, folder, command_.render, logger,
                           [&] { progress.step(); });
       outcome = rendering.run(interrupts_);
@@ -133,11 +121,11 @@ class RenderRun {
   }
 
   static ExitCode conclude(const RenderOutcome& outcome) {
-    if (!outcome.folder.isOk()) return report({ExitCode::Record, outcome.folder.message()});
-    if (!outcome.source.isOk()) return report({ExitCode::Dataset, outcome.source.message()});
+    if (!outcome.folder.isOk()) return tell({ExitCode::Record, outcome.folder.message()});
+    if (!outcome.source.isOk()) return tell({ExitCode::Dataset, outcome.source.message()});
     if (outcome.interrupted) return ExitCode::Interrupted;
     if (outcome.written > 0) return ExitCode::Ok;
-    return report({ExitCode::Dataset, "the source gave no frame with a sound image"});
+    return tell({ExitCode::Dataset, "the source gave no frame with a sound image"});
   }
 
   void show(const RenderOutcome& outcome, double seconds) const {

@@ -30,26 +30,21 @@ class Run {
 
   ExitCode execute(const SystemOptions& options) {
     auto checked = checkSystem(options);
-    if (auto* failure = std::get_if<Failure>(&checked)) return report(*failure);
+    if (auto* failure = std::get_if<Failure>(&checked)) return tell(*failure);
     const Audience audience{isatty(STDERR_FILENO) == 1 && !invocation_.quiet, invocation_.quiet};
     auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_,
                                       interrupts_, audience);
-    if (auto* failure = std::get_if<Failure>(&assembled)) return report(*failure);
+    if (auto* failure = std::get_if<Failure>(&assembled)) return tell(*failure);
     assembly_ = std::move(std::get<std::unique_ptr<Assembly>>(assembled));
     Status status = assembly_->source().info(info_);
-    if (!status.isOk()) return report({ExitCode::Dataset, status.message()});
-    if (const auto failure = goOn()) return report(*failure);
+    if (!status.isOk()) return tell({ExitCode::Dataset, status.message()});
+    if (const auto failure = goOn()) return tell(*failure);
     status = openRecord();
-    if (!status.isOk()) return report({ExitCode::Record, status.message()});
+    if (!status.isOk()) return tell({ExitCode::Record, status.message()});
     return drive();
   }
 
  private:
-  ExitCode report(const Failure& failure) const {
-    std::cerr << failure.message << (failure.message.ends_with('\n') ? "" : "\n");
-    return failure.code;
-  }
-
   const config::SystemConfig& config() const { return assembly_->system().config; }
 
   /// Takes up the map of an earlier run, if one is named.
@@ -191,7 +186,7 @@ class Run {
       if (!reported.isOk()) std::cerr << reported.message() << "\n";
     }
     show(outcome, results.isOk() ? &results.value().data.metrics : nullptr, wall);
-    if (!outcome.status.isOk()) return report({code, outcome.status.message()});
+    if (!outcome.status.isOk()) return tell({code, outcome.status.message()});
     return code;
   }
 

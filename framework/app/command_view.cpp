@@ -30,9 +30,7 @@ class ViewRun {
     View view(options, clock_, interrupts_, listener);
     const auto failure = view.serve();
     progress_.reset();
-    if (!failure) return ExitCode::Ok;
-    std::cerr << failure->message << (failure->message.ends_with('\n') ? "" : "\n");
-    return failure->code;
+    return failure ? tell(*failure) : ExitCode::Ok;
   }
 
  private:

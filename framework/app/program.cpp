@@ -68,4 +68,9 @@ int runProgram(int argc, const char* const* argv) {
   return invocation.exit_code;
 }
 
+ExitCode tell(const Failure& failure) {
+  std::cerr << failure.message << (failure.message.ends_with('\n') ? "" : "\n");
+  return failure.code;
+}
+
 }  // namespace tolman::app

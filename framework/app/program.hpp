@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/exit_code.hpp"
+
 namespace CLI {
 class App;
 }
@@ -13,6 +15,9 @@ namespace tolman::app {
 
 /// Runs the program; the result is the exit code of the process.
 int runProgram(int argc, const char* const* argv);
+
+/// Tells of a failure on stderr; its code is the command's.
+ExitCode tell(const Failure& failure);
 
 /// What commands share.
 struct Invocation {

@@ -62,6 +62,10 @@ std::string plainText(const FrameCount& count) {
   return left.empty() ? text : text + ", " + left;
 }
 
+std::int64_t framesToCome(std::int64_t wanted, std::int64_t known) {
+  return wanted < 0 || known < 0 ? std::max(wanted, known) : std::min(wanted, known);
+}
+
 ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, const Audience& audience,
                            std::int64_t total)
     : out_(out),

@@ -23,6 +23,9 @@ std::string barText(const FrameCount& count, int width);
 /// "frame 40 of 100 (40 %), 9.8 frames/s, 0:06 left"
 std::string plainText(const FrameCount& count);
 
+/// How many frames will come when `wanted` are asked for and there are `known`; -1: all, not known.
+std::int64_t framesToCome(std::int64_t wanted, std::int64_t known);
+
 class ProgressLine {
  public:
   ProgressLine(std::ostream& out, const Clock& clock, const Audience& audience, std::int64_t total);

@@ -7,13 +7,8 @@ RecordedImages::RecordedImages(const std::filesystem::path& directory,
                                std::vector<std::string> plugin_paths, const Clock& clock,
                                const Cancellation& cancellation) {
   const std::filesystem::path config = directory / "config.resolved.yaml";
-  auto checked = checkSystem({config.string(), {}, std::move(plugin_paths)}, Scope::Source);
-  if (auto* failure = std::get_if<Failure>(&checked)) {
-    end(failure->message);
-    return;
-  }
-  auto assembled = Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock,
-                                    cancellation, {false, true});
+  auto assembled = Assembly::open({config.string(), {}, std::move(plugin_paths)}, Scope::Source,
+                                  log_, clock, cancellation);
   if (auto* failure = std::get_if<Failure>(&assembled)) {
     end(failure->message);
     return;

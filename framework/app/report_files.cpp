@@ -39,7 +39,8 @@ std::string folderOf(const fs::path& run, std::set<std::string>& taken) {
 /// Writes figures into one folder, and keeps the names of the files.
 class FigureFolder {
  public:
-  FigureFolder(fs::path folder, bool pixels) : folder_(std::move(folder)), pixels_(pixels) {
+  FigureFolder(fs::path folder, bool pixels, std::vector<fs::path>& written)
+      : folder_(std::move(folder)), pixels_(pixels), written_(written) {
     std::error_code error;
     fs::create_directories(folder_, error);  // a folder that is not there fails at the first file
   }
@@ -57,7 +58,6 @@ class FigureFolder {
     }
     return status;
   }
-  const std::vector<fs::path>& written() const { return written_; }
 
  private:
   Status write(const std::string& name, const std::string& bytes) {
@@ -66,7 +66,7 @@ class FigureFolder {
   }
   fs::path folder_;
   bool pixels_;
-  std::vector<fs::path> written_;
+  std::vector<fs::path>& written_;
 };
 
 }  // namespace
@@ -81,19 +81,18 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
     if (!page.isOk()) return page.status();
     const std::string name = folderOf(run, taken);
     page.value().directory = name;
-    FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : name), true);
+    FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : name), true, written);
     const Status status = figures.addAll(page.value());
     if (!status.isOk()) return status;
-    written.insert(written.end(), figures.written().begin(), figures.written().end());
     pages.push_back(std::move(page).value());
   }
-  if (const std::string comparison = report::comparisonFigure(pages); !comparison.empty()) {
-    FigureFolder figures(folder / "figures", true);
+  const std::string comparison = report::comparisonFigure(pages);
+  if (!comparison.empty()) {
+    FigureFolder figures(folder / "figures", true, written);
     const Status status = figures.add("comparison", comparison);
     if (!status.isOk()) return status;
-    written.insert(written.end(), figures.written().begin(), figures.written().end());
   }
-  const Status status = record::writeAtomically(written.front(), report::html(pages));
+  const Status status = record::writeAtomically(written.front(), report::html(pages, comparison));
   if (!status.isOk()) return status;
   return written;
 }
@@ -101,7 +100,8 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
 Status writeReport(const record::RunReader& reader, report::RunData data) {
   const auto page = report::makePage(reader, std::move(data));
   if (!page.isOk()) return page.status();
-  FigureFolder figures(reader.directory() / "figures", false);
+  std::vector<fs::path> written;
+  FigureFolder figures(reader.directory() / "figures", false, written);
   const Status status = figures.addAll(page.value());
   if (!status.isOk()) return status;
   return record::writeAtomically(reader.directory() / "report.html", report::html({page.value()}));

@@ -7,12 +7,14 @@
 
 namespace tolman::pipeline {
 
+int concurrency(int threads) { return threads > 0 ? threads : tbb::info::default_concurrency(); }
+
 Outcome run(Chain& chain, const config::PipelineSettings& options, int threads,
             const Cancellation& cancellation) {
-  const int concurrency = threads > 0 ? threads : tbb::info::default_concurrency();
+  const int workers = concurrency(threads);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                  static_cast<std::size_t>(concurrency));
-  tbb::task_arena arena(concurrency);
+                                  static_cast<std::size_t>(workers));
+  tbb::task_arena arena(workers);
   bool interrupted = false;
   arena.execute([&] {
     if (options.mode == config::PipelineMode::Lossless) {

@@ -14,6 +14,9 @@ struct Outcome {
   Counters counters;
 };
 
+/// How many threads `threads` means (0: all cores).
+int concurrency(int threads);
+
 /// Processes all frames and finishes all stages; also after a failure or a cancellation, so that
 /// what was computed is kept. `threads` bounds the parallelism (0: all cores).
 Outcome run(Chain& chain, const config::PipelineSettings& options, int threads,

@@ -200,11 +200,11 @@ std::string comparisonFigure(const std::vector<RunPage>& runs) {
   return comparisonText(pictures);
 }
 
-std::string html(const std::vector<RunPage>& runs) {
+std::string html(const std::vector<RunPage>& runs, const std::string& comparison) {
   std::string title;
   std::string body;
-  if (const std::string svg = comparisonFigure(runs); !svg.empty()) {
-    body = "<figure id=\"comparison\">\n" + svg +
+  if (!comparison.empty()) {
+    body = "<figure id=\"comparison\">\n" + comparison +
            "<figcaption>The maps of all runs, with the same axes.</figcaption></figure>\n";
   }
   body += "<main class=\"runs\">\n";

@@ -36,6 +36,10 @@ Result<RunPage> makePage(const std::filesystem::path& directory,
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);
 
-std::string html(const std::vector<RunPage>& runs);
+/// `comparison` is what comparisonFigure() has drawn of the same runs.
+std::string html(const std::vector<RunPage>& runs, const std::string& comparison);
+inline std::string html(const std::vector<RunPage>& runs) {
+  return html(runs, comparisonFigure(runs));
+}
 
 }  // namespace tolman::report
