@@ -71,7 +71,7 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
     result.iterations = i + 1;
     result.energy = system.energy();
     result.residuals = system.residuals();
-    const SystemVector step = solve(window, system.H(), system.b(), settings.damping);
+    const SystemVector step = solve(window, system.H(), system.b(), settings.scale);
     const double depth_change = system.applyToDepths(window, step);
     const StepSize size = apply(window, step);
     const bool small = size.metres < 2e-4 && size.radians < 1e-5 && size.a < 6e-4 &&

@@ -10,7 +10,7 @@ namespace tolman::direct_sparse {
 struct AdjustmentSettings {
   SystemSettings system;
   int iterations = 4;
-  double damping = kLeastDamping;  ///< larger where the scale is free: rounding must not move it
+  Scale scale = Scale::Known;
 };
 
 struct AdjustmentResult {

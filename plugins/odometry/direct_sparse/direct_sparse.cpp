@@ -74,9 +74,8 @@ Status DirectSparse::configure(const Context& context) {
   settings.offset_sigma = parameters_.offset_sigma;
   settings.adjustment.iterations = parameters_.iterations;
   settings.adjustment.system.lambda = static_cast<float>(parameters_.coupling);
-  constexpr double kFreeScaleDamping = 1e-4;
   const bool scale_is_free = cameras_ == Cameras::Single || parameters_.coupling == 0;
-  if (scale_is_free) settings.adjustment.damping = kFreeScaleDamping;
+  if (scale_is_free) settings.adjustment.scale = Scale::Free;
   mapper_.configure(rig_, settings);
   return reset();
 }
@@ -175,15 +174,45 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
     return;
   }
   if (visible && can_track_) {
-    if (const auto tracked = tracker_.track(rig_, current_, expect(motion.dt))) {
+    const auto tracked = mapper_.isDraft() ? trackDraft(expect(motion.dt))
+                                           : tracker_.track(rig_, current_, expect(motion.dt));
+    if (tracked) {
       answerMeasured(*tracked, frame, motion);
       return;
     }
     ++unrecognised_;
   }
   answerPredicted(mapper_.window().newest(), motion);
-  constexpr int kPatience = 2;  // frames; one strange image must not cost the window
-  if (visible && (!can_track_ || unrecognised_ >= kPatience)) restart(frame, motion);
+  // One strange image must not cost the window; a draft is worth no wait.
+  const int patience = mapper_.isDraft() ? 1 : 2;  // frames
+  if (visible && (!can_track_ || unrecognised_ >= patience)) restart(frame, motion);
+}
+
+std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation) {
+  constexpr int kRounds = 2;
+  std::vector<ImmaturePoint>& candidates = mapper_.window().newest().immature;
+  auto tracked = tracker_.track(rig_, current_, expectation, Tracker::Demand::Guess);
+  for (int round = 1; tracked && round <= kRounds; ++round) {
+    const std::vector<ImmaturePoint> before = candidates;
+    const Eigen::Isometry3d T_world_camera = poseOf(*tracked);
+    const Affine& brightness = tracked->state.brightness;
+    mapper_.observe(T_world_camera, absolute(mapper_.window().newest().affine(), brightness),
+                    current_);
+    const bool enough = tracker_.setReference(rig_, mapper_.window());
+    candidates = before;  // the frame counts once, when its pose is known
+    if (!enough) return std::nullopt;
+    expectation.T_previous_current = trajectory_.lastPose().inverse() * T_world_camera;
+    expectation.brightness = brightness;
+    expectation.has_velocity = true;
+    tracked = tracker_.track(rig_, current_, expectation,
+                             round < kRounds ? Tracker::Demand::Guess : Tracker::Demand::Certain);
+  }
+  return tracked;
+}
+
+Eigen::Isometry3d DirectSparse::poseOf(const AlignmentResult& tracked) const {
+  return normalised(mapper_.window().newest().T_world_camera() *
+                    tracked.state.T_current_reference.inverse());
 }
 
 Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
@@ -193,7 +222,7 @@ Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
 }
 
 bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
-  constexpr int kDraftFrames = 4;  // that a drafted scene is looked at before it is believed
+  constexpr int kDraftFrames = 2;  // that a drafted scene is looked at before it is believed
   if (mapper_.isDraft() && draft_frames_ < kDraftFrames) return false;
   const double size = rig_.width + rig_.height;
   const double change =
@@ -206,8 +235,7 @@ bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
 void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& frame,
                                   Motion& motion) {
   const Keyframe& reference = mapper_.window().newest();
-  const Eigen::Isometry3d T_world_camera =
-      normalised(reference.T_world_camera() * tracked.state.T_current_reference.inverse());
+  const Eigen::Isometry3d T_world_camera = poseOf(tracked);
   if (first_lost_ >= 0) trajectory_.bridge(first_lost_, T_world_camera);
   brightness_ = absolute(reference.affine(), tracked.state.brightness);
   const Eigen::Isometry3d T_previous_current =
@@ -260,6 +288,9 @@ void DirectSparse::answerDraft(Motion& motion) {
 bool DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
                                 const Affine& affine, Motion& motion) {
   lookRight(frame);
+  // Without a right image depth comes from motion only, and in a sharp turn every frame is a
+  // keyframe.
+  if (right_.empty()) mapper_.observe(T_world_camera, affine, current_);
   const bool was_draft = mapper_.isDraft();  // whose lengths are guesses
   mapper_.addKeyframe(frame.frame, T_world_camera, affine, current_, right_);
   const bool is_sound = isSound(mapper_.adjustment(), parameters_.largest_adjustment);

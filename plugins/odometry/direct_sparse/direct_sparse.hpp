@@ -2,6 +2,7 @@
 // The plugin: from frames to motions, keyframes and revisions.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class DirectSparse : public Odometry {
   bool look(const Frame& frame);
 
   void answer(bool visible, const Frame& frame, Motion& motion);
+  /// A frame and the depths that it shows, in turns: neither is known before the other.
+  std::optional<AlignmentResult> trackDraft(Expectation expectation);
+  Eigen::Isometry3d poseOf(const AlignmentResult& tracked) const;
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
   /// While the scene is a draft, nothing is known of the motion; it is revised later.
   void answerDraft(Motion& motion);

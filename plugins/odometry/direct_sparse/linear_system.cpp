@@ -247,8 +247,19 @@ SystemVector changes(const Window& window) {
   return x;
 }
 
+SystemVector growth(const Window& window) {
+  SystemVector direction = SystemVector::Zero();
+  const Eigen::Isometry3d T_world_oldest = window.keyframe(window.order().front()).T_world_camera();
+  for (const int slot : window.order()) {
+    const Eigen::Isometry3d T_camera_oldest =
+        window.keyframe(slot).T_camera_world() * T_world_oldest;
+    direction.segment<3>(kFrameVariables * slot) = T_camera_oldest.translation();
+  }
+  return direction.stableNormalized();
+}
+
 SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
-                   double damping) {
+                   Scale scale) {
   SystemMatrix whole = H + window.prior.H;
   SystemVector rhs = -(b + window.prior.b + window.prior.H * changes(window));
   // Where the window as a whole is nobody can see: its oldest keyframe stays.
@@ -261,11 +272,16 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
     whole(i, i) = 1;
     rhs[i] = 0;
   }
-  const SystemVector scale = (whole.diagonal().array() + 1e-9).rsqrt();
-  whole = scale.asDiagonal() * whole * scale.asDiagonal();
-  whole.diagonal().array() += damping;
+  const SystemVector units = (whole.diagonal().array() + 1e-9).rsqrt();
+  whole = units.asDiagonal() * whole * units.asDiagonal();
+  whole.diagonal().array() += kLeastDamping;
+  if (scale == Scale::Free && window.size() > 1) {
+    // Nobody sees it, but rounding would move it: by factors, after a few steps.
+    const SystemVector direction = units.cwiseProduct(growth(window)).stableNormalized();
+    whole += direction * direction.transpose();
+  }
   const Eigen::LDLT<SystemMatrix> factors(whole);
-  const SystemVector step = scale.cwiseProduct(factors.solve(scale.cwiseProduct(rhs)));
+  const SystemVector step = units.cwiseProduct(factors.solve(units.cwiseProduct(rhs)));
   return step.allFinite() ? step : SystemVector::Zero().eval();
 }
 

@@ -75,11 +75,17 @@ class LinearSystem {
   int residuals_ = 0;
 };
 
+/// Whether anything says how large the scene is.
+enum class Scale : std::uint8_t { Known, Free };
+
 /// H, b plus the window's prior at the present change, solved; unused variables and those of the
-/// oldest keyframe, which holds the gauge, stay 0. `damping` is added to the diagonal, scaled to
-/// one: directions that are observed less do not move.
+/// oldest keyframe, which holds the gauge, stay 0. A free scale stays, too.
 SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
-                   double damping = kLeastDamping);
+                   Scale scale = Scale::Known);
+
+/// The change of all poses that makes the window larger, seen from its oldest keyframe; of
+/// length 1.
+SystemVector growth(const Window& window);
 
 /// Present changes of all variables from their first estimates.
 SystemVector changes(const Window& window);

@@ -60,10 +60,18 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
   keyframe.has_right = !keyframe.right.empty();
   if (keyframe.has_right) matchCandidates(keyframe);
   activator_.activate(rig_, settings_.adjustment.system, settings_.points, window_);
-  adjustment_ = adjustWindow(rig_, settings_.adjustment, window_, system_);
+  adjustment_ = adjustWindow(rig_, adjustmentFor(keyframe), window_, system_);
   dropOutliers(window_);
   shrink();
   return window_.pointCount();
+}
+
+AdjustmentSettings Mapper::adjustmentFor(const Keyframe& keyframe) const {
+  constexpr int kFirstIterations = 30;
+  AdjustmentSettings settings = settings_.adjustment;
+  const bool young = window_.size() < settings_.window && !keyframe.has_right;
+  if (young) settings.iterations = std::max(settings.iterations, kFirstIterations);
+  return settings;
 }
 
 void Mapper::draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,

@@ -52,6 +52,8 @@ class Mapper {
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
   void balanceRight(Keyframe& keyframe, const StereoSearch& search) const;
+  /// A young window of a single camera is far from its optimum: it gets more steps.
+  AdjustmentSettings adjustmentFor(const Keyframe& keyframe) const;
   void shrink();
 
   CameraRig rig_;

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int kFewestSamples = 100;
 
-bool believable(const AlignmentResult& result) {
-  constexpr double kLeastInliers = 0.6;
+bool believable(const AlignmentResult& result, Tracker::Demand demand) {
+  const double least_inliers = demand == Tracker::Demand::Certain ? 0.6 : 0.3;
   constexpr double kLeastInView = 0.15;
   constexpr double kMostGain = 1.2;  // of the logarithm
-  return result.samples >= kFewestSamples && result.inlier_fraction > kLeastInliers &&
+  return result.samples >= kFewestSamples && result.inlier_fraction > least_inliers &&
          result.in_view > kLeastInView && std::fabs(result.state.brightness.a) < kMostGain;
 }
 
@@ -79,7 +79,7 @@ AlignmentResult Tracker::bestOf(const CameraRig& rig, const Pyramid& image,
 }
 
 std::optional<AlignmentResult> Tracker::track(const CameraRig& rig, const Pyramid& image,
-                                              const Expectation& expectation) {
+                                              const Expectation& expectation, Demand demand) {
   constexpr double kRmsGrowth = 1.5;
   AlignmentResult result;
   bool good = false;
@@ -89,14 +89,15 @@ std::optional<AlignmentResult> Tracker::track(const CameraRig& rig, const Pyrami
         (expectation.T_reference_previous * expectation.T_previous_current).inverse();
     guess.brightness = expectation.brightness;
     result = aligner_.align(rig, reference_, image, guess, reference_.levels() - 1, 0);
-    good = believable(result) && (last_rms_ == 0 || result.rms < kRmsGrowth * last_rms_);
+    good = believable(result, demand) && (last_rms_ == 0 || result.rms < kRmsGrowth * last_rms_);
   }
   if (!good) {
     const AlignmentResult other = bestOf(rig, image, expectation);
-    const bool better = believable(other) && (!believable(result) || other.rms < result.rms);
+    const bool better =
+        believable(other, demand) && (!believable(result, demand) || other.rms < result.rms);
     if (better) result = other;
   }
-  if (!believable(result)) return std::nullopt;
+  if (!believable(result, demand)) return std::nullopt;
   last_rms_ = result.rms;
   if (first_rms_ == 0) first_rms_ = result.rms;
   measureFlow(rig, reference_, result);

@@ -2,6 +2,7 @@
 // Finds a frame: the expected motion first, then others, and judges whether the best is true.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -22,9 +23,12 @@ class Tracker {
   void reset();
   /// A new keyframe is the reference; false when it has too few points to track from.
   bool setReference(const CameraRig& rig, const Window& window);
+  /// How well the images must agree: as in a known scene, or in one that is guessed itself.
+  enum class Demand : std::uint8_t { Certain, Guess };
   /// The frame's pose, or none: lost. `image` must have the reference's size.
   std::optional<AlignmentResult> track(const CameraRig& rig, const Pyramid& image,
-                                       const Expectation& expectation);
+                                       const Expectation& expectation,
+                                       Demand demand = Demand::Certain);
   /// RMS of the first frame after the reference; 0 before.
   double firstRms() const { return first_rms_; }
 
