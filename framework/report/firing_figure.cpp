@@ -55,7 +55,7 @@ Eigen::AlignedBox2d panel(const Eigen::Vector2d& corner) {
   return {corner + Eigen::Vector2d(70, 50), corner + Eigen::Vector2d(kPanel - 15, kPanel - 60)};
 }
 
-void drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title,
+Axes drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title,
                const RateMap& map) {
   const Range x{map.corner.x(), map.corner.x() + map.bin * static_cast<double>(map.rate.rows())};
   const Range y{map.corner.y(), map.corner.y() + map.bin * static_cast<double>(map.rate.cols())};
@@ -75,6 +75,21 @@ void drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title
   }
   const Eigen::AlignedBox2d& box = axes.box();
   colourBar(svg, {box.center().x(), box.min().y() - 12}, "activity 0", fmt::format("{:.2g}", most));
+  return axes;
+}
+
+/// The grid unit of phase (0, 0), each of its fields in a ring.
+void drawGridUnit(Svg& svg, const RateMap& rates) {
+  constexpr double kRing = 14;  // px
+  const std::vector<Eigen::Vector2d> centres = fields(rates);
+  const Axes axes =
+      drawRates(svg, {0, kPanel},
+                fmt::format("grid unit (1, 1): {} field{}, {:.2f} bits", centres.size(),
+                            centres.size() == 1 ? "" : "s", spatialInformation(rates)),
+                rates);
+  for (const Eigen::Vector2d& centre : centres) {
+    svg.circle(axes.at(centre.x(), centre.y()), kRing, "none", kVermilion);
+  }
 }
 
 void drawTuning(Svg& svg, const Eigen::Vector2d& corner, const std::string& title,
@@ -103,7 +118,9 @@ void drawRingUnits(Svg& svg, const PopulationHistory& ring, const evaluation::Tr
   for (const std::size_t unit : {std::size_t{0}, opposite}) {
     const RateMap rates = ratesOf(samplesOf(ring, unit, map));
     drawRates(svg, {unit == 0 ? 0 : kPanel, 0},
-              fmt::format("head direction unit {} of {}", unit + 1, ring.shape[0]), rates);
+              fmt::format("head direction unit {} of {}, {} deg", unit + 1, ring.shape[0],
+                          360 * unit / static_cast<std::size_t>(ring.shape[0])),
+              rates);
   }
   drawTuning(svg, {kPanel, kPanel}, "tuning of head direction unit 1",
              tuningCurve(samplesOf(ring, 0, map), 36));
@@ -116,11 +133,7 @@ std::string firingFigure(const CellHistory& cells, const evaluation::Trajectory&
   Svg svg(2 * kPanel, 2 * kPanel);
   if (!cells.ring.empty()) drawRingUnits(svg, cells.ring, map);
   if (!cells.sheet.empty()) {
-    const RateMap rates = ratesOf(samplesOf(cells.sheet, 0, map));
-    drawRates(svg, {0, kPanel},
-              fmt::format("grid unit (1, 1): fields {}, {:.2f} bits", fields(rates),
-                          spatialInformation(rates)),
-              rates);
+    drawGridUnit(svg, ratesOf(samplesOf(cells.sheet, 0, map)));
   }
   return svg.take();
 }

@@ -18,18 +18,24 @@ double wrapped(double angle) {
   return rest < 0 ? rest + kTurn : rest;
 }
 
-/// Marks a field: all bins that touch (r, c) and fire.
-void flood(Eigen::MatrixXi& fires, Eigen::Index r, Eigen::Index c) {
+/// Takes a field out of `fires`, all bins that touch (r, c); its centre.
+Eigen::Vector2d takeField(const RateMap& map, Eigen::MatrixXi& fires, Eigen::Index r,
+                          Eigen::Index c) {
   std::vector<std::pair<Eigen::Index, Eigen::Index>> open{{r, c}};
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  double rates = 0;
   while (!open.empty()) {
     const auto [i, j] = open.back();
     open.pop_back();
     if (i < 0 || j < 0 || i >= fires.rows() || j >= fires.cols() || fires(i, j) == 0) continue;
     fires(i, j) = 0;
+    sum += map.rate(i, j) * Eigen::Vector2d(static_cast<double>(i), static_cast<double>(j));
+    rates += map.rate(i, j);
     for (Eigen::Index di = -1; di <= 1; ++di) {
       for (Eigen::Index dj = -1; dj <= 1; ++dj) open.emplace_back(i + di, j + dj);
     }
   }
+  return map.corner + map.bin * (sum / rates + Eigen::Vector2d::Constant(0.5));
 }
 
 }  // namespace
@@ -97,22 +103,20 @@ double spatialInformation(const RateMap& map) {
   return bits;
 }
 
-int fields(const RateMap& map, double share) {
+std::vector<Eigen::Vector2d> fields(const RateMap& map, double share) {
   double highest = 0;
   for (const double rate : map.rate.reshaped())
     highest = std::isnan(rate) ? highest : std::max(highest, rate);
-  if (!(highest > 0)) return 0;
+  if (!(highest > 0)) return {};
   Eigen::MatrixXi fires =
       map.rate.unaryExpr([&](double rate) { return rate > share * highest ? 1 : 0; });
-  int count = 0;
+  std::vector<Eigen::Vector2d> centres;
   for (Eigen::Index i = 0; i < fires.rows(); ++i) {
     for (Eigen::Index j = 0; j < fires.cols(); ++j) {
-      if (fires(i, j) == 0) continue;
-      ++count;
-      flood(fires, i, j);
+      if (fires(i, j) != 0) centres.push_back(takeField(map, fires, i, j));
     }
   }
-  return count;
+  return centres;
 }
 
 }  // namespace tolman::report

@@ -37,7 +37,8 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins);
 /// deciphering the hippocampal code", NIPS 1992): sum of p_i r_i/r log2(r_i/r).
 double spatialInformation(const RateMap& map);
 
-/// How many separate fields fire above `share` of the highest rate: bins that touch are one field.
-int fields(const RateMap& map, double share = 0.5);
+/// The centres, weighted by rate, of all fields: bins that touch and fire above `share` of the
+/// highest rate. A fifth of the peak is where physiologists end a field.
+std::vector<Eigen::Vector2d> fields(const RateMap& map, double share = 0.2);
 
 }  // namespace tolman::report

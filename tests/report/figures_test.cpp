@@ -72,7 +72,7 @@ TEST_CASE("rates of two opposite head direction units and one grid unit") {
                    sample.data.map);
   CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
   CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
-  CHECK(svg.find("grid unit (1, 1): fields 1, 0.00 bits") != std::string::npos);
+  CHECK(svg.find("grid unit (1, 1): 1 field, 0.00 bits") != std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);
 }
 

@@ -36,21 +36,33 @@ TEST_CASE("a unit that fires everywhere tells nothing of the place") {
   const RateMap map = rateMap(square(8, [](int, int) { return 2.5; }), 7);
   CHECK(map.rate.size() == 64);
   CHECK(spatialInformation(map) == Approx(0).margin(1e-12));
-  CHECK(fields(map) == 1);
+  CHECK(fields(map).size() == 1);
 }
 
 TEST_CASE("a unit that fires in one place of n tells log2 n bits") {
   const RateMap map =
       rateMap(square(8, [](int x, int y) { return x == 2 && y == 3 ? 1.0 : 0.0; }), 7);
   CHECK(spatialInformation(map) == Approx(6));
-  CHECK(fields(map) == 1);
+  CHECK(fields(map).size() == 1);
 }
 
 TEST_CASE("fields that do not touch are counted apart, also across a corner") {
   const auto lattice = [](int x, int y) { return x % 4 == 0 && y % 4 == 0 ? 1.0 : 0.0; };
-  CHECK(fields(rateMap(square(12, lattice), 11)) == 9);
+  CHECK(fields(rateMap(square(12, lattice), 11)).size() == 9);
   const auto diagonal = [](int x, int y) { return x == y ? 1.0 : 0.0; };
-  CHECK(fields(rateMap(square(6, diagonal), 5)) == 1);
+  CHECK(fields(rateMap(square(6, diagonal), 5)).size() == 1);
+}
+
+TEST_CASE("a field ends at a fifth of the peak, and its centre is weighted by rate") {
+  const auto hill = [](int x, int y) { return y != 0 ? 0.0 : x == 1 ? 4.0 : x == 2 ? 2.0 : 0.5; };
+  const auto centres = fields(rateMap(square(5, hill), 4));
+  REQUIRE(centres.size() == 1);
+  const auto narrow = fields(rateMap(square(5, hill), 4), 0.6);
+  const auto wide = fields(rateMap(square(5, hill), 4), 0.1);
+  REQUIRE((narrow.size() == 1 && wide.size() == 1));
+  const double bin = narrow[0].x() / 1.5;
+  CHECK(centres[0].x() == Approx(bin * (8.0 / 6 + 0.5)));
+  CHECK(wide[0].x() > centres[0].x());
 }
 
 TEST_CASE("bins hold the mean of their visits; where nobody was there is no rate") {
@@ -81,5 +93,5 @@ TEST_CASE("no samples, no map") {
   const RateMap map = rateMap({}, 10);
   CHECK(map.rate.size() == 0);
   CHECK(spatialInformation(map) == 0);
-  CHECK(fields(map) == 0);
+  CHECK(fields(map).empty());
 }

@@ -43,10 +43,13 @@ std::vector<float> ringActivity(const PeriodicBump<1>& bump, double period, int 
   return axisActivity(bump.mean(0), bump.precision, period, units);
 }
 
-std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units) {
+std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units,
+                                 double width) {
+  const double variance = width * width * period * period;
+  const double precision = bump.precision / (1 + bump.precision * variance);
   // Equation (7) is a product of its axes.
-  const std::vector<float> columns = axisActivity(bump.mean.x(), bump.precision, period, units);
-  const std::vector<float> rows = axisActivity(bump.mean.y(), bump.precision, period, units);
+  const std::vector<float> columns = axisActivity(bump.mean.x(), precision, period, units);
+  const std::vector<float> rows = axisActivity(bump.mean.y(), precision, period, units);
   std::vector<float> rates;
   rates.reserve(columns.size() * rows.size());
   for (const float row : rows) {
@@ -55,16 +58,18 @@ std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int
   return rates;
 }
 
-void appendArrays(const SpatialCells& cells, int ring_units, int sheet_units,
+void appendArrays(const SpatialCells& cells, const Readout& readout,
                   std::vector<NamedArray>& arrays) {
   const HeadDirectionRing& ring = cells.ring();
-  arrays.push_back(
-      {"hd.activity", {ring_units}, ringActivity(ring.estimated(), ring.period(), ring_units)});
+  arrays.push_back({"hd.activity",
+                    {readout.ring_units},
+                    ringActivity(ring.estimated(), ring.period(), readout.ring_units)});
   appendBumps<1>("hd", ring, arrays);
   const auto append = [&](const std::string& name, const GridTorus& module) {
     arrays.push_back({name + ".activity",
-                      {sheet_units, sheet_units},
-                      torusActivity(module.estimated(), module.period(), sheet_units)});
+                      {readout.sheet_units, readout.sheet_units},
+                      torusActivity(module.estimated(), module.period(), readout.sheet_units,
+                                    readout.field_width)});
     appendBumps<2>(name, module, arrays);
   };
   append("grid", cells.torus());

@@ -13,11 +13,20 @@ namespace tolman::bayesian_attractor {
 std::vector<float> ringActivity(const PeriodicBump<1>& bump, double period, int units);
 
 /// Rates of units x units grid cells, row-major; the cell in row r and column c prefers
-/// x = c * period / units and y = r * period / units.
-std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units);
+/// x = c * period / units and y = r * period / units. A cell answers to places around its own, in a
+/// Gaussian of `width` periods; the rate is what it expects under the bump, 1 at the best.
+std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units,
+                                 double width = 0);
+
+/// Which single cells are read out.
+struct Readout {
+  int ring_units = 36;
+  int sheet_units = 30;    ///< along each side
+  double field_width = 0;  ///< periods
+};
 
 /// Appends hd.* and grid.*: activity, and the bumps as (mean, precision) or (x, y, precision).
-void appendArrays(const SpatialCells& cells, int ring_units, int sheet_units,
+void appendArrays(const SpatialCells& cells, const Readout& readout,
                   std::vector<NamedArray>& arrays);
 
 }  // namespace tolman::bayesian_attractor

@@ -265,7 +265,8 @@ void BayesianAttractor::learn(std::int64_t template_id) {
 }
 
 void BayesianAttractor::arrays(std::vector<NamedArray>& arrays) const {
-  appendArrays(state_->cells, parameters_.ring_units, parameters_.sheet_units, arrays);
+  const Readout readout{parameters_.ring_units, parameters_.sheet_units, parameters_.field_width};
+  appendArrays(state_->cells, readout, arrays);
 }
 
 Status BayesianAttractor::save(std::ostream& stream) const {

@@ -72,6 +72,7 @@ struct AttractorParameters {
   double loop_spacing = 5;
   int ring_units = 36;
   int sheet_units = 30;
+  double field_width = 0.11;
 
  private:
   static constexpr auto networkParameters() {
@@ -246,7 +247,14 @@ struct AttractorParameters {
         parameter("sheet_units", &P::sheet_units)
             .range(2, 512)
             .unit("cells")
-            .doc("Grid cells along each side of the recorded sheet."));
+            .doc("Grid cells along each side of the recorded sheet."),
+        parameter("field_width", &P::field_width)
+            .range(0, 0.5)
+            .unit("periods")
+            .doc("Standard deviation of a recorded grid cell's own field, beside that of the bump; "
+                 "0 records the bump alone. The default makes fields as wide against their spacing "
+                 "as in the rat (Hafting et al., Nature 2005). Nothing but the recorded activity "
+                 "depends on it."));
   }
 
  public:

@@ -48,6 +48,11 @@ Status ViewTemplates::configure(const Context& context) {
   if (Status status = check(parameters_); !status.isOk()) return status;
   rig_ = context.rig;
   if (Status status = reset(); !status.isOk()) return status;
+  if (landmarks_ && !(rig_.isStereo() && rig_.calibrated)) {
+    context.log.warning(
+        "landmarks need a calibrated stereo pair; views are told apart by their looks alone: set "
+        "landmarks to 0 and lower the threshold");
+  }
   return rig_.width > 0 ? maker_->checkSize(rig_.width, rig_.height) : Status::ok();
 }
 

@@ -192,8 +192,14 @@ TEST_CASE("one camera: no landmarks, and recognition as ever") {
   std::vector<Frame> frames = townFrames(40, 41, rig);
   for (Frame& frame : frames) frame.right = {};
   rig.baseline = 0;
+  tolman::test::TestContext services(kMeasuring);
+  services.rig = rig;
   ViewTemplates plugin;
-  REQUIRE(configureWith(plugin, rig, kMeasuring).isOk());
+  REQUIRE(plugin.configure(services).isOk());
+  REQUIRE(services.log.size() == 1);
+  CHECK(services.log.front() ==
+        "landmarks need a calibrated stereo pair; views are told apart by their looks alone: set "
+        "landmarks to 0 and lower the threshold");
   observeFrame(plugin, frames[0]);
   const PlaceObservation seen = observeFrame(plugin, frames[1]);
   CHECK(seen.recognition == Recognition::Familiar);
