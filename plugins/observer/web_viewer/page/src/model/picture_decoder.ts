@@ -20,6 +20,11 @@ export class PictureDecoder {
     this.shown = null;
   }
 
+  /** A picture of a later frame does not stand for this one. */
+  dropAfter(frame: number): void {
+    if ((this.shown?.frame ?? frame) > frame) this.clear();
+  }
+
   /** A message without image leaves the last picture standing. */
   decode(message: FrameMessage): void {
     if (message.image === null || message.frame === this.shown?.frame) return;

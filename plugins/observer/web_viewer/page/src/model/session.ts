@@ -202,6 +202,7 @@ export class Session {
   private stored(asked: number, message: FrameMessage | null): void {
     if (this.trouble?.kind === 'no_frames') this.trouble = null;
     const newerShown = this.player.mode === 'live' && (this.message?.frame ?? -1) > asked;
+    if (!newerShown && !message?.image) this.pictures.dropAfter(asked);
     if (message !== null && !newerShown) {
       this.events.add(message.events);
       this.show(message);
