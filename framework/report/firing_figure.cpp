@@ -60,9 +60,7 @@ Axes drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title
   const Range x{map.corner.x(), map.corner.x() + map.bin * static_cast<double>(map.rate.rows())};
   const Range y{map.corner.y(), map.corner.y() + map.bin * static_cast<double>(map.rate.cols())};
   const Axes axes(svg, {title, "right (m)", "forward (m)", x, y, panel(corner), true});
-  double most = 0;
-  for (const double rate : map.rate.reshaped())
-    most = std::isnan(rate) ? most : std::max(most, rate);
+  const double most = highestRate(map);
   const double side = axes.pixelsX(map.bin);
   for (Eigen::Index i = 0; i < map.rate.rows(); ++i) {
     for (Eigen::Index j = 0; j < map.rate.cols(); ++j) {

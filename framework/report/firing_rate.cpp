@@ -63,6 +63,13 @@ RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side) {
   return map;
 }
 
+double highestRate(const RateMap& map) {
+  double highest = 0;
+  for (const double rate : map.rate.reshaped())
+    highest = std::isnan(rate) ? highest : std::max(highest, rate);
+  return highest;
+}
+
 TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
   TuningCurve curve;
   const auto size = static_cast<std::size_t>(bins);
@@ -104,9 +111,7 @@ double spatialInformation(const RateMap& map) {
 }
 
 std::vector<Eigen::Vector2d> fields(const RateMap& map, double share) {
-  double highest = 0;
-  for (const double rate : map.rate.reshaped())
-    highest = std::isnan(rate) ? highest : std::max(highest, rate);
+  const double highest = highestRate(map);
   if (!(highest > 0)) return {};
   Eigen::MatrixXi fires =
       map.rate.unaryExpr([&](double rate) { return rate > share * highest ? 1 : 0; });

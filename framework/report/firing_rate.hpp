@@ -23,6 +23,8 @@ struct RateMap {
   Eigen::MatrixXd visits;
 };
 RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side);
+/// The highest rate of all bins; 0 without any.
+double highestRate(const RateMap& map);
 
 /// Mean rate by heading, in bins from 0 on; 0 where the head never pointed.
 struct TuningCurve {

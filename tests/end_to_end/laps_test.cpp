@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Real laps of a toy car with one uncalibrated camera: configs/ratslam.yaml against the gyroscope.
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -12,6 +10,7 @@
 #include <tolman/geometry.hpp>
 
 #include "end_to_end/process.hpp"
+#include "end_to_end/record_rows.hpp"
 #include "support/data.hpp"
 
 using namespace tolman::test;
@@ -81,25 +80,15 @@ double medianError(const std::vector<double>& headings, const std::vector<double
 /// For each view recognised from more than 60 images ago: what the gyroscope says that it is
 /// turned against then, degrees.
 std::vector<double> turnsAtRecognition(const fs::path& run, const std::vector<double>& gyro) {
-  sqlite3* database = nullptr;
-  REQUIRE(sqlite3_open_v2((run / "run.sqlite").c_str(), &database, SQLITE_OPEN_READONLY, nullptr) ==
-          SQLITE_OK);
-  sqlite3_stmt* rows = nullptr;
-  REQUIRE(sqlite3_prepare_v2(
-              database,
-              "SELECT frame, template_id, recognition = 'novel' FROM place ORDER BY frame", -1,
-              &rows, nullptr) == SQLITE_OK);
   std::map<std::int64_t, std::size_t> made_at;
   std::vector<double> turns;
-  while (sqlite3_step(rows) == SQLITE_ROW) {
-    const auto frame = static_cast<std::size_t>(sqlite3_column_int64(rows, 0));
+  for (const auto& row : recordRows(run, "SELECT frame, template_id FROM place ORDER BY frame")) {
+    const auto frame = static_cast<std::size_t>(row[0]);
     const std::size_t first =
-        made_at.try_emplace(sqlite3_column_int64(rows, 1), frame).first->second;
+        made_at.try_emplace(static_cast<std::int64_t>(row[1]), frame).first->second;
     if (frame - first <= 60) continue;
     turns.push_back(std::abs(tolman::wrapAngle(gyro[frame] - gyro[first])) * kDegrees);
   }
-  sqlite3_finalize(rows);
-  sqlite3_close(database);
   return turns;
 }
 

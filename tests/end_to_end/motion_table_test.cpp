@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cognitive map on real KITTI motion: configs/motion.yaml, one preset for all sequences.
-#include <sqlite3.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include <tolman/geometry.hpp>
 
 #include "end_to_end/process.hpp"
+#include "end_to_end/record_rows.hpp"
 #include "support/data.hpp"
 
 using namespace tolman::test;
@@ -38,22 +37,14 @@ struct LoopLink {
 };
 
 std::vector<LoopLink> loopsOf(const fs::path& run) {
-  sqlite3* database = nullptr;
-  REQUIRE(sqlite3_open_v2((run / "run.sqlite").c_str(), &database, SQLITE_OPEN_READONLY, nullptr) ==
-          SQLITE_OK);
-  sqlite3_stmt* rows = nullptr;
-  REQUIRE(sqlite3_prepare_v2(database,
-                             "SELECT a.frame, b.frame FROM link "
-                             "JOIN experience a ON a.id = link.\"from\" "
-                             "JOIN experience b ON b.id = link.\"to\" WHERE kind = 'loop'",
-                             -1, &rows, nullptr) == SQLITE_OK);
   std::vector<LoopLink> loops;
-  while (sqlite3_step(rows) == SQLITE_ROW) {
-    loops.push_back({static_cast<std::size_t>(sqlite3_column_int64(rows, 0)),
-                     static_cast<std::size_t>(sqlite3_column_int64(rows, 1))});
+  for (const auto& frames : recordRows(run,
+                                       "SELECT a.frame, b.frame FROM link "
+                                       "JOIN experience a ON a.id = link.\"from\" "
+                                       "JOIN experience b ON b.id = link.\"to\" "
+                                       "WHERE kind = 'loop'")) {
+    loops.push_back({static_cast<std::size_t>(frames[0]), static_cast<std::size_t>(frames[1])});
   }
-  sqlite3_finalize(rows);
-  sqlite3_close(database);
   return loops;
 }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Maps live on: real motion cut in two, the second session on the map of the first.
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 
 #include "end_to_end/process.hpp"
+#include "end_to_end/record_rows.hpp"
 #include "support/data.hpp"
 
 using namespace tolman::test;
@@ -51,26 +50,18 @@ struct Loops {
 };
 
 Loops loopsOf(const fs::path& run) {
-  sqlite3* database = nullptr;
-  REQUIRE(sqlite3_open_v2((run / "run.sqlite").c_str(), &database, SQLITE_OPEN_READONLY, nullptr) ==
-          SQLITE_OK);
-  sqlite3_stmt* rows = nullptr;
-  REQUIRE(sqlite3_prepare_v2(
-              database,
-              "SELECT fa.T_world_camera_truth_x - fb.T_world_camera_truth_x AS dx, "
-              "fa.T_world_camera_truth_z - fb.T_world_camera_truth_z AS dz FROM link "
-              "JOIN experience a ON a.id = link.\"from\" JOIN frame fa ON fa.frame = a.frame "
-              "JOIN experience b ON b.id = link.\"to\" JOIN frame fb ON fb.frame = b.frame "
-              "WHERE kind = 'loop'",
-              -1, &rows, nullptr) == SQLITE_OK);
+  const auto rows =
+      recordRows(run,
+                 "SELECT fa.T_world_camera_truth_x - fb.T_world_camera_truth_x, "
+                 "fa.T_world_camera_truth_z - fb.T_world_camera_truth_z FROM link "
+                 "JOIN experience a ON a.id = link.\"from\" JOIN frame fa ON fa.frame = a.frame "
+                 "JOIN experience b ON b.id = link.\"to\" JOIN frame fb ON fb.frame = b.frame "
+                 "WHERE kind = 'loop'");
   Loops loops;
-  while (sqlite3_step(rows) == SQLITE_ROW) {
-    const double apart = std::hypot(sqlite3_column_double(rows, 0), sqlite3_column_double(rows, 1));
+  for (const auto& apart : rows) {
     ++loops.all;
-    loops.false_ones += apart > 10 ? 1 : 0;
+    loops.false_ones += std::hypot(apart[0], apart[1]) > 10 ? 1 : 0;
   }
-  sqlite3_finalize(rows);
-  sqlite3_close(database);
   return loops;
 }
 
@@ -119,8 +110,8 @@ TEST_CASE("a second session joins the map of the first, as good as in one go") {
   CHECK(linesOf(second / "trajectory.tum") == static_cast<std::size_t>(cut.last - cut.first + 1));
   REQUIRE(tolman::test::tolman({"export", second.string(), "--session", "0"}).exit_code == 0);
   CHECK(linesOf(second / "session-0/trajectory.tum") == static_cast<std::size_t>(cut.middle + 1));
-  const Finished way =
-      tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", "200"});
+  const auto last = std::to_string(metrics["experiences"].get<int>() - 1);
+  const Finished way = tolman::test::tolman({"plan", second.string(), "--from", "0", "--to", last});
   INFO(way.err);
   CHECK(way.exit_code == 0);
 }

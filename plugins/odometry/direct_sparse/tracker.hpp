@@ -20,11 +20,12 @@ struct Expectation {
 
 class Tracker {
  public:
+  /// How well the images must agree: as in a known scene, or in one that is guessed itself.
+  enum class Demand : std::uint8_t { Certain, Guess };
+
   void reset();
   /// A new keyframe is the reference; false when it has too few points to track from.
   bool setReference(const CameraRig& rig, const Window& window);
-  /// How well the images must agree: as in a known scene, or in one that is guessed itself.
-  enum class Demand : std::uint8_t { Certain, Guess };
   /// The frame's pose, or none: lost. `image` must have the reference's size.
   std::optional<AlignmentResult> track(const CameraRig& rig, const Pyramid& image,
                                        const Expectation& expectation,

@@ -26,7 +26,7 @@ const Corners& LandmarkMemory::cornersOf(const Frame& frame) {
 
 void LandmarkMemory::add(const Frame& frame) {
   Landmarks landmarks;
-  if (!frame.right.empty() && rig_.isStereo() && rig_.calibrated) {
+  if (!frame.right.empty() && hasStereo()) {
     landmarks = findLandmarks(grayOf(frame.left), grayOf(frame.right), rig_, cornersOf(frame));
   }
   templates_.push_back(std::move(landmarks));

@@ -18,6 +18,8 @@ class LandmarkMemory {
   LandmarkMemory(const CameraRig& rig, int corners, int least_agreeing)
       : rig_(rig), corners_(corners), least_(least_agreeing) {}
 
+  /// Whether the cameras can measure any.
+  bool hasStereo() const { return rig_.isStereo() && rig_.calibrated; }
   /// A new frame comes: what was seen in the last one no longer counts.
   void beginFrame() { looked_ = false; }
   /// Landmarks of the next template.

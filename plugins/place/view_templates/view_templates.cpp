@@ -48,7 +48,7 @@ Status ViewTemplates::configure(const Context& context) {
   if (Status status = check(parameters_); !status.isOk()) return status;
   rig_ = context.rig;
   if (Status status = reset(); !status.isOk()) return status;
-  if (landmarks_ && !(rig_.isStereo() && rig_.calibrated)) {
+  if (landmarks_ && !landmarks_->hasStereo()) {
     context.log.warning(
         "landmarks need a calibrated stereo pair; views are told apart by their looks alone: set "
         "landmarks to 0 and lower the threshold");

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Numbers from a run's record, by SQL.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tolman::test {
+
+/// All rows that `query` gives on run.sqlite, every column as a number; fails the test where it
+/// cannot be asked.
+std::vector<std::vector<double>> recordRows(const std::filesystem::path& run,
+                                            const std::string& query);
+
+}  // namespace tolman::test
