@@ -10,6 +10,32 @@
 #include "app/report_files.hpp"
 
 namespace tolman::app {
+namespace {
+
+/// As a person counts them, from 1.
+struct UnitOptions {
+  std::size_t head_direction = 1;
+  std::vector<std::size_t> grid{1, 1};
+
+  report::UnitChoice choice() const { return {head_direction - 1, grid[0] - 1, grid[1] - 1}; }
+};
+
+std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
+  auto units = std::make_shared<UnitOptions>();
+  command
+      .add_option("--hd-unit", units->head_direction,
+                  "Head direction unit whose firing rate is drawn, from 1 (default: 1)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--grid-unit", units->grid,
+                  "Row,column of the grid unit whose firing rate is drawn, from 1 (default: 1,1)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::PositiveNumber);
+  return units;
+}
+
+}  // namespace
 
 void addReportCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
@@ -18,12 +44,14 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
   auto out = std::make_shared<std::string>();
   command->add_option("run", *runs, "Run directories; several stand side by side")->required();
   command->add_option("--out", *out, "Folder to write to (default: the first run directory)");
-  command->callback([runs, out, &invocation] {
+  const auto units = addUnitOptions(*command);
+  command->callback([runs, out, units, &invocation] {
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
-    const auto written = writeReport({runs->begin(), runs->end()}, folder);
+    const auto written = writeReport({runs->begin(), runs->end()}, folder, units->choice());
     if (!written.isOk()) {
       std::cerr << written.status().message() << "\n";
-      invocation.exit_code = static_cast<int>(ExitCode::Dataset);
+      const bool usage = written.status().code() == StatusCode::InvalidParameter;
+      invocation.exit_code = static_cast<int>(usage ? ExitCode::Usage : ExitCode::Dataset);
     } else if (!invocation.quiet) {
       for (const auto& file : written.value()) std::cout << file.string() << "\n";
     }

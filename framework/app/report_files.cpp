@@ -56,6 +56,9 @@ class FigureFolder {
     for (const report::Figure& figure : page.figures) {
       if (status.isOk()) status = add(figure.file, figure.svg);
     }
+    if (status.isOk() && !page.neurons.is_null()) {
+      status = write("neurons.json", page.neurons.dump() + "\n");
+    }
     return status;
   }
 
@@ -71,13 +74,13 @@ class FigureFolder {
 
 }  // namespace
 
-Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs,
-                                          const fs::path& folder) {
+Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, const fs::path& folder,
+                                          const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
   std::set<std::string> taken;
   std::vector<fs::path> written{folder / "report.html"};
   for (const fs::path& run : runs) {
-    auto page = report::makePage(run, settingsOf(run));
+    auto page = report::makePage(run, settingsOf(run), units);
     if (!page.isOk()) return page.status();
     const std::string name = folderOf(run, taken);
     page.value().directory = name;

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "report/cell_history.hpp"
+#include "report/drawn_units.hpp"
+#include "report/neurons.hpp"
 #include "report/run_data.hpp"
 
 namespace tolman::report {
@@ -20,9 +22,8 @@ std::string templateFigure(const std::vector<PlaceObservation>& places);
 /// Activity of head direction ring and grid sheet at the start, and at thirds of the run.
 std::string activityFigure(const CellHistory& cells, const std::vector<Decision>& decisions);
 
-/// Where single units fire: two opposite head direction units and one grid unit, on the path of the
-/// map; with the tuning curve of the first.
-std::string firingFigure(const CellHistory& cells, const evaluation::Trajectory& map);
+/// Where single units fire on the path of the map, with the tuning curve of the first.
+std::string firingFigure(const Neurons& neurons, const std::vector<DrawnUnit>& units);
 
 /// Time of each stage, median and 90th percentile.
 std::string timingFigure(const evaluation::Metrics& metrics);

@@ -3,53 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "report/axes.hpp"
 #include "report/colour_map.hpp"
 #include "report/figures.hpp"
-#include "report/firing_rate.hpp"
-#include "tolman/geometry.hpp"
+#include "report/neurons.hpp"
 
 namespace tolman::report {
 namespace {
 
-constexpr int kMostBins = 70;
-constexpr double kFarthest = 1e7;  // m
-constexpr double kPanel = 430;     // px
-
-/// The path of the map with the rate of one unit on it.
-std::vector<Sample> samplesOf(const PopulationHistory& population, std::size_t unit,
-                              const evaluation::Trajectory& map) {
-  std::map<std::int64_t, const Eigen::Isometry3d*> poses;
-  for (const auto& pose : map) poses[pose.frame] = &pose.T_world_camera;
-  std::vector<Sample> samples;
-  for (std::size_t i = 0; i < population.frames.size(); ++i) {
-    const auto pose = poses.find(population.frames[i]);
-    if (pose == poses.end() || unit >= population.activity[i].size()) continue;
-    const Eigen::Vector3d p = pose->second->translation();
-    if (!(p.cwiseAbs().maxCoeff() < kFarthest)) continue;  // a map that has run away
-    samples.push_back(
-        {{p.x(), p.z()}, toPlanar(*pose->second).theta, population.activity[i][unit]});
-  }
-  return samples;
-}
-
-/// Bins that steps do not jump over, or every visit would be a field of its own.
-int binsFor(const std::vector<Sample>& samples) {
-  Eigen::AlignedBox2d box;
-  double way = 0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    box.extend(samples[i].position);
-    if (i > 0) way += (samples[i].position - samples[i - 1].position).norm();
-  }
-  const double step = way / std::max(static_cast<double>(samples.size()) - 1, 1.0);
-  if (!(step > 0)) return 1;
-  return std::clamp(static_cast<int>(box.sizes().maxCoeff() / (1.5 * step)), 1, kMostBins);
-}
-
-RateMap ratesOf(const std::vector<Sample>& samples) { return rateMap(samples, binsFor(samples)); }
+constexpr double kPanel = 430;  // px
 
 Eigen::AlignedBox2d panel(const Eigen::Vector2d& corner) {
   return {corner + Eigen::Vector2d(70, 50), corner + Eigen::Vector2d(kPanel - 15, kPanel - 60)};
@@ -76,18 +40,28 @@ Axes drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title
   return axes;
 }
 
-/// The grid unit of phase (0, 0), each of its fields in a ring.
-void drawGridUnit(Svg& svg, const RateMap& rates) {
-  constexpr double kRing = 14;  // px
-  const std::vector<Eigen::Vector2d> centres = fields(rates);
-  const Axes axes =
-      drawRates(svg, {0, kPanel},
-                fmt::format("grid unit (1, 1): {} field{}, {:.2f} bits", centres.size(),
-                            centres.size() == 1 ? "" : "s", spatialInformation(rates)),
-                rates);
-  for (const Eigen::Vector2d& centre : centres) {
+std::string periodicityText(const Neurons& neurons, const GridUnit& unit) {
+  if (!unit.periodicity || !neurons.chance) return "too narrow a way to tell of a square lattice";
+  const Periodicity& lattice = *unit.periodicity;
+  return fmt::format("square lattice {:.2f}, by chance {:.2f}: {:.0f} m at {:.0f} deg",
+                     lattice.score, *neurons.chance, lattice.spacing,
+                     lattice.direction * 180 / std::numbers::pi);
+}
+
+/// Each of its fields in a ring.
+void drawGridUnit(Svg& svg, const Neurons& neurons, const DrawnUnit& drawn) {
+  constexpr double kRing = 14;       // px
+  constexpr double kBelowAxes = 52;  // px
+  const GridUnit& unit = neurons.sheet[drawn.unit];
+  const Axes axes = drawRates(svg, {0, kPanel},
+                              fmt::format("{}: {} field{}, {:.2f} bits", drawn.name, unit.fields,
+                                          unit.fields == 1 ? "" : "s", unit.bits),
+                              drawn.rates);
+  for (const Eigen::Vector2d& centre : fields(drawn.rates)) {
     svg.circle(axes.at(centre.x(), centre.y()), kRing, "none", kVermilion);
   }
+  svg.text({axes.box().center().x(), axes.box().max().y() + kBelowAxes},
+           periodicityText(neurons, unit), {Anchor::Middle, 11});
 }
 
 void drawTuning(Svg& svg, const Eigen::Vector2d& corner, const std::string& title,
@@ -111,27 +85,24 @@ void drawTuning(Svg& svg, const Eigen::Vector2d& corner, const std::string& titl
                            curve.preferred * 180 / std::numbers::pi)}});
 }
 
-void drawRingUnits(Svg& svg, const PopulationHistory& ring, const evaluation::Trajectory& map) {
-  const auto opposite = static_cast<std::size_t>(ring.shape[0]) / 2;
-  for (const std::size_t unit : {std::size_t{0}, opposite}) {
-    const RateMap rates = ratesOf(samplesOf(ring, unit, map));
-    drawRates(svg, {unit == 0 ? 0 : kPanel, 0},
-              fmt::format("head direction unit {} of {}, {} deg", unit + 1, ring.shape[0],
-                          360 * unit / static_cast<std::size_t>(ring.shape[0])),
-              rates);
-  }
-  drawTuning(svg, {kPanel, kPanel}, "tuning of head direction unit 1",
-             tuningCurve(samplesOf(ring, 0, map), 36));
-}
-
 }  // namespace
 
-std::string firingFigure(const CellHistory& cells, const evaluation::Trajectory& map) {
-  if ((cells.ring.empty() && cells.sheet.empty()) || map.empty()) return "";
+std::string firingFigure(const Neurons& neurons, const std::vector<DrawnUnit>& units) {
+  if (units.empty()) return "";
   Svg svg(2 * kPanel, 2 * kPanel);
-  if (!cells.ring.empty()) drawRingUnits(svg, cells.ring, map);
-  if (!cells.sheet.empty()) {
-    drawGridUnit(svg, ratesOf(samplesOf(cells.sheet, 0, map)));
+  double left = 0;
+  for (const DrawnUnit& drawn : units) {
+    if (drawn.population == Population::Sheet) {
+      drawGridUnit(svg, neurons, drawn);
+    } else {
+      drawRates(svg, {left, 0}, drawn.name, drawn.rates);
+      left += kPanel;
+    }
+  }
+  if (units.front().population == Population::Ring) {
+    drawTuning(svg, {kPanel, kPanel},
+               "tuning of head direction unit " + std::to_string(units.front().unit + 1),
+               neurons.ring[units.front().unit].tuning);
   }
   return svg.take();
 }

@@ -36,11 +36,32 @@ std::string textOf(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void addFigure(RunPage& page, const char* file, const char* caption, std::string svg) {
-  if (!svg.empty()) page.figures.push_back({file, caption, std::move(svg)});
+void addFigure(RunPage& page, const char* file, std::string caption, std::string svg) {
+  if (!svg.empty()) page.figures.push_back({file, std::move(caption), std::move(svg)});
 }
 
-Status addFigures(RunPage& page, const record::RunReader& reader) {
+/// Where single units fire, as picture and as numbers.
+Status addNeurons(RunPage& page, const CellHistory& cells, const UnitChoice& choice) {
+  const auto units = drawnUnits(cells, page.data.map, choice);
+  if (!units.isOk()) {
+    return {units.status().code(), page.directory + ": " + units.status().message()};
+  }
+  if (units.value().empty()) return Status::ok();
+  const Neurons neurons = measureNeurons(cells, page.data.map);
+  std::string caption = "Firing rate of single units where the robot was; dark is silent.";
+  if (neurons.chance) {
+    caption += fmt::format(
+        " {:.0f} % of the {} grid units fire on a square lattice more than chance does.",
+        100 * neurons.periodicShare(), neurons.sheet.size());
+  }
+  addFigure(page, "firing", std::move(caption), firingFigure(neurons, units.value()));
+  page.neurons = toJson(neurons);
+  for (const DrawnUnit& unit : units.value())
+    page.neurons["rate_maps"][unit.name] = toJson(unit.rates);
+  return Status::ok();
+}
+
+Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoice& units) {
   const RunData& data = page.data;
   addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
             svgText({data.name, data.truth, data.odometry, data.map, data.graph}));
@@ -58,8 +79,8 @@ Status addFigures(RunPage& page, const record::RunReader& reader) {
   addFigure(page, "activity",
             "State of the attractor networks at four moments; the red hand is the estimate.",
             activityFigure(cells.value(), decisions.value()));
-  addFigure(page, "firing", "Firing rate of single units where the robot was; dark is silent.",
-            firingFigure(cells.value(), data.map));
+  const Status neurons = addNeurons(page, cells.value(), units);
+  if (!neurons.isOk()) return neurons;
   addFigure(page, "timing", "Time that each stage took for a frame, ms.",
             timingFigure(data.metrics));
   return Status::ok();
@@ -165,27 +186,28 @@ std::string section(const RunPage& run) {
 
 }  // namespace
 
-Result<RunPage> makePage(const record::RunReader& reader, RunData data) {
+Result<RunPage> makePage(const record::RunReader& reader, RunData data, const UnitChoice& units) {
   const std::filesystem::path& directory = reader.directory();
   RunPage page{std::move(data),
                directory.filename().string(),
                {},
                nullptr,
+               nullptr,
                textOf(directory / "config.resolved.yaml")};
   const Json provenance = Json::parse(textOf(directory / "run.json"), nullptr, false);
   if (!provenance.is_discarded()) page.provenance = provenance;
-  const Status drawn = addFigures(page, reader);
+  const Status drawn = addFigures(page, reader, units);
   if (!drawn.isOk()) return drawn;
   return page;
 }
 
 Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings) {
+                         const config::EvaluationSettings& settings, const UnitChoice& units) {
   const auto opened = record::RunReader::open(directory);
   if (!opened.isOk()) return opened.status();
   auto data = readRun(*opened.value(), settings);
   if (!data.isOk()) return data.status();
-  return makePage(*opened.value(), std::move(data).value());
+  return makePage(*opened.value(), std::move(data).value(), units);
 }
 
 std::string comparisonFigure(const std::vector<RunPage>& runs) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "report/drawn_units.hpp"
 #include "report/run_data.hpp"
 
 namespace tolman::report {
@@ -22,16 +23,19 @@ struct RunPage {
   RunData data;
   std::string directory;  ///< its name, without the path; tells the runs of one page apart
   std::vector<Figure> figures;
+  /// What the firing figure shows in numbers: every unit's, and the rate maps that are drawn.
+  nlohmann::ordered_json neurons;     ///< null without cells
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml
 };
 
 /// Draws every figure that the record has something for. `reader` is of the run that `data` was
-/// read from.
-Result<RunPage> makePage(const record::RunReader& reader, RunData data);
+/// read from. InvalidParameter where the run has no such unit.
+Result<RunPage> makePage(const record::RunReader& reader, RunData data,
+                         const UnitChoice& units = {});
 /// The same from the record alone.
 Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings);
+                         const config::EvaluationSettings& settings, const UnitChoice& units = {});
 
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);

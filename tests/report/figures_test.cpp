@@ -13,12 +13,12 @@ using namespace tolman::report;
 
 namespace {
 
-struct Sample {
+struct RecordedRun {
   test::TemporaryFolder folder;
   std::unique_ptr<record::RunReader> reader;
   RunData data;
 
-  Sample() {
+  RecordedRun() {
     test::recordRichRun(folder.path(), 12, "sample");
     reader = record::RunReader::open(folder.path()).value();
     data = readRun(*reader, {}).value();
@@ -34,7 +34,7 @@ int count(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("errors are those of the aligned frames") {
-  const Sample sample;
+  const RecordedRun sample;
   REQUIRE(sample.data.map_error.metres.size() == 12);
   CHECK(sample.data.map_error.seconds.back() == Approx(1.1));
   // Six frames are 1 cm off: the alignment shares it out.
@@ -46,7 +46,7 @@ TEST_CASE("errors are those of the aligned frames") {
 }
 
 TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
-  const Sample sample;
+  const RecordedRun sample;
   const auto places = sample.reader->records<PlaceObservation>().value();
   const std::string svg = templateFigure(places);
   CHECK(count(svg, "fill=\"" + std::string(kBlue) + "\"") == 6);
@@ -54,7 +54,7 @@ TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
 }
 
 TEST_CASE("the activity of every unit is drawn at four moments") {
-  const Sample sample;
+  const RecordedRun sample;
   const CellHistory cells =
       readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
   REQUIRE(cells.ring.frames.size() == 12);
@@ -66,18 +66,20 @@ TEST_CASE("the activity of every unit is drawn at four moments") {
 }
 
 TEST_CASE("rates of two opposite head direction units and one grid unit") {
-  const Sample sample;
-  const std::string svg =
-      firingFigure(readCells(*sample.reader, sample.reader->records<Decision>().value()).value(),
-                   sample.data.map);
+  const RecordedRun sample;
+  const CellHistory cells =
+      readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
+  const std::string svg = firingFigure(measureNeurons(cells, sample.data.map),
+                                       drawnUnits(cells, sample.data.map, {}).value());
   CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
   CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
   CHECK(svg.find("grid unit (1, 1): 1 field, 0.00 bits") != std::string::npos);
+  CHECK(svg.find("too narrow a way to tell of a square lattice") != std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);
 }
 
 TEST_CASE("times of stages are those recorded") {
-  const Sample sample;
+  const RecordedRun sample;
   CHECK(timingFigure(sample.data.metrics).find(">2 / 2<") != std::string::npos);
 }
 

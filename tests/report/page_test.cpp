@@ -68,6 +68,21 @@ TEST_CASE("several runs stand side by side") {
   CHECK_FALSE(contains(html({makePage(one.path(), {}).value()}), "(a) "));
 }
 
+TEST_CASE("the firing figure comes with its numbers, and a unit beyond the run's is refused") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 12, "sample");
+  const auto page = makePage(folder.path(), {}, {1, 0, 1});
+  REQUIRE(page.isOk());
+  CHECK(page.value().neurons["head_direction"].size() == 4);
+  CHECK(page.value().neurons["rate_maps"].contains("head direction unit 2 of 4, 90 deg"));
+  CHECK(page.value().neurons["rate_maps"].contains("grid unit (1, 2)"));
+  const auto refused = makePage(folder.path(), {}, {4, 0, 0});
+  REQUIRE_FALSE(refused.isOk());
+  CHECK(refused.status().code() == StatusCode::InvalidParameter);
+  CHECK(refused.status().message() ==
+        folder.path().filename().string() + ": there is no head direction unit 5: this run has 4");
+}
+
 TEST_CASE("what is no run is one clear error") {
   const test::TemporaryFolder folder;
   const auto page = makePage(folder.path(), {});
