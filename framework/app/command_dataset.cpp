@@ -99,9 +99,13 @@ void inspect(std::unique_ptr<plugins::Instance> instance, const ParameterValues&
   const Status inspected = source.inspect(findings);
   if (configured.isOk() && options.decode) decodeAll(source, findings);
   const bool sound = print(findings, invocation.json);
-  if (!configured.isOk()) return fail(invocation, ExitCode::Dataset, configured.message());
-  if (!inspected.isOk()) return fail(invocation, ExitCode::Dataset, inspected.message());
-  if (!sound) invocation.exit_code = static_cast<int>(ExitCode::Dataset);
+  if (!sound) {  // what stopped configure() is in the list
+    invocation.exit_code = static_cast<int>(ExitCode::Dataset);
+  } else if (!configured.isOk()) {
+    fail(invocation, ExitCode::Dataset, configured.message());
+  } else if (!inspected.isOk()) {
+    fail(invocation, ExitCode::Dataset, inspected.message());
+  }
 }
 
 void check(const DatasetOptions& options, Invocation& invocation) {

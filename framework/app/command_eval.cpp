@@ -58,7 +58,8 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("truth", options->truth, "True trajectory")->required();
   command->add_option("estimate", options->estimate, "Estimated trajectory")->required();
   command->add_option("--align", options->alignment, "none, se2, se3 (default) or sim3")
-      ->transform(CLI::CheckedTransformer(names, CLI::ignore_case));
+      ->type_name("NAME")
+      ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""));
   command->add_option("--max-difference", options->max_difference,
                       "Match by time, at most so many seconds apart (default: by frame)");
   command->callback([options, &invocation] { evaluate(*options, invocation); });

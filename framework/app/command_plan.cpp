@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/exit_code.hpp"
 #include "app/program.hpp"
@@ -38,10 +39,17 @@ MapGraph firstPart(MapGraph graph) {
   return graph;
 }
 
+/// An end of the way as it was asked for, and what stands for it.
+struct End {
+  std::string asked;
+  std::int64_t experience = -1;
+  std::optional<double> away_m;  ///< of a place: from the experience
+};
+
 /// "17", or "12.5,-30": the experience nearest to metres right and forward.
-Result<std::int64_t> experienceOf(const std::string& text, const MapGraph& graph) {
+Result<End> endOf(const std::string& text, const MapGraph& graph) {
   std::int64_t id = -1;
-  if (parse(text, id)) return id;
+  if (parse(text, id)) return End{text, id, std::nullopt};
   const std::size_t comma = text.find(',');
   Eigen::Vector2d place;
   const std::string_view all = text;
@@ -51,44 +59,73 @@ Result<std::int64_t> experienceOf(const std::string& text, const MapGraph& graph
                                     "' is no place: give an experience (17) or metres right and "
                                     "forward of the start (12.5,-30)");
   }
-  return planning::nearestExperience(firstPart(graph), place);
+  id = planning::nearestExperience(firstPart(graph), place);
+  if (id < 0) return End{text, id, std::nullopt};  // the search says that it is not in the map
+  const Eigen::Vector3d p =
+      graph.experiences[static_cast<std::size_t>(id)].T_world_experience.translation();
+  return End{text, id, (Eigen::Vector2d(p.x(), p.z()) - place).norm()};
 }
 
-void print(const planning::Route& route, const MapGraph& graph, bool json) {
+struct Plan {
+  End from;
+  End to;
+  planning::Route route;
+};
+
+Eigen::Vector3d placeOf(const planning::Leg& leg, const MapGraph& graph) {
+  return graph.experiences[static_cast<std::size_t>(leg.experience)]
+      .T_world_experience.translation();
+}
+
+nlohmann::ordered_json toJson(const End& end) {
+  nlohmann::ordered_json json = {{"asked", end.asked}, {"experience", end.experience}};
+  if (end.away_m) json["away_m"] = *end.away_m;
+  return json;
+}
+
+nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
   nlohmann::ordered_json legs = nlohmann::ordered_json::array();
-  if (!json)
-    std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m",
-                             "forward m", "time s", "way m");
-  for (const planning::Leg& leg : route.legs) {
-    const Eigen::Vector3d p = graph.experiences[static_cast<std::size_t>(leg.experience)]
-                                  .T_world_experience.translation();
-    if (json) {
-      legs.push_back({{"experience", leg.experience},
-                      {"right_m", p.x()},
-                      {"forward_m", p.z()},
-                      {"seconds", leg.seconds},
-                      {"metres", leg.metres}});
-    } else {
-      std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", leg.experience,
-                               p.x(), p.z(), leg.seconds, leg.metres);
+  for (const planning::Leg& leg : plan.route.legs) {
+    const Eigen::Vector3d p = placeOf(leg, graph);
+    legs.push_back({{"experience", leg.experience},
+                    {"right_m", p.x()},
+                    {"forward_m", p.z()},
+                    {"seconds", leg.seconds},
+                    {"metres", leg.metres}});
+  }
+  return {{"from", toJson(plan.from)},
+          {"to", toJson(plan.to)},
+          {"seconds", plan.route.seconds()},
+          {"metres", plan.route.metres()},
+          {"legs", legs}};
+}
+
+void print(const Plan& plan, const MapGraph& graph) {
+  std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m", "forward m",
+                           "time s", "way m");
+  for (const planning::Leg& leg : plan.route.legs) {
+    const Eigen::Vector3d p = placeOf(leg, graph);
+    std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", leg.experience, p.x(),
+                             p.z(), leg.seconds, leg.metres);
+  }
+  std::cout << fmt::format("{} experiences, {:.1f} m, {:.1f} s\n", plan.route.legs.size(),
+                           plan.route.metres(), plan.route.seconds());
+  for (const End& end : {plan.from, plan.to}) {
+    if (end.away_m) {
+      std::cout << fmt::format("{} is {:.1f} m from experience {}, the nearest\n", end.asked,
+                               *end.away_m, end.experience);
     }
   }
-  if (!json) {
-    std::cout << fmt::format("{} experiences, {:.1f} m, {:.1f} s\n", route.legs.size(),
-                             route.metres(), route.seconds());
-    return;
-  }
-  const nlohmann::ordered_json all = {
-      {"seconds", route.seconds()}, {"metres", route.metres()}, {"legs", legs}};
-  std::cout << all.dump(2) << "\n";
 }
 
-Result<planning::Route> plan(const PlanOptions& options, const MapGraph& graph) {
-  const auto from = experienceOf(options.from, graph);
+Result<Plan> plan(const PlanOptions& options, const MapGraph& graph) {
+  auto from = endOf(options.from, graph);
   if (!from.isOk()) return from.status();
-  const auto to = experienceOf(options.to, graph);
+  auto to = endOf(options.to, graph);
   if (!to.isOk()) return to.status();
-  return planning::fastestRoute(graph, from.value(), to.value());
+  auto route = planning::fastestRoute(graph, from.value().experience, to.value().experience);
+  if (!route.isOk()) return route.status();
+  return Plan{std::move(from).value(), std::move(to).value(), std::move(route).value()};
 }
 
 void run(const PlanOptions& options, Invocation& invocation) {
@@ -100,9 +137,13 @@ void run(const PlanOptions& options, Invocation& invocation) {
   if (!reader.isOk()) return fail(ExitCode::Dataset, reader.status());
   const auto& graph = reader.value()->graph();
   if (!graph.isOk()) return fail(ExitCode::Dataset, graph.status());
-  const auto route = plan(options, graph.value());
-  if (!route.isOk()) return fail(ExitCode::Usage, route.status());
-  print(route.value(), graph.value(), invocation.json);
+  const auto planned = plan(options, graph.value());
+  if (!planned.isOk()) return fail(ExitCode::Usage, planned.status());
+  if (invocation.json) {
+    std::cout << toJson(planned.value(), graph.value()).dump(2) << "\n";
+  } else {
+    print(planned.value(), graph.value());
+  }
 }
 
 }  // namespace

@@ -25,8 +25,9 @@ namespace {
 /// One run from its parts; each step may end it.
 class Run {
  public:
-  Run(Invocation& invocation, std::string out)
-      : invocation_(invocation), out_(std::move(out)), log_(invocation.quiet) {}
+  /// `replace`: also where `out` holds a run.
+  Run(Invocation& invocation, std::string out, bool replace)
+      : invocation_(invocation), out_(std::move(out)), replace_(replace), log_(invocation.quiet) {}
 
   ExitCode execute(const SystemOptions& options) {
     auto checked = checkSystem(options);
@@ -98,6 +99,7 @@ class Run {
     options.name = config().general.name;
     options.utc_seconds = utcSeconds();
     if (!out_.empty()) options.out = out_;
+    options.replace = replace_;
     auto directory = record::RunDirectory::create(options);
     if (!directory.isOk()) return directory.status();
     directory_ = std::make_unique<record::RunDirectory>(std::move(directory).value());
@@ -210,6 +212,7 @@ class Run {
 
   Invocation& invocation_;
   std::string out_;
+  bool replace_;
   Interrupts interrupts_;  // before anything that starts threads
   RunLog log_;
   SteadyClock clock_;
@@ -230,10 +233,12 @@ void addRunCommand(CLI::App& app, Invocation& invocation) {
   options->addContinue(*command);
   auto out = std::make_shared<std::string>();
   command->add_option("--out", *out, "Run directory (default: runs/NAME-TIME)");
+  auto replace = std::make_shared<bool>(false);
+  command->add_flag("--force", *replace, "Replace the run that the --out directory holds");
   auto view = std::make_shared<bool>(false);
   command->add_flag("--view", *view, "Show the run in the browser (adds observer web_viewer)");
-  command->callback([options, out, view, &invocation] {
-    Run run(invocation, *out);
+  command->callback([options, out, replace, view, &invocation] {
+    Run run(invocation, *out, *replace);
     SystemOptions system = options->read(invocation);
     if (*view) system.observers.emplace_back(kViewer);
     invocation.exit_code = static_cast<int>(run.execute(system));

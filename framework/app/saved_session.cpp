@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/saved_session.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -109,8 +111,8 @@ void compareParameters(const Json& then, const Json& now, const std::string& sta
   for (const auto& [name, value] : now.items()) {
     const auto old = then.find(name);
     if (old != then.end() && *old == value) continue;
-    refuse(stage + "." + name + " is " + value.dump() + ", and was " +
-           (old == then.end() ? "unknown" : old->dump()) + " in the earlier session; " + remedy);
+    refuse(fmt::format("{}.{} is {}, and was {} in the earlier session; {}", stage, name,
+                       value.dump(), old == then.end() ? "unknown" : old->dump(), remedy));
   }
 }
 

@@ -27,8 +27,8 @@ std::string healthText(const pipeline::Outcome& outcome, double wall_seconds) {
   std::string text =
       fmt::format("{:<10}{} processed, {} dropped, {} skipped, {} without image, {} lost\n",
                   "frames", n.frames, n.dropped, n.skipped, n.defects, n.lost);
-  text += fmt::format("{:<10}{} templates, {} experiences, {} links, {} loops\n", "memory",
-                      n.templates, n.experiences, n.links, n.loops);
+  text += fmt::format("{:<10}{} templates, {} experiences, {} links, {} loop{}\n", "memory",
+                      n.templates, n.experiences, n.links, n.loops, n.loops == 1 ? "" : "s");
   const double rate = wall_seconds > 0 ? static_cast<double>(n.frames) / wall_seconds : 0;
   return text + fmt::format("{:<10}{:.1f} s, {:.1f} frames/s\n", "time", wall_seconds, rate);
 }

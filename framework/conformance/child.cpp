@@ -48,6 +48,7 @@ struct Pipe {
   ::fcntl(report, F_SETFD, 0);  // this one is passed on
   isolation::limitResources(limits.memory_mib);
   std::vector<char*> words;
+  words.reserve(command.size() + 1);
   for (std::string& word : command) words.push_back(word.data());
   words.push_back(nullptr);
   ::execv(words[0], words.data());

@@ -13,8 +13,6 @@
 #include "plugins/scratch_folder.hpp"
 
 namespace tolman::conformance {
-namespace fs = std::filesystem;
-
 namespace {
 
 std::string lastLine(const std::string& output) {

@@ -122,8 +122,9 @@ class Drive {
     motion.points_frame = k;
     motion.points.resize(4, kColumns * kRows);
     for (int i = 0; i < kColumns * kRows; ++i) {
+      const int row = i / kColumns;
       const Eigen::Vector2d pixel((i % kColumns + 0.5) * options_.width / kColumns,
-                                  (i / kColumns + 0.5) * options_.height / kRows);
+                                  (row + 0.5) * options_.height / kRows);
       const double depth = Room::depth(T_world_camera_, stimulus_.rig, pixel);
       motion.points.col(i) << pixel.cast<float>(), static_cast<float>(1 / depth), 1e-4F;
     }

@@ -28,7 +28,7 @@ class BitHash {
   template <class T>
   void add(const T& value) {
     if constexpr (Record<T>) {
-      visitFields(value, [this](const Field&, const auto& v) { add(v); });
+      visitFields(value, [this](const Field&, const auto& v) { this->add(v); });
     } else if constexpr (std::is_same_v<T, Eigen::Isometry3d>) {
       add(value.matrix().data(), sizeof(double) * 16);
     } else if constexpr (requires { value.derived(); }) {  // Eigen
@@ -54,7 +54,7 @@ struct Answer {
   template <Record R>
   void add(const R& record) {
     visitFields(record, [this](const Field& field, const auto& value) {
-      addValue(std::string(field.name), value);
+      this->addValue(std::string(field.name), value);
     });
   }
   template <class T>

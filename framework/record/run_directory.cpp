@@ -59,7 +59,7 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
       fs::create_directories(*options.out);
       Result<RunDirectory> directory = lock(fs::canonical(*options.out));
       if (!directory.isOk()) return directory;
-      const Status cleared = directory.value().clear();
+      const Status cleared = directory.value().clear(options.replace);
       if (!cleared.isOk()) return cleared;
       return directory;
     }
@@ -86,11 +86,15 @@ bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
 }
 
 /// Removes what an earlier run has left, by name: never what we do not know.
-Status RunDirectory::clear() const {
+Status RunDirectory::clear(bool replace) const {
   if (fs::is_empty(path_)) return Status::ok();
   if (!fs::exists(path_ / "run.sqlite") && !fs::exists(path_ / "run.json")) {
     return Status::failed(path_.string() +
                           ": is not empty and holds no run; choose an empty or new directory");
+  }
+  if (!replace) {
+    return Status::failed(path_.string() +
+                          ": holds a run; choose another --out, or give --force to replace it");
   }
   for (const char* file :
        {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm", "run.sqlite-journal", "run.json",
@@ -98,8 +102,7 @@ Status RunDirectory::clear() const {
     fs::remove(path_ / file);
   }
   for (const std::string_view file : kExportedFiles) fs::remove(path_ / file);
-  fs::remove_all(path_ / "artefacts");
-  fs::remove_all(path_ / "state");
+  for (const char* folder : {"artefacts", "figures", "state"}) fs::remove_all(path_ / folder);
   return Status::ok();
 }
 

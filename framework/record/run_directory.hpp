@@ -24,13 +24,15 @@ struct RunDirectoryOptions {
   std::string name = "run";
   std::int64_t utc_seconds = 0;              ///< since 1970, for the name
   std::optional<std::filesystem::path> out;  ///< this very directory instead of a named one
+  bool replace = false;                      ///< the run that `out` holds
 };
 
 /// Holds a lock on the folder while it lives, so that no two runs write one.
 class RunDirectory {
  public:
   /// Makes <root>/<name>-<UTC time> and points <root>/latest at it, or takes `out`: a new or empty
-  /// folder, or that of an earlier run, whose files are removed. Any other is refused.
+  /// folder, or with `replace` that of an earlier run, whose files are removed. Any other is
+  /// refused.
   static Result<RunDirectory> create(const RunDirectoryOptions& options);
 
   /// Whether a run is writing there at this moment.
@@ -45,7 +47,7 @@ class RunDirectory {
   RunDirectory(std::filesystem::path path, Descriptor lock)
       : path_(std::move(path)), lock_(std::move(lock)) {}
   static Result<RunDirectory> lock(const std::filesystem::path& path);
-  Status clear() const;
+  Status clear(bool replace) const;
 
   std::filesystem::path path_;
   Descriptor lock_;

@@ -104,7 +104,7 @@ std::vector<Axes::Entry> entries(const MapPicture& picture) {
   list.push_back({kBlue, "map"});
   list.push_back({kGreen, fmt::format("{} experiences", picture.graph.experiences.size())});
   const auto loops = std::ranges::count(picture.graph.links, LinkKind::Loop, &Link::kind);
-  list.push_back({kVermilion, fmt::format("{} loop links", loops)});
+  list.push_back({kVermilion, fmt::format("{} loop link{}", loops, loops == 1 ? "" : "s")});
   return list;
 }
 

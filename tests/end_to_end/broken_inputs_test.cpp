@@ -83,7 +83,7 @@ TEST_CASE("a corrupt image stops the run with what was done recorded, or is skip
   CHECK(stopped.exit_code == 5);
   CHECK(contains(stopped.err, "000003.png"));
   CHECK(readJson(data.out / "run.json")["counters"]["frames"] == 3);
-  const Finished skipped = data.run({"--set", "source.on_corrupt=skip"});
+  const Finished skipped = data.run({"--force", "--set", "source.on_corrupt=skip"});
   INFO(skipped.err);
   CHECK(skipped.exit_code == 0);
   CHECK(readJson(data.out / "run.json")["counters"]["defects"] == 1);

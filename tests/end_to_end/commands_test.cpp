@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The commands beside `run`, as a person meets them.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "end_to_end/tiny_kitti.hpp"
@@ -18,6 +20,10 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
        {"run", "check", "plugins", "dataset", "eval", "export", "Examples:", "Exit codes:"}) {
     CHECK(contains(help.out, part));
   }
+  const Finished plan = tolman::test::tolman({"plan", "--help"});
+  CHECK(contains(plan.out, "tolman plan runs/demo"));
+  CHECK_FALSE(contains(plan.out, "tolman run"));
+  CHECK(contains(plan.out, "Exit codes:"));
   CHECK(tolman::test::tolman({}).exit_code == 2);
   CHECK(tolman::test::tolman({"fly"}).exit_code == 2);
   CHECK(tolman::test::tolman({"run"}).exit_code == 2);
@@ -101,6 +107,10 @@ TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   CHECK(broken.exit_code == 5);
   CHECK(contains(broken.out + broken.err, "image_1"));
   CHECK(contains(broken.out + broken.err, "times.txt"));
+  const Finished none = tolman::test::tolman({"dataset", "check", folder.path().string()});
+  CHECK(none.exit_code == 5);
+  CHECK(contains(none.out, "has neither image_0 nor image_2"));
+  CHECK(none.err.empty());  // once is enough
 }
 
 TEST_CASE("eval gives the published figures of two systems on KITTI 00") {
@@ -175,6 +185,16 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
   CHECK(plan["metres"].get<double>() ==
         Approx(plan["legs"].back()["forward_m"].get<double>()).epsilon(1e-3));
   CHECK(plan["seconds"].get<double>() == Approx(plan["metres"].get<double>() / 10).epsilon(1e-3));
+  const auto& end = plan["legs"].back();
+  CHECK(plan["to"]["experience"] == end["experience"]);
+  CHECK(plan["to"]["away_m"].get<double>() ==
+        Approx(1000 - end["forward_m"].get<double>()).epsilon(1e-3));
+  const Finished read =
+      tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "0,1000"});
+  CHECK(contains(read.out,
+                 fmt::format("0,1000 is {:.1f} m from experience {}, the nearest\n",
+                             plan["to"]["away_m"].get<double>(), end["experience"].get<int>())));
+  CHECK_FALSE(contains(read.out, "\n0 is "));
   const Finished nowhere =
       tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "somewhere"});
   CHECK(nowhere.exit_code == 2);

@@ -110,7 +110,7 @@ TEST_CASE("--json gives one document with figures") {
   CHECK(json["directory"] == tiny.out.string());
 }
 
-TEST_CASE("a directory that is no run is not overwritten; an earlier run is") {
+TEST_CASE("a directory that is no run is not overwritten; an earlier run only by force") {
   Tiny tiny(5);
   fs::create_directories(tiny.folder.path() / "precious");
   { Finished ignored = run({"touch", (tiny.folder.path() / "precious/thesis.tex").string()}); }
@@ -119,5 +119,9 @@ TEST_CASE("a directory that is no run is not overwritten; an earlier run is") {
   CHECK(contains(refused.err, "precious"));
   CHECK(fs::exists(tiny.folder.path() / "precious/thesis.tex"));
   REQUIRE(tiny.run().exit_code == 0);
-  CHECK(tiny.run().exit_code == 0);
+  const Finished again = tiny.run();
+  CHECK(again.exit_code == 8);
+  CHECK(contains(again.err, "holds a run; choose another --out, or give --force to replace it"));
+  CHECK(fs::exists(tiny.out / "report.html"));
+  CHECK(tiny.run({"--force"}).exit_code == 0);
 }

@@ -53,7 +53,7 @@ TEST_CASE("a folder named `latest` is left alone") {
   CHECK(fs::is_directory(folder.path() / "runs/latest/precious"));
 }
 
-TEST_CASE("--out takes new, empty and old run folders, and nothing else") {
+TEST_CASE("--out takes new and empty folders, those of a run only by force, and nothing else") {
   const test::TemporaryFolder folder;
   const fs::path out = fs::canonical(folder.path()) / "deep/out";
   {
@@ -64,7 +64,12 @@ TEST_CASE("--out takes new, empty and old run folders, and nothing else") {
     std::ofstream(out / "run.sqlite-wal") << "of a killed run";
     REQUIRE(ArtefactFolder(out, "map").write("a.txt", bytes("a")).isOk());
   }
-  REQUIRE(RunDirectory::create(at(out)).isOk());
+  CHECK(RunDirectory::create(at(out)).status().message() ==
+        out.string() + ": holds a run; choose another --out, or give --force to replace it");
+  CHECK(fs::exists(out / "run.json"));
+  RunDirectoryOptions by_force = at(out);
+  by_force.replace = true;
+  REQUIRE(RunDirectory::create(by_force).isOk());
   CHECK_FALSE(fs::exists(out / "run.json"));
   CHECK_FALSE(fs::exists(out / "run.sqlite-wal"));
   CHECK_FALSE(fs::exists(out / "artefacts"));
