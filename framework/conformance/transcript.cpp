@@ -13,7 +13,8 @@ void BitHash::add(const void* bytes, std::size_t size) {
 void BitHash::add(const Image& image) {
   const int shape[] = {image.width(), image.height(), static_cast<int>(image.format())};
   add(shape, sizeof shape);
-  const auto bytes = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
+  const auto bytes =
+      static_cast<std::size_t>(std::ptrdiff_t{image.width()} * bytesPerPixel(image.format()));
   for (int r = 0; r < image.height(); ++r) add(image.row(r), bytes);
 }
 

@@ -12,7 +12,8 @@ bool isChosen(std::size_t index) { return index % 14 == 3 || index % 14 == 4 || 
 
 Image padded(const Image& image) {
   if (image.empty()) return image;
-  const auto row_bytes = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
+  const auto row_bytes =
+      static_cast<std::size_t>(std::ptrdiff_t{image.width()} * bytesPerPixel(image.format()));
   const std::size_t stride = row_bytes + 37;
   const auto rows = static_cast<std::size_t>(image.height());
   const std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[stride * rows]);
@@ -25,7 +26,8 @@ Image padded(const Image& image) {
 }
 
 Image plain(int width, int height, PixelFormat format, int grey) {
-  const auto bytes = static_cast<std::size_t>(width * height * bytesPerPixel(format));
+  const auto bytes =
+      static_cast<std::size_t>(std::ptrdiff_t{width} * height * bytesPerPixel(format));
   return Image::create(width, height, format,
                        [&](std::uint8_t* data) { std::memset(data, grey, bytes); });
 }

@@ -144,7 +144,7 @@ void Replay::takeTimes(RecordedFrame& recorded) {
 void Replay::readTime() {
   time_ahead_.reset();
   if (!times_.step()) return;
-  Time& time = time_ahead_.emplace();
+  TimingRow& time = time_ahead_.emplace();
   time.row = times_.integer();
   time.frame = times_.integer();
   time.stage = times_.text();

@@ -28,6 +28,14 @@ struct RecordedFrame {
   Snapshot snapshot() const;
 };
 
+/// A row of timing.
+struct TimingRow {
+  std::int64_t row = 0;
+  std::int64_t frame = 0;
+  std::string stage;
+  std::int64_t duration_ns = 0;
+};
+
 /// How far a replay has come; another one, of a reader opened later, goes on from there.
 struct ReplayPosition {
   std::int64_t frame = -1;
@@ -59,14 +67,6 @@ class Replay {
     std::optional<R> ahead;
   };
 
-  /// A row of timing.
-  struct Time {
-    std::int64_t row = 0;
-    std::int64_t frame = 0;
-    std::string stage;
-    std::int64_t duration_ns = 0;
-  };
-
   Replay(const RunReader& reader, ReplayPosition position, bool unfinished);
   void fill(RecordedFrame& recorded);
   void restorePoints(Motion& motion);
@@ -84,7 +84,7 @@ class Replay {
   Cursor<Decision> decisions_;
   Cursor<MapUpdate> maps_;
   Statement times_;
-  std::optional<Time> time_ahead_;
+  std::optional<TimingRow> time_ahead_;
   Statement events_;
   std::vector<std::pair<std::int64_t, RunEvent>> waiting_events_;
 };

@@ -138,8 +138,9 @@ std::string comparisonText(const std::vector<MapPicture>& pictures) {
   const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
   Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::size_t row = i / kPanelsInARow;
     const double left = kLeft + cell.x() * static_cast<double>(i % kPanelsInARow);
-    const double top = kTop + cell.y() * static_cast<double>(i / kPanelsInARow);
+    const double top = kTop + cell.y() * static_cast<double>(row);
     const std::string title =
         fmt::format("({}) {}", static_cast<char>('a' + i % 26), pictures[i].title);
     drawMap(svg, view, pictures[i], title, frame(left, top, left + size.x(), top + size.y()));

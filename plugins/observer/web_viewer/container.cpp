@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "container.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -36,7 +37,7 @@ std::string encodeContainer(nlohmann::json header, const std::vector<PackedArray
   const auto length = static_cast<std::uint32_t>(text.size());
   std::string message(aligned(sizeof length + text.size()) + offset, '\0');
   std::memcpy(message.data(), &length, sizeof length);
-  std::memcpy(message.data() + sizeof length, text.data(), text.size());
+  std::ranges::copy(text, message.begin() + sizeof length);
   char* next = message.data() + aligned(sizeof length + text.size());
   for (const PackedArray& array : arrays) {
     std::memcpy(next, array.bytes->data(), array.bytes->size());

@@ -87,14 +87,14 @@ inline Four loadBytes(const std::uint8_t* p) {
 
 /// Rows become columns.
 inline void transpose(Four& a, Four& b, Four& c, Four& d) {
-  const Four ab_low = __builtin_shuffle(a, b, FourInts{0, 4, 1, 5});
-  const Four ab_high = __builtin_shuffle(a, b, FourInts{2, 6, 3, 7});
-  const Four cd_low = __builtin_shuffle(c, d, FourInts{0, 4, 1, 5});
-  const Four cd_high = __builtin_shuffle(c, d, FourInts{2, 6, 3, 7});
-  a = __builtin_shuffle(ab_low, cd_low, FourInts{0, 1, 4, 5});
-  b = __builtin_shuffle(ab_low, cd_low, FourInts{2, 3, 6, 7});
-  c = __builtin_shuffle(ab_high, cd_high, FourInts{0, 1, 4, 5});
-  d = __builtin_shuffle(ab_high, cd_high, FourInts{2, 3, 6, 7});
+  const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
+  const Four ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
+  const Four cd_low = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+  const Four cd_high = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+  a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+  c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+  d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
 /// The sums of the four lanes of each.

@@ -75,7 +75,8 @@ GrayStatistics grayStatistics(const GrayLevel& image) {
     }
     sum += row_sum;
     squares += row_squares;
-    count += (image.width + kStep - 1) / kStep;
+    const int samples = (image.width + kStep - 1) / kStep;
+    count += samples;
   }
   if (!(count > 0)) return {};
   const double mean = sum / count;

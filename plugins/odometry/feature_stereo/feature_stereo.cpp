@@ -116,7 +116,7 @@ Status FeatureStereo::track(const Frame& frame, Motion& motion) {
   const cv::Mat right = usableGray(frame.right);
   std::optional<StereoPyramids> images;
   if (!left.empty() && !right.empty()) {
-    images.emplace(Pyramid(left, track_settings_), Pyramid(right, track_settings_));
+    images = StereoPyramids{Pyramid(left, track_settings_), Pyramid(right, track_settings_)};
   }
   answer(images, motion);
   setPlanarVelocity(motion, motion.dt);

@@ -2,6 +2,8 @@
 // What a user can set about feature_stereo.
 #pragma once
 
+#include <tuple>
+
 #include "tolman/parameters.hpp"
 
 namespace tolman::feature_stereo {
@@ -25,7 +27,8 @@ struct Parameters {
   int refinement_iterations = 6;
   double offset_sigma = 0.2;
 
-  static constexpr auto declaration() {
+  /// Corners, how they are followed, and how well they can be.
+  static constexpr auto cornerParameters() {
     using P = Parameters;
     return tolman::parameters(
         parameter("corners", &P::corners)
@@ -64,7 +67,12 @@ struct Parameters {
         parameter("sigma_doubling", &P::sigma_doubling)
             .range(0.1, 1e6)
             .unit("px")
-            .doc("Disparity from which the two standard deviations grow with the disparity."),
+            .doc("Disparity from which the two standard deviations grow with the disparity."));
+  }
+  /// Poses, keyframes and the window.
+  static constexpr auto poseParameters() {
+    using P = Parameters;
+    return tolman::parameters(
         parameter("ransac_iterations", &P::ransac_iterations)
             .range(1, 10000)
             .doc("Most samples of three points that are tried for a pose."),
@@ -89,6 +97,10 @@ struct Parameters {
             .range(0, 5)
             .unit("px")
             .doc("How far all disparities may be off together; estimated; 0 trusts the source."));
+  }
+
+  static constexpr auto declaration() {
+    return std::tuple_cat(cornerParameters(), poseParameters());
   }
 };
 
