@@ -109,6 +109,10 @@ std::optional<Failure> View::beginRun(const record::RunReader& reader, bool runn
   RunInfo info;
   const auto name = meta.value().find("name");
   info.name = name == meta.value().end() ? "run" : name->second;
+  if (record::RunDirectory::wasKilled(options_.run)) {
+    info.name += " (killed)";
+    listener_.note("the run was killed; what it had recorded is shown");
+  }
   info.directory = std::filesystem::absolute(options_.run).lexically_normal().string();
   info.source = sourceInfo(reader, runFile(options_.run));
   if (!running) info.source.frames = counters.value().frames;

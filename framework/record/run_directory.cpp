@@ -5,6 +5,7 @@
 #include <sys/file.h>
 
 #include <ctime>
+#include <fstream>
 
 #include "record/export.hpp"
 
@@ -83,6 +84,14 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path) {
 bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
   const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   return descriptor.isOpen() && ::flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0;
+}
+
+bool RunDirectory::wasKilled(const std::filesystem::path& path) {
+  std::ifstream file(path / "run.json");
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const bool running =
+      json.is_object() && json.value("status", nlohmann::json()) == enumName(RunState::Running);
+  return running && !isBeingWritten(path);
 }
 
 /// Removes what an earlier run has left, by name: never what we do not know.

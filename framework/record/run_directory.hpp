@@ -37,6 +37,8 @@ class RunDirectory {
 
   /// Whether a run is writing there at this moment.
   static bool isBeingWritten(const std::filesystem::path& path);
+  /// Whether the run there came to no end: nobody writes, and run.json says that it is running.
+  static bool wasKilled(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
 

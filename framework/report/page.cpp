@@ -8,6 +8,7 @@
 #include <iterator>
 #include <optional>
 
+#include "record/run_directory.hpp"
 #include "report/figures.hpp"
 #include "report/map_picture.hpp"
 #include "report/svg.hpp"
@@ -170,6 +171,11 @@ std::string subtitle(const RunPage& run) {
 std::string section(const RunPage& run) {
   std::string text = fmt::format("<section>\n<h1>{}</h1>\n<p>{}</p>\n", escaped(run.data.name),
                                  escaped(subtitle(run)));
+  if (run.killed) {
+    text +=
+        "<p><strong>This run was killed.</strong> The page shows what it had recorded; counters "
+        "and warnings of its end are missing.</p>\n";
+  }
   text += errorTable(run.data.metrics);
   for (const Figure& figure : run.figures) {
     text += fmt::format("<figure id=\"{}\">\n{}<figcaption>{}</figcaption></figure>\n", figure.file,
@@ -196,6 +202,7 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data, const Un
                textOf(directory / "config.resolved.yaml")};
   const Json provenance = Json::parse(textOf(directory / "run.json"), nullptr, false);
   if (!provenance.is_discarded()) page.provenance = provenance;
+  page.killed = record::RunDirectory::wasKilled(directory);
   const Status drawn = addFigures(page, reader, units);
   if (!drawn.isOk()) return drawn;
   return page;

@@ -27,6 +27,7 @@ struct RunPage {
   nlohmann::ordered_json neurons;     ///< null without cells
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml
+  bool killed = false;                ///< it came to no end
 };
 
 /// Draws every figure that the record has something for. `reader` is of the run that `data` was

@@ -185,7 +185,9 @@ TEST_CASE("a killed run is served as far as it came") {
   viewing.waitForEnd();
   const auto frames = record::RunReader::open(recorded.run).value()->records<Frame>().value();
   CHECK(viewing.container("/api/history").header["total"] == frames.size());
-  CHECK(viewing.end().exit_code == 0);
+  const Finished ended = viewing.end();
+  CHECK(ended.exit_code == 0);
+  CHECK(contains(ended.out + ended.err, "the run was killed; what it had recorded is shown"));
 }
 
 TEST_CASE("JSON for programs, and silence on demand") {

@@ -89,6 +89,21 @@ TEST_CASE("two runs cannot share a folder") {
         out.string() + ": another run is writing here; choose another --out");
 }
 
+TEST_CASE("a run was killed if it never said that it ended and nobody writes") {
+  const test::TemporaryFolder folder;
+  CHECK_FALSE(RunDirectory::wasKilled(folder.path()));
+  {
+    const auto run = RunDirectory::create(at(folder.path())).value();
+    REQUIRE(run.writeRunFile({{"seed", 7}}, RunState::Running).isOk());
+    CHECK_FALSE(RunDirectory::wasKilled(folder.path()));  // it goes on
+  }
+  CHECK(RunDirectory::wasKilled(folder.path()));
+  std::ofstream(folder.path() / "run.json") << R"({"status": "finished"})";
+  CHECK_FALSE(RunDirectory::wasKilled(folder.path()));
+  std::ofstream(folder.path() / "run.json") << "[1";
+  CHECK_FALSE(RunDirectory::wasKilled(folder.path()));
+}
+
 TEST_CASE("run.json carries provenance and status, even with broken text") {
   const test::TemporaryFolder folder;
   const auto run = RunDirectory::create(at(folder.path())).value();

@@ -52,6 +52,9 @@ TEST_CASE("a killed run, without run.json and configuration, has a page too") {
   test::recordRichRun(folder.path(), 5, "killed");
   const std::string text = html({makePage(folder.path(), {}).value()});
   CHECK(contains(text, "<td>frames</td><td>5</td>"));
+  CHECK_FALSE(contains(text, "was killed"));  // nobody knows without run.json
+  std::ofstream(folder.path() / "run.json") << R"({"status": "running"})";
+  CHECK(contains(html({makePage(folder.path(), {}).value()}), "This run was killed."));
 }
 
 TEST_CASE("several runs stand side by side") {
