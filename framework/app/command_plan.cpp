@@ -108,8 +108,9 @@ void print(const Plan& plan, const MapGraph& graph) {
     std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", leg.experience, p.x(),
                              p.z(), leg.seconds, leg.metres);
   }
-  std::cout << fmt::format("{} experiences, {:.1f} m, {:.1f} s\n", plan.route.legs.size(),
-                           plan.route.metres(), plan.route.seconds());
+  std::cout << fmt::format("{} experience{}, {:.1f} m, {:.1f} s\n", plan.route.legs.size(),
+                           plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(),
+                           plan.route.seconds());
   for (const End& end : {plan.from, plan.to}) {
     if (end.away_m) {
       std::cout << fmt::format("{} is {:.1f} m from experience {}, the nearest\n", end.asked,

@@ -12,6 +12,8 @@
 namespace tolman::app {
 namespace {
 
+constexpr std::size_t kMostUnits = 1'000'000;
+
 /// As a person counts them, from 1.
 struct UnitOptions {
   std::size_t head_direction = 1;
@@ -25,13 +27,13 @@ std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
   command
       .add_option("--hd-unit", units->head_direction,
                   "Head direction unit whose firing rate is drawn, from 1 (default: 1)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(std::size_t{1}, kMostUnits));
   command
       .add_option("--grid-unit", units->grid,
                   "Row,column of the grid unit whose firing rate is drawn, from 1 (default: 1,1)")
       ->delimiter(',')
       ->expected(2)
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(std::size_t{1}, kMostUnits));
   return units;
 }
 

@@ -15,7 +15,7 @@ struct GraphParts {
   std::int64_t count = 0;
 };
 
-/// By links that the optimiser has not given up.
+/// By loops that the optimiser has not given up, and by what was driven.
 GraphParts partsOf(const MapGraph& graph);
 
 }  // namespace tolman::record

@@ -76,12 +76,13 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
             .find("has no session 2; the last is 1") != std::string::npos);
 }
 
-TEST_CASE("parts of a map hang together by links that are believed") {
+TEST_CASE("parts of a map hang together by loops that are believed, and by what was driven") {
   MapGraph graph = chainOf(6);
   join(graph, 0, 1);
   join(graph, 3, 2);
   join(graph, 4, 5);
   join(graph, 5, 1, 0.01);  // given up
+  graph.links.back().kind = LinkKind::Loop;
   GraphParts parts = partsOf(graph);
   CHECK(parts.count == 3);
   CHECK(parts.of_experience == std::vector<std::int64_t>{0, 0, 1, 1, 2, 2});
@@ -89,5 +90,7 @@ TEST_CASE("parts of a map hang together by links that are believed") {
   parts = partsOf(graph);
   CHECK(parts.count == 2);
   CHECK(parts.of_experience == std::vector<std::int64_t>{0, 0, 1, 1, 0, 0});
+  join(graph, 3, 4, 0.01);  // driven, though a robust loss makes little of its length
+  CHECK(partsOf(graph).count == 1);
   CHECK(partsOf(MapGraph{}).count == 0);
 }

@@ -10,9 +10,15 @@ namespace tolman::place_replay {
 namespace {
 
 constexpr std::string_view kMagic = "TLMPLRPL";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr std::uint64_t kStateVersion = 2;
 constexpr std::int64_t kNothing = -1;
 using RandomWords = std::array<std::uint64_t, sizeof(RandomStream) / sizeof(std::uint64_t)>;
+
+/// Null where the frame has none of that name.
+const NamedArray* sensor(const Frame& frame, std::string_view name) {
+  const auto found = std::ranges::find(frame.sensors, name, &NamedArray::name);
+  return found == frame.sensors.end() ? nullptr : &*found;
+}
 
 }  // namespace
 
@@ -28,6 +34,7 @@ Status PlaceReplay::reset() {
   random_ = RandomStream(seed_);
   views_.clear();
   templates_ = 0;
+  last_look_.reset();
   owed_.reset();
   return Status::ok();
 }
@@ -54,12 +61,22 @@ void PlaceReplay::claim(const View& view, const PlanarPose& here_in_earlier,
   observation.covariance.diagonal() << p, p, p, h, h, h;
 }
 
+/// Looks count from the last one, so that they fall into step with those that the source knows of.
+bool PlaceReplay::isLook(const Frame& frame) {
+  const NamedArray* looked = sensor(frame, "place.looked");
+  const NamedArray* alike = sensor(frame, "place.candidate");
+  const bool known = (looked != nullptr && !looked->values.empty() && looked->values[0] > 0) ||
+                     (alike != nullptr && !alike->values.empty());
+  const bool due =
+      !last_look_ || std::abs(frame.source_index - *last_look_) >= parameters_.view_step;
+  if (known || due) last_look_ = frame.source_index;
+  return known || due;
+}
+
 /// The first candidate whose view is known.
 bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
-  const auto alike =
-      std::find_if(frame.sensors.begin(), frame.sensors.end(),
-                   [](const NamedArray& array) { return array.name == "place.candidate"; });
-  if (alike == frame.sensors.end()) return false;
+  const NamedArray* alike = sensor(frame, "place.candidate");
+  if (alike == nullptr) return false;
   for (std::size_t i = 0; i + 4 <= alike->values.size(); i += 4) {
     const auto number = [&](std::size_t k) { return static_cast<double>(alike->values[i + k]); };
     const auto view = views_.find(std::llround(number(0)));
@@ -89,11 +106,12 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
   observation.stamp_ns = frame.stamp_ns;
   // A frame that nothing is known to lead to is no step after the view that is still owed.
   if (motion && motion->state == TrackingState::Initialising) owed_.reset();
+  const bool look = isLook(frame);
   if (recognise(frame, observation) || invent(frame, observation)) {
     owed_ = frame.source_index;
     return Status::ok();
   }
-  if (frame.source_index % parameters_.view_step == 0) {
+  if (look) {
     owed_.reset();
     makeTemplate(frame.source_index, {}, observation);
     return Status::ok();
@@ -110,6 +128,7 @@ Status PlaceReplay::save(std::ostream& stream) const {
   StateWriter writer;
   for (const std::uint64_t word : std::bit_cast<RandomWords>(random_)) writer.put(word);
   writer.put(templates_);
+  writer.put(last_look_.value_or(kNothing));
   writer.put(owed_.value_or(kNothing));
   writer.put(static_cast<std::int64_t>(views_.size()));
   for (const auto& [source_index, view] : views_) {
@@ -136,6 +155,8 @@ Status PlaceReplay::read(StateReader& reader) {
   for (std::uint64_t& word : words) word = reader.get<std::uint64_t>();
   random_ = std::bit_cast<RandomStream>(words);
   templates_ = reader.get<std::int64_t>();
+  const auto last_look = reader.get<std::int64_t>();
+  if (last_look != kNothing) last_look_ = last_look;
   const auto owed = reader.get<std::int64_t>();
   if (owed != kNothing) owed_ = owed;
   bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; });

@@ -23,36 +23,39 @@ struct ReplayParameters {
 
   static constexpr auto declaration() {
     using P = ReplayParameters;
-    return parameters(parameter("view_step", &P::view_step)
-                          .range(1, 1000)
-                          .unit("frames")
-                          .doc("Every how many frames of the data set the detector looked."),
-                      parameter("relative_pose", &P::relative_pose)
-                          .doc("Give the candidate's offset as a measured pose."),
-                      parameter("sigma_position", &P::sigma_position)
-                          .range(1e-3, 100)
-                          .unit("m")
-                          .doc("Reported standard deviation of that pose's position."),
-                      parameter("sigma_heading", &P::sigma_heading)
-                          .range(1e-4, 3)
-                          .unit("rad")
-                          .doc("Reported standard deviation of its heading."),
-                      parameter("kept", &P::kept)
-                          .range(0, 1)
-                          .doc("Share of the recorded candidates that are handed on."),
-                      parameter("invented", &P::invented)
-                          .range(0, 1)
-                          .doc("Share of the other frames at which any old view is claimed."),
-                      parameter("invented_age", &P::invented_age)
-                          .range(1, 1e9)
-                          .unit("frames")
-                          .doc("How old such a view is at least."));
+    return parameters(
+        parameter("view_step", &P::view_step)
+            .range(1, 1000)
+            .unit("frames")
+            .doc("Frames of the data set from a look of the detector to its next one; where "
+                 "candidates begin or end it looked anyway."),
+        parameter("relative_pose", &P::relative_pose)
+            .doc("Give the candidate's offset as a measured pose."),
+        parameter("sigma_position", &P::sigma_position)
+            .range(1e-3, 100)
+            .unit("m")
+            .doc("Reported standard deviation of that pose's position."),
+        parameter("sigma_heading", &P::sigma_heading)
+            .range(1e-4, 3)
+            .unit("rad")
+            .doc("Reported standard deviation of its heading."),
+        parameter("kept", &P::kept)
+            .range(0, 1)
+            .doc("Share of the recorded candidates that are handed on."),
+        parameter("invented", &P::invented)
+            .range(0, 1)
+            .doc("Share of the other frames at which any old view is claimed."),
+        parameter("invented_age", &P::invented_age)
+            .range(1, 1e9)
+            .unit("frames")
+            .doc("How old such a view is at least."));
   }
 };
 
-/// A candidate "frame i looks like frame j" is the template of j seen again at i. Each view that
-/// is not recognised makes a template; one that is makes its own with the next frame, so that it
-/// can be recognised, too.
+/// A candidate "frame i looks like frame j" is the template of j seen again at i. The detector
+/// looks every few frames and where the source says so (`place.looked`). Each view that is not
+/// recognised makes a template; one that is makes its own with the next frame, so that it can be
+/// recognised, too.
 class PlaceReplay final : public Place, public StateKeeper {
  public:
   using Parameters = ReplayParameters;
@@ -73,6 +76,7 @@ class PlaceReplay final : public Place, public StateKeeper {
   };
   void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                     PlaceObservation& observation);
+  bool isLook(const Frame& frame);
   bool recognise(const Frame& frame, PlaceObservation& observation);
   bool invent(const Frame& frame, PlaceObservation& observation);
   void claim(const View& view, const PlanarPose& here_in_earlier,
@@ -85,7 +89,8 @@ class PlaceReplay final : public Place, public StateKeeper {
   RandomStream random_{0};
   std::map<std::int64_t, View> views_;  ///< by source index
   std::int64_t templates_ = 0;
-  std::optional<std::int64_t> owed_;  ///< source index of a recognised view without a template
+  std::optional<std::int64_t> last_look_;  ///< source index
+  std::optional<std::int64_t> owed_;       ///< source index of a recognised view without a template
 };
 
 }  // namespace tolman::place_replay

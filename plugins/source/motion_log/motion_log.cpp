@@ -48,13 +48,19 @@ Status MotionLog::loadCandidates() {
   if (!edges.isOk()) return edges.status();
   const auto count = static_cast<std::int64_t>(poses_.size());
   for (const Edge& edge : edges.value()) {
-    if (edge.to >= edge.from || edge.from >= count) {
-      return Status::invalidInput(file.string() + ":" + std::to_string(edge.line) +
-                                  ": leads from frame " + std::to_string(edge.from) + " to " +
+    const std::string place = file.string() + ":" + std::to_string(edge.line) + ": ";
+    if (edge.from >= count) {
+      return Status::invalidInput(place + "there is no frame " + std::to_string(edge.from) +
+                                  "; the odometry has " + std::to_string(count) +
+                                  ", and the candidates must be of the same drive");
+    }
+    if (edge.to >= edge.from) {
+      return Status::invalidInput(place + "leads from frame " + std::to_string(edge.from) + " to " +
                                   std::to_string(edge.to) +
                                   "; a candidate leads from a frame to an earlier one");
     }
     candidates_.emplace(edge.from, edge);
+    looked_.insert({edge.from, edge.to});
   }
   return Status::ok();
 }
@@ -93,6 +99,13 @@ Status MotionLog::next(Frame& frame) {
   const PlanarPose step = between(at(poses_, before), at(poses_, here));
   const auto f = [](auto value) { return static_cast<float>(value); };
   frame.sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
+  addCandidates(here, frame);
+  ++next_;
+  return Status::ok();
+}
+
+void MotionLog::addCandidates(std::int64_t here, Frame& frame) const {
+  const auto f = [](auto value) { return static_cast<float>(value); };
   NamedArray alike = {"place.candidate", {0, 4}, {}};
   const auto [first, last] = candidates_.equal_range(here);
   for (auto edge = first; edge != last; ++edge, ++alike.shape[0]) {
@@ -100,8 +113,7 @@ Status MotionLog::next(Frame& frame) {
     alike.values.insert(alike.values.end(), {f(edge->second.to), f(m.x), f(m.y), f(m.theta)});
   }
   frame.sensors.push_back(std::move(alike));
-  ++next_;
-  return Status::ok();
+  frame.sensors.push_back({"place.looked", {1}, {looked_.contains(here) ? 1.0F : 0.0F}});
 }
 
 Status MotionLog::inspect(std::vector<Finding>& findings) {

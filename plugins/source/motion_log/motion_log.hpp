@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -57,6 +58,7 @@ struct LogParameters : FrameSelection {
 /// Frames without images. What was measured rides in Frame::sensors, for the replay plugins:
 ///   motion.planar    {3}     x (forward), y (left) in m, theta in rad since the frame before
 ///   place.candidate  {n, 4}  source index of a frame that looks alike, its x, y, theta from here
+///   place.looked     {1}     1 where a candidate begins or ends: the detector looked there; else 0
 class MotionLog final : public Source {
  public:
   using Parameters = LogParameters;
@@ -70,12 +72,14 @@ class MotionLog final : public Source {
  private:
   Status load();
   Status loadCandidates();
+  void addCandidates(std::int64_t here, Frame& frame) const;
 
   Parameters parameters_;
   Status ready_ = Status::failed("configure() was not called");
   std::vector<PlanarPose> poses_;  ///< by odometry
   std::vector<PlanarPose> truth_;  ///< empty without
   std::multimap<std::int64_t, Edge> candidates_;
+  std::set<std::int64_t> looked_;  ///< ends of candidates
   FrameSequence sequence_;
   std::int64_t next_ = 0;
 };

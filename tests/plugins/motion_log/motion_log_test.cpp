@@ -50,7 +50,7 @@ std::vector<Frame> drive(const ParameterValues& values) {
 }
 
 const std::vector<float>& motionOf(const Frame& frame) {
-  REQUIRE(frame.sensors.size() == 2);
+  REQUIRE(frame.sensors.size() == 3);
   REQUIRE(frame.sensors[0].name == "motion.planar");
   return frame.sensors[0].values;
 }
@@ -88,6 +88,9 @@ TEST_CASE("frames carry motion, candidates and truth") {
   CHECK(alike.shape == std::vector<int>{2, 4});
   CHECK(alike.values == std::vector<float>{0, 0.5F, 0.25F, 0.1F, 1, 0, 0, 0});
   CHECK(frames[3].sensors[1].values.empty());
+  std::vector<float> looked;  // where candidates begin or end
+  for (const Frame& frame : frames) looked.push_back(frame.sensors[2].values.at(0));
+  CHECK(looked == std::vector<float>{1, 1, 0, 0, 1});
 }
 
 TEST_CASE("steps compose the motion, the way back inverts it") {
@@ -140,6 +143,12 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     CHECK(refusal(square) ==
           "loop_candidates.g2o:1: leads from frame 1 to 3; a candidate leads from a frame to an "
           "earlier one");
+  }
+  SECTION("a candidate beyond the end") {
+    square.write("loop_candidates.g2o", "EDGE_SE2 9 3 0 0 0\n");
+    CHECK(refusal(square) ==
+          "loop_candidates.g2o:1: there is no frame 9; the odometry has 5, and the candidates must "
+          "be of the same drive");
   }
 }
 

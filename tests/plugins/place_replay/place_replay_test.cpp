@@ -18,9 +18,10 @@ struct Replay {
     REQUIRE(place.configure(context).isOk());
   }
   /// Drives 1 m forward to the next frame and looks; `alike` are rows of place.candidate.
-  PlaceObservation look(const std::vector<float>& alike = {}) {
+  PlaceObservation look(const std::vector<float>& alike = {}, bool looked = false) {
     Frame frame;
     frame.frame = frame.source_index = next++;
+    if (looked) frame.sensors.push_back({"place.looked", {1}, {1}});
     frame.sensors.push_back({"place.candidate", {static_cast<int>(alike.size() / 4), 4}, alike});
     Motion motion;
     motion.state = TrackingState::Tracking;
@@ -45,6 +46,18 @@ TEST_CASE("every fifth view makes a template, the others say nothing") {
     CHECK(seen.recognition == (i % 5 == 0 ? Recognition::Novel : Recognition::None));
     CHECK(seen.template_id == (i % 5 == 0 ? i / 5 : -1));
   }
+}
+
+TEST_CASE("where the source knows that the detector looked it did, and looks go on from there") {
+  Replay replay;
+  for (int i = 0; i < 20; ++i) {
+    const bool looked = i == 7;  // not among 0, 5, 10
+    const bool makes = i == 0 || i == 5 || i == 7 || i == 12 || i == 17;
+    CHECK((replay.look({}, looked).recognition == Recognition::Novel) == makes);
+  }
+  const PlaceObservation seen = replay.look({7, 0, 0, 0});
+  CHECK(seen.recognition == Recognition::Familiar);
+  CHECK(seen.template_id == 2);
 }
 
 TEST_CASE("a candidate is its template seen again, with the offset turned round") {
