@@ -184,7 +184,7 @@ void Chain::count(const Packet& packet) {
   }
   counters_.lost_at_end = lost;
   if (packet.leave_out_place) ++counters_.place_left_out;
-  if (packet.place.recognition == Recognition::Novel) ++counters_.templates;
+  counters_.templates = std::max(counters_.templates, packet.place.template_id + 1);
   counters_.experiences = packet.map.experiences;
   counters_.links = packet.map.links;
   counters_.loops = packet.map.loops;

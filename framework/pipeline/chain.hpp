@@ -37,7 +37,7 @@ struct Counters {
   std::int64_t defects = 0;  ///< frames without a sound image
   std::int64_t lost = 0;     ///< frames with odometry lost
   std::int64_t place_left_out = 0;
-  std::int64_t templates = 0;
+  std::int64_t templates = 0;  ///< with those of sessions before, as the map
   std::int64_t experiences = 0;
   std::int64_t links = 0;
   std::int64_t loops = 0;

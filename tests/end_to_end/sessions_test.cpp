@@ -95,6 +95,7 @@ TEST_CASE("a second session joins the map of the first, as good as in one go") {
 
   const auto metrics = readJson(second / "metrics.json");
   CHECK(metrics["parts"] == 1);
+  CHECK(readJson(second / "run.json")["counters"]["templates"] == metrics["templates"]);
   REQUIRE(metrics["sessions"].size() == 2);
   CHECK(metrics["sessions"][1]["first_frame"] == cut.middle + 1);
   CHECK(metrics["map"]["matched"] == cut.middle + 1 + cut.last - cut.first + 1);
