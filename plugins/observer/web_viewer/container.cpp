@@ -40,6 +40,7 @@ std::string encodeContainer(nlohmann::json header, const std::vector<PackedArray
   std::ranges::copy(text, message.begin() + sizeof length);
   char* next = message.data() + aligned(sizeof length + text.size());
   for (const PackedArray& array : arrays) {
+    // NOLINTNEXTLINE(bugprone-not-null-terminated-result): bytes, not text
     std::memcpy(next, array.bytes->data(), array.bytes->size());
     next += aligned(array.bytes->size());
   }
