@@ -61,7 +61,7 @@ describe('the hands on the page', () => {
 
   it('scrub by slider, keys, plot and list', async () => {
     const page = await openPage(t.browser, t.url);
-    await untilCaughtUp(page, 1);
+    await until(page, () => Number(document.querySelector('#scrub').max) >= 191); // it follows the rows by a picture
     await page.locator('#scrub').fill('100');
     await until(page, () => window.tolman.shownFrame === window.tolman.row(100).frame);
     await page.keyboard.press('ArrowRight');
