@@ -46,6 +46,13 @@ struct End {
   std::optional<double> away_m;  ///< of a place: from the experience
 };
 
+/// Right and forward, m.
+Eigen::Vector2d placeOf(std::int64_t experience, const MapGraph& graph) {
+  const Eigen::Vector3d p =
+      graph.experiences[static_cast<std::size_t>(experience)].T_world_experience.translation();
+  return {p.x(), p.z()};
+}
+
 /// "17", or "12.5,-30": the experience nearest to metres right and forward.
 Result<End> endOf(const std::string& text, const MapGraph& graph) {
   std::int64_t id = -1;
@@ -61,9 +68,7 @@ Result<End> endOf(const std::string& text, const MapGraph& graph) {
   }
   id = planning::nearestExperience(firstPart(graph), place);
   if (id < 0) return End{text, id, std::nullopt};  // the search says that it is not in the map
-  const Eigen::Vector3d p =
-      graph.experiences[static_cast<std::size_t>(id)].T_world_experience.translation();
-  return End{text, id, (Eigen::Vector2d(p.x(), p.z()) - place).norm()};
+  return End{text, id, (placeOf(id, graph) - place).norm()};
 }
 
 struct Plan {
@@ -71,11 +76,6 @@ struct Plan {
   End to;
   planning::Route route;
 };
-
-Eigen::Vector3d placeOf(const planning::Leg& leg, const MapGraph& graph) {
-  return graph.experiences[static_cast<std::size_t>(leg.experience)]
-      .T_world_experience.translation();
-}
 
 nlohmann::ordered_json toJson(const End& end) {
   nlohmann::ordered_json json = {{"asked", end.asked}, {"experience", end.experience}};
@@ -86,10 +86,10 @@ nlohmann::ordered_json toJson(const End& end) {
 nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
   nlohmann::ordered_json legs = nlohmann::ordered_json::array();
   for (const planning::Leg& leg : plan.route.legs) {
-    const Eigen::Vector3d p = placeOf(leg, graph);
+    const Eigen::Vector2d p = placeOf(leg.experience, graph);
     legs.push_back({{"experience", leg.experience},
                     {"right_m", p.x()},
-                    {"forward_m", p.z()},
+                    {"forward_m", p.y()},
                     {"seconds", leg.seconds},
                     {"metres", leg.metres}});
   }
@@ -104,9 +104,9 @@ void print(const Plan& plan, const MapGraph& graph) {
   std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m", "forward m",
                            "time s", "way m");
   for (const planning::Leg& leg : plan.route.legs) {
-    const Eigen::Vector3d p = placeOf(leg, graph);
+    const Eigen::Vector2d p = placeOf(leg.experience, graph);
     std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", leg.experience, p.x(),
-                             p.z(), leg.seconds, leg.metres);
+                             p.y(), leg.seconds, leg.metres);
   }
   std::cout << fmt::format("{} experience{}, {:.1f} m, {:.1f} s\n", plan.route.legs.size(),
                            plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(),

@@ -2,7 +2,6 @@
 #include "app/view.hpp"
 
 #include <chrono>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -17,15 +16,8 @@ constexpr auto kPollPeriod = 500ms;  // as often as the recorder commits
 
 Failure dataFailure(const Status& status) { return {ExitCode::Dataset, status.message()}; }
 
-/// run.json; an empty object for a run that has none.
-nlohmann::json runFile(const std::filesystem::path& run) {
-  std::ifstream stream(run / "run.json");
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
-  return json.is_object() ? json : nlohmann::json::object();
-}
-
 /// What the run's source has said of itself.
-SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::json& file) {
+SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::ordered_json& file) {
   SourceInfo info;
   const auto rigs = reader.records<CameraRig>();
   if (rigs.isOk() && !rigs.value().empty()) info.rig = rigs.value().front();
@@ -114,7 +106,7 @@ std::optional<Failure> View::beginRun(const record::RunReader& reader, bool runn
     listener_.note("the run was killed; what it had recorded is shown");
   }
   info.directory = std::filesystem::absolute(options_.run).lexically_normal().string();
-  info.source = sourceInfo(reader, runFile(options_.run));
+  info.source = sourceInfo(reader, record::RunDirectory::readRunFile(options_.run));
   if (!running) info.source.frames = counters.value().frames;
   listener_.loading(counters.value().frames);
   const Status status = observer_->begin(info);

@@ -86,11 +86,16 @@ bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
   return descriptor.isOpen() && ::flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0;
 }
 
+nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& path) {
+  std::ifstream file(path / "run.json", std::ios::binary);
+  auto json = nlohmann::ordered_json::parse(file, nullptr, false);
+  return json.is_discarded() ? nullptr : json;
+}
+
 bool RunDirectory::wasKilled(const std::filesystem::path& path) {
-  std::ifstream file(path / "run.json");
-  const auto json = nlohmann::json::parse(file, nullptr, false);
-  const bool running =
-      json.is_object() && json.value("status", nlohmann::json()) == enumName(RunState::Running);
+  const auto json = readRunFile(path);
+  const auto status = json.find("status");  // the end also of what is no object
+  const bool running = status != json.end() && *status == enumName(RunState::Running);
   return running && !isBeingWritten(path);
 }
 

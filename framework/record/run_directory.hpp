@@ -37,6 +37,8 @@ class RunDirectory {
 
   /// Whether a run is writing there at this moment.
   static bool isBeingWritten(const std::filesystem::path& path);
+  /// run.json of the run there; null where there is none, or none that is JSON.
+  static nlohmann::ordered_json readRunFile(const std::filesystem::path& path);
   /// Whether the run there came to no end: nobody writes, and run.json says that it is running.
   static bool wasKilled(const std::filesystem::path& path);
 

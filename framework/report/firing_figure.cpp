@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "report/axes.hpp"
 #include "report/colour_map.hpp"
@@ -44,8 +43,7 @@ std::string periodicityText(const Neurons& neurons, const GridUnit& unit) {
   if (!unit.periodicity || !neurons.chance) return "too narrow a way to tell of a square lattice";
   const Periodicity& lattice = *unit.periodicity;
   return fmt::format("square lattice {:.2f}, by chance {:.2f}: {:.0f} m at {:.0f} deg",
-                     lattice.score, *neurons.chance, lattice.spacing,
-                     lattice.direction * 180 / std::numbers::pi);
+                     lattice.score, *neurons.chance, lattice.spacing, lattice.direction * kDegrees);
 }
 
 /// Each of its fields in a ring.
@@ -80,9 +78,8 @@ void drawTuning(Svg& svg, const Eigen::Vector2d& corner, const std::string& titl
                   {0, std::max(1.05 * most, 1e-9)},
                   panel(corner)});
   axes.polyline(degrees, curve.rate, kBlue, 2);
-  axes.legend(
-      {{kBlue, fmt::format("mean vector length {:.2f} towards {:.0f} deg", curve.mean_vector_length,
-                           curve.preferred * 180 / std::numbers::pi)}});
+  axes.legend({{kBlue, fmt::format("mean vector length {:.2f} towards {:.0f} deg",
+                                   curve.mean_vector_length, curve.preferred * kDegrees)}});
 }
 
 }  // namespace

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <numbers>
 #include <vector>
 
 namespace tolman::report {
+
+inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< in a radian
 
 /// One visit of a place: where, which way, and how strongly the unit fired.
 struct Sample {

@@ -13,7 +13,6 @@ using Json = nlohmann::ordered_json;
 constexpr int kTuningBins = 36;
 constexpr std::size_t kChances = 100;  // at least so many shifted units
 constexpr double kShortestShift = 0.05;
-constexpr double kDegrees = 180 / std::numbers::pi;
 
 std::vector<HeadDirectionUnit> measureRing(const PopulationHistory& ring,
                                            const evaluation::Trajectory& map) {

@@ -198,11 +198,9 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data, const Un
                directory.filename().string(),
                {},
                nullptr,
-               nullptr,
-               textOf(directory / "config.resolved.yaml")};
-  const Json provenance = Json::parse(textOf(directory / "run.json"), nullptr, false);
-  if (!provenance.is_discarded()) page.provenance = provenance;
-  page.killed = record::RunDirectory::wasKilled(directory);
+               record::RunDirectory::readRunFile(directory),
+               textOf(directory / "config.resolved.yaml"),
+               record::RunDirectory::wasKilled(directory)};
   const Status drawn = addFigures(page, reader, units);
   if (!drawn.isOk()) return drawn;
   return page;

@@ -7,6 +7,16 @@
 namespace tolman::motion_log {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// As sensors carry numbers.
+template <class T>
+float f(T value) {
+  return static_cast<float>(value);
+}
+
+}  // namespace
+
 Status MotionLog::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return ready_ = bound.status();
@@ -97,7 +107,6 @@ Status MotionLog::next(Frame& frame) {
   }
   const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(next_ - 1, 0));
   const PlanarPose step = between(at(poses_, before), at(poses_, here));
-  const auto f = [](auto value) { return static_cast<float>(value); };
   frame.sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
   addCandidates(here, frame);
   ++next_;
@@ -105,7 +114,6 @@ Status MotionLog::next(Frame& frame) {
 }
 
 void MotionLog::addCandidates(std::int64_t here, Frame& frame) const {
-  const auto f = [](auto value) { return static_cast<float>(value); };
   NamedArray alike = {"place.candidate", {0, 4}, {}};
   const auto [first, last] = candidates_.equal_range(here);
   for (auto edge = first; edge != last; ++edge, ++alike.shape[0]) {
