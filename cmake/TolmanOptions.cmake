@@ -14,6 +14,9 @@ endif()
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG") # hot plugins ask for -O3 themselves
 
+# Some libraries ask for it; a precompiled header serves all targets only where all have it.
+add_compile_options(-pthread)
+
 if(TOLMAN_MARCH_V3)
   add_compile_options(-march=x86-64-v3)
 endif()
