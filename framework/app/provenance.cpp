@@ -95,6 +95,12 @@ void addOutcome(Json& json, const pipeline::Outcome& outcome, ExitCode code) {
                       {"lost", n.lost},           {"place_left_out", n.place_left_out},
                       {"templates", n.templates}, {"experiences", n.experiences},
                       {"links", n.links},         {"loops", n.loops}};
+  Json finish = Json::object();
+  for (std::size_t role = 0; role < outcome.finish_times_ns.size(); ++role) {
+    const std::int64_t ns = outcome.finish_times_ns[role];
+    if (ns > 0) finish[std::string(kRoleNames[role])] = 1e-9 * static_cast<double>(ns);
+  }
+  json["finish_s"] = finish;
 }
 
 }  // namespace tolman::app

@@ -30,7 +30,10 @@ std::string healthText(const pipeline::Outcome& outcome, double wall_seconds) {
   text += fmt::format("{:<10}{} templates, {} experiences, {} links, {} loop{}\n", "memory",
                       n.templates, n.experiences, n.links, n.loops, n.loops == 1 ? "" : "s");
   const double rate = wall_seconds > 0 ? static_cast<double>(n.frames) / wall_seconds : 0;
-  return text + fmt::format("{:<10}{:.1f} s, {:.1f} frames/s\n", "time", wall_seconds, rate);
+  text += fmt::format("{:<10}{:.1f} s, {:.1f} frames/s", "time", wall_seconds, rate);
+  const std::int64_t last_ns = outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)];
+  return text +
+         fmt::format("; the map's last work {:.2f} s\n", 1e-9 * static_cast<double>(last_ns));
 }
 
 std::string figuresText(const evaluation::Metrics& metrics) {

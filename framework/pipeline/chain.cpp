@@ -212,18 +212,23 @@ void Chain::tellTrajectory() {
 void Chain::finish() {
   std::vector<MotionRevision> revisions;
   MapGraph graph;
-  const auto step = [&](const Status& status, config::FailurePolicy policy, std::string_view role) {
-    (void)resolve(status, policy, -1, role);
+  const auto step = [&](Role role, config::FailurePolicy policy, const auto& work) {
+    Status status;
+    {
+      const StageTimer timer(finish_times_ns_, role);
+      status = work();
+    }
+    (void)resolve(status, policy, -1, enumName(role));
+    return status.isOk();
   };
-  step(stages_.odometry.finish(revisions), policies_.odometry, "odometry");
-  step(stages_.place.finish(), policies_.place, "place");
-  step(stages_.cells.finish(), policies_.cells, "cells");
+  step(Role::Odometry, policies_.odometry, [&] { return stages_.odometry.finish(revisions); });
+  step(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
+  step(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
-  step(stages_.map.finish(revisions), policies_.map, "map");
+  step(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
   tellTrajectory();
-  const Status status = stages_.map.graph(graph);
-  step(status, policies_.map, "map");
-  if (!status.isOk()) {
+  const bool known = step(Role::Map, policies_.map, [&] { return stages_.map.graph(graph); });
+  if (!known) {
     if (policies_.map == config::FailurePolicy::Stop) return;
     graph = MapGraph();  // what was published stays; the others still hear of the end
   }

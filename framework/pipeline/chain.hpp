@@ -79,6 +79,8 @@ class Chain {
   void admit(Packet& packet);
   /// Frames that went in and have not passed place recognition.
   int placeBacklog() const { return place_backlog_; }
+  /// What finish() took of each stage.
+  const StageTimes& finishTimes() const { return finish_times_ns_; }
   const Counters& counters() const { return counters_; }
   Counters& counters() { return counters_; }
   Stages& stages() { return stages_; }
@@ -100,6 +102,7 @@ class Chain {
   Listener& listener_;
   bool place_needs_motion_;
   Counters counters_;
+  StageTimes finish_times_ns_{};
   std::optional<Status> failure_;
   std::optional<Status> input_failure_;
   FailureTally failures_;  // by role

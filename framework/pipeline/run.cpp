@@ -25,7 +25,7 @@ Outcome run(Chain& chain, const config::PipelineSettings& options, int threads,
     interrupted = cancellation.requested();
     chain.finish();  // an observer may serve on until it is told to end
   });
-  return {chain.result(), interrupted, chain.counters()};
+  return {chain.result(), interrupted, chain.counters(), chain.finishTimes()};
 }
 
 }  // namespace tolman::pipeline

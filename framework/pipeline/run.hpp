@@ -12,6 +12,7 @@ struct Outcome {
   Status status;             ///< Ok, or the failure that stopped the run
   bool interrupted = false;  ///< Cancellation ended it early; what was done is complete
   Counters counters;
+  StageTimes finish_times_ns{};  ///< what finish() took of each stage
 };
 
 /// How many threads `threads` means (0: all cores).

@@ -33,18 +33,14 @@ double meanSpeed(const MapGraph& graph) {
   return metres > 0 && seconds > 0 ? metres / seconds : 1;
 }
 
-/// Loops that the optimiser has given up lead nowhere; what was driven can be driven again.
+/// Links lead both ways. Those that a damaged record has made endless lead nowhere.
 Network networkOf(const MapGraph& graph) {
-  constexpr double kLeastWeight = 0.1;
-  constexpr double kLeastOdometry = 1e-6;
   const double speed = meanSpeed(graph);
   Network network(graph.experiences.size());
   for (const Link& link : graph.links) {
     const double metres = lengthOf(link);
     const double seconds = link.duration > 0 ? link.duration : metres / speed;
-    // Neither do those that a damaged record has made endless.
-    const double least = link.kind == LinkKind::Loop ? kLeastWeight : kLeastOdometry;
-    if (link.weight < least || !std::isfinite(metres) || !std::isfinite(seconds)) continue;
+    if (!link.isBelieved() || !std::isfinite(metres) || !std::isfinite(seconds)) continue;
     const auto from = static_cast<std::size_t>(link.from);
     const auto to = static_cast<std::size_t>(link.to);
     network.at(from).push_back({to, seconds, metres});

@@ -17,13 +17,10 @@ std::size_t rootOf(std::vector<std::size_t>& parents, std::size_t i) {
 }  // namespace
 
 GraphParts partsOf(const MapGraph& graph) {
-  constexpr double kLeastWeight = 0.1;  // these two as for planning
-  constexpr double kLeastOdometry = 1e-6;
   std::vector<std::size_t> parents(graph.experiences.size());
   std::iota(parents.begin(), parents.end(), 0);
   for (const Link& link : graph.links) {
-    // What was driven was driven, however little a robust loss leaves of its length.
-    if (!(link.weight >= (link.kind == LinkKind::Loop ? kLeastWeight : kLeastOdometry))) continue;
+    if (!link.isBelieved()) continue;
     const std::size_t a = rootOf(parents, static_cast<std::size_t>(link.from));
     const std::size_t b = rootOf(parents, static_cast<std::size_t>(link.to));
     parents[std::max(a, b)] = std::min(a, b);

@@ -12,10 +12,11 @@ TEST_CASE("health comes first, in one block") {
   outcome.counters.skipped = 1;
   outcome.counters.templates = 7;
   outcome.counters.loops = 3;
+  outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)] = 1'250'000'000;
   CHECK(app::healthText(outcome, 5.0) ==
         "frames    50 processed, 2 dropped, 1 skipped, 0 without image, 0 lost\n"
         "memory    7 templates, 0 experiences, 0 links, 3 loops\n"
-        "time      5.0 s, 10.0 frames/s\n");
+        "time      5.0 s, 10.0 frames/s; the map's last work 1.25 s\n");
 }
 
 TEST_CASE("figures name their alignment, coverage and segments") {

@@ -150,6 +150,22 @@ TEST_CASE("what nothing joins is said to be apart") {
   CHECK(contains(way.err, "no loop has joined"));
 }
 
+TEST_CASE("the recorded candidates of another drive find nothing in this one's map") {
+  const auto earlier = dataOrSkip("kitti_motion/00");
+  const auto later = dataOrSkip("kitti_motion/06");
+  if (!earlier || !later) return;
+  const TemporaryFolder out;
+  const std::string first = (out.path() / "first").string();
+  const std::string second = (out.path() / "second").string();
+  REQUIRE(drive(*earlier, first, 0, 4540).exit_code == 0);
+  const Finished two = drive(*later, second, 0, 1100, {}, first);
+  REQUIRE(two.exit_code == 0);
+  CHECK(contains(readText(fs::path(second) / "log.txt"), "another drive"));
+  const auto metrics = readJson(fs::path(second) / "metrics.json");
+  CHECK(metrics["parts"] == 2);
+  CHECK(metrics["map"]["ate"]["rmse_m"].get<double>() < 2.5);  // as without the first session
+}
+
 TEST_CASE("a state that does not fit is refused in one sentence, with exit code 9") {
   const auto data = dataOrSkip("kitti_motion/07");
   if (!data) return;

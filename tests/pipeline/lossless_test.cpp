@@ -58,6 +58,18 @@ TEST_CASE("every frame is told once, in order, the same for any number of thread
   }
 }
 
+TEST_CASE("what the stages take to finish is told, each for itself") {
+  Hooks hooks;
+  hooks.frames = 2;
+  hooks.map_finish = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  ToySystem system(hooks);
+  const StageTimes times = system.run({}, 1).finish_times_ns;
+  const auto of = [&](Role role) { return times[static_cast<std::size_t>(role)]; };
+  CHECK(of(Role::Map) >= 20'000'000);  // a sleep is never shorter
+  CHECK(of(Role::Odometry) > 0);
+  CHECK(of(Role::Source) == 0);  // has none
+}
+
 TEST_CASE("odometry and place recognition of one frame run side by side") {
   Hooks hooks;
   hooks.frames = 1;

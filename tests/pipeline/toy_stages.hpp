@@ -19,6 +19,7 @@ struct Hooks {
   std::int64_t frames = 30;
   std::function<Status(std::int64_t)> source, odometry, place, cells, map;
   bool place_needs_motion = false;
+  std::function<void()> map_finish;
   bool map_grows = false;  ///< by an experience a frame, else it has one
   std::atomic<int> input_asked = 0;
   std::atomic<int> finished = 0;
@@ -130,6 +131,7 @@ struct ToyMap : Map {
   }
   Status finish(const std::vector<MotionRevision>&) override {
     ++hooks.finished;
+    if (hooks.map_finish) hooks.map_finish();
     return Status::ok();
   }
   Hooks& hooks;

@@ -21,15 +21,17 @@ class Search {
          std::vector<PlanarLink>& links)
       : options_(options), nodes_(nodes), links_(links), system_(nodes.size(), links) {
     for (const PlanarLink& link : links) information_.push_back(informationOf(link.covariance));
+    chi_square_.resize(links.size());
+    measure();
   }
 
   /// From a convex loss to the sharp one. mu = 1 is Geman-McClure's own shape.
   Result<bool> anneal() {
     for (PlanarLink& link : links_) link.weight = 1;
-    if (Result<bool> rough = descend(false); !rough.isOk()) return rough;
+    if (Status rough = descendRoughly(); !rough.isOk()) return rough;
     double worst = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) {
-      if (links_[k].robust) worst = std::max(worst, chiSquare(k));
+      if (links_[k].robust) worst = std::max(worst, chi_square_[k]);
     }
     constexpr double kEase = 1.4;  // the authors' step
     for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
@@ -37,23 +39,24 @@ class Search {
       const Result<double> cost = step();
       if (!cost.isOk()) return cost.status();
     }
-    return descend(true);
+    return descend();
   }
 
   /// Steps until the energy rests, or the iterations are spent.
-  Result<bool> descend(bool reweighing) {
+  Result<bool> descend() {
     double before = energy();
     for (int iteration = 0; iteration < options_.iterations; ++iteration) {
-      if (reweighing && iteration > 0) reweigh(1);
+      if (iteration > 0) reweigh(1);
       if (Result<double> taken = step(); !taken.isOk()) return taken.status();
       const double after = energy();
       if (std::abs(before - after) <= options_.tolerance * before) {
-        if (reweighing) reweigh(1);
+        reweigh(1);
         return true;
       }
+      if (isHopeless(iteration, before - after, after)) break;
       before = after;
     }
-    if (reweighing) reweigh(1);
+    reweigh(1);
     return false;
   }
 
@@ -62,7 +65,7 @@ class Search {
     const double bound = options_.delta * options_.delta;
     double sum = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) {
-      const double chi = chiSquare(k);
+      const double chi = chi_square_[k];
       if (!links_[k].robust) {
         sum += chi;
       } else if (options_.loss == Loss::GemanMcclure) {
@@ -75,17 +78,40 @@ class Search {
   }
 
  private:
-  double chiSquare(std::size_t k) const {
-    const PlanarLink& link = links_[k];
-    const Eigen::Vector3d error = residualOf(link, nodes_[link.from], nodes_[link.to]);
-    return error.dot(information_[k] * error);
+  /// Near enough to the least squares of all links, which only sets out the way of the annealing.
+  Status descendRoughly() {
+    constexpr int kSteps = 20;
+    constexpr double kRest = 0.01;
+    double before = leastSquares();
+    for (int i = 0; i < kSteps; ++i) {
+      if (Result<double> taken = step(); !taken.isOk()) return taken.status();
+      const double after = leastSquares();
+      if (before - after <= kRest * before) break;
+      before = after;
+    }
+    return Status::ok();
+  }
+
+  /// Of all links, for the nodes as they are.
+  void measure() {
+    for (std::size_t k = 0; k < links_.size(); ++k) {
+      const PlanarLink& link = links_[k];
+      const Eigen::Vector3d error = residualOf(link, nodes_[link.from], nodes_[link.to]);
+      chi_square_[k] = error.dot(information_[k] * error);
+    }
+  }
+
+  bool isHopeless(int iteration, double gain, double energy) const {
+    constexpr int kPatience = 10;  // weights need some steps to find their way
+    const int left = options_.iterations - iteration - 1;
+    return iteration >= kPatience && energy - left * gain > options_.rival;
   }
 
   void reweigh(double mu) {
     const double delta = options_.delta;
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (!links_[k].robust) continue;
-      const double chi = chiSquare(k);
+      const double chi = chi_square_[k];
       if (options_.loss == Loss::Huber) {
         links_[k].weight = std::min(1.0, delta / std::max(std::sqrt(chi), 1e-300));
       } else {
@@ -98,7 +124,7 @@ class Search {
   /// With the weights as they are.
   double leastSquares() const {
     double sum = 0;
-    for (std::size_t k = 0; k < links_.size(); ++k) sum += links_[k].weight * chiSquare(k);
+    for (std::size_t k = 0; k < links_.size(); ++k) sum += links_[k].weight * chi_square_[k];
     return sum;
   }
 
@@ -116,12 +142,14 @@ class Search {
         nodes_[k] = {start[k].x + step_[k].x(), start[k].y + step_[k].y(),
                      wrapAngle(start[k].theta + step_[k].z())};
       }
+      measure();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
         damping_ = damping > kLeastDamping ? 0.1 * damping : 0;
         return damping;
       }
     }
     nodes_ = start;  // at a minimum, as far as numbers can tell
+    measure();
     if (before == 0 || system_.solve(0, step_)) return kMostDamping;
     return Status::failed("the normal equations of the map are singular");
   }
@@ -131,6 +159,7 @@ class Search {
   std::vector<PlanarLink>& links_;
   ChainSystem system_;
   std::vector<Eigen::Matrix3d> information_;
+  std::vector<double> chi_square_;  ///< of each link
   std::vector<Eigen::Vector3d> step_;
   double damping_ = 0;
 };
@@ -144,7 +173,7 @@ Result<Outcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose
   std::vector<PlanarLink> weighed = links;
   Search search(options, improved, weighed);
   const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
-  const Result<bool> converged = annealed ? search.anneal() : search.descend(true);
+  const Result<bool> converged = annealed ? search.anneal() : search.descend();
   if (!converged.isOk()) return converged.status();
   const Outcome outcome = {converged.value(), search.energy()};
   nodes = std::move(improved);
@@ -169,11 +198,13 @@ Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& r
     nodes = std::move(from);
     links = std::move(believed);
   };
+  options.annealed = true;
+  attempt(start, as_it_is);
+  options.annealed = false;
+  if (best.isOk()) options.rival = best.value().energy;
   std::vector<PlanarLink> doubted = as_it_is;
   for (PlanarLink& link : doubted) link.weight = link.robust ? kDoubt : 1;
   attempt(reckoned, std::move(doubted));
-  options.annealed = true;
-  attempt(start, as_it_is);
   return best;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <tolman/geometry.hpp>
@@ -37,6 +38,8 @@ struct OptimiserOptions {
   double delta = 1;          ///< Huber: r up to which the loss is quadratic; Geman-McClure: c
   bool annealed = false;     ///< Geman-McClure: forget the weights and go from convex to sharp
   double tolerance = 1e-10;  ///< relative change of the energy that ends the search
+  /// Another way has led to this energy: a search that at its pace will not come below is given up.
+  double rival = std::numeric_limits<double>::infinity();
 };
 
 struct Outcome {

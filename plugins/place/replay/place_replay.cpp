@@ -10,8 +10,9 @@ namespace tolman::place_replay {
 namespace {
 
 constexpr std::string_view kMagic = "TLMPLRPL";
-constexpr std::uint64_t kStateVersion = 2;
+constexpr std::uint64_t kStateVersion = 3;
 constexpr std::int64_t kNothing = -1;
+constexpr float kUnknownDrive = -1;
 using RandomWords = std::array<std::uint64_t, sizeof(RandomStream) / sizeof(std::uint64_t)>;
 
 /// Null where the frame has none of that name.
@@ -27,6 +28,7 @@ Status PlaceReplay::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
   seed_ = context.seed;
+  log_ = &context.log;
   return reset();
 }
 
@@ -34,9 +36,25 @@ Status PlaceReplay::reset() {
   random_ = RandomStream(seed_);
   views_.clear();
   templates_ = 0;
+  drive_.reset();
   last_look_.reset();
   owed_.reset();
   return Status::ok();
+}
+
+/// Candidates are told by numbers of frames, and those of two drives are different places.
+void PlaceReplay::forgetOtherDrives(const Frame& frame) {
+  const NamedArray* drive = sensor(frame, "motion.drive");
+  if (drive == nullptr || drive->values.empty()) return;
+  const float here = drive->values[0];
+  if (drive_ && *drive_ != here) {
+    log_->warning("this is another drive than the " + std::to_string(views_.size()) +
+                  " saved views are of: no candidate leads to them, they are forgotten");
+    views_.clear();
+    last_look_.reset();
+    owed_.reset();
+  }
+  drive_ = here;
 }
 
 void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
@@ -104,6 +122,7 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
                             PlaceObservation& observation) {
   observation.frame = frame.frame;
   observation.stamp_ns = frame.stamp_ns;
+  forgetOtherDrives(frame);
   // A frame that nothing is known to lead to is no step after the view that is still owed.
   if (motion && motion->state == TrackingState::Initialising) owed_.reset();
   const bool look = isLook(frame);
@@ -128,6 +147,7 @@ Status PlaceReplay::save(std::ostream& stream) const {
   StateWriter writer;
   for (const std::uint64_t word : std::bit_cast<RandomWords>(random_)) writer.put(word);
   writer.put(templates_);
+  writer.put(drive_.value_or(kUnknownDrive));
   writer.put(last_look_.value_or(kNothing));
   writer.put(owed_.value_or(kNothing));
   writer.put(static_cast<std::int64_t>(views_.size()));
@@ -155,6 +175,7 @@ Status PlaceReplay::read(StateReader& reader) {
   for (std::uint64_t& word : words) word = reader.get<std::uint64_t>();
   random_ = std::bit_cast<RandomStream>(words);
   templates_ = reader.get<std::int64_t>();
+  if (const auto drive = reader.get<float>(); drive != kUnknownDrive) drive_ = drive;
   const auto last_look = reader.get<std::int64_t>();
   if (last_look != kNothing) last_look_ = last_look;
   const auto owed = reader.get<std::int64_t>();

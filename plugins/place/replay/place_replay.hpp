@@ -74,6 +74,7 @@ class PlaceReplay final : public Place, public StateKeeper {
     std::int64_t template_id = -1;
     PlanarPose in_template;  ///< where the frame was, seen from where the template was made
   };
+  void forgetOtherDrives(const Frame& frame);
   void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                     PlaceObservation& observation);
   bool isLook(const Frame& frame);
@@ -86,9 +87,11 @@ class PlaceReplay final : public Place, public StateKeeper {
 
   Parameters parameters_;
   std::uint64_t seed_ = 0;
+  Logger* log_ = nullptr;
   RandomStream random_{0};
   std::map<std::int64_t, View> views_;  ///< by source index
   std::int64_t templates_ = 0;
+  std::optional<float> drive_;             ///< whose frames the views are, as motion.drive says
   std::optional<std::int64_t> last_look_;  ///< source index
   std::optional<std::int64_t> owed_;       ///< source index of a recognised view without a template
 };

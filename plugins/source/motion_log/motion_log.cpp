@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion_log.hpp"
 
+#include <bit>
 #include <cmath>
 #include <filesystem>
 
@@ -13,6 +14,17 @@ namespace {
 template <class T>
 float f(T value) {
   return static_cast<float>(value);
+}
+
+/// FNV-1a over the poses, of which a float holds 24 bits exactly.
+float digest(const std::vector<PlanarPose>& poses) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const PlanarPose& pose : poses) {
+    for (const double number : {pose.x, pose.y, pose.theta}) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x100000001b3ULL;
+    }
+  }
+  return f(hash >> 40U);
 }
 
 }  // namespace
@@ -29,6 +41,7 @@ Status MotionLog::load() {
   Result<std::vector<PlanarPose>> poses = readChain(folder / parameters_.odometry);
   if (!poses.isOk()) return poses.status();
   poses_ = std::move(poses.value());
+  drive_ = digest(poses_);
   const fs::path truth = folder / parameters_.truth;
   if (std::error_code ignored; !parameters_.truth.empty() && fs::exists(truth, ignored)) {
     Result<std::vector<PlanarPose>> read = readChain(truth);
@@ -122,6 +135,7 @@ void MotionLog::addCandidates(std::int64_t here, Frame& frame) const {
   }
   frame.sensors.push_back(std::move(alike));
   frame.sensors.push_back({"place.looked", {1}, {looked_.contains(here) ? 1.0F : 0.0F}});
+  frame.sensors.push_back({"motion.drive", {1}, {drive_}});
 }
 
 Status MotionLog::inspect(std::vector<Finding>& findings) {

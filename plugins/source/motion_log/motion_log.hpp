@@ -59,6 +59,7 @@ struct LogParameters : FrameSelection {
 ///   motion.planar    {3}     x (forward), y (left) in m, theta in rad since the frame before
 ///   place.candidate  {n, 4}  source index of a frame that looks alike, its x, y, theta from here
 ///   place.looked     {1}     1 where a candidate begins or ends: the detector looked there; else 0
+///   motion.drive     {1}     a digest of the odometry: two drives' frames 7 are different places
 class MotionLog final : public Source {
  public:
   using Parameters = LogParameters;
@@ -80,6 +81,7 @@ class MotionLog final : public Source {
   std::vector<PlanarPose> truth_;  ///< empty without
   std::multimap<std::int64_t, Edge> candidates_;
   std::set<std::int64_t> looked_;  ///< ends of candidates
+  float drive_ = 0;                ///< motion.drive
   FrameSequence sequence_;
   std::int64_t next_ = 0;
 };

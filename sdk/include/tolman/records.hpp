@@ -246,6 +246,10 @@ struct Link {
   double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
   double weight = 1;    ///< in [0, 1]: the trust that the optimiser has left in it
 
+  /// Whether its ends hang together. A loop that the optimiser has given up says nothing; what was
+  /// driven was driven, however little a robust loss leaves of its length.
+  bool isBelieved() const { return weight >= (kind == LinkKind::Loop ? 0.1 : 1e-6); }
+
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(id, "", "dense from 0 in the order of making");

@@ -220,6 +220,21 @@ TEST_CASE("lies alone leave dead reckoning as it is") {
   CHECK(largestShift(laps.problem.nodes, reckoned) < 0.5);
 }
 
+TEST_CASE("a search that will not come below its rival is given up, one that will is not") {
+  const auto search = [](double rival) {
+    TwoLaps laps = twoLaps(30);
+    OptimiserOptions options;  // Huber's loss takes some dozens of iterations
+    options.rival = rival;
+    return optimise(options, laps.problem.nodes, laps.problem.links).value();
+  };
+  const Outcome alone = search(std::numeric_limits<double>::infinity());
+  REQUIRE(alone.converged);
+  CHECK(search(1.1 * alone.energy).energy == alone.energy);
+  const Outcome beaten = search(0.1 * alone.energy);
+  CHECK_FALSE(beaten.converged);
+  CHECK(beaten.energy >= alone.energy);
+}
+
 TEST_CASE("a new loop is believed at first, however far odometry has drifted") {
   // 30 m off is 300 standard deviations of the loop: at its face value it would have no weight.
   Problem problem = squareLoop(50, 0.004, true);

@@ -50,7 +50,7 @@ std::vector<Frame> drive(const ParameterValues& values) {
 }
 
 const std::vector<float>& motionOf(const Frame& frame) {
-  REQUIRE(frame.sensors.size() == 3);
+  REQUIRE(frame.sensors.size() == 4);
   REQUIRE(frame.sensors[0].name == "motion.planar");
   return frame.sensors[0].values;
 }
@@ -91,6 +91,21 @@ TEST_CASE("frames carry motion, candidates and truth") {
   std::vector<float> looked;  // where candidates begin or end
   for (const Frame& frame : frames) looked.push_back(frame.sensors[2].values.at(0));
   CHECK(looked == std::vector<float>{1, 1, 0, 0, 1});
+}
+
+TEST_CASE("frames say which drive they are of: the odometry's, whatever else is read") {
+  const Square square;
+  const auto drive_of = [](const Frame& frame) {
+    REQUIRE(frame.sensors.at(3).name == "motion.drive");
+    return frame.sensors[3].values.at(0);
+  };
+  const float whole = drive_of(drive(square.values()).at(0));
+  CHECK(drive_of(drive(square.values({{"first", 2}, {"candidates", ""}})).at(1)) == whole);
+  CHECK(whole == std::trunc(whole));
+  square.write("odometry.g2o", "EDGE_SE2 0 1 2 0 1.5707963\nEDGE_SE2 1 2 2 0 1.5707964\n");
+  square.write("ground_truth.g2o", "EDGE_SE2 0 1 2 0 1.57\nEDGE_SE2 1 2 2 0 1.57\n");
+  square.write("loop_candidates.g2o", "");
+  CHECK(drive_of(drive(square.values()).at(0)) != whole);
 }
 
 TEST_CASE("steps compose the motion, the way back inverts it") {

@@ -23,6 +23,7 @@ struct Replay {
     frame.frame = frame.source_index = next++;
     if (looked) frame.sensors.push_back({"place.looked", {1}, {1}});
     frame.sensors.push_back({"place.candidate", {static_cast<int>(alike.size() / 4), 4}, alike});
+    if (drive > 0) frame.sensors.push_back({"motion.drive", {1}, {drive}});
     Motion motion;
     motion.state = TrackingState::Tracking;
     motion.T_previous_current = fromPlanar({1, 0, 0});
@@ -34,6 +35,7 @@ struct Replay {
   TestContext context;
   PlaceReplay place;
   std::int64_t next = 0;
+  float drive = 0;  ///< none is told
 };
 
 }  // namespace
@@ -156,17 +158,44 @@ TEST_CASE("saved views are recognised in the next session, and the random stream
   }
 }
 
+TEST_CASE("views of another drive are forgotten, those of the same are not") {
+  Replay saved;
+  saved.drive = 7;
+  for (int i = 0; i < 30; ++i) saved.look();
+  std::stringstream stream;
+  REQUIRE(saved.place.save(stream).isOk());
+  for (const float drive : {7.0F, 0.0F, 8.0F}) {
+    Replay loaded;
+    stream.clear();
+    stream.seekg(0);
+    REQUIRE(loaded.place.load(stream).isOk());
+    loaded.drive = drive;
+    const PlaceObservation first = loaded.look({10, 0, 0, 0});
+    CHECK((first.recognition == Recognition::Familiar) == (drive != 8));
+    CHECK(first.template_id == (drive != 8 ? 2 : 6));  // templates go on from those saved
+    CHECK(loaded.context.log.size() == (drive != 8 ? 0U : 1U));
+  }
+}
+
 TEST_CASE("damaged views are refused and leave a fresh instance") {
   Replay saved;
   for (int i = 0; i < 30; ++i) saved.look();
   std::ostringstream stream;
   REQUIRE(saved.place.save(stream).isOk());
-  StateWriter dead;  // a random stream of zeros would give zeros for ever
-  for (int i = 0; i < 7; ++i) dead.put(std::int64_t{0});
-  std::ostringstream zeros;
-  REQUIRE(dead.write(zeros, "TLMPLRPL", 1).isOk());
-  for (const std::string& bytes :
-       {std::string("nothing"), stream.str().substr(0, 100), zeros.str()}) {
+  const auto with = [](std::int64_t random_word) {
+    StateWriter writer;  // four words, templates, drive, last look, owed, views
+    for (int i = 0; i < 5; ++i) writer.put(i < 4 ? random_word : 0);
+    writer.put(-1.0F);
+    for (int i = 0; i < 3; ++i) writer.put(std::int64_t{0});
+    std::ostringstream bytes;
+    REQUIRE(writer.write(bytes, "TLMPLRPL", 3).isOk());
+    return bytes.str();
+  };
+  Replay sound;
+  std::istringstream whole(with(1));
+  REQUIRE(sound.place.load(whole).isOk());
+  const std::string zeros = with(0);  // a random stream of zeros would give zeros for ever
+  for (const std::string& bytes : {std::string("nothing"), stream.str().substr(0, 100), zeros}) {
     Replay replay;
     std::istringstream damaged(bytes);
     CHECK(replay.place.load(damaged).code() == StatusCode::InvalidInput);
