@@ -198,6 +198,7 @@ Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& r
     nodes = std::move(from);
     links = std::move(believed);
   };
+  if (best.isOk()) options.rival = best.value().energy;
   options.annealed = true;
   attempt(start, as_it_is);
   options.annealed = false;
