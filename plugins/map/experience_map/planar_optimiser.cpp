@@ -36,8 +36,7 @@ class Search {
     constexpr double kEase = 1.4;  // the authors' step
     for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
       reweigh(mu);
-      const Result<double> cost = step();
-      if (!cost.isOk()) return cost.status();
+      if (Status taken = step(); !taken.isOk()) return taken;
     }
     return descend();
   }
@@ -47,7 +46,7 @@ class Search {
     double before = energy();
     for (int iteration = 0; iteration < options_.iterations; ++iteration) {
       if (iteration > 0) reweigh(1);
-      if (Result<double> taken = step(); !taken.isOk()) return taken.status();
+      if (Status taken = step(); !taken.isOk()) return taken;
       const double after = energy();
       if (std::abs(before - after) <= options_.tolerance * before) {
         reweigh(1);
@@ -84,7 +83,7 @@ class Search {
     constexpr double kRest = 0.01;
     double before = leastSquares();
     for (int i = 0; i < kSteps; ++i) {
-      if (Result<double> taken = step(); !taken.isOk()) return taken.status();
+      if (Status taken = step(); !taken.isOk()) return taken;
       const double after = leastSquares();
       if (before - after <= kRest * before) break;
       before = after;
@@ -128,8 +127,8 @@ class Search {
     return sum;
   }
 
-  /// One step downhill with fixed weights; gives the damping that it took.
-  Result<double> step() {
+  /// One step downhill with fixed weights.
+  Status step() {
     constexpr double kLeastDamping = 1e-4;
     constexpr double kMostDamping = 1e8;
     const std::vector<PlanarPose> start = nodes_;
@@ -145,12 +144,12 @@ class Search {
       measure();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
         damping_ = damping > kLeastDamping ? 0.1 * damping : 0;
-        return damping;
+        return Status::ok();
       }
     }
     nodes_ = start;  // at a minimum, as far as numbers can tell
     measure();
-    if (before == 0 || system_.solve(0, step_)) return kMostDamping;
+    if (before == 0 || system_.solve(0, step_)) return Status::ok();
     return Status::failed("the normal equations of the map are singular");
   }
 
@@ -191,6 +190,7 @@ Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& r
       std::ranges::all_of(links, [](const PlanarLink& link) { return link.weight > kBelieved; });
   if (best.isOk() && best.value().converged && all_believed) return best;
   const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> believed) {
+    if (best.isOk()) options.rival = best.value().energy;
     const Result<Outcome> outcome = optimise(options, from, believed);
     if (!outcome.isOk()) return;
     if (best.isOk() && best.value().energy <= outcome.value().energy) return;
@@ -198,11 +198,9 @@ Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& r
     nodes = std::move(from);
     links = std::move(believed);
   };
-  if (best.isOk()) options.rival = best.value().energy;
   options.annealed = true;
   attempt(start, as_it_is);
   options.annealed = false;
-  if (best.isOk()) options.rival = best.value().energy;
   std::vector<PlanarLink> doubted = as_it_is;
   for (PlanarLink& link : doubted) link.weight = link.robust ? kDoubt : 1;
   attempt(reckoned, std::move(doubted));
