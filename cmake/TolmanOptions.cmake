@@ -28,9 +28,19 @@ if(TOLMAN_ASAN)
   add_link_options(-fsanitize=address,undefined)
 endif()
 
+# ccache keeps what is compiled with a precompiled header only if it may ignore the header's macros
+# and times, and finds what another checkout compiled only by relative paths. CCACHE_DEPEND: two
+# headers that differ in comments alone must not share a precompiled header, for #pragma once
+# compares whole files.
 find_program(TOLMAN_CCACHE ccache)
 if(TOLMAN_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${TOLMAN_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
+      ${TOLMAN_CCACHE})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options(-fpch-preprocess)
+  endif()
 endif()
 
 # The house's warnings; for our own targets only, never for a third party's plugin.

@@ -1,25 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman bench: how fast is the source, and every stage? tolman bench odometry: how fast is the
-// odometry, measured in decoding its images?
-#include <unistd.h>
-
+// tolman bench: speed of the source and of every stage. tolman bench odometry: cost of the odometry
+// relative to decoding its images.
 #include <iostream>
 
-#include "app/bench.hpp"
-#include "app/bench_odometry.hpp"
+#include "app/progress_line.hpp"
 #include "app/system_options.hpp"
+#include "bench/bench.hpp"
+#include "bench/bench_odometry.hpp"
 
 namespace tolman::app {
 namespace {
 
-/// Measures, then prints what was measured.
+/// A progress line for each pass, on stderr.
+class PassProgress {
+ public:
+  PassProgress(std::int64_t most_frames, const Invocation& invocation)
+      : most_frames_(most_frames), invocation_(invocation) {}
+
+  bench::BenchProgress callbacks() {
+    return {[this](std::int64_t frames) {
+              line_ = std::make_unique<ProgressLine>(std::cerr, clock_, terminalOf(invocation_),
+                                                     framesToCome(most_frames_, frames));
+            },
+            [this] { line_->step(); }, [this] { line_.reset(); }};
+  }
+
+ private:
+  std::int64_t most_frames_;
+  const Invocation& invocation_;
+  run::SteadyClock clock_;
+  std::unique_ptr<ProgressLine> line_;
+};
+
+/// Measures by `run`, then prints the result.
 template <class Run, class Text, class Json>
-ExitCode bench(const Run& run, const Text& text, const Json& json, const Invocation& invocation) {
-  const Interrupts interrupts;  // before anything that starts threads
-  RunLog log(invocation.quiet);
-  const auto result = run(log, interrupts);
-  if (const auto* failure = std::get_if<Failure>(&result)) return tell(*failure);
-  const auto& measured = std::get<0>(result);
+ExitCode bench(const Run& run, bench::BenchOptions options, const Text& text, const Json& json,
+               const Invocation& invocation) {
+  const run::Interrupts interrupts;  // before anything that starts threads
+  run::RunLog log(invocation.quiet);
+  PassProgress progress(options.frames, invocation);
+  options.progress = progress.callbacks();
+  const auto measured = run(options, log, interrupts);
   if (invocation.json) {
     std::cout << json(measured).dump(2) << "\n";
   } else {
@@ -28,31 +49,25 @@ ExitCode bench(const Run& run, const Text& text, const Json& json, const Invocat
   return measured.interrupted ? ExitCode::Interrupted : ExitCode::Ok;
 }
 
-void addCounts(CLI::App& command, BenchOptions& options) {
-  command.add_option("--frames", options.frames, "Measure so many frames at most")
+void addCounts(CLI::App& command, bench::BenchOptions& options) {
+  command.add_option("--frames", options.frames, "Measure at most this many frames")
       ->check(CLI::PositiveNumber);
   command.add_option("--repeat", options.repeats, "Passes of each kind (default: 3)")
       ->check(CLI::Range(1, 1000));
-}
-
-Audience audienceOf(const Invocation& invocation) {
-  return {isatty(STDERR_FILENO) == 1 && !invocation.quiet, invocation.quiet};
 }
 
 void addOdometryCommand(CLI::App& bench_command, Invocation& invocation) {
   CLI::App* command = bench_command.add_subcommand(
       "odometry", "Time of source and odometry over the time to decode the same images alone");
   auto reader = std::make_shared<SystemOptionsReader>(*command);
-  auto options = std::make_shared<BenchOptions>();
+  auto options = std::make_shared<bench::BenchOptions>();
   addCounts(*command, *options);
   command->callback([reader, options, &invocation] {
-    options->audience = audienceOf(invocation);
-    const SystemOptions system = reader->read(invocation);
-    const auto run = [&](RunLog& log, const Interrupts& interrupts) {
-      return runOdometryBench(system, *options, log, interrupts);
+    const auto run = [&](auto&&... arguments) {
+      return bench::runOdometryBench(reader->read(invocation), arguments...);
     };
     invocation.exit_code =
-        static_cast<int>(bench(run, odometryBenchText, odometryBenchJson, invocation));
+        bench(run, *options, bench::odometryBenchText, bench::odometryBenchJson, invocation);
   });
 }
 
@@ -62,20 +77,18 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("bench", "Measure the speed of a source and of every stage");
   auto reader = std::make_shared<SystemOptionsReader>(*command);
-  auto options = std::make_shared<BenchOptions>();
+  auto options = std::make_shared<bench::BenchOptions>();
   addCounts(*command, *options);
   command->add_flag("--source-only", options->source_only, "Leave the other stages out");
   addOdometryCommand(*command, invocation);
   CLI::Option* config = command->get_option("config")->required(false);
   command->callback([command, config, reader, options, &invocation] {
-    if (!command->get_subcommands().empty()) return;  // has answered
+    if (!command->get_subcommands().empty()) return;  // the subcommand did the work
     if (config->empty()) throw CLI::RequiredError("config");
-    options->audience = audienceOf(invocation);
-    const SystemOptions system = reader->read(invocation);
-    const auto run = [&](RunLog& log, const Interrupts& interrupts) {
-      return runBench(system, *options, log, interrupts);
+    const auto run = [&](auto&&... arguments) {
+      return bench::runBench(reader->read(invocation), arguments...);
     };
-    invocation.exit_code = static_cast<int>(bench(run, benchText, benchJson, invocation));
+    invocation.exit_code = bench(run, *options, bench::benchText, bench::benchJson, invocation);
   });
 }
 

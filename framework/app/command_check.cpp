@@ -13,12 +13,9 @@ void addCheckCommand(CLI::App& app, Invocation& invocation) {
   auto explain = std::make_shared<bool>(false);
   command->add_flag("--explain", *explain, "Print every value with its origin");
   command->callback([options, explain, &invocation] {
-    const auto result = checkSystem(options->read(invocation));
-    if (const auto* failure = std::get_if<Failure>(&result)) {
-      invocation.exit_code = static_cast<int>(tell(*failure));
-      return;
-    }
-    const auto& checked = std::get<CheckedSystem>(result);
+    run::SystemOptions system = options->read(invocation);
+    system.apart = true;
+    const auto checked = run::require(run::checkSystem(system));
     if (*explain) {
       std::cout << config::explain(checked.config, checked.values);
     } else if (!invocation.quiet) {

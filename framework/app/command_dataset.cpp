@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman dataset check: is a data set sound? Looks before it leaps, and lists all that is wrong.
+// tolman dataset check: checks a data set and lists all problems.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,10 +8,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/assembly.hpp"
 #include "app/program.hpp"
 #include "config/check.hpp"
 #include "config/overrides.hpp"
+#include "run/assembly.hpp"
 
 namespace tolman::app {
 namespace {
@@ -25,13 +25,8 @@ struct DatasetOptions {
 
 using Findings = std::vector<Finding>;
 
-void fail(Invocation& invocation, ExitCode code, const std::string& message) {
-  std::cerr << message << "\n";
-  invocation.exit_code = static_cast<int>(code);
-}
-
 /// Reads every frame, as a run would.
-void decodeAll(plugins::SourceStage& source, Findings& findings) {
+void decodeAll(host::SourceStage& source, Findings& findings) {
   SourceInfo info;
   Status status = source.info(info);
   std::int64_t frames = 0;
@@ -64,8 +59,8 @@ bool print(const Findings& findings, bool json) {
   return sound;
 }
 
-/// The same checks as in a run, for a configuration that the command line alone makes.
-ParameterValues sourceParameters(const plugins::LoadedPlugin& plugin, const DatasetOptions& options,
+/// The source's parameters from the command line, checked as those of a configuration file are.
+ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const DatasetOptions& options,
                                  config::Problems& problems) {
   config::Node stage;
   stage.kind = config::Node::Kind::Map;
@@ -79,53 +74,41 @@ ParameterValues sourceParameters(const plugins::LoadedPlugin& plugin, const Data
   path.origin.file = options.path;
   path.key_origin = path.origin;
   if (stage.find("path") == nullptr) stage.children.push_back(path);
-  const config::Places places{std::filesystem::current_path(), ""};
-  return config::check(stage, plugin.schema, {"", "plugin " + plugin.manifest.id, {}}, places,
+  const config::BaseFolders folders{std::filesystem::current_path(), ""};
+  return config::check(stage, plugin.schema, {"", "plugin " + plugin.manifest.id, {}}, folders,
                        problems);
 }
 
-/// Configures the source, asks it what it sees, and says it all.
-void inspect(std::unique_ptr<plugins::Instance> instance, const ParameterValues& values,
-             const DatasetOptions& options, Invocation& invocation) {
-  plugins::SourceStage source(std::move(instance));
-  RunLog log(invocation.quiet);
-  StageLogger logger(log, "source");
-  StageArtefacts artefacts("source");
-  const SteadyClock clock;
-  const Interrupts interrupts;
-  const Status configured = source.instance().configure(
-      {values, logger, artefacts, interrupts, clock, {}, 1, "source", false, true});
+/// Configures the source, lets it inspect its data, and prints the findings.
+ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues& values,
+                 const DatasetOptions& options, const Invocation& invocation) {
+  host::SourceStage source(std::move(instance));
+  run::RunLog log(invocation.quiet);
+  run::StageLogger logger(log, "source");
+  run::StageArtefacts artefacts("source");
+  const run::SteadyClock clock;
+  const run::Interrupts interrupts;
+  const Status configured =
+      source.instance().configure({values, logger, artefacts, interrupts, clock, {}, 1, "source"});
   Findings findings;
   const Status inspected = source.inspect(findings);
   if (configured.isOk() && options.decode) decodeAll(source, findings);
   const bool sound = print(findings, invocation.json);
-  if (!sound) {  // what stopped configure() is in the list
-    invocation.exit_code = static_cast<int>(ExitCode::Dataset);
-  } else if (!configured.isOk()) {
-    fail(invocation, ExitCode::Dataset, configured.message());
-  } else if (!inspected.isOk()) {
-    fail(invocation, ExitCode::Dataset, inspected.message());
+  if (!sound) return ExitCode::Dataset;  // the list has the reason why configure() failed
+  for (const Status& status : {configured, inspected}) {
+    if (!status.isOk()) return printFailure(ExitCode::Dataset, status.message());
   }
+  return ExitCode::Ok;
 }
 
-void check(const DatasetOptions& options, Invocation& invocation) {
-  const auto loaded =
-      loadFrom(openCatalogue(invocation.plugin_paths), options.source, Role::Source);
-  if (const auto* refusal = std::get_if<plugins::Refusal>(&loaded)) {
-    return fail(invocation, ExitCode::Plugin, refusal->text());
-  }
-  const auto& plugin = std::get<plugins::LoadedPlugin>(loaded);
+ExitCode check(const DatasetOptions& options, const Invocation& invocation) {
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const auto plugin = run::require(run::loadFrom(catalogue, options.source, Role::Source));
   config::Problems problems;
   const ParameterValues values = sourceParameters(plugin, options, problems);
-  if (!problems.empty()) {
-    return fail(invocation, ExitCode::Configuration, config::format(problems));
-  }
-  auto created = plugins::Instance::create(plugin, "source");
-  if (const auto* refusal = std::get_if<plugins::Refusal>(&created)) {
-    return fail(invocation, ExitCode::Plugin, refusal->text());
-  }
-  inspect(std::move(std::get<std::unique_ptr<plugins::Instance>>(created)), values, options,
-          invocation);
+  if (!problems.empty()) return printFailure(ExitCode::Configuration, config::format(problems));
+  return inspect(run::require(host::Instance::create(plugin, "source")), values, options,
+                 invocation);
 }
 
 }  // namespace
@@ -134,14 +117,15 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("dataset", "Check data sets, and write them");
   command->require_subcommand(1);
   command->fallthrough();
-  CLI::App* check_command = command->add_subcommand("check", "Is a data set sound?");
+  CLI::App* check_command = command->add_subcommand("check", "Check a data set");
   auto options = std::make_shared<DatasetOptions>();
   check_command->add_option("path", options->path, "Folder of the data set")->required();
   check_command->add_option("--source", options->source, "Source plugin (default: kitti)");
   check_command->add_option("--set", options->overrides, "Parameter of the source: --set a=b")
       ->allow_extra_args(false);
-  check_command->add_flag("--decode", options->decode, "Read every image, too");
-  check_command->callback([options, &invocation] { check(*options, invocation); });
+  check_command->add_flag("--decode", options->decode, "Also decode every image");
+  check_command->callback(
+      [options, &invocation] { invocation.exit_code = check(*options, invocation); });
   addRenderCommand(*command, invocation);
 }
 

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <memory>
 
-#include "app/exit_code.hpp"
 #include "app/program.hpp"
 #include "app/summary.hpp"
 #include "evaluation/metrics.hpp"
@@ -22,26 +21,24 @@ struct EvalOptions {
   double max_difference = -1;
 };
 
-void fail(Invocation& invocation, const Status& status) {
-  std::cerr << status.message() << "\n";
-  invocation.exit_code = static_cast<int>(ExitCode::Dataset);
-}
+ExitCode refuse(const Status& status) { return printFailure(ExitCode::Dataset, status.message()); }
 
-void evaluate(const EvalOptions& options, Invocation& invocation) {
+ExitCode evaluate(const EvalOptions& options, const Invocation& invocation) {
   const auto truth = evaluation::readTrajectory(options.truth);
-  if (!truth.isOk()) return fail(invocation, truth.status());
+  if (!truth.isOk()) return refuse(truth.status());
   const auto estimate = evaluation::readTrajectory(options.estimate);
-  if (!estimate.isOk()) return fail(invocation, estimate.status());
+  if (!estimate.isOk()) return refuse(estimate.status());
   const auto difference_ns = static_cast<std::int64_t>(options.max_difference * 1e9);
   const auto metrics = evaluation::scoreTrajectory(truth.value(), estimate.value(),
                                                    options.alignment, std::nullopt, difference_ns);
-  if (!metrics.scores) return fail(invocation, Status::invalidInput(metrics.reason));
+  if (!metrics.scores) return refuse(Status::invalidInput(metrics.reason));
   if (invocation.json) {
     std::cout << evaluation::toJson(metrics).dump(2) << "\n";
   } else {
     std::cout << fmt::format("{:<10}{}\n", "alignment", enumName(options.alignment))
               << trajectoryText("estimate", metrics);
   }
+  return ExitCode::Ok;
 }
 
 }  // namespace
@@ -60,9 +57,12 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--align", options->alignment, "none, se2, se3 (default) or sim3")
       ->type_name("NAME")
       ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""));
-  command->add_option("--max-difference", options->max_difference,
-                      "Match by time, at most so many seconds apart (default: by frame)");
-  command->callback([options, &invocation] { evaluate(*options, invocation); });
+  command
+      ->add_option("--max-difference", options->max_difference,
+                   "Match by time, at most this many seconds apart (default: by frame)")
+      ->check(CLI::Range(0.0, 1e6));
+  command->callback(
+      [options, &invocation] { invocation.exit_code = evaluate(*options, invocation); });
 }
 
 }  // namespace tolman::app

@@ -5,7 +5,6 @@
 #include <iostream>
 #include <memory>
 
-#include "app/exit_code.hpp"
 #include "app/program.hpp"
 #include "record/export.hpp"
 #include "record/reference.hpp"
@@ -13,21 +12,18 @@
 namespace tolman::app {
 namespace {
 
-void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
-                 Invocation& invocation) {
-  // Another session's files stand apart: those of the run have digests.
+ExitCode exportFiles(const std::string& run, const std::string& out, std::int64_t session,
+                     const Invocation& invocation) {
+  // Files of another session go to a folder of their own: those of the run have digests.
   std::filesystem::path folder = out.empty() ? run : out;
   if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const auto written = record::exportRun(run, folder, session);
-  if (!written.isOk()) {
-    std::cerr << written.status().message() << "\n";
-    invocation.exit_code = static_cast<int>(ExitCode::Dataset);
-    return;
-  }
-  if (invocation.quiet) return;
+  if (!written.isOk()) return printFailure(written.status());
+  if (invocation.quiet) return ExitCode::Ok;
   for (const auto& file : written.value()) std::cout << file.string() << "\n";
+  return ExitCode::Ok;
 }
 
 }  // namespace
@@ -38,14 +34,16 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
   auto run = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
   command->add_option("run", *run, "Run directory")->required();
-  command->add_option(
-      "--out", *out,
-      "Folder to write to (default: the run directory; of a session, session-N in it)");
+  command
+      ->add_option("--out", *out,
+                   "Folder to write to (default: the run directory; of a session, session-N in it)")
+      ->check(notEmpty);
   auto session = std::make_shared<std::int64_t>(-1);
   command->add_option("--session", *session,
                       "Session whose trajectories to write, from 0 (default: the run's own)");
-  command->callback(
-      [run, out, session, &invocation] { exportFiles(*run, *out, *session, invocation); });
+  command->callback([run, out, session, &invocation] {
+    invocation.exit_code = exportFiles(*run, *out, *session, invocation);
+  });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");
   schema->callback([] { std::cout << record::recordsMarkdown(); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plan: the fastest way between two places of a recorded map.
+// tolman plan: the fastest route between two places of a recorded map.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/exit_code.hpp"
 #include "app/program.hpp"
 #include "planning/shortest_path.hpp"
 #include "record/graph_parts.hpp"
@@ -30,7 +29,7 @@ bool parse(std::string_view text, T& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Metres are of the world of the map's first part; other parts lie nobody knows where.
+/// Metres refer to the world of the map's first part; the poses of other parts in it are unknown.
 MapGraph firstPart(MapGraph graph) {
   const record::GraphParts parts = record::partsOf(graph);
   std::erase_if(graph.experiences, [&](const Experience& experience) {
@@ -39,11 +38,11 @@ MapGraph firstPart(MapGraph graph) {
   return graph;
 }
 
-/// An end of the way as it was asked for, and what stands for it.
+/// An end of the route as it was given, and the experience that was chosen for it.
 struct End {
-  std::string asked;
+  std::string given;
   std::int64_t experience = -1;
-  std::optional<double> away_m;  ///< of a place: from the experience
+  std::optional<double> away_m;  ///< of a place: its distance from the experience
 };
 
 /// Right and forward, m.
@@ -63,22 +62,22 @@ Result<End> endOf(const std::string& text, const MapGraph& graph) {
   if (comma == std::string::npos || !parse(all.substr(0, comma), place.x()) ||
       !parse(all.substr(comma + 1), place.y()) || !place.allFinite()) {
     return Status::invalidParameter("'" + text +
-                                    "' is no place: give an experience (17) or metres right and "
+                                    "' is not a place: give an experience (17) or metres right and "
                                     "forward of the start (12.5,-30)");
   }
   id = planning::nearestExperience(firstPart(graph), place);
-  if (id < 0) return End{text, id, std::nullopt};  // the search says that it is not in the map
+  if (id < 0) return End{text, id, std::nullopt};  // the search reports that it is not in the map
   return End{text, id, (placeOf(id, graph) - place).norm()};
 }
 
 struct Plan {
   End from;
   End to;
-  planning::Route route;
+  planning::PlannedRoute route;
 };
 
 nlohmann::ordered_json toJson(const End& end) {
-  nlohmann::ordered_json json = {{"asked", end.asked}, {"experience", end.experience}};
+  nlohmann::ordered_json json = {{"asked", end.given}, {"experience", end.experience}};
   if (end.away_m) json["away_m"] = *end.away_m;
   return json;
 }
@@ -102,7 +101,7 @@ nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
 
 void print(const Plan& plan, const MapGraph& graph) {
   std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m", "forward m",
-                           "time s", "way m");
+                           "time s", "path m");
   for (const planning::Leg& leg : plan.route.legs) {
     const Eigen::Vector2d p = placeOf(leg.experience, graph);
     std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", leg.experience, p.x(),
@@ -113,7 +112,7 @@ void print(const Plan& plan, const MapGraph& graph) {
                            plan.route.seconds());
   for (const End& end : {plan.from, plan.to}) {
     if (end.away_m) {
-      std::cout << fmt::format("{} is {:.1f} m from experience {}, the nearest\n", end.asked,
+      std::cout << fmt::format("{} is {:.1f} m from experience {}, the nearest\n", end.given,
                                *end.away_m, end.experience);
     }
   }
@@ -129,10 +128,9 @@ Result<Plan> plan(const PlanOptions& options, const MapGraph& graph) {
   return Plan{std::move(from).value(), std::move(to).value(), std::move(route).value()};
 }
 
-void run(const PlanOptions& options, Invocation& invocation) {
+ExitCode run(const PlanOptions& options, const Invocation& invocation) {
   const auto fail = [&](ExitCode code, const Status& status) {
-    std::cerr << status.message() << "\n";
-    invocation.exit_code = static_cast<int>(code);
+    return printFailure(code, status.message());
   };
   const auto reader = record::RunReader::open(options.run);
   if (!reader.isOk()) return fail(ExitCode::Dataset, reader.status());
@@ -145,18 +143,19 @@ void run(const PlanOptions& options, Invocation& invocation) {
   } else {
     print(planned.value(), graph.value());
   }
+  return ExitCode::Ok;
 }
 
 }  // namespace
 
 void addPlanCommand(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand("plan", "The fastest way between two places of a map");
+  CLI::App* command = app.add_subcommand("plan", "The fastest route between two places of a map");
   auto options = std::make_shared<PlanOptions>();
   command->add_option("run", options->run, "Run directory")->required();
   command->add_option("--from", options->from, "Experience (17), or place in metres (12.5,-30)")
       ->required();
   command->add_option("--to", options->to, "The same")->required();
-  command->callback([options, &invocation] { run(*options, invocation); });
+  command->callback([options, &invocation] { invocation.exit_code = run(*options, invocation); });
 }
 
 }  // namespace tolman::app

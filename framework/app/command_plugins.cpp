@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins: list (opens none), describe (opens what it describes), doctor (one file, step by
-// step), and validate, which has a file of its own.
+// tolman plugins: list (opens none), describe (opens the plugins that it describes), doctor (one
+// file, step by step). `new` and `validate` have files of their own.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,29 +11,28 @@
 #include <set>
 #include <utility>
 
-#include "app/assembly.hpp"
 #include "app/json_schema.hpp"
 #include "app/parameter_text.hpp"
 #include "app/program.hpp"
-#include "plugins/gate.hpp"
-#include "plugins/instance.hpp"
+#include "host/gate.hpp"
+#include "isolation/remote_plugin.hpp"
+#include "run/assembly.hpp"
 
 namespace tolman::app {
 namespace {
 
-using plugins::HostIdentity;
-using plugins::Manifest;
-using plugins::Refusal;
+using host::HostIdentity;
+using host::Manifest;
+using host::Refusal;
 
 void fail(Invocation& invocation, const Refusal& refusal) {
-  std::cerr << refusal.text() << "\n";
-  invocation.exit_code = static_cast<int>(ExitCode::Plugin);
+  invocation.exit_code = printRefusal(refusal);
 }
 
-void listJson(const plugins::Catalogue& catalogue) {
+void listJson(const host::Catalogue& catalogue) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Manifest& m : catalogue.manifests()) {
-    const auto refusal = plugins::checkGate(m, HostIdentity::ofThisBuild());
+    const auto refusal = host::checkGate(m, HostIdentity::ofThisBuild());
     json.push_back({{"id", m.id},
                     {"role", enumName(m.role)},
                     {"version", m.version},
@@ -45,12 +44,12 @@ void listJson(const plugins::Catalogue& catalogue) {
 }
 
 void list(Invocation& invocation) {
-  const plugins::Catalogue catalogue = openCatalogue(invocation.plugin_paths);
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   if (invocation.json) return listJson(catalogue);
   for (const std::string_view role : kRoleNames) {
     for (const Manifest& m : catalogue.manifests()) {
       if (enumName(m.role) != role) continue;
-      const auto refusal = plugins::checkGate(m, HostIdentity::ofThisBuild());
+      const auto refusal = host::checkGate(m, HostIdentity::ofThisBuild());
       std::cout << fmt::format("{:<9} {:<22} {:<7} {}\n", role, m.id, m.version,
                                refusal ? "refused: " + refusal->id : m.summary);
     }
@@ -68,47 +67,56 @@ struct Description {
   bool json_schema = false;
 };
 
-plugins::OrRefusal<plugins::LoadedPlugin> open(const plugins::Catalogue& catalogue,
-                                               const std::string& id) {
+/// Opens a library in a process of its own, which it may crash or block.
+auto openApart(const Manifest& manifest) {
+  isolation::LaunchOptions launch{run::SystemOptions{}.stage_program};
+  launch.deadline_s = 10;  // milliseconds are usual
+  return isolation::RemotePlugin::start(manifest, launch);
+}
+
+host::OrRefusal<host::LoadedPlugin> open(const host::Catalogue& catalogue, const std::string& id) {
   auto found = catalogue.find(id);
   if (auto* refusal = std::get_if<Refusal>(&found)) return std::move(*refusal);
-  return plugins::loadPlugin(std::get<Manifest>(found), HostIdentity::ofThisBuild());
+  const auto opened = openApart(std::get<Manifest>(found));
+  if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
+  const auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(opened);
+  return host::LoadedPlugin{remote->manifest(), nullptr, remote->schema()};
 }
 
 /// All plugins of these ids, or the reason why one of them cannot be opened.
-plugins::OrRefusal<std::vector<plugins::LoadedPlugin>> openAll(const std::vector<std::string>& ids,
-                                                               const Invocation& invocation) {
-  const plugins::Catalogue catalogue = openCatalogue(invocation.plugin_paths);
-  std::vector<plugins::LoadedPlugin> opened;
+host::OrRefusal<std::vector<host::LoadedPlugin>> openAll(const std::vector<std::string>& ids,
+                                                         const Invocation& invocation) {
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  std::vector<host::LoadedPlugin> opened;
   for (const std::string& id : ids) {
     auto plugin = open(catalogue, id);
     if (auto* refusal = std::get_if<Refusal>(&plugin)) return std::move(*refusal);
-    opened.push_back(std::get<plugins::LoadedPlugin>(std::move(plugin)));
+    opened.push_back(std::get<host::LoadedPlugin>(std::move(plugin)));
   }
   return opened;
 }
 
-/// All that this host can use of what is installed.
-std::vector<plugins::LoadedPlugin> openUsable(const Invocation& invocation) {
-  const plugins::Catalogue catalogue = openCatalogue(invocation.plugin_paths);
+/// All installed plugins that this host can use.
+std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   std::set<std::string> ids;
   for (const Manifest& manifest : catalogue.manifests()) ids.insert(manifest.id);
-  std::vector<plugins::LoadedPlugin> opened;
+  std::vector<host::LoadedPlugin> opened;
   for (const std::string& id : ids) {
     auto plugin = open(catalogue, id);
     if (const auto* refusal = std::get_if<Refusal>(&plugin)) {
       std::cerr << "left out: " << refusal->text() << "\n";
     } else {
-      opened.push_back(std::get<plugins::LoadedPlugin>(std::move(plugin)));
+      opened.push_back(std::get<host::LoadedPlugin>(std::move(plugin)));
     }
   }
   return opened;
 }
 
 /// One plugin as an object, several as a list.
-void describeJson(const std::vector<plugins::LoadedPlugin>& loaded) {
+void describeJson(const std::vector<host::LoadedPlugin>& loaded) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const plugins::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
+  for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
   std::cout << (loaded.size() == 1 ? json.front() : json).dump(2) << "\n";
 }
 
@@ -120,34 +128,33 @@ void describe(const Description& asked, Invocation& invocation) {
   }
   const auto opened = openAll(asked.ids, invocation);
   if (const auto* refusal = std::get_if<Refusal>(&opened)) return fail(invocation, *refusal);
-  const auto& loaded = std::get<std::vector<plugins::LoadedPlugin>>(opened);
+  const auto& loaded = std::get<std::vector<host::LoadedPlugin>>(opened);
   if (asked.json_schema) {
     std::cout << stageSchema(loaded).dump(2) << "\n";
     return;
   }
   if (invocation.json) return describeJson(loaded);
   std::string separator;
-  for (const plugins::LoadedPlugin& plugin : loaded) {
+  for (const host::LoadedPlugin& plugin : loaded) {
     std::cout << std::exchange(separator, "\n")
               << (asked.markdown ? parametersMarkdown(plugin) : parametersText(plugin));
   }
 }
 
-/// Gate, open, construct: says each step that worked, then what did not.
+/// Gate, open, construct: prints each step that succeeded; returns why one failed.
 std::optional<Refusal> examine(const Manifest& manifest) {
   std::cout << fmt::format("manifest   {} {} of role {}, SDK {}.{}\n           {}\n", manifest.id,
                            manifest.version, enumName(manifest.role), manifest.sdk_major,
                            manifest.sdk_minor, manifest.fingerprint);
-  if (auto refusal = plugins::checkGate(manifest, HostIdentity::ofThisBuild())) return refusal;
+  if (auto refusal = host::checkGate(manifest, HostIdentity::ofThisBuild())) return refusal;
   std::cout << "gate       passed\n";
-  const auto loaded = plugins::loadPlugin(manifest, HostIdentity::ofThisBuild());
-  if (const auto* refusal = std::get_if<Refusal>(&loaded)) return *refusal;
-  const auto& plugin = std::get<plugins::LoadedPlugin>(loaded);
+  const auto opened = openApart(manifest);
+  if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
+  isolation::RemotePlugin& plugin = *std::get<std::shared_ptr<isolation::RemotePlugin>>(opened);
   std::cout << fmt::format("open       all symbols resolved, {} parameters\n",
-                           plugin.schema.size());
-  auto created = plugins::Instance::create(plugin, manifest.id);
-  if (const auto* refusal = std::get_if<Refusal>(&created)) return *refusal;
-  const Status destroyed = std::get<std::unique_ptr<plugins::Instance>>(created)->destroy();
+                           plugin.schema().size());
+  if (const auto refusal = plugin.create()) return *refusal;
+  const Status destroyed = plugin.destroy();
   if (!destroyed.isOk()) {
     return Refusal{"plugin/destroy-failed", destroyed.message(), "a destructor must not throw"};
   }
@@ -156,7 +163,7 @@ std::optional<Refusal> examine(const Manifest& manifest) {
 }
 
 void doctor(const std::string& file, Invocation& invocation) {
-  const auto read = plugins::readManifests(file);
+  const auto read = host::readManifests(file);
   if (const auto* refusal = std::get_if<Refusal>(&read)) return fail(invocation, *refusal);
   for (const Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
     if (const auto refusal = examine(manifest)) fail(invocation, *refusal);

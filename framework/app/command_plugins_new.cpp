@@ -8,7 +8,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/exit_code.hpp"
 #include "app/plugin_template.hpp"
 #include "app/program.hpp"
 
@@ -22,11 +21,6 @@ struct Request {
   std::string name;
   std::string folder;
 };
-
-ExitCode refuse(ExitCode code, const std::string& message) {
-  std::cerr << message << "\n";
-  return code;
-}
 
 /// A word of a shell command, quoted where it must be.
 std::string quoted(const std::string& word) {
@@ -52,16 +46,17 @@ std::string nextCommands(const fs::path& folder, const fs::path& executable) {
 
 ExitCode makePlugin(const Request& request, const Invocation& invocation) {
   const auto role = roleNamed(request.role);
-  if (!role.isOk()) return refuse(ExitCode::Usage, role.status().message());
-  if (const auto objection = objectionTo(request.name)) return refuse(ExitCode::Usage, *objection);
+  if (!role.isOk()) return printFailure(ExitCode::Usage, role.status().message());
+  if (const auto objection = objectionTo(request.name))
+    return printFailure(ExitCode::Usage, *objection);
   std::error_code ignored;
   const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
   const auto templates = templateFolder(executable);
-  if (!templates.isOk()) return refuse(ExitCode::Record, templates.status().message());
+  if (!templates.isOk()) return printFailure(ExitCode::Record, templates.status().message());
 
   const fs::path folder = request.folder.empty() ? request.name : request.folder;
   const auto written = writeNewPlugin(templates.value(), {role.value(), request.name, folder});
-  if (!written.isOk()) return refuse(ExitCode::Record, written.status().message());
+  if (!written.isOk()) return printFailure(ExitCode::Record, written.status().message());
   if (invocation.json) {
     nlohmann::ordered_json json = {{"folder", fs::absolute(folder).string()},
                                    {"files", nlohmann::ordered_json::array()}};
@@ -84,9 +79,8 @@ void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation) {
       ->required();
   command->add_option("name", request->name, "Id of the plugin, such as my_places")->required();
   command->add_option("dir", request->folder, "Folder to write; default: NAME");
-  command->callback([request, &invocation] {
-    invocation.exit_code = static_cast<int>(makePlugin(*request, invocation));
-  });
+  command->callback(
+      [request, &invocation] { invocation.exit_code = makePlugin(*request, invocation); });
 }
 
 }  // namespace tolman::app

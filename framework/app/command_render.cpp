@@ -2,44 +2,46 @@
 // tolman dataset render: the frames of any source as a KITTI folder, for any other program.
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/progress_line.hpp"
-#include "app/rendering.hpp"
 #include "app/system_options.hpp"
-#include "pipeline/run.hpp"
+#include "dataset/rendering.hpp"
+#include "pipeline/drive.hpp"
+#include "run/assembly.hpp"
 
 namespace tolman::app {
 namespace {
 
 struct RenderCommand {
   std::string out;
-  RenderOptions render;
+  dataset::RenderOptions render;
+  bool depth = false;
   bool replace = false;
 };
 
-Failure noDepth(const std::string& plugin) {
-  return {ExitCode::Configuration,
-          "source plugin '" + plugin +
-              "' has no parameter 'depth', so it gives no depth maps; leave out --depth, or choose "
-              "a source that has it ('tolman plugins describe ID' lists parameters)"};
+[[noreturn]] void refuseDepth(const std::string& plugin) {
+  throw run::Failed(
+      {run::FailureKind::Configuration,
+       "source plugin '" + plugin +
+           "' has no parameter 'depth', so it gives no depth maps; leave out --depth, or choose "
+           "a source that has it ('tolman plugins describe ID' lists parameters)"});
 }
 
-/// The source stage alone; with `depth` its parameter of that name is switched on.
-std::variant<CheckedSystem, Failure> checkSource(SystemOptions options, bool depth) {
-  auto checked = checkSystem(options, Scope::Source);
-  if (!depth || std::holds_alternative<Failure>(checked)) return checked;
-  const plugins::LoadedPlugin& plugin = std::get<CheckedSystem>(checked).plugins.front();
+/// The source stage alone; `depth` sets its parameter of that name.
+run::CheckedSystem checkSource(run::SystemOptions options, bool depth) {
+  auto checked = run::require(run::checkSystem(options, run::Scope::Source));
+  if (!depth) return checked;
+  const host::LoadedPlugin& plugin = checked.plugins.front();
   const bool declared = std::any_of(
       plugin.schema.begin(), plugin.schema.end(),
       [](const ParameterInfo& p) { return p.name == "depth" && p.type == ParameterType::Bool; });
-  if (!declared) return noDepth(plugin.manifest.id);
+  if (!declared) refuseDepth(plugin.manifest.id);
   options.overrides.emplace_back("source.depth=true");
-  return checkSystem(options, Scope::Source);
+  return run::require(run::checkSystem(options, run::Scope::Source));
 }
 
 /// What the layout needs of a source.
@@ -56,7 +58,7 @@ Status checkRig(const SourceInfo& info) {
 }
 
 /// Replacing must never delete what the source reads.
-bool readsFrom(const CheckedSystem& system, const std::filesystem::path& out) {
+bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& out) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   const fs::path folder = fs::weakly_canonical(fs::absolute(out), ignored) / "";
@@ -75,43 +77,48 @@ bool readsFrom(const CheckedSystem& system, const std::filesystem::path& out) {
 class RenderRun {
  public:
   RenderRun(Invocation& invocation, const RenderCommand& command)
-      : invocation_(invocation), command_(command), log_(invocation.quiet) {}
+      : invocation_(invocation),
+        command_(command),
+        render_(command.render),
+        log_(invocation.quiet) {}
 
-  ExitCode execute(const SystemOptions& options) {
-    auto checked = checkSource(options, command_.render.depth);
-    if (auto* failure = std::get_if<Failure>(&checked)) return tell(*failure);
-    if (readsFrom(std::get<CheckedSystem>(checked), command_.out)) {
-      return tell({ExitCode::Record, command_.out + ": the source reads from there; choose "
-                                                    "another --out"});
+  ExitCode execute(const run::SystemOptions& options) {
+    run::CheckedSystem checked = checkSource(options, command_.depth);
+    if (readsFrom(checked, command_.out)) {
+      return printFailure(ExitCode::Record,
+                          command_.out + ": the source reads from there; choose another --out");
     }
-    auto assembled =
-        Assembly::create(std::move(std::get<CheckedSystem>(checked)), log_, clock_, interrupts_,
-                         {false, true});  // the command itself shows progress
-    if (auto* failure = std::get_if<Failure>(&assembled)) return tell(*failure);
-    assembly_ = std::move(std::get<std::unique_ptr<Assembly>>(assembled));
-    Status status = assembly_->source().info(info_);
-    if (!status.isOk()) return tell({ExitCode::Dataset, status.message()});
-    status = checkRig(info_);
-    if (!status.isOk()) return tell({ExitCode::Dataset, status.message()});
-    const auto folder = KittiFolder::create(command_.out, command_.replace);
-    if (!folder.isOk()) return tell({ExitCode::Record, folder.status().message()});
-    return render(folder.value());
+    assembly_ = std::make_unique<run::Assembly>(std::move(checked), log_, clock_, interrupts_);
+    run::require(checkRig(assembly_->sourceInfo()), run::FailureKind::Dataset);
+    if (command_.depth && !findDepth()) {
+      refuseDepth(assembly_->system().plugins.front().manifest.id);
+    }
+    return render(run::require(dataset::KittiFolder::create(command_.out, command_.replace),
+                               run::FailureKind::Record));
   }
 
  private:
-  ExitCode render(const KittiFolder& folder) {
+  /// The array that the source describes as a depth image.
+  bool findDepth() {
+    std::vector<ArrayInfo> arrays;
+    if (!assembly_->source().instance().describe(arrays).isOk()) return false;
+    render_.depth = dataset::depthArray(arrays);
+    return !render_.depth.empty();
+  }
+
+  ExitCode render(const dataset::KittiFolder& folder) {
     const int threads = pipeline::concurrency(assembly_->system().config.general.threads);
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
+    const SourceInfo& info = assembly_->sourceInfo();
     const std::int64_t begin_ns = clock_.steadyNs();
-    StageLogger logger(log_, "render");
-    RenderOutcome outcome;
+    run::StageLogger logger(log_, "render");
+    dataset::RenderOutcome outcome;
     {
-      const Audience audience{isatty(STDERR_FILENO) == 1 && !invocation_.quiet, invocation_.quiet};
-      ProgressLine progress(std::cerr, clock_, audience,
-                            framesToCome(command_.render.frames, info_.frames));
-      Rendering rendering(assembly_->source(), info_, folder, command_.render, logger,
-                          [&] { progress.step(); });
+      ProgressLine progress(std::cerr, clock_, terminalOf(invocation_),
+                            framesToCome(command_.render.frames, info.frames));
+      dataset::Rendering rendering(assembly_->source(), info, folder, render_, logger,
+                                   [&] { progress.step(); });
       outcome = rendering.run(interrupts_);
     }
     const double seconds = static_cast<double>(clock_.steadyNs() - begin_ns) * 1e-9;
@@ -120,18 +127,18 @@ class RenderRun {
     return conclude(outcome);
   }
 
-  static ExitCode conclude(const RenderOutcome& outcome) {
-    if (!outcome.folder.isOk()) return tell({ExitCode::Record, outcome.folder.message()});
-    if (!outcome.source.isOk()) return tell({ExitCode::Dataset, outcome.source.message()});
+  static ExitCode conclude(const dataset::RenderOutcome& outcome) {
+    if (!outcome.folder.isOk()) return printFailure(ExitCode::Record, outcome.folder.message());
+    if (!outcome.source.isOk()) return printFailure(ExitCode::Dataset, outcome.source.message());
     if (outcome.interrupted) return ExitCode::Interrupted;
     if (outcome.written > 0) return ExitCode::Ok;
-    return tell({ExitCode::Dataset, "the source gave no frame with a sound image"});
+    return printFailure(ExitCode::Dataset, "the source gave no frame with a sound image");
   }
 
-  void show(const RenderOutcome& outcome, double seconds) const {
+  void show(const dataset::RenderOutcome& outcome, double seconds) const {
     const auto& revisits = outcome.revisits;
     const auto same = std::count_if(revisits.begin(), revisits.end(), [](const auto& r) {
-      return r.heading == evaluation::Heading::Same;
+      return r.heading == dataset::Heading::Same;
     });
     const auto opposite = static_cast<std::ptrdiff_t>(revisits.size()) - same;
     if (invocation_.json) {
@@ -155,11 +162,11 @@ class RenderRun {
 
   Invocation& invocation_;
   const RenderCommand& command_;
-  Interrupts interrupts_;  // before anything that starts threads
-  RunLog log_;
-  SteadyClock clock_;
-  std::unique_ptr<Assembly> assembly_;
-  SourceInfo info_;
+  dataset::RenderOptions render_;
+  run::Interrupts interrupts_;  // before anything that starts threads
+  run::RunLog log_;
+  run::SteadyClock clock_;
+  std::unique_ptr<run::Assembly> assembly_;
 };
 
 }  // namespace
@@ -169,14 +176,14 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation) {
       dataset.add_subcommand("render", "Write the frames of a source as a KITTI folder");
   auto options = std::make_shared<SystemOptionsReader>(*command);
   auto render = std::make_shared<RenderCommand>();
-  command->add_option("--out", render->out, "Folder to write")->required();
-  command->add_option("--frames", render->render.frames, "Take so many frames at most")
+  command->add_option("--out", render->out, "Folder to write")->required()->check(notEmpty);
+  command->add_option("--frames", render->render.frames, "Take at most this many frames")
       ->check(CLI::PositiveNumber);
-  command->add_flag("--depth", render->render.depth, "Write depth maps too (16 bits, m * 256)");
+  command->add_flag("--depth", render->depth, "Write depth maps too (16 bits, m * 256)");
   command->add_flag("--force", render->replace, "Replace an earlier rendering in the folder");
   command->callback([options, render, &invocation] {
     RenderRun run(invocation, *render);
-    invocation.exit_code = static_cast<int>(run.execute(options->read(invocation)));
+    invocation.exit_code = run.execute(options->read(invocation));
   });
 }
 

@@ -5,16 +5,15 @@
 #include <iostream>
 #include <memory>
 
-#include "app/exit_code.hpp"
 #include "app/program.hpp"
-#include "app/report_files.hpp"
+#include "run/report_files.hpp"
 
 namespace tolman::app {
 namespace {
 
 constexpr std::size_t kMostUnits = 1'000'000;
 
-/// As a person counts them, from 1.
+/// Counted from 1, as on the command line.
 struct UnitOptions {
   std::size_t head_direction = 1;
   std::vector<std::size_t> grid{1, 1};
@@ -44,16 +43,15 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("report", "Figures and a page about runs (finished, running or killed)");
   auto runs = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
-  command->add_option("run", *runs, "Run directories; several stand side by side")->required();
-  command->add_option("--out", *out, "Folder to write to (default: the first run directory)");
+  command->add_option("run", *runs, "Run directories; several are shown side by side")->required();
+  command->add_option("--out", *out, "Folder to write to (default: the first run directory)")
+      ->check(notEmpty);
   const auto units = addUnitOptions(*command);
   command->callback([runs, out, units, &invocation] {
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
-    const auto written = writeReport({runs->begin(), runs->end()}, folder, units->choice());
+    const auto written = run::writeReport({runs->begin(), runs->end()}, folder, units->choice());
     if (!written.isOk()) {
-      std::cerr << written.status().message() << "\n";
-      const bool usage = written.status().code() == StatusCode::InvalidParameter;
-      invocation.exit_code = static_cast<int>(usage ? ExitCode::Usage : ExitCode::Dataset);
+      invocation.exit_code = printFailure(written.status());
     } else if (!invocation.quiet) {
       for (const auto& file : written.value()) std::cout << file.string() << "\n";
     }

@@ -5,74 +5,73 @@
 #include <iostream>
 #include <memory>
 
-#include "app/exit_code.hpp"
 #include "app/program.hpp"
 #include "conformance/kit.hpp"
 #include "conformance/report_text.hpp"
 #include "conformance/run_check.hpp"
-#include "plugins/manifest.hpp"
+#include "host/manifest.hpp"
 
 namespace tolman::app {
 namespace {
 
+using conformance::CheckSeverity;
+using conformance::ConformanceReport;
 using conformance::KitOptions;
-using conformance::Report;
-using conformance::Severity;
 
 /// The plugins of the file that are asked for: all, or the one of --id.
-plugins::OrRefusal<std::vector<plugins::Manifest>> wanted(const KitOptions& options) {
-  auto read = plugins::readManifests(options.file);
-  auto* manifests = std::get_if<std::vector<plugins::Manifest>>(&read);
+host::OrRefusal<std::vector<host::Manifest>> wanted(const KitOptions& options) {
+  auto read = host::readManifests(options.file);
+  auto* manifests = std::get_if<std::vector<host::Manifest>>(&read);
   if (manifests == nullptr || options.id.empty()) return read;
   std::string known;
-  for (const plugins::Manifest& manifest : *manifests) {
+  for (const host::Manifest& manifest : *manifests) {
     if (manifest.id == options.id) return std::vector{manifest};
     known += (known.empty() ? "" : ", ") + manifest.id;
   }
-  return plugins::Refusal{"plugin/not-found", options.file + " has no plugin '" + options.id + "'",
-                          "it has: " + known};
+  return host::Refusal{"plugin/not-found", options.file + " has no plugin '" + options.id + "'",
+                       "it has: " + known};
 }
 
-/// A file without a readable manifest has a report as well.
-Report refused(const KitOptions& options, const plugins::Refusal& refusal) {
+/// The report of a file without a readable manifest.
+ConformanceReport refused(const KitOptions& options, const host::Refusal& refusal) {
   conformance::CheckResult manifest;
   manifest.check = "manifest";
   manifest.demand = "a manifest that can be read without opening the library";
   manifest.findings = {
-      {Severity::Error, "[" + refusal.id + "] " + refusal.message, refusal.remedy}};
+      {CheckSeverity::Error, "[" + refusal.id + "] " + refusal.message, refusal.remedy}};
   return {options.file, options.id, "", options.level, options.seed, {manifest}};
 }
 
-int exitCode(const Report& report) {
-  if (report.conforms()) return 0;
+ExitCode exitCode(const ConformanceReport& report) {
+  if (report.conforms()) return ExitCode::Ok;
   const conformance::CheckResult& last = report.checks.back();
-  const bool settings = last.check == "settings" && last.severity() == Severity::Error;
-  return static_cast<int>(settings ? ExitCode::Configuration : ExitCode::Plugin);
+  const bool settings = last.check == "settings" && last.severity() == CheckSeverity::Error;
+  return settings ? ExitCode::Configuration : ExitCode::Plugin;
 }
 
 void validate(KitOptions options, Invocation& invocation) {
-  const auto tell = [&](const conformance::CheckResult& result) {
-    const bool fault = result.severity() >= Severity::Warning;
+  const auto print = [&](const conformance::CheckResult& result) {
+    const bool fault = result.severity() >= CheckSeverity::Warning;
     if (!invocation.json && (fault || !invocation.quiet)) {
       std::cout << conformance::text(result) << std::flush;
     }
   };
-  std::vector<Report> reports;
+  std::vector<ConformanceReport> reports;
   const auto found = wanted(options);
-  if (const auto* refusal = std::get_if<plugins::Refusal>(&found)) {
+  if (const auto* refusal = std::get_if<host::Refusal>(&found)) {
     reports.push_back(refused(options, *refusal));
-    tell(reports.back().checks.back());
+    print(reports.back().checks.back());
   } else {
-    for (const auto& manifest : std::get<std::vector<plugins::Manifest>>(found)) {
+    for (const auto& manifest : std::get<std::vector<host::Manifest>>(found)) {
       options.id = manifest.id;
-      reports.push_back(conformance::validate(options, manifest.role, tell));
+      reports.push_back(conformance::validate(options, manifest.role, print));
       if (!invocation.json) std::cout << conformance::summary(reports.back()) << std::flush;
     }
   }
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const Report& report : reports) {
+  for (const ConformanceReport& report : reports) {
     all.push_back(conformance::json(report));
-    if (invocation.exit_code == 0) invocation.exit_code = exitCode(report);
+    if (invocation.exit_code == ExitCode::Ok) invocation.exit_code = exitCode(report);
   }
   if (invocation.json) std::cout << all.dump(2) << "\n";
 }
@@ -86,14 +85,15 @@ std::vector<std::string> checkIds() {
 }  // namespace
 
 void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
-  CLI::App* command = plugins.add_subcommand("validate", "Does a plugin keep the contract?");
+  CLI::App* command =
+      plugins.add_subcommand("validate", "Check whether a plugin keeps the contract");
   auto options = std::make_shared<KitOptions>();
   command->add_option("file", options->file, "Library, *.so")->required();
   command->add_option("--id", options->id, "One plugin of the library; else all");
-  command->add_option("--level", options->level, "1 must, 2 results, 3 everything")
+  command->add_option("--level", options->level, "1 contract, 2 reproducible results, 3 all checks")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "Of pictures and drawn parameters")
+  command->add_option("--seed", options->seed, "Seed of the images and random parameters")
       ->capture_default_str();
   command->add_option("--set", options->set, "A parameter, key=value (repeatable)")
       ->allow_extra_args(false);
@@ -111,7 +111,7 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
     validate(*options, invocation);
   });
 
-  CLI::App* inside = plugins.add_subcommand("run-check", "The inside of one check")->group("");
+  CLI::App* inside = plugins.add_subcommand("run-check", "Run one check (internal)")->group("");
   auto task = std::make_shared<std::string>();
   inside->add_option("task", *task)->required();
   inside->callback([task] { conformance::runCheck(*task); });

@@ -2,7 +2,11 @@
 // How the program ends; docs/errors.md lists the same for users.
 #pragma once
 
-#include <string>
+#include "run/failure.hpp"
+
+namespace tolman::run {
+struct Outcome;
+}
 
 namespace tolman::app {
 
@@ -16,13 +20,11 @@ enum class ExitCode : int {
   PluginFailed = 7,
   Record = 8,
   Session = 9,
+  Internal = 70,
   Interrupted = 130,
 };
 
-/// Why a command ends early.
-struct Failure {
-  ExitCode code = ExitCode::Ok;
-  std::string message;
-};
+ExitCode exitCode(run::FailureKind kind);
+ExitCode exitCode(const run::Outcome& outcome);
 
 }  // namespace tolman::app

@@ -6,6 +6,7 @@
 
 #include "app/parameter_text.hpp"
 #include "config/settings.hpp"
+#include "run/value_json.hpp"
 
 namespace tolman::app {
 namespace {
@@ -66,7 +67,7 @@ std::string description(const ParameterInfo& info) {
 Json propertySchema(const ParameterInfo& info) {
   Json schema = valueSchema(info);
   schema["description"] = description(info);
-  if (!info.required) schema["default"] = valueJson(info.default_value);
+  if (!info.required) schema["default"] = run::valueJson(info.default_value);
   return schema;
 }
 
@@ -82,7 +83,7 @@ Json objectOf(Json properties) {
 }
 
 /// A stage that is this plugin; nothing is required of it yet.
-Json alternative(const plugins::LoadedPlugin& plugin) {
+Json alternative(const host::LoadedPlugin& plugin) {
   Json properties = {{"plugin", {{"const", plugin.manifest.id}}}};
   properties["plugin"]["description"] = plugin.manifest.summary;
   properties.update(propertiesOf(plugin.schema));
@@ -94,7 +95,7 @@ Json alternative(const plugins::LoadedPlugin& plugin) {
   return schema;
 }
 
-Json requiredBy(const plugins::LoadedPlugin& plugin) {
+Json requiredBy(const host::LoadedPlugin& plugin) {
   Json names = Json::array();
   for (const ParameterInfo& info : plugin.schema) {
     if (info.required) names.push_back(info.name);
@@ -103,14 +104,14 @@ Json requiredBy(const plugins::LoadedPlugin& plugin) {
 }
 
 /// Applies when the stage is this plugin.
-Json whenIs(const plugins::LoadedPlugin& plugin, Json then) {
+Json whenIs(const host::LoadedPlugin& plugin, Json then) {
   const Json is_it = {{"properties", {{"plugin", {{"const", plugin.manifest.id}}}}},
                       {"required", {"plugin"}}};
   return {{"if", is_it}, {"then", std::move(then)}};
 }
 
 /// What a stage must have when no other file completes it.
-Json completeness(const std::vector<plugins::LoadedPlugin>& plugins, Role role) {
+Json completeness(const std::vector<host::LoadedPlugin>& plugins, Role role) {
   Json schema = {{"required", {"plugin"}}};
   for (const auto& plugin : plugins) {
     Json names = requiredBy(plugin);
@@ -125,7 +126,7 @@ std::string reference(const std::string& name) { return "#/$defs/" + name; }
 /// Adds the plugins of one role, and under the role's name the choice among them. With conditions
 /// instead of a plain anyOf a validator names the very value that is wrong. A stage that leaves
 /// `plugin` to another file fits when some plugin knows its keys.
-void addRole(Json& definitions, const std::vector<plugins::LoadedPlugin>& plugins, Role role) {
+void addRole(Json& definitions, const std::vector<host::LoadedPlugin>& plugins, Role role) {
   const std::string name(enumName(role));
   Json ids = Json::array();
   Json conditions = Json::array();
@@ -147,7 +148,7 @@ void addRole(Json& definitions, const std::vector<plugins::LoadedPlugin>& plugin
 }
 
 /// Without `extends` all stages are there, and complete.
-Json wholeFile(const std::vector<plugins::LoadedPlugin>& plugins) {
+Json wholeFile(const std::vector<host::LoadedPlugin>& plugins) {
   Json schema;
   for (const Role role : kChain) {
     schema["required"].push_back(enumName(role));
@@ -176,7 +177,7 @@ Json sections() {
 
 }  // namespace
 
-Json stageSchema(const std::vector<plugins::LoadedPlugin>& plugins) {
+Json stageSchema(const std::vector<host::LoadedPlugin>& plugins) {
   Json schema = {{"$schema", kDialect}};
   Json alternatives = Json::array();
   for (const auto& plugin : plugins) {
@@ -193,7 +194,7 @@ Json stageSchema(const std::vector<plugins::LoadedPlugin>& plugins) {
   return schema;
 }
 
-Json fileSchema(const std::vector<plugins::LoadedPlugin>& plugins) {
+Json fileSchema(const std::vector<host::LoadedPlugin>& plugins) {
   Json properties = sections();
   for (const Role role : kChain) {
     const std::string name(enumName(role));

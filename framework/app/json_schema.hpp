@@ -6,15 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "plugins/library.hpp"
+#include "host/library.hpp"
 
 namespace tolman::app {
 
 /// One stage that is one of these plugins, complete.
-nlohmann::ordered_json stageSchema(const std::vector<plugins::LoadedPlugin>& plugins);
+nlohmann::ordered_json stageSchema(const std::vector<host::LoadedPlugin>& plugins);
 
 /// A whole file: the host's sections, and in each stage these plugins of its role, told apart by
 /// `plugin`. What a file that `extends` another may leave out is not asked of it.
-nlohmann::ordered_json fileSchema(const std::vector<plugins::LoadedPlugin>& plugins);
+nlohmann::ordered_json fileSchema(const std::vector<host::LoadedPlugin>& plugins);
 
 }  // namespace tolman::app

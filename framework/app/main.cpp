@@ -8,20 +8,23 @@
 
 namespace {
 
-/// What a careless parent left: closed standard streams, whose numbers the next files would take,
-/// and ignored children, of whose ends nobody would hear.
-void tidyInheritance() {
+/// Repairs what a parent process may have left: closed standard streams, whose descriptors the next
+/// opened files would take, and an ignored SIGCHLD, which hides the exit of child processes. A
+/// closed pipe and a limit of file sizes are errors of the writes, not the end of the process.
+void repairInheritedState() {
   int descriptor = 0;
   do {
     descriptor = ::open("/dev/null", O_RDWR);
   } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
   if (descriptor >= 0) ::close(descriptor);
   std::signal(SIGCHLD, SIG_DFL);
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  tidyInheritance();
+  repairInheritedState();
   return tolman::app::runProgram(argc, argv);
 }

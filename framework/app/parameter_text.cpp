@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "run/value_json.hpp"
+
 namespace tolman::app {
 namespace {
 
@@ -18,24 +20,21 @@ std::string_view typeName(const ParameterInfo& info) {
 }
 
 std::string defaultText(const ParameterInfo& info) {
-  return info.required ? "required" : valueJson(info.default_value).dump();
+  return info.required ? "required" : run::valueJson(info.default_value).dump();
 }
 
-std::string headline(const plugins::LoadedPlugin& plugin) {
+std::string headline(const host::LoadedPlugin& plugin) {
   const auto& m = plugin.manifest;
   return fmt::format("{} {} ({}): {}", m.id, m.version, enumName(m.role), m.summary);
 }
 
 }  // namespace
 
-nlohmann::ordered_json valueJson(const ParameterValue& value) {
-  return std::visit([](const auto& v) { return nlohmann::ordered_json(v); }, value);
-}
-
 std::string limitsText(const ParameterInfo& info) {
   std::string text;
   for (const std::string& choice : info.choices) text += (text.empty() ? "" : ", ") + choice;
-  constexpr double kInt = std::numeric_limits<int>::max();  // that of the type, not of the author
+  constexpr double kInt =
+      std::numeric_limits<int>::max();  // the limit of the type, not one that the author chose
   const bool low = info.min > -kInt;
   const bool high = info.max < kInt;
   if (low && high) return fmt::format("{} to {}", info.min, info.max);
@@ -44,7 +43,7 @@ std::string limitsText(const ParameterInfo& info) {
   return text;
 }
 
-std::string parametersText(const plugins::LoadedPlugin& plugin) {
+std::string parametersText(const host::LoadedPlugin& plugin) {
   std::string text = headline(plugin) + "\n";
   for (const ParameterInfo& p : plugin.schema) {
     text += fmt::format("  {:<26} {:<13} default {}", p.name, typeName(p), defaultText(p));
@@ -56,7 +55,7 @@ std::string parametersText(const plugins::LoadedPlugin& plugin) {
   return text;
 }
 
-std::string parametersMarkdown(const plugins::LoadedPlugin& plugin) {
+std::string parametersMarkdown(const host::LoadedPlugin& plugin) {
   const auto& m = plugin.manifest;
   std::string text = fmt::format("## `{}` ({})\n\n{}\n\n", m.id, enumName(m.role), m.summary);
   if (plugin.schema.empty()) return text + "No parameters.\n";
@@ -68,7 +67,7 @@ std::string parametersMarkdown(const plugins::LoadedPlugin& plugin) {
   return text;
 }
 
-nlohmann::ordered_json parametersJson(const plugins::LoadedPlugin& plugin) {
+nlohmann::ordered_json parametersJson(const host::LoadedPlugin& plugin) {
   const auto& m = plugin.manifest;
   nlohmann::ordered_json json = {{"id", m.id},
                                  {"role", enumName(m.role)},
@@ -77,9 +76,12 @@ nlohmann::ordered_json parametersJson(const plugins::LoadedPlugin& plugin) {
                                  {"file", m.file.string()}};
   json["parameters"] = nlohmann::ordered_json::array();
   for (const ParameterInfo& p : plugin.schema) {
-    nlohmann::ordered_json one = {
-        {"name", p.name},         {"type", typeName(p)}, {"default", valueJson(p.default_value)},
-        {"required", p.required}, {"unit", p.unit},      {"doc", p.doc}};
+    nlohmann::ordered_json one = {{"name", p.name},
+                                  {"type", typeName(p)},
+                                  {"default", run::valueJson(p.default_value)},
+                                  {"required", p.required},
+                                  {"unit", p.unit},
+                                  {"doc", p.doc}};
     if (std::isfinite(p.min)) one["min"] = p.min;
     if (std::isfinite(p.max)) one["max"] = p.max;
     if (!p.choices.empty()) one["choices"] = p.choices;

@@ -5,16 +5,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "plugins/library.hpp"
+#include "host/library.hpp"
 
 namespace tolman::app {
 
-std::string parametersText(const plugins::LoadedPlugin& plugin);
-std::string parametersMarkdown(const plugins::LoadedPlugin& plugin);
-nlohmann::ordered_json parametersJson(const plugins::LoadedPlugin& plugin);
+std::string parametersText(const host::LoadedPlugin& plugin);
+std::string parametersMarkdown(const host::LoadedPlugin& plugin);
+nlohmann::ordered_json parametersJson(const host::LoadedPlugin& plugin);
 
 /// "1 to 512", ">= 0", "forward, backward", or nothing.
 std::string limitsText(const ParameterInfo& info);
-nlohmann::ordered_json valueJson(const ParameterValue& value);
 
 }  // namespace tolman::app

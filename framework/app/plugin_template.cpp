@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/plugin_template.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -8,6 +10,7 @@
 #include <sstream>
 
 #include "config/nearest_name.hpp"
+#include "record/atomic_file.hpp"
 #include "tolman/version.hpp"
 
 namespace tolman::app {
@@ -61,17 +64,6 @@ std::map<std::string, std::string> valuesOf(const NewPlugin& plugin, const std::
           {"ABOUT", about.substr(rest, std::max(end, rest) - rest)}};
 }
 
-Status writeFile(const fs::path& file, const std::string& text) {
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (stream) return Status::ok();
-  return Status::failed(file.string() +
-                        ": cannot be written; look for a full disk and missing permissions");
-}
-
 /// Copies one folder of templates, filled in; adds the files to `written`.
 Status copyFilled(const fs::path& from, const fs::path& to,
                   const std::map<std::string, std::string>& values,
@@ -84,9 +76,11 @@ Status copyFilled(const fs::path& from, const fs::path& to,
     if (!text.isOk()) return text.status();
     const std::string place = fs::relative(it->path(), from).replace_extension().string();
     const fs::path relative = fillIn(place, values);
-    if (Status status = writeFile(to / relative, fillIn(text.value(), values)); !status.isOk()) {
-      return status;
-    }
+    std::error_code ignored;  // writing tells more
+    fs::create_directories((to / relative).parent_path(), ignored);
+    const Status status =
+        record::writeAtomically(to / relative, fillIn(text.value(), values), record::Sync::No);
+    if (!status.isOk()) return status;
     written.push_back(relative);
   }
   if (!error) return Status::ok();
@@ -111,11 +105,10 @@ std::optional<std::string> objectionTo(const std::string& name) {
                      name.find("__") == std::string::npos && name.size() <= kLongestName;
   if (!legal) {
     const std::string proposal = legalised(name);
-    return "'" + name +
-           "' cannot be the name of a plugin: it takes small letters, digits and single "
-           "underscores, begins with a letter and has " +
-           std::to_string(kLongestName) + " of them at most" +
-           (proposal.empty() ? "; choose such a name" : "; try '" + proposal + "'");
+    return fmt::format(
+        "'{}' cannot be the name of a plugin: it takes small letters, digits and single "
+        "underscores, begins with a letter and has {} of them at most; {}",
+        name, kLongestName, proposal.empty() ? "choose such a name" : "try '" + proposal + "'");
   }
   if (std::find(kTakenNames.begin(), kTakenNames.end(), name) != kTakenNames.end()) {
     return "'" + name + "' is the name of another file of the repository; try 'my_" + name + "'";

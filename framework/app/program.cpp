@@ -4,19 +4,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <iostream>
+#include <new>
 #include <string_view>
 
-#include "app/build_info.hpp"
-#include "app/exit_code.hpp"
+#include "config/nearest_name.hpp"
+#include "run/build_info.hpp"
 
 namespace tolman::app {
 namespace {
 
 struct Example {
   std::string_view command;
-  std::string_view says;
+  std::string_view purpose;
 };
 
 constexpr std::array kExamples = {
@@ -26,13 +28,14 @@ constexpr std::array kExamples = {
             "~/mine/build",
             ""},
     Example{"tolman run configs/kitti.yaml --continue runs/monday --out runs/tuesday",
-            "go on with a saved map"},
+            "continue a saved map"},
+    Example{"tolman help run", "the options of a command"},
     Example{"tolman check configs/kitti.yaml --explain", "every value and where it comes from"},
     Example{"tolman plugins list", "what is installed"},
     Example{"tolman plugins describe bayesian_attractor", "parameters of a plugin"},
     Example{"tolman plugins doctor build/mine.so", "why is a library not loaded?"},
     Example{"tolman plugins new place my_places", "a repository with a plugin that works"},
-    Example{"tolman plugins validate build/mine.so", "does a plugin keep the contract?"},
+    Example{"tolman plugins validate build/mine.so", "does a plugin satisfy the contract?"},
     Example{"tolman dataset check ~/kitti/sequences/06", "is the data set sound?"},
     Example{"tolman dataset render town.yaml --out town",
             "the frames of any source as a KITTI folder"},
@@ -40,7 +43,7 @@ constexpr std::array kExamples = {
             "how fast is the source, and every stage?"},
     Example{"tolman report runs/demo", "figures and a page about a run, or several"},
     Example{"tolman report runs/demo --grid-unit 12,30", "the firing rate of another grid unit"},
-    Example{"tolman view runs/demo", "the same run in the browser; also while it goes on"},
+    Example{"tolman view runs/demo", "the same run in the browser; also while it is running"},
     Example{"tolman plan runs/demo --from 0 --to 40,-120", "the fastest way through a map"},
     Example{"tolman export runs/demo", "trajectories and map of a run that was killed"},
     Example{"tolman eval truth.txt estimate.txt --align se3",
@@ -49,20 +52,22 @@ constexpr std::array kExamples = {
 
 constexpr std::string_view kExitCodes =
     "Exit codes: 0 ok, 2 usage, 3 configuration, 4 plugin, 5 dataset, 6 tracking lost,\n"
-    "  7 plugin failed while running, 8 record (disk), 9 session, 130 interrupted\n";
+    "  7 plugin failed while running, 8 record (disk) or output, 9 session, 70 internal error or\n"
+    "  out of memory, 130 interrupted\n";
 
-/// The examples that begin with `command`; nothing where there are none.
+/// The examples that begin with `command`; empty when there are none.
 std::string examplesOf(std::string_view command) {
   std::string text;
   for (const Example& example : kExamples) {
     if (!example.command.starts_with(command)) continue;
-    text += example.says.empty() ? fmt::format("  {}\n", example.command)
-                                 : fmt::format("  {:<48}  {}\n", example.command, example.says);
+    text += example.purpose.empty()
+                ? fmt::format("  {}\n", example.command)
+                : fmt::format("  {:<48}  {}\n", example.command, example.purpose);
   }
   return text.empty() ? text : "Examples:\n" + text + "\n";
 }
 
-/// Each command teaches itself.
+/// Adds examples and exit codes to the help of each command.
 void addExamples(CLI::App& app, const std::string& command) {
   app.footer(examplesOf(command) + std::string(kExitCodes));
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
@@ -70,11 +75,61 @@ void addExamples(CLI::App& app, const std::string& command) {
   }
 }
 
+/// The words behind `tolman`, with `help COMMAND` as `COMMAND --help`, and `version`.
+std::vector<std::string> wordsOf(int argc, const char* const* argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty()) return words;
+  if (words.front() == "help") {
+    words.erase(words.begin());
+    words.emplace_back("--help");
+  } else if (words.front() == "version") {
+    words.front() = "--version";
+  }
+  return words;
+}
+
+/// "'rnu' is no command; did you mean 'run'?", where a command is missing below the last known one.
+std::string unknownCommand(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::App* sub : last->get_subcommands([](const CLI::App*) { return true; })) {
+    if (!sub->get_group().empty()) names.push_back(sub->get_name());
+  }
+  const std::vector<std::string> rest = app.remaining(true);
+  if (names.empty() || rest.empty() || rest.front().starts_with('-')) return "";
+  const std::string suggestion = config::didYouMean(rest.front(), names);
+  return "'" + rest.front() + "' is no command" +
+         (suggestion.empty() ? "; it is one of: " + config::listed(names) : suggestion);
+}
+
+int parse(CLI::App& app, std::vector<std::string> words) {
+  try {
+    std::ranges::reverse(words);  // as CLI11 wants them
+    app.parse(words);
+  } catch (const CLI::ParseError& error) {
+    const std::string unknown = unknownCommand(app);
+    const bool asked = error.get_exit_code() == 0;  // --help
+    if (!asked && !unknown.empty()) return static_cast<int>(printFailure(ExitCode::Usage, unknown));
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Usage);
+  } catch (const run::Failed& failed) {
+    return static_cast<int>(printFailure(failed.failure));
+  } catch (const std::bad_alloc&) {
+    const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
+    return static_cast<int>(printFailure(ExitCode::Internal, text));
+  } catch (const std::exception& error) {  // a defect of the host, not of its input
+    const std::string text = std::string("tolman: internal error: ") + error.what();
+    return static_cast<int>(printFailure(ExitCode::Internal, text));
+  }
+  return 0;
+}
+
 }  // namespace
 
 int runProgram(int argc, const char* const* argv) {
-  CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins."};
-  app.set_version_flag("--version", std::string("tolman ") + kVersion + " (" + kRevision + ")");
+  CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins.", "tolman"};
+  app.set_version_flag("--version",
+                       std::string("tolman ") + run::kVersion + " (" + run::kRevision + ")");
   app.require_subcommand(1);
   Invocation invocation;
   invocation.command_line.assign(argv, argv + argc);
@@ -95,20 +150,34 @@ int runProgram(int argc, const char* const* argv) {
   addPlanCommand(app, invocation);
   addStageCommand(app);
   addExamples(app, "tolman");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Usage);
-  } catch (const std::exception& error) {  // a defect of the host, not of what it was given
-    std::cerr << "tolman: internal error: " << error.what() << "\n";
-    return 70;
-  }
-  return invocation.exit_code;
+  int code = parse(app, wordsOf(argc, argv));
+  if (code == 0) code = static_cast<int>(invocation.exit_code);
+  if (std::cout.flush() || code != 0) return code;
+  const char* text = "the output cannot be written; look for a full disk or a closed pipe";
+  return static_cast<int>(printFailure(ExitCode::Record, text));
 }
 
-ExitCode tell(const Failure& failure) {
-  std::cerr << failure.message << (failure.message.ends_with('\n') ? "" : "\n");
-  return failure.code;
+std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
+
+ExitCode printFailure(ExitCode code, const std::string& message) {
+  std::cerr << message << (message.ends_with('\n') ? "" : "\n");
+  return code;
+}
+
+ExitCode printFailure(const run::Failure& failure) {
+  return printFailure(exitCode(failure.kind), failure.message);
+}
+
+ExitCode printFailure(const Status& status) {
+  const StatusCode code = status.code();
+  return printFailure(code == StatusCode::InvalidParameter ? ExitCode::Usage
+                      : code == StatusCode::InvalidInput   ? ExitCode::Dataset
+                                                           : ExitCode::Record,
+                      status.message());
+}
+
+ExitCode printRefusal(const host::Refusal& refusal) {
+  return printFailure(ExitCode::Plugin, refusal.text());
 }
 
 }  // namespace tolman::app

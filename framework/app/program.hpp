@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
+#include "host/refusal.hpp"
+#include "tolman/status.hpp"
 
 namespace CLI {
 class App;
@@ -16,8 +18,14 @@ namespace tolman::app {
 /// Runs the program; the result is the exit code of the process.
 int runProgram(int argc, const char* const* argv);
 
-/// Tells of a failure on stderr; its code is the command's.
-ExitCode tell(const Failure& failure);
+// Each prints its message on stderr and returns the exit code.
+ExitCode printFailure(const run::Failure& failure);
+ExitCode printFailure(const Status& status);  ///< of files read and written
+ExitCode printFailure(ExitCode code, const std::string& message);
+ExitCode printRefusal(const host::Refusal& refusal);
+
+/// A check of an option's value: without it `--out ""` would take the default.
+std::string notEmpty(const std::string& value);
 
 /// What commands share.
 struct Invocation {
@@ -25,7 +33,7 @@ struct Invocation {
   std::vector<std::string> plugin_paths;
   bool json = false;
   bool quiet = false;
-  int exit_code = 0;
+  ExitCode exit_code = ExitCode::Ok;
 };
 
 // Each adds one command to `app`; the command stores its exit code in `invocation`.

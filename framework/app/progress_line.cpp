@@ -62,15 +62,19 @@ std::string plainText(const FrameCount& count) {
   return left.empty() ? text : text + ", " + left;
 }
 
+Terminal terminalOf(const Invocation& invocation) {
+  return {isatty(STDERR_FILENO) == 1 && !invocation.quiet, invocation.quiet};
+}
+
 std::int64_t framesToCome(std::int64_t wanted, std::int64_t known) {
   return wanted < 0 || known < 0 ? std::max(wanted, known) : std::min(wanted, known);
 }
 
-ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, const Audience& audience,
+ProgressLine::ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal,
                            std::int64_t total)
     : out_(out),
       clock_(clock),
-      audience_(audience),
+      terminal_(terminal),
       begin_ns_(clock.steadyNs()),
       shown_ns_(begin_ns_) {
   count_.total = total;
@@ -81,18 +85,18 @@ ProgressLine::~ProgressLine() {
 }
 
 void ProgressLine::step() {
-  constexpr std::int64_t kRedrawNs = 100'000'000;     // faster than that nobody reads
-  constexpr std::int64_t kSilenceNs = 5'000'000'000;  // without a terminal: at least so often
-  if (audience_.quiet) return;
+  constexpr std::int64_t kRedrawNs = 100'000'000;     // ten times a second
+  constexpr std::int64_t kSilenceNs = 5'000'000'000;  // longest time without a line
+  if (terminal_.quiet) return;
   const std::lock_guard lock(mutex_);
   ++count_.done;
   const std::int64_t now = clock_.steadyNs();
   count_.seconds = static_cast<double>(now - begin_ns_) * 1e-9;
   const std::int64_t tenths = count_.total > 0 ? percent(count_) / 10 : 0;
-  const bool due = audience_.interactive ? now - shown_ns_ >= kRedrawNs
+  const bool due = terminal_.interactive ? now - shown_ns_ >= kRedrawNs
                                          : tenths > shown_tenths_ || now - shown_ns_ >= kSilenceNs;
   if (!due) return;
-  if (audience_.interactive) {
+  if (terminal_.interactive) {
     redraw(barText(count_, terminalWidth()));
   } else {
     out_ << plainText(count_) << '\n' << std::flush;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far a command is that drives frames without a pipeline: a redrawn line on a terminal, a line
-// now and then elsewhere.
+// Progress of a command that reads frames without a pipeline, on stderr: one redrawn line on a
+// terminal, otherwise a line at each tenth or every five seconds.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,17 @@
 #include <ostream>
 #include <string>
 
-#include "app/assembly.hpp"
+#include "app/program.hpp"
+#include "tolman/context.hpp"
 
 namespace tolman::app {
+
+/// What stderr is and how much the user wants there.
+struct Terminal {
+  bool interactive = false;  ///< a terminal, where a line can be redrawn
+  bool quiet = false;        ///< show nothing
+};
+Terminal terminalOf(const Invocation& invocation);
 
 struct FrameCount {
   std::int64_t done = 0;
@@ -23,13 +31,14 @@ std::string barText(const FrameCount& count, int width);
 /// "frame 40 of 100 (40 %), 9.8 frames/s, 0:06 left"
 std::string plainText(const FrameCount& count);
 
-/// How many frames will come when `wanted` are asked for and there are `known`; -1: all, not known.
+/// The number of frames to expect when at most `wanted` (-1: all) of `known` (-1: unknown) are
+/// read.
 std::int64_t framesToCome(std::int64_t wanted, std::int64_t known);
 
 class ProgressLine {
  public:
-  ProgressLine(std::ostream& out, const Clock& clock, const Audience& audience, std::int64_t total);
-  /// Wipes the line of the terminal.
+  ProgressLine(std::ostream& out, const Clock& clock, Terminal terminal, std::int64_t total);
+  /// Erases the line on a terminal.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
@@ -42,13 +51,13 @@ class ProgressLine {
 
   std::ostream& out_;
   const Clock& clock_;
-  Audience audience_;
+  Terminal terminal_;
   std::mutex mutex_;
   FrameCount count_;
   std::int64_t begin_ns_;
   std::int64_t shown_ns_;
   std::int64_t shown_tenths_ = 0;
-  std::size_t drawn_ = 0;  ///< characters that stand on the terminal
+  std::size_t drawn_ = 0;  ///< characters of the line on the terminal
 };
 
 }  // namespace tolman::app

@@ -2,15 +2,35 @@
 #include "app/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 namespace tolman::app {
+namespace {
+
+std::string errorText(const char* name, const std::optional<evaluation::ErrorFigures>& error,
+                      const std::string& unit) {
+  if (!error) return "";
+  return fmt::format("{} error median {:.1f}, 90 % {:.1f} {}", name, error->median, error->p90,
+                     unit);
+}
+
+std::string scoreText(const char* name, const std::optional<evaluation::UnitScore>& score) {
+  if (!score) return "";
+  return fmt::format("{} {:.2f}, {:.0f} % above chance", name, score->median,
+                     100 * score->share_above);
+}
+
+}  // namespace
 
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics) {
   std::string text =
       fmt::format("{:<10}path {:.2f} m over {} poses", name, metrics.path_length_m, metrics.poses);
   if (!metrics.scores) return text + fmt::format("; no error figures: {}\n", metrics.reason);
   const evaluation::Scores& s = *metrics.scores;
-  text += fmt::format("; matched {} ({:.1f} % of the truth)\n", metrics.matched, 100 * s.coverage);
+  text += fmt::format("; matched {}; {:.1f} % of the truth tracked\n", metrics.matched,
+                      100 * s.coverage);
   text +=
       fmt::format("{:<10}ATE rmse {:.3f} m  (mean {:.3f}, median {:.3f}, min {:.3f}, max {:.3f})\n",
                   "", s.ate_m.rmse, s.ate_m.mean, s.ate_m.median, s.ate_m.min, s.ate_m.max);
@@ -22,18 +42,43 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
   return text;
 }
 
-std::string healthText(const pipeline::Outcome& outcome, double wall_seconds) {
-  const pipeline::Counters& n = outcome.counters;
+std::string cellsText(const evaluation::CellFigures& cells) {
+  std::vector<std::string> parts;
+  for (const evaluation::RingFigures& ring : cells.rings) {
+    parts.push_back(errorText("heading", ring.error_deg, "deg"));
+    parts.push_back(scoreText("mean vector", ring.scores.mean_vector_length));
+    if (ring.scores.half_width_deg) {
+      parts.push_back(fmt::format("half width {:.0f} deg", ring.scores.half_width_deg->median));
+    }
+  }
+  if (!cells.sheets.empty()) {
+    const std::string modulo =
+        cells.modulo_m > 0 ? fmt::format(" (modulo {:.3g} m)", cells.modulo_m) : "";
+    parts.push_back(errorText("position", cells.position_m, "m" + modulo));
+    parts.push_back(scoreText("square grid", cells.sheets[0].scores.square));
+  }
+  if (!cells.reason.empty()) parts.push_back("no errors: " + cells.reason);
+  std::erase(parts, "");
+  return parts.empty() ? "" : fmt::format("{:<10}{}\n", "cells", fmt::join(parts, "; "));
+}
+
+std::string healthText(const run::Outcome& outcome) {
+  const pipeline::RunCounters& n = outcome.counters;
   std::string text =
-      fmt::format("{:<10}{} processed, {} dropped, {} skipped, {} without image, {} lost\n",
-                  "frames", n.frames, n.dropped, n.skipped, n.defects, n.lost);
-  text += fmt::format("{:<10}{} templates, {} experiences, {} links, {} loop{}\n", "memory",
-                      n.templates, n.experiences, n.links, n.loops, n.loops == 1 ? "" : "s");
-  const double rate = wall_seconds > 0 ? static_cast<double>(n.frames) / wall_seconds : 0;
-  text += fmt::format("{:<10}{:.1f} s, {:.1f} frames/s", "time", wall_seconds, rate);
+      fmt::format("{:<10}{} of {} frames, {} initialising, {} lost{}\n", "tracking", n.tracked(),
+                  n.frames, n.initialising, n.lost, n.lost_at_end ? "; lost at the end" : "");
+  if (n.neverTracked()) text += fmt::format("{:<10}{}\n", "", pipeline::kNeverTracked);
+  text += fmt::format("{:<10}{} processed, {} dropped, {} skipped, {} without image\n", "frames",
+                      n.frames, n.dropped, n.skipped, n.defects);
+  text += fmt::format(
+      "{:<10}{} templates, {} experiences, {} links, of them {} loop link{} ({})\n", "memory",
+      n.templates, n.experiences, n.links, n.loop_links, n.loop_links == 1 ? "" : "s",
+      fmt::format("{} loop decision{}", n.loop_decisions, n.loop_decisions == 1 ? "" : "s"));
+  const double rate = outcome.wall_s > 0 ? static_cast<double>(n.frames) / outcome.wall_s : 0;
+  text += fmt::format("{:<10}{:.1f} s, {:.1f} frames/s", "time", outcome.wall_s, rate);
   const std::int64_t last_ns = outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)];
-  return text +
-         fmt::format("; the map's last work {:.2f} s\n", 1e-9 * static_cast<double>(last_ns));
+  return text + fmt::format("; final optimisation of the map {:.2f} s\n",
+                            1e-9 * static_cast<double>(last_ns));
 }
 
 std::string figuresText(const evaluation::Metrics& metrics) {
@@ -45,10 +90,11 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   if (metrics.sessions.size() > 1 || metrics.parts > 1) {
     const std::string unjoined = evaluation::unjoinedText(metrics);
     text += fmt::format("{:<10}{}; {}\n", "sessions", metrics.sessions.size(),
-                        unjoined.empty() ? "all of the map hangs together" : unjoined);
+                        unjoined.empty() ? "all parts of the map are joined" : unjoined);
   }
   text += fmt::format("{:<10}{}\n", "alignment", enumName(metrics.alignment));
-  return text + trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
+  text += trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
+  return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 
 }  // namespace tolman::app

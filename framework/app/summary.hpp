@@ -1,22 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a person reads after a run: health first, then the errors.
+// The summary of a run on the terminal: health counters first, then the errors.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "evaluation/metrics.hpp"
-#include "pipeline/run.hpp"
+#include "run/run.hpp"
 
 namespace tolman::app {
 
 /// One block of health counters.
-std::string healthText(const pipeline::Outcome& outcome, double wall_seconds);
+std::string healthText(const run::Outcome& outcome);
 
 /// The figures of one trajectory; `name` heads the first line.
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics);
 
-/// The figures: alignment, coverage, ATE, drift, for odometry and map, and time per stage.
+/// One line of what ring and grid modules say against the truth, and of the tuning of their units;
+/// empty where nothing is known.
+std::string cellsText(const evaluation::CellFigures& cells);
+
+/// The figures: alignment, coverage, ATE, drift, for odometry and map, cells, and time per stage.
 std::string figuresText(const evaluation::Metrics& metrics);
 
 }  // namespace tolman::app

@@ -3,33 +3,52 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <string>
 
-#include "app/assembly.hpp"
 #include "app/program.hpp"
+#include "run/checked_system.hpp"
 
 namespace tolman::app {
+
+/// `given`, or where there is no such file a configuration that is shipped with the program: "demo"
+/// and "configs/demo.yaml", in the installed tree and in the build tree.
+inline std::string configFile(const std::string& given) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::exists(given, ignored)) return given;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  for (const fs::path& folder : {prefix / "share/tolman", prefix.parent_path()}) {
+    for (const fs::path& file : {folder / "configs" / (given + ".yaml"), folder / given}) {
+      if (fs::is_regular_file(file, ignored)) return file.string();
+    }
+  }
+  return given;
+}
 
 /// CONFIG, --set, --seed, --threads, --continue.
 class SystemOptionsReader {
  public:
   explicit SystemOptionsReader(CLI::App& command) {
-    command.add_option("config", config_, "Configuration file (YAML)")->required();
+    command
+        .add_option("config", config_, "Configuration file (YAML), or the name of a shipped one")
+        ->required();
     command.add_option("--set", overrides_, "Override a value: --set a.b=c (repeatable)")
         ->allow_extra_args(false);
     command.add_option("--seed", seed_, "Seed of the run; same as --set seed=N");
     command.add_option("--threads", threads_, "Threads, 0 for all; same as --set threads=N");
   }
 
-  /// Of commands that drive a run.
+  /// For commands that record a run.
   void addContinue(CLI::App& command) {
     command.add_option("--continue", continue_,
-                       "Go on with the map of this run directory; same as --set continue=DIR");
+                       "Continue the map of this run directory; same as --set continue=DIR");
   }
 
-  SystemOptions read(const Invocation& invocation) const {
-    SystemOptions options{config_, overrides_, invocation.plugin_paths};
+  run::SystemOptions read(const Invocation& invocation) const {
+    run::SystemOptions options{configFile(config_), overrides_, invocation.plugin_paths};
+    options.quiet = invocation.quiet;
     if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
     if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
     if (!continue_.empty()) options.overrides.push_back("continue=" + continue_);

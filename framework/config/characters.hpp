@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Digits and letters of ASCII, whatever the locale.
+// ASCII digits and letters, independent of the locale.
 #pragma once
 
 namespace tolman::config {

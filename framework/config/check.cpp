@@ -3,6 +3,7 @@
 #include "config/check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -13,23 +14,14 @@ namespace tolman::config {
 namespace {
 
 std::string expectation(const ParameterInfo& info) {
-  switch (info.type) {
-    case ParameterType::Bool:
-      return "true or false";
-    case ParameterType::Integer:
-      return "an integer";
-    case ParameterType::Real:
-      return "a number";
-    case ParameterType::Text:
-      return "a text";
-    case ParameterType::Path:
-      return "a path";
-    case ParameterType::Choice:
-      return "one of " + listed(info.choices);
-    case ParameterType::RealList:
-      return "a list of numbers such as [1, 2.5]";
-  }
-  return {};
+  constexpr std::array kTypes = {"true or false",
+                                 "an integer",
+                                 "a number",
+                                 "a text",
+                                 "a path",
+                                 "one of ",
+                                 "a list of numbers such as [1, 2.5]"};
+  return kTypes.at(static_cast<std::size_t>(info.type)) + listed(info.choices);
 }
 
 std::string rangeText(const ParameterInfo& info) {
@@ -39,11 +31,12 @@ std::string rangeText(const ParameterInfo& info) {
   return writeReal(info.min) + " ... " + writeReal(info.max) + unit;
 }
 
-/// Reads the value of one parameter; every way to fail leaves one problem.
+/// Reads the value of one parameter. Each failure is reported as one problem.
 class ValueReader {
  public:
-  ValueReader(const ParameterInfo& info, std::string path, const Places& places, Problems& problems)
-      : info_(info), path_(std::move(path)), places_(places), problems_(problems) {}
+  ValueReader(const ParameterInfo& info, std::string path, const BaseFolders& folders,
+              Problems& problems)
+      : info_(info), path_(std::move(path)), folders_(folders), problems_(problems) {}
 
   std::optional<ParameterValue> read(const Node& node) {
     if (info_.type == ParameterType::RealList) return readList(node);
@@ -92,7 +85,7 @@ class ValueReader {
   }
 
   std::optional<ParameterValue> readPath(const Node& node) {
-    const Result<std::string> path = resolvePath(node.text, node.origin, places_);
+    const Result<std::string> path = resolvePath(node.text, node.origin, folders_);
     if (!path.isOk()) return refuse(node, path.status().message());
     return path.value();
   }
@@ -112,7 +105,7 @@ class ValueReader {
       ParameterInfo number = info_;
       number.type = ParameterType::Real;
       const auto value =
-          ValueReader(number, joinPath(path_, item.key), places_, problems_).read(item);
+          ValueReader(number, joinPath(path_, item.key), folders_, problems_).read(item);
       if (value) list.push_back(std::get<double>(*value));
     }
     if (list.size() < node.children.size()) return std::nullopt;
@@ -121,7 +114,7 @@ class ValueReader {
 
   const ParameterInfo& info_;
   std::string path_;
-  const Places& places_;
+  const BaseFolders& folders_;
   Problems& problems_;
 };
 
@@ -131,43 +124,54 @@ std::vector<std::string> namesOf(const Schema& schema) {
   return names;
 }
 
+/// Whether the doc of a parameter says "Formerly `key`.".
+bool wasCalled(const ParameterInfo& info, const std::string& key) {
+  const std::size_t formerly = info.doc.find("Formerly ");
+  return formerly != std::string::npos &&
+         info.doc.find('`' + key + '`', formerly) != std::string::npos;
+}
+
 void refuseUnknown(const Node& map, const Schema& schema, const Subject& subject,
                    Problems& problems) {
   const std::vector<std::string> own = namesOf(schema);
   std::vector<std::string> known = own;
   known.insert(known.end(), subject.also_known.begin(), subject.also_known.end());
-  const std::string knows = subject.owner.empty() ? "known here: " + listed(known)
-                            : own.empty()         ? subject.owner + " has no parameters"
-                                                  : subject.owner + " knows: " + listed(own);
+  const std::string list = subject.owner.empty() ? "keys: " + listed(known)
+                           : own.empty()         ? subject.owner + " has no parameters"
+                                         : "parameters of " + subject.owner + ": " + listed(own);
+  const std::string unknown = subject.owner.empty() ? "unknown key" : "unknown parameter";
   for (const Node& child : map.children) {
     if (std::ranges::find(known, child.key) != known.end()) continue;
+    const auto renamed = std::ranges::find_if(
+        schema, [&](const ParameterInfo& info) { return wasCalled(info, child.key); });
     problems.push_back({child.key_origin, joinPath(subject.path, child.key),
-                        (subject.owner.empty() ? "unknown key" : "unknown parameter") +
-                            didYouMean(child.key, known) + " (" + knows + ")"});
+                        renamed != schema.end()
+                            ? "was renamed to '" + renamed->name + "'"
+                            : unknown + didYouMean(child.key, known) + " (" + list + ")"});
   }
 }
 
-/// Defaults of paths follow the same rules as given paths.
-ParameterValue defaultOf(const ParameterInfo& info, const Places& places) {
+/// The default; paths are resolved.
+ParameterValue defaultOf(const ParameterInfo& info, const BaseFolders& folders) {
   if (info.type != ParameterType::Path) return info.default_value;
-  const auto path = resolvePath(std::get<std::string>(info.default_value), {}, places);
+  const auto path = resolvePath(std::get<std::string>(info.default_value), {}, folders);
   return path.isOk() ? path.value() : info.default_value;
 }
 
 }  // namespace
 
 ParameterValues check(const Node& map, const Schema& schema, const Subject& subject,
-                      const Places& places, Problems& problems) {
+                      const BaseFolders& folders, Problems& problems) {
   if (!map.isMap()) {
     problems.push_back({map.origin, subject.path, "expects a map of keys, not " + describe(map)});
   }
   if (map.isMap()) refuseUnknown(map, schema, subject, problems);
   ParameterValues values;
   for (const ParameterInfo& info : schema) {
-    values[info.name] = defaultOf(info, places);
+    values[info.name] = defaultOf(info, folders);
     const std::string path = joinPath(subject.path, info.name);
     if (const Node* given = map.find(info.name)) {
-      const auto value = ValueReader(info, path, places, problems).read(*given);
+      const auto value = ValueReader(info, path, folders, problems).read(*given);
       if (value) values[info.name] = *value;
     } else if (info.required && map.isMap()) {
       const std::string who = subject.owner.empty() ? "" : " for " + subject.owner;

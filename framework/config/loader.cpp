@@ -16,18 +16,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxBytes = 1U << 20U;
-constexpr int kMaxFiles = 64;  // diamonds of `extends` read a file many times
+constexpr int kMaxFiles = 64;  // a file that several others extend is read several times
 
 Result<std::string> readText(const fs::path& file) {
   std::error_code error;
   if (!fs::exists(file, error)) return Status::invalidInput("no such file");
-  if (!fs::is_regular_file(file, error)) return Status::invalidInput("this is no file");
+  if (!fs::is_regular_file(file, error)) return Status::invalidInput("not a regular file");
   if (fs::file_size(file, error) > kMaxBytes) {
-    return Status::invalidInput("larger than 1 MiB; is this a configuration?");
+    return Status::invalidInput("larger than 1 MiB; not a configuration?");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) return Status::invalidInput("cannot be read; look at its permissions");
+  if (!stream) return Status::invalidInput("cannot be read; check its permissions");
   return text;
 }
 
@@ -38,13 +38,13 @@ class Loader {
   Loader(const Environment& environment, Loaded& loaded)
       : environment_(environment), loaded_(loaded) {}
 
-  /// The merged tree of a file. `asked` is who wants it, for messages.
-  Node merged(const fs::path& file, const Origin& asked) {
+  /// The merged tree of a file. `requested` is where it is named, for messages.
+  Node merged(const fs::path& file, const Origin& requested) {
     const std::string circle = circleTo(file);
-    if (!circle.empty()) return lost(asked, "extends", "goes in a circle: " + circle);
-    if (++files_ > kMaxFiles) return lost(asked, "extends", "more than 64 files are read");
+    if (!circle.empty()) return fail(requested, "extends", "circular: " + circle);
+    if (++files_ > kMaxFiles) return fail(requested, "extends", "more than 64 files are read");
     chain_.push_back(file);
-    Node tree = read(file, asked);
+    Node tree = read(file, requested);
     Node base = bases(tree);
     tree.erase("extends");
     merge(base, tree);
@@ -53,8 +53,8 @@ class Loader {
   }
 
  private:
-  /// Notes the problem and stands in for the tree that could not be had.
-  Node lost(const Origin& where, const std::string& path, const std::string& message) {
+  /// Reports the problem and returns an empty map.
+  Node fail(const Origin& where, const std::string& path, const std::string& message) {
     loaded_.complete = false;
     loaded_.problems.push_back({where, path, message});
     return emptyMap(where);
@@ -78,29 +78,29 @@ class Loader {
     return shown.empty() ? shown : shown + file.string();
   }
 
-  /// The file's own tree, variables expanded.
-  Node read(const fs::path& file, const Origin& asked) {
+  /// The tree of one file, with variables expanded.
+  Node read(const fs::path& file, const Origin& requested) {
     const Result<std::string> text = readText(file);
     if (!text.isOk()) {
       const bool is_first = chain_.size() == 1;
-      return lost(asked, is_first ? "" : "extends",
+      return fail(requested, is_first ? "" : "extends",
                   (is_first ? "" : file.string() + ": ") + text.status().message());
     }
     const Origin origin = Origin::ofFile(file.string());
     std::optional<Node> tree = readYaml(text.value(), origin, loaded_.problems);
-    if (!tree) {  // the reader said why
+    if (!tree) {  // readYaml() has reported the reason
       loaded_.complete = false;
       return emptyMap(origin);
     }
-    if (tree->kind == Node::Kind::Null) return lost(origin, "", "the file is empty");
+    if (tree->kind == Node::Kind::Null) return fail(origin, "", "the file is empty");
     if (!tree->isMap()) {
-      return lost(tree->origin, "", "a configuration is a map of keys, not " + describe(*tree));
+      return fail(tree->origin, "", "a configuration is a map of keys, not " + describe(*tree));
     }
     expandVariables(*tree, "", environment_, loaded_.problems);
     return std::move(*tree);
   }
 
-  /// What `extends` of this tree names, merged.
+  /// The merged trees of the files in `extends`.
   Node bases(const Node& tree) {
     Node all = emptyMap(tree.origin);
     const Node* extends = tree.find("extends");
@@ -110,7 +110,7 @@ class Loader {
     } else if (extends->isSequence()) {
       for (const Node& item : extends->children) merge(all, base(item));
     } else {
-      lost(extends->origin, "extends",
+      fail(extends->origin, "extends",
            "expects a file or a list of files, not " + describe(*extends));
     }
     return all;
@@ -118,12 +118,12 @@ class Loader {
 
   Node base(const Node& name) {
     if (!name.isScalar() || name.text.empty()) {
-      return lost(name.origin, "extends", "expects a file, not " + describe(name));
+      return fail(name.origin, "extends", "expects a file, not " + describe(name));
     }
     fs::path file = fs::path(name.origin.file).parent_path() / name.text;
     if (name.text.starts_with('~')) {
-      const Result<std::string> path = resolvePath(name.text, name.origin, loaded_.places);
-      if (!path.isOk()) return lost(name.origin, "extends", path.status().message());
+      const Result<std::string> path = resolvePath(name.text, name.origin, loaded_.folders);
+      if (!path.isOk()) return fail(name.origin, "extends", path.status().message());
       file = path.value();
     }
     return merged(file.lexically_normal(), name.origin);
@@ -141,7 +141,7 @@ Loaded load(const fs::path& file, const std::vector<std::string>& overrides,
             const Environment& environment) {
   Loaded loaded;
   std::error_code error;
-  loaded.places = {fs::current_path(error), environment("HOME").value_or("")};
+  loaded.folders = {fs::current_path(error), environment("HOME").value_or("")};
   loaded.file = file.string();
   loaded.tree = Loader(environment, loaded).merged(file, Origin::ofFile(loaded.file));
   applyOverrides(loaded.tree, overrides, environment, loaded.problems);

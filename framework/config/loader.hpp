@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A configuration file with all that it extends and the command line, as one tree.
+// Loads a configuration file, the files that it extends, and the overrides of the command line into
+// one tree.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +15,15 @@ namespace tolman::config {
 
 struct Loaded {
   Node tree;             ///< a map, without `extends`
-  Places places;         ///< for paths in the tree
+  BaseFolders folders;   ///< for relative paths in the tree
   std::string file;      ///< as given to load()
   Problems problems;     ///< of all files at once
-  bool complete = true;  ///< false: a file or a part is missing, so what is absent proves nothing
+  bool complete = true;  ///< false if a file could not be read: then a missing key is no problem
 };
 
-/// Reads `file`, lays it over the files that its `extends` names (a path or a list, relative to the
-/// file that says it; the later wins, the file itself over all), then applies the `overrides` of
-/// the command line. Never throws for what files hold.
+/// `extends` is a path or a list of paths, relative to the file that contains it. Later files
+/// override earlier ones, `file` overrides them all, and `overrides` override `file`. Does not
+/// throw for the contents of files.
 Loaded load(const std::filesystem::path& file, const std::vector<std::string>& overrides,
             const Environment& environment);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which known name a mistyped one is likely to mean.
+// Suggests a known name for a misspelt one.
 #pragma once
 
 #include <optional>
@@ -9,12 +9,12 @@
 
 namespace tolman::config {
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn one name into the other
-/// (optimal string alignment). Capitals count as small letters, '-' as '_'.
+/// Optimal string alignment distance: insertions, deletions, replacements and swaps of neighbours
+/// that turn one name into the other. Ignores case; '-' equals '_'.
 std::size_t editDistance(std::string_view a, std::string_view b);
 
-/// The nearest candidate, if it is near enough to be meant: at most a third of the letters differ,
-/// or two. Of equals the first.
+/// The candidate with the smallest distance, if that is at most 2 or a third of the length. The
+/// first of equal ones.
 std::optional<std::string> nearestName(std::string_view name,
                                        std::span<const std::string> candidates);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The value tree of a configuration: scalars, lists and maps that know where they were said.
+// The value tree of a configuration: scalars, lists and maps with the position of each value.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tolman::config {
 
-/// A value under its key. Plain data: copies are deep.
+/// A value with its key. Copies are deep.
 struct Node {
   enum class Kind : std::uint8_t { Null, Scalar, Sequence, Map };
   Kind kind = Kind::Null;
@@ -19,7 +19,7 @@ struct Node {
   Origin key_origin;
   Origin origin;
   std::string text;            ///< of a scalar, unquoted
-  bool quoted = false;         ///< the scalar stood in quotes: it is text, whatever it looks like
+  bool quoted = false;         ///< the scalar was quoted, so it is text
   std::vector<Node> children;  ///< in the order of the file
 
   bool isMap() const { return kind == Kind::Map; }
@@ -38,11 +38,11 @@ std::string describe(const Node& node);
 /// "a.b" or "b".
 std::string joinPath(std::string_view path, std::string_view key);
 
-/// Whether `stage` names another plugin than `plugin`. Its parameters then mean nothing any more.
+/// Whether `stage` has another plugin than `plugin`. Its parameters then do not apply.
 bool namesOtherPlugin(const Node& stage, const Node& plugin);
 
-/// Lays `over` on `base`: maps are merged key by key, everything else is replaced, lists as a
-/// whole. A map that names another `plugin` replaces the stage below with all its parameters.
+/// Overrides `base` by `over`: maps are merged key by key, scalars and lists are replaced. A map
+/// with another `plugin` replaces the whole stage, parameters included.
 void merge(Node& base, const Node& over);
 
 }  // namespace tolman::config

@@ -34,26 +34,26 @@ Result<std::vector<std::string>> readPath(const std::string& argument) {
     return Status::invalidParameter("the key path has an empty part");
   }
   if (path.front() == "extends") {
-    return Status::invalidParameter("'extends' works in files only");
+    return Status::invalidParameter("'extends' is allowed in files only");
   }
   return path;
 }
 
-/// The child `part` of `parent`, made if need be.
+/// The child `part` of `parent`, created if it does not exist.
 Result<Node*> step(Node& parent, const std::string& part, const Origin& origin) {
   if (parent.kind == Node::Kind::Null) {
     parent.kind = isIndex(part) ? Node::Kind::Sequence : Node::Kind::Map;
     parent.origin = origin;
   }
   if (parent.isScalar()) {
-    return Status::invalidParameter("'" + part + "' has no place: its parent is the single value " +
+    return Status::invalidParameter("'" + part + "' cannot be set: its parent is the scalar " +
                                     describe(parent));
   }
   if (Node* child = parent.find(part)) return child;
   if (parent.isSequence() && part != std::to_string(parent.children.size())) {
     return Status::invalidParameter("no item '" + part + "' in a list of " +
                                     std::to_string(parent.children.size()) +
-                                    "; items count from 0");
+                                    "; indices start at 0");
   }
   Node child;
   child.key = part;
@@ -95,7 +95,7 @@ void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
     }
     const std::size_t equals = argument.find('=');
     std::optional<Node> value = readYaml(argument.substr(equals + 1), origin, problems);
-    if (!value) continue;  // the reader said why
+    if (!value) continue;  // readYaml() has reported the reason
     expandVariables(*value, argument.substr(0, equals), environment, problems);
     const Status done = assign(tree, path.value(), std::move(*value), origin);
     if (!done.isOk()) problems.push_back({origin, "", done.message()});

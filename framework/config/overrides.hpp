@@ -10,10 +10,10 @@
 
 namespace tolman::config {
 
-/// Puts each "path=value" into the tree. Parts of a path are keys, or indices of a list
-/// ("observers.0.port=1"; the index after the last appends). The value is YAML: a scalar, or
-/// [1, 2] or {plugin: x}. Assignments of plugins go first, since another plugin drops the
-/// parameters that the files gave to the old one; otherwise the later wins.
+/// Applies each "path=value" to the tree. Parts of a path are keys, or indices of a list
+/// ("observers.0.port=1"; the index after the last one appends). The value is YAML: a scalar,
+/// [1, 2] or {plugin: x}. Plugins are assigned first, because another plugin removes the parameters
+/// of the old one; otherwise later overrides take precedence.
 void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
                     const Environment& environment, Problems& problems);
 

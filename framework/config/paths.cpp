@@ -5,16 +5,17 @@
 namespace tolman::config {
 
 Result<std::string> resolvePath(const std::string& path, const Origin& origin,
-                                const Places& places) {
+                                const BaseFolders& folders) {
   if (path.empty()) return path;
   std::filesystem::path absolute = path;
   if (path == "~" || path.starts_with("~/")) {
-    if (places.home.empty()) return Status::invalidParameter("'~' needs HOME, which is not set");
-    absolute = places.home + path.substr(1);
+    if (folders.home.empty()) return Status::invalidParameter("'~' needs HOME, which is not set");
+    absolute = folders.home + path.substr(1);
   } else if (path.starts_with('~')) {
-    return Status::invalidParameter("'" + path + "': only '~/' is understood, not other homes");
+    return Status::invalidParameter("'" + path +
+                                    "': only '~/' is supported, not the home of another user");
   }
-  std::filesystem::path base = places.working_directory;
+  std::filesystem::path base = folders.working_directory;
   if (origin.kind == Origin::Kind::File) {
     base /= std::filesystem::path(origin.file).parent_path();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a path in a configuration means.
+// Resolves paths of a configuration to absolute paths.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@
 
 namespace tolman::config {
 
-/// The folders that paths may start from.
-struct Places {
+/// Folders that relative paths refer to.
+struct BaseFolders {
   std::filesystem::path working_directory;
   std::string home;  ///< empty when not known
 };
 
-/// Absolute and lexically normal, without a slash at the end. `~` is the home folder. A relative
-/// path starts from the folder of the file that says it, or from the working directory when the
-/// command line or a default says it. Empty stays empty.
+/// The absolute, lexically normal path without a trailing slash. `~` is the home folder. A relative
+/// path refers to the folder of the file that contains it, or to the working directory if it comes
+/// from the command line or a default. An empty path stays empty.
 Result<std::string> resolvePath(const std::string& path, const Origin& origin,
-                                const Places& places);
+                                const BaseFolders& folders);
 
 }  // namespace tolman::config

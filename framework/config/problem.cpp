@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How places and problems read.
+// Origins and problems as text.
 #include "config/problem.hpp"
 
 #include <algorithm>

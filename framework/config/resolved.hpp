@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A complete configuration as text: every value, given or default.
+// A complete configuration as text: all values, configured or default.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace tolman::config {
 /// Checked parameters by the name of the stage's instance.
 using StageValues = std::map<std::string, ParameterValues, std::less<>>;
 
-/// config.resolved.yaml: loads again to the same values, on any machine with the same files.
+/// config.resolved.yaml: loading it gives the same values.
 std::string resolvedYaml(const SystemConfig& config, const StageValues& values);
 
 /// The same with the origin of each value in a comment, for `tolman check --explain`:

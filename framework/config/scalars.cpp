@@ -14,13 +14,13 @@
 namespace tolman::config {
 namespace {
 
-/// 010 is eight to YAML 1.1 and C, ten to people.
+/// 010 is eight in YAML 1.1, ten in YAML 1.2.
 bool hasLeadingZero(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
   return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
 }
 
-/// Parses all of the text (from_chars knows no plus sign).
+/// Parses the whole text. from_chars() does not accept a plus sign.
 template <class T>
 std::errc parseAll(std::string_view text, T& value) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -87,7 +87,7 @@ std::string writeReal(double value) {
   std::array<char, 32> digits{};
   const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
   std::string text(digits.data(), end);
-  // YAML 1.1, which many programs read, takes "5e-04" for a text.
+  // In YAML 1.1 "5e-04" is a text.
   const std::size_t exponent = text.find('e');
   if (exponent != std::string::npos && text.find('.') == std::string::npos) {
     text.insert(exponent, ".0");

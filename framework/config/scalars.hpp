@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers and truth values as a configuration may write them.
+// Parses numbers and booleans of a configuration.
 //
-// YAML 1.1 reads 010 as eight, 0x10 as sixteen, `on` as true and `.nan` as a number. Here nothing
-// is guessed: a spelling that another reader could take otherwise is refused, with the right one.
+// YAML 1.1 reads 010 as eight, 0x10 as sixteen, `on` as true and `.nan` as a number. These
+// spellings are refused, because other YAML readers differ; the message gives the unambiguous one.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ Result<double> readReal(const std::string& text);
 /// `true` or `false` only.
 Result<bool> readBool(const std::string& text);
 
-/// The shortest text that readReal() takes back to the same number.
+/// The shortest text from which readReal() gives the same number.
 std::string writeReal(double value);
 
 }  // namespace tolman::config

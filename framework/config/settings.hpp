@@ -21,19 +21,19 @@ struct GeneralSettings {
   std::string name;  ///< empty: the file's name
   std::int64_t seed = 1;
   int threads = 0;
-  std::string go_on_from;  ///< `continue`, which is no name in C++
+  std::string continue_from;  ///< key `continue`, a reserved word in C++
   static constexpr auto declaration() {
-    return parameters(
-        parameter("name", &GeneralSettings::name).doc("Name of the run; else that of the file."),
-        parameter("seed", &GeneralSettings::seed)
-            .range(0, kNoLimit)
-            .doc("Seed of all random streams."),
-        parameter("threads", &GeneralSettings::threads)
-            .range(0, 1024)
-            .doc("Worker threads; 0 for all of the machine."),
-        parameter("continue", &GeneralSettings::go_on_from)
-            .path()
-            .doc("Run directory whose map this run goes on with; empty for a new map."));
+    return parameters(parameter("name", &GeneralSettings::name)
+                          .doc("Name of the run; default: name of the file."),
+                      parameter("seed", &GeneralSettings::seed)
+                          .range(0, kNoLimit)
+                          .doc("Seed of all random streams."),
+                      parameter("threads", &GeneralSettings::threads)
+                          .range(0, 1024)
+                          .doc("Worker threads; 0 for one per processor."),
+                      parameter("continue", &GeneralSettings::continue_from)
+                          .path()
+                          .doc("Run directory whose map this run continues; empty for a new map."));
   }
 };
 
@@ -41,7 +41,7 @@ enum class PipelineMode : std::uint8_t { Lossless, Realtime };
 inline constexpr std::array<std::string_view, 2> kPipelineModeNames = {"lossless", "realtime"};
 constexpr std::span<const std::string_view> enumNames(PipelineMode) { return kPipelineModeNames; }
 
-/// What a full queue does with one more frame.
+/// What a full queue does with another frame.
 enum class QueuePolicy : std::uint8_t { DropOldest, DropNewest, Block };
 inline constexpr std::array<std::string_view, 3> kQueuePolicyNames = {"drop_oldest", "drop_newest",
                                                                       "block"};
@@ -61,7 +61,8 @@ struct PipelineSettings {
   static constexpr auto declaration() {
     using S = PipelineSettings;
     return parameters(
-        parameter("mode", &S::mode).doc("Every frame, or paced by stamps with drops counted."),
+        parameter("mode", &S::mode)
+            .doc("lossless: every frame. realtime: paced by stamps; dropped frames are counted."),
         parameter("queue", &S::queue).range(1, 1024).unit("frames").doc("Length of each queue."),
         parameter("input_policy", &S::input_policy)
             .doc("realtime: what the full input queue does."),
@@ -69,7 +70,7 @@ struct PipelineSettings {
             .doc("realtime: what the full queue of place recognition does."),
         parameter("speed", &S::speed)
             .range(0.01, 1000)
-            .doc("realtime: seconds of data per second of clock."));
+            .doc("realtime: seconds of data per second."));
   }
 };
 
@@ -78,7 +79,7 @@ inline constexpr std::array<std::string_view, 5> kAlignmentNames = {"auto", "se3
                                                                     "none"};
 constexpr std::span<const std::string_view> enumNames(Alignment) { return kAlignmentNames; }
 
-/// Which frames the figures of a run are over.
+/// Which frames are evaluated.
 enum class SessionScope : std::uint8_t { Own, Joint };
 inline constexpr std::array<std::string_view, 2> kSessionScopeNames = {"own", "joint"};
 constexpr std::span<const std::string_view> enumNames(SessionScope) { return kSessionScopeNames; }
@@ -91,22 +92,24 @@ constexpr std::span<const std::string_view> enumNames(Segments) { return kSegmen
 struct EvaluationSettings {
   Alignment alignment = Alignment::Auto;
   Segments segments = Segments::Auto;
-  std::vector<double> segment_lengths;  ///< m; empty: as `segments` says
+  std::vector<double> segment_lengths;  ///< m; empty: those of `segments`
   SessionScope sessions = SessionScope::Own;
   static constexpr auto declaration() {
     using S = EvaluationSettings;
-    return parameters(
-        parameter("alignment", &S::alignment).doc("Motion that lays the estimate on the truth."),
-        parameter("segments", &S::segments)
-            .doc("Path lengths of the drift figures: KITTI's 100 to 800 m, short ones, or by the "
-                 "truth."),
-        parameter("segment_lengths", &S::segment_lengths)
-            .range(0.1, 1e6)
-            .unit("m")
-            .doc("Own path lengths instead."),
-        parameter("sessions", &S::sessions)
-            .doc("Score the frames of this session, or those of all, whose truth must then be in "
-                 "one world."));
+    return parameters(parameter("alignment", &S::alignment)
+                          .doc("Transformation that aligns the estimate with the ground truth."),
+                      parameter("segments", &S::segments)
+                          .doc("Path lengths for drift: kitti, 100 to 800 m; short, 5 to 50 m; "
+                               "auto, by the length of "
+                               "the ground truth."),
+                      parameter("segment_lengths", &S::segment_lengths)
+                          .range(0.1, 1e6)
+                          .unit("m")
+                          .doc("Path lengths that replace those of `segments`."),
+                      parameter("sessions", &S::sessions)
+                          .doc("own: evaluate the frames of this session. joint: those of all "
+                               "sessions; their ground "
+                               "truth must be in one world frame."));
   }
 };
 
@@ -117,11 +120,11 @@ struct RecordSettings {
     return parameters(parameter("arrays_every", &RecordSettings::arrays_every)
                           .range(0, 1e6)
                           .unit("frames")
-                          .doc("Named arrays are written every so many frames; 0 for never."));
+                          .doc("Named arrays are recorded every N frames; 0: never."));
   }
 };
 
-/// Keys below `isolation`: bounds of every stage that runs in a process of its own.
+/// Keys below `isolation`: limits of every stage that runs in its own process.
 struct IsolationSettings {
   double deadline = 60;              ///< s
   std::int64_t memory_limit = 4096;  ///< MiB
@@ -131,11 +134,11 @@ struct IsolationSettings {
         parameter("deadline", &S::deadline)
             .range(0, 1e6)
             .unit("s")
-            .doc("Longest time of one call; then the process is ended. 0 for no limit."),
+            .doc("Longest time of one call; then the process is killed. 0 for no limit."),
         parameter("memory_limit", &S::memory_limit)
             .range(0, 1e9)
             .unit("MiB")
-            .doc("Most memory for the data of one process. 0 for no limit."));
+            .doc("Memory limit for the data of one process. 0 for no limit."));
   }
 };
 
@@ -143,12 +146,12 @@ enum class FailurePolicy : std::uint8_t { Stop, Skip, Restart };
 inline constexpr std::array<std::string_view, 3> kFailurePolicyNames = {"stop", "skip", "restart"};
 constexpr std::span<const std::string_view> enumNames(FailurePolicy) { return kFailurePolicyNames; }
 
-/// Where a stage runs: in the host, or in a process of its own.
+/// Where a stage runs: in the host, or in its own process.
 enum class Isolation : std::uint8_t { None, Process };
 inline constexpr std::array<std::string_view, 2> kIsolationNames = {"none", "process"};
 constexpr std::span<const std::string_view> enumNames(Isolation) { return kIsolationNames; }
 
-/// Keys of every stage that are the host's, not the plugin's.
+/// Keys of a stage that the host reads; all others are parameters of the plugin.
 struct StageSettings {
   std::string plugin;
   std::string name;  ///< empty: the role, or for an observer the plugin
@@ -156,13 +159,12 @@ struct StageSettings {
   Isolation isolation = Isolation::None;
   static constexpr auto declaration() {
     using S = StageSettings;
-    return parameters(
-        parameter("plugin", &S::plugin).required().doc("Id of the plugin that does the work."),
-        parameter("name", &S::name).doc("Name of this stage in records and logs."),
-        parameter("on_failure", &S::on_failure)
-            .doc("Stop the run, skip the frame, or skip it and restart a process that ended."),
-        parameter("isolation", &S::isolation)
-            .doc("Whether the stage runs in the host, or in a process of its own."));
+    return parameters(parameter("plugin", &S::plugin).required().doc("Id of the plugin."),
+                      parameter("name", &S::name).doc("Name of this stage in records and logs."),
+                      parameter("on_failure", &S::on_failure)
+                          .doc("stop the run, skip the frame, or skip it and restart the process."),
+                      parameter("isolation", &S::isolation)
+                          .doc("Whether the stage runs in the host (none) or in its own process."));
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the tree to settings and stages.
+// Reads settings and stages from the tree.
 #include "config/system_config.hpp"
 
 #include <algorithm>
@@ -31,12 +31,11 @@ bool isInstanceName(const std::string& name) {
   });
 }
 
-/// Turns the tree into a SystemConfig, piece by piece.
 class Parser {
  public:
   Parser(const Loaded& loaded, Problems& problems)
       : loaded_(loaded), tree_(loaded.tree), problems_(problems) {
-    config_.places = loaded.places;
+    config_.folders = loaded.folders;
   }
 
   SystemConfig run() {
@@ -52,11 +51,11 @@ class Parser {
   }
 
  private:
-  /// Checks a map against the declaration of S and keeps it for the resolved configuration.
+  /// Checks a map against the declaration of S and stores it for the resolved configuration.
   template <class S>
   S checked(Section section, const Node& map, const std::vector<std::string>& also_known) {
     const Subject subject{section.key, "", also_known};
-    section.values = check(map, schemaOf<S>(), subject, loaded_.places, problems_);
+    section.values = check(map, schemaOf<S>(), subject, loaded_.folders, problems_);
     config_.sections.push_back(section);
     return bindParameters<S>(section.values).value();
   }
@@ -81,7 +80,7 @@ class Parser {
     config_.sections.back().values["name"] = config_.general.name;
   }
 
-  /// A list under `segments` says the lengths themselves.
+  /// A list under `segments` is read as `segment_lengths`.
   void evaluation() {
     Node* segments = nullptr;
     if (Node* map = tree_.find("evaluation")) segments = map->find("segments");
@@ -96,7 +95,7 @@ class Parser {
     } else if (loaded_.complete) {
       problems_.push_back({tree_.origin, name,
                            "the stage is missing; add '" + name +
-                               ": {plugin: ...}' ('tolman plugins list' shows what there is)"});
+                               ": {plugin: ...}' ('tolman plugins list' shows the plugins)"});
     }
   }
 
@@ -126,18 +125,18 @@ class Parser {
       stage.instance = role == Role::Observer ? settings.plugin : std::string(enumName(role));
     } else if (!isInstanceName(stage.instance)) {
       problems_.push_back({given.find("name")->origin, joinPath(path, "name"),
-                           "use letters, digits, '_' and '-': it becomes a folder's name"});
+                           "use letters, digits, '_' and '-': it becomes the name of a folder"});
     }
     if (stage.on_failure == FailurePolicy::Restart && stage.isolation == Isolation::None) {
       problems_.push_back({given.find("on_failure")->origin, joinPath(path, "on_failure"),
-                           "restart needs 'isolation: process': what runs in the host cannot be "
-                           "started again"});
+                           "restart needs 'isolation: process': a stage in the host cannot be "
+                           "restarted"});
     }
     config_.stages.push_back(std::move(stage));
   }
 
-  /// The host's keys of a stage. Without a plugin nobody will look at the others: a key that is
-  /// nearly one of ours is reported here.
+  /// The host's keys of a stage. Without a plugin the other keys are not checked later, so a key
+  /// that resembles one of the host's is reported here.
   StageSettings stageSettings(const std::string& path, const Node& given) {
     Node own = given;
     const bool has_plugin = given.find("plugin") != nullptr;
@@ -145,10 +144,10 @@ class Parser {
       return !isReserved(child.key) && (has_plugin || !nearestName(child.key, reservedKeys()));
     });
     const ParameterValues values =
-        check(own, schemaOf<StageSettings>(), {path, "", {}}, loaded_.places, problems_);
+        check(own, schemaOf<StageSettings>(), {path, "", {}}, loaded_.folders, problems_);
     const Node* plugin = given.find("plugin");
     if (plugin != nullptr && plugin->isScalar() && plugin->text.empty()) {
-      problems_.push_back({plugin->origin, joinPath(path, "plugin"), "names no plugin"});
+      problems_.push_back({plugin->origin, joinPath(path, "plugin"), "is empty"});
     }
     return bindParameters<StageSettings>(values).value();
   }
@@ -160,8 +159,8 @@ class Parser {
       });
       if (twin == stage) continue;
       problems_.push_back({stage->given.origin, stage->path,
-                           "is called '" + stage->instance + "' like " + twin->path +
-                               "; give one of them another 'name'"});
+                           "has the same name '" + stage->instance + "' as " + twin->path +
+                               "; set another 'name'"});
     }
   }
 
@@ -182,16 +181,16 @@ SystemConfig parse(const Loaded& loaded, Problems& problems) {
   return Parser(loaded, problems).run();
 }
 
-ParameterValues check(const StageConfig& stage, const Schema& schema, const Places& places,
+ParameterValues check(const StageConfig& stage, const Schema& schema, const BaseFolders& folders,
                       Problems& problems) {
   for (const ParameterInfo& info : schema) {
     if (!isReserved(info.name)) continue;
     problems.push_back({stage.pluginOrigin(), stage.path,
                         "plugin " + stage.plugin + " declares the parameter '" + info.name +
-                            "', a word that the host keeps for itself; rename it in the plugin"});
+                            "', which is a key of the host; rename it in the plugin"});
   }
   const Subject subject{stage.path, "plugin " + stage.plugin, reservedKeys()};
-  return check(stage.given, schema, subject, places, problems);
+  return check(stage.given, schema, subject, folders, problems);
 }
 
 }  // namespace tolman::config

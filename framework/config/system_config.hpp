@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A system as configured: the host's settings and the stages in the order of the flow.
+// A configured system: the host's settings and the stages in processing order.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace tolman::config {
 
-/// One stage. Its own parameters wait, unchecked, until the plugin's schema is known.
+/// One stage. The plugin's parameters are not checked yet: that needs its schema.
 struct StageConfig {
   Role role = Role::Source;
   std::string path;      ///< "odometry", "observers.0"
@@ -22,11 +22,11 @@ struct StageConfig {
   Isolation isolation = Isolation::None;
   Node given;  ///< the map as configured
 
-  /// Where the plugin was named, for the message that there is no such plugin.
+  /// Where the plugin is named, for messages.
   Origin pluginOrigin() const;
 };
 
-/// One group of the host's own keys, as checked.
+/// One group of the host's own keys, checked.
 struct Section {
   std::string key;  ///< "" for the keys at the top
   ParameterValues values;
@@ -41,15 +41,15 @@ struct SystemConfig {
   IsolationSettings isolation;
   std::vector<Section> sections;    ///< the same values, with their origins
   std::vector<StageConfig> stages;  ///< source, odometry, place, cells, map, observers
-  Places places;
+  BaseFolders folders;
 };
 
-/// First step: everything but the plugins' own parameters. Fills in defaults where there are
-/// problems; do not run with any.
+/// First step: everything except the plugins' parameters. Values with problems get their defaults;
+/// such a system must not be run.
 SystemConfig parse(const Loaded& loaded, Problems& problems);
 
-/// Second step, for each stage: its plugin's parameters, complete.
-ParameterValues check(const StageConfig& stage, const Schema& schema, const Places& places,
+/// Second step, for each stage: values of all parameters of its plugin.
+ParameterValues check(const StageConfig& stage, const Schema& schema, const BaseFolders& folders,
                       Problems& problems);
 
 }  // namespace tolman::config

@@ -16,7 +16,7 @@ bool isName(std::string_view name) {
   return !name.empty() && !isDigit(name.front()) && std::ranges::all_of(name, inner);
 }
 
-/// The value of what stands between the braces. Adds the variable's name to `used`.
+/// The value for the text between the braces. Adds the name of the variable to `used`.
 Result<std::string> lookUp(const std::string& inside, const Environment& environment,
                            std::string& used) {
   const std::size_t split = inside.find(":-");
@@ -24,11 +24,11 @@ Result<std::string> lookUp(const std::string& inside, const Environment& environ
   const std::string name = inside.substr(0, split);
   if (!isName(name)) {
     return Status::invalidParameter("'${" + inside +
-                                    "}' names no variable; write ${NAME} or "
+                                    "}' is not a variable; write ${NAME} or "
                                     "${NAME:-default}, and $${ for the characters themselves");
   }
   if (inside.find("${") != std::string::npos) {
-    return Status::invalidParameter("${" + name + ":-...} cannot hold another ${...}");
+    return Status::invalidParameter("${" + name + ":-...} cannot contain another ${...}");
   }
   used += (used.empty() ? "" : ", ") + name;
   const std::optional<std::string> value = environment(name);

@@ -16,9 +16,9 @@ using Environment = std::function<std::optional<std::string>(const std::string& 
 /// The environment of this process.
 Environment processEnvironment();
 
-/// Replaces in all scalars below `node` ${NAME} by the variable, and ${NAME:-default} by the
-/// default where the variable is unset or empty. $${ stands for ${. The result is not read as YAML
-/// again, and counts as unquoted: {port: "${PORT:-8080}"} is a number.
+/// In all scalars below `node`, replaces ${NAME} by the variable, and ${NAME:-default} by the
+/// default if the variable is unset or empty. $${ stands for ${. The result is not parsed as YAML
+/// again and counts as unquoted: {port: "${PORT:-8080}"} is a number.
 void expandVariables(Node& node, const std::string& path, const Environment& environment,
                      Problems& problems);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Builds the tree from yaml-cpp's events, not from YAML::Node: events show duplicates, where a key
-// stands, and whether a scalar was quoted; and aliases become copies here, under a limit.
+// Builds the tree from yaml-cpp's events, not from YAML::Node: events include duplicate keys, the
+// position of keys, and whether a scalar was quoted. Aliases are copied, up to a limit.
 #include "config/yaml_reader.hpp"
 
 #include <yaml-cpp/eventhandler.h>
@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxNodes = 20000;
-// yaml-cpp takes the last line break of a text for a missing quote. With a comment after it, it
-// complains as it should.
+// Without a comment after the last line, yaml-cpp does not report an unclosed quote in it.
 constexpr const char* kLastLine = "\n#";
 
 [[noreturn]] void refuse(const YAML::Mark& mark, const std::string& message) {
@@ -82,7 +81,7 @@ class TreeBuilder final : public YAML::EventHandler {
   void OnMapEnd() override { close(); }
 
  private:
-  /// A list or map whose end has not come yet, with the key that waits for its value.
+  /// A list or map that is not complete yet, with the key of the next value.
   struct Open {
     Node node;
     YAML::Mark mark;
@@ -105,7 +104,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   static void refuseTag(const std::string& tag, const YAML::Mark& mark) {
     if (!tag.empty() && tag != "?" && tag != "!")
-      refuse(mark, "the tag '" + tag + "' means nothing here; remove it");
+      refuse(mark, "the tag '" + tag + "' is not supported; remove it");
   }
 
   void open(Node::Kind kind, const YAML::Mark& mark, const std::string& tag,
@@ -128,7 +127,7 @@ class TreeBuilder final : public YAML::EventHandler {
     if (count_ > kMaxNodes) refuse(mark, "more than 20000 values, copies of aliases included");
   }
 
-  /// Puts a complete value of `size` nodes where it belongs.
+  /// Adds a complete value of `size` nodes to its parent.
   void add(Node node, const YAML::Mark& mark, YAML::anchor_t anchor, std::size_t size) {
     if (anchor != 0) anchors_[anchor] = {node, size};
     if (open_.empty()) {
@@ -146,7 +145,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   static void takeKey(Open& map, Node key, const YAML::Mark& mark) {
     if (!key.isScalar() || key.text.empty())
-      refuse(mark, "a key must be a word, not " + describe(key));
+      refuse(mark, "a key must be a scalar, not " + describe(key));
     if (key.text == "<<") refuse(mark, "merge keys '<<' are not supported; use 'extends'");
     map.key = std::move(key);
     map.has_key = true;
@@ -194,7 +193,7 @@ std::string lineOf(const std::string& text, int number) {
   return line;
 }
 
-/// yaml-cpp's message in words for people, with what they most likely did.
+/// yaml-cpp's message with the likely cause.
 std::string explained(const YAML::Exception& e, const std::string& line) {
   std::string message = e.msg;
   if (message == YAML::ErrorMsg::EOF_IN_SCALAR) return "a quote after this is never closed";
@@ -220,7 +219,7 @@ bool isText(const std::string& text, const Origin& source, Problems& problems) {
   mark.column = static_cast<int>(index - (text.rfind('\n', index) + 1));  // npos + 1 == 0
   problems.push_back({at(mark, source), "",
                       "a byte of value " + std::to_string(static_cast<unsigned char>(*bad)) +
-                          " is no text; is this a YAML file?"});
+                          " is not text; is this a YAML file?"});
   return false;
 }
 

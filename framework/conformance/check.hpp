@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One thing that the kit asks of a plugin.
+// The table of conformance checks: each is one requirement on a plugin and the function that tests
+// it.
 #pragma once
 
 #include <span>
@@ -10,22 +11,23 @@
 
 namespace tolman::conformance {
 
-class Lab;
+class CheckContext;
 
-/// A set of roles.
+/// Roles as a bit mask.
 constexpr unsigned bit(Role role) { return 1U << static_cast<unsigned>(role); }
 inline constexpr unsigned kAllRoles = 0x3f;
 inline constexpr unsigned kSource = bit(Role::Source);
-inline constexpr unsigned kFed = kAllRoles & ~kSource;  ///< those that are given something
-inline constexpr unsigned kSeeing = bit(Role::Odometry) | bit(Role::Place) | bit(Role::Observer);
+inline constexpr unsigned kWithInput = kAllRoles & ~kSource;
+inline constexpr unsigned kWithImages =
+    bit(Role::Odometry) | bit(Role::Place) | bit(Role::Observer);
 
 struct Check {
   std::string_view id;
-  int level;       ///< from which level on it is made: 1 must, 2 results, 3 everything
-  unsigned roles;  ///< whom it is about
+  int level;       ///< lowest level that includes it: 1 contract, 2 reproducible results, 3 all
+  unsigned roles;  ///< that it applies to
   std::string_view demand;
-  std::string_view remedy;
-  void (*run)(Lab&);
+  std::string_view remedy;  ///< for findings without one of their own
+  void (*run)(CheckContext&);
 };
 
 // By topic.
@@ -38,7 +40,7 @@ std::span<const Check> stateChecks();
 std::span<const Check> processChecks();
 std::span<const Check> costChecks();
 
-/// All, in the order in which they are made.
+/// All checks in the order in which they run.
 std::vector<Check> allChecks();
 
 }  // namespace tolman::conformance

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speed and memory: reported, never judged.
+// Time and memory: reported without a limit.
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 
 #include "conformance/check.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
 #include "conformance/process_state.hpp"
 
 namespace tolman::conformance {
@@ -17,27 +17,27 @@ double millisecondsSince(std::chrono::steady_clock::time_point begin) {
       .count();
 }
 
-void checkCost(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
+void checkCost(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
   resetPeakResident();
   const double before_mib = residentMib();
   auto begin = std::chrono::steady_clock::now();
-  const auto actor = lab.living(stimulus.rig);
-  lab.figure("configure", millisecondsSince(begin), "ms");
+  const auto instance = context.configured(sequence.rig);
+  context.measured("configure", millisecondsSince(begin), "ms");
   std::vector<double> frames_ms;
-  for (const Moment& moment : stimulus.moments) {
+  for (const FrameInput& input : sequence.inputs) {
     begin = std::chrono::steady_clock::now();
-    const Status status = actor->work(moment);
+    const Status status = instance->process(input);
     if (status.code() == StatusCode::EndOfStream) break;
-    lab.demand(status);
+    context.require(status);
     frames_ms.push_back(millisecondsSince(begin));
   }
-  lab.demand(actor->finish(stimulus));
-  if (frames_ms.empty()) lab.skip("there are no frames");
+  context.require(instance->finish(sequence));
+  if (frames_ms.empty()) context.skip("there are no frames");
   std::sort(frames_ms.begin(), frames_ms.end());
-  lab.figure("frame, median", frames_ms[frames_ms.size() / 2], "ms");
-  lab.figure("frame, slowest", frames_ms.back(), "ms");
-  lab.figure("peak memory", std::max(0.0, peakResidentMib() - before_mib), "MiB");
+  context.measured("frame, median", frames_ms[frames_ms.size() / 2], "ms");
+  context.measured("frame, slowest", frames_ms.back(), "ms");
+  context.measured("peak memory", std::max(0.0, peakResidentMib() - before_mib), "MiB");
 }
 
 constexpr std::array kChecks = {

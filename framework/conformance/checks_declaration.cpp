@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a plugin says of itself before it lives: manifest, symbols, parameters.
+// The declaration of a plugin: manifest, symbols, parameters.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "config/settings.hpp"
 #include "conformance/check.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
 
 namespace tolman::conformance {
 namespace {
@@ -18,29 +18,29 @@ bool isSnakeCase(const std::string& name) {
          name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
 }
 
-void checkManifest(Lab& lab) {
-  const plugins::Manifest manifest = lab.manifest();
-  if (manifest.summary.empty()) lab.error("there is no summary", "say in one line what it does");
+void checkManifest(CheckContext& context) {
+  const host::Manifest manifest = context.manifest();
+  if (manifest.summary.empty()) context.error("there is no summary", "describe it in one line");
   if (manifest.version.empty() ||
       std::isdigit(static_cast<unsigned char>(manifest.version[0])) == 0) {
-    lab.error("'" + manifest.version + "' is no version", "write numbers: \"0.1.0\"");
+    context.error("'" + manifest.version + "' is not a version", "write numbers: \"0.1.0\"");
   }
   if (!isSnakeCase(manifest.id)) {
-    lab.warning("the id '" + manifest.id + "' is not in snake_case",
-                "configurations write ids as they write keys: small letters, digits, _");
+    context.warning("the id '" + manifest.id + "' is not in snake_case",
+                    "use lower-case letters, digits and _, as for keys");
   }
-  if (const auto refusal = plugins::checkGate(manifest, plugins::HostIdentity::ofThisBuild())) {
-    lab.refuse(*refusal);
+  if (const auto refusal = host::checkGate(manifest, host::HostIdentity::ofThisBuild())) {
+    context.refuse(*refusal);
   }
 }
 
-void checkLoad(Lab& lab) { (void)lab.specimen(); }
+void checkLoad(CheckContext& context) { (void)context.plugin(); }
 
-void checkSettings(Lab& lab) {
-  const Specimen& specimen = lab.specimen();
+void checkSettings(CheckContext& context) {
+  const PluginUnderTest& plugin = context.plugin();
   const Settings settings =
-      readSettings(specimen.plugin.schema, lab.options().id, lab.options().set);
-  if (!settings.problems.empty()) lab.error(settings.problems, "mend the --set");
+      readSettings(plugin.loaded.schema, context.task().id, context.task().set);
+  if (!settings.problems.empty()) context.error(settings.problems, "correct the --set");
 }
 
 bool isNumber(ParameterType type) {
@@ -49,7 +49,8 @@ bool isNumber(ParameterType type) {
 }
 
 bool hasRange(const ParameterInfo& info) {
-  constexpr double kInt = std::numeric_limits<int>::max();  // that of the type, not of the author
+  constexpr double kInt =
+      std::numeric_limits<int>::max();  // the limits of the type are not a declared range
   return info.min > -kInt || info.max < kInt;
 }
 
@@ -67,50 +68,52 @@ bool isWithin(const ParameterInfo& info) {
   return std::find(info.choices.begin(), info.choices.end(), choice) != info.choices.end();
 }
 
-void checkParameter(const ParameterInfo& info, const Lab& lab) {
+void checkParameter(const ParameterInfo& info, const CheckContext& context) {
   const std::string name = "parameter '" + info.name + "'";
-  if (info.doc.empty()) lab.error(name + " has no doc", "say in one sentence what it does: .doc()");
-  if (!isSnakeCase(info.name)) lab.warning(name + " is not in snake_case", "rename it");
-  if (info.min > info.max) lab.error(name + " has an empty range", "swap the ends of .range()");
+  if (info.doc.empty()) context.error(name + " has no doc", "describe it in one sentence: .doc()");
+  if (!isSnakeCase(info.name)) context.warning(name + " is not in snake_case", "rename it");
+  if (info.min > info.max) context.error(name + " has an empty range", "swap the ends of .range()");
   if (!info.required && !isWithin(info)) {
-    lab.error(name + " has a default outside of its range", "mend the default or the range");
+    context.error(name + " has a default outside of its range", "correct the default or the range");
   }
   if (isNumber(info.type) && !hasRange(info)) {
-    lab.warning(name + " has no range", "declare with .range() what values make sense");
+    context.warning(name + " has no range", "declare the useful values with .range()");
   }
 }
 
-/// Names of the host's own keys of a stage.
+/// Keys of a stage that the host reads.
 std::set<std::string> reservedNames() {
   std::set<std::string> names;
   for (const ParameterInfo& info : schemaOf<config::StageSettings>()) names.insert(info.name);
   return names;
 }
 
-void checkSchema(Lab& lab) {
+void checkSchema(CheckContext& context) {
   const std::set<std::string> reserved = reservedNames();
   std::set<std::string> seen;
-  for (const ParameterInfo& info : lab.specimen().plugin.schema) {
-    checkParameter(info, lab);
+  for (const ParameterInfo& info : context.plugin().loaded.schema) {
+    checkParameter(info, context);
     if (reserved.contains(info.name)) {
-      lab.error("parameter '" + info.name + "' has a name that belongs to the host", "rename it");
+      context.error("parameter '" + info.name + "' has a name that is reserved for the host",
+                    "rename it");
     }
     if (!seen.insert(info.name).second) {
-      lab.error("parameter '" + info.name + "' is declared twice", "remove one declaration");
+      context.error("parameter '" + info.name + "' is declared twice", "remove one declaration");
     }
   }
 }
 
 constexpr std::array kChecks = {
-    Check{"manifest", 1, kAllRoles, "a summary, a version, and a build that fits this host",
-          "fill in what TOLMAN_PLUGIN asks for", &checkManifest},
+    Check{"manifest", 1, kAllRoles,
+          "a summary, a version, and a build that is compatible with this host",
+          "pass version and summary to TOLMAN_PLUGIN", &checkManifest},
     Check{"load", 1, kAllRoles,
           "opens with all symbols resolved, and its code agrees with the manifest",
           "build from clean with tolman_add_plugin()", &checkLoad},
-    Check{"settings", 1, kAllRoles, "the values of --set are legal", "mend the --set",
+    Check{"settings", 1, kAllRoles, "the values of --set are legal", "correct the --set",
           &checkSettings},
     Check{"schema", 1, kAllRoles,
-          "every parameter has a doc, a range that holds its default, and a name of its own",
+          "every parameter has a doc, a range that holds its default, and a unique name",
           "complete the declaration", &checkSchema},
 };
 

@@ -1,93 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The life cycle in every legal order, and sound answers in a plain run.
+// Calls in every legal order, and valid answers in a plain run.
 #include <array>
 
 #include "conformance/check.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
 
 namespace tolman::conformance {
 namespace {
 
 constexpr std::size_t kFew = 6;  // frames
 
-void checkUnused(Lab& lab) {
-  Actor never_configured(lab.specimen());
-  lab.demand(never_configured.destroy());
-  const auto configured = lab.living(lab.stimulus().rig);
-  lab.demand(configured->destroy());
+void checkUnused(CheckContext& context) {
+  TestInstance never_configured(context.plugin());
+  context.require(never_configured.destroy());
+  const auto configured = context.configured(context.sequence().rig);
+  context.require(configured->destroy());
 }
 
-void checkNoFrames(Lab& lab) {
-  const Stimulus nothing = shortened(lab.stimulus(), 0);
-  const auto actor = lab.living(nothing.rig);
-  lab.demand(actor->finish(nothing));
-  const auto again = lab.living(nothing.rig);
-  lab.demand(again->reset());
-  lab.demand(again->reset());
-  lab.demand(again->finish(nothing));
-  lab.demand(again->destroy());
+void checkNoFrames(CheckContext& context) {
+  const InputSequence nothing = shortened(context.sequence(), 0);
+  const auto instance = context.configured(nothing.rig);
+  context.require(instance->finish(nothing));
+  const auto again = context.configured(nothing.rig);
+  context.require(again->reset());
+  context.require(again->reset());
+  context.require(again->finish(nothing));
+  context.require(again->destroy());
 }
 
-void checkCutShort(Lab& lab) {
-  const Stimulus few = shortened(lab.stimulus(), kFew);
-  const auto actor = lab.living(few.rig);
-  lab.demand(actor->run(few));
-  lab.demand(actor->destroy(), "destroyed in mid-run");
+void checkCutShort(CheckContext& context) {
+  const InputSequence few = shortened(context.sequence(), kFew);
+  const auto instance = context.configured(few.rig);
+  context.require(instance->run(few));
+  context.require(instance->destroy(), "destroyed during a run");
 }
 
-void checkAgain(Lab& lab) {
-  const Stimulus few = shortened(lab.stimulus(), kFew);
-  const auto actor = lab.living(few.rig);
+void checkAgain(CheckContext& context) {
+  const InputSequence few = shortened(context.sequence(), kFew);
+  const auto instance = context.configured(few.rig);
   for (const char* when : {"first run", "after finish and reset", "after another reset"}) {
-    lab.demand(actor->run(few), when);
-    lab.demand(actor->finish(few), when);
-    lab.demand(actor->reset(), when);
+    context.require(instance->run(few), when);
+    context.require(instance->finish(few), when);
+    context.require(instance->reset(), when);
   }
-  lab.demand(actor->run(few, 0, 2), "before a reset in mid-run");
-  lab.demand(actor->reset(), "reset in mid-run");
-  lab.demand(actor->run(few), "after a reset in mid-run");
-  lab.demand(actor->destroy());
+  context.require(instance->run(few, 0, 2), "before a reset during a run");
+  context.require(instance->reset(), "reset during a run");
+  context.require(instance->run(few), "after a reset during a run");
+  context.require(instance->destroy());
 }
 
-void checkAnswers(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
-  const auto actor = lab.living(stimulus.rig);
-  lab.demand(actor->run(stimulus));
-  lab.demand(actor->finish(stimulus));
-  lab.demand(actor->destroy());
-}
+void checkAnswers(CheckContext& context) { context.runOnce(context.sequence()); }
 
-/// Asked beyond the end, a source says so again.
-void checkEnd(Lab& lab) {
-  constexpr int kMost = 200;  // frames
-  const Stimulus stimulus = lab.stimulus();
-  const auto actor = lab.living(stimulus.rig);
-  for (int k = 0; k < kMost && !actor->ended(); ++k) {
-    if (lab.spent() > 0.5) break;
-    const Status status = actor->work(stimulus.moments.front());
-    if (status.code() != StatusCode::EndOfStream) lab.demand(status);
+/// After the last frame a source returns EndOfStream at every call.
+void checkEnd(CheckContext& context) {
+  constexpr int kMaxFrames = 200;
+  const InputSequence sequence = context.sequence();
+  const auto instance = context.configured(sequence.rig);
+  for (int k = 0; k < kMaxFrames && !instance->ended(); ++k) {
+    if (context.timeUsed() > 0.5) break;
+    const Status status = instance->process(sequence.inputs.front());
+    if (status.code() != StatusCode::EndOfStream) context.require(status);
   }
-  if (!actor->ended()) lab.skip("the data are longer than the kit reads; choose less with --set");
-  const Status beyond = actor->work(stimulus.moments.front());
+  if (!instance->ended())
+    context.skip("the data are longer than the kit reads; select fewer frames with --set");
+  const Status beyond = instance->process(sequence.inputs.front());
   if (beyond.code() == StatusCode::EndOfStream) return;
-  lab.error("after the end it gives " +
-            (beyond.isOk() ? std::string("one more frame") : beyond.message()));
+  context.error("after the end it returns " +
+                (beyond.isOk() ? std::string("one more frame") : beyond.message()));
 }
 
 constexpr std::array kChecks = {
     Check{"life-unused", 1, kAllRoles, "may be destroyed before and right after configure()",
           "initialise every member; the destructor must not need configure()", &checkUnused},
     Check{"life-no-frames", 1, kAllRoles, "finish() and reset() work without any frame",
-          "finish() may come before the first frame", &checkNoFrames},
-    Check{"answers", 1, kAllRoles, "exactly one sound answer to each frame of a plain run",
+          "finish() may be called before the first frame", &checkNoFrames},
+    Check{"answers", 1, kAllRoles, "exactly one valid answer to each frame of a plain run",
           "see the contract in roles.hpp and records.hpp", &checkAnswers},
-    Check{"life-cut-short", 1, kAllRoles, "may be destroyed in mid-run, without finish()",
+    Check{"life-cut-short", 1, kAllRoles, "may be destroyed during a run, without finish()",
           "the destructor must release what finish() would", &checkCutShort},
     Check{"life-again", 1, kAllRoles,
-          "works again after finish() and reset(), and after reset() in mid-run",
-          "reset() puts every member back to where configure() left it", &checkAgain},
-    Check{"source-end", 1, kSource,
-          "gives as many frames as info() says, then EndOfStream for good",
+          "works again after finish() and reset(), and after reset() during a run",
+          "reset() restores every member to its value after configure()", &checkAgain},
+    Check{"source-end", 1, kSource, "gives the number of frames of info(), then always EndOfStream",
           "return Status::endOfStream() after the last frame, always", &checkEnd},
 };
 

@@ -5,57 +5,57 @@
 #include <limits>
 
 #include "conformance/check.hpp"
-#include "conformance/draw.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
+#include "conformance/random_parameters.hpp"
 
 namespace tolman::conformance {
 namespace {
 
-constexpr int kWanted = 20;  // draws that configure() takes
-constexpr int kMostDraws = 100;
+constexpr int kWanted = 20;  // draws that configure() accepts
+constexpr int kMaxDraws = 100;
 
 bool isRefusal(const Status& status) {
   return status.code() == StatusCode::InvalidParameter ||
          status.code() == StatusCode::Unsupported || status.code() == StatusCode::InvalidInput;
 }
 
-enum class Drawn { Worked, Refused, Failed };
+enum class DrawResult { Worked, Refused, Failed };
 
-Drawn tryDraw(Lab& lab, const Stimulus& stimulus, const ParameterValues& values,
-              const std::string& who) {
-  Actor actor(lab.complete(), values);
-  Status status = actor.configure(stimulus.rig);
-  if (isRefusal(status) && !status.message().empty()) return Drawn::Refused;
-  if (status.isOk()) status = actor.run(stimulus);
-  if (status.isOk()) status = actor.finish(stimulus);
-  if (status.isOk()) return Drawn::Worked;
-  lab.error(who + ": " + status.message());
-  return Drawn::Failed;
+DrawResult tryDraw(CheckContext& context, const InputSequence& sequence,
+                   const ParameterValues& values, const std::string& draw) {
+  TestInstance instance(context.completePlugin(), values);
+  Status status = instance.configure(sequence.rig);
+  if (isRefusal(status) && !status.message().empty()) return DrawResult::Refused;
+  if (status.isOk()) status = instance.run(sequence);
+  if (status.isOk()) status = instance.finish(sequence);
+  if (status.isOk()) return DrawResult::Worked;
+  context.error(draw + ": " + status.message());
+  return DrawResult::Failed;
 }
 
-void checkRandom(Lab& lab) {
+void checkRandom(CheckContext& context) {
   constexpr std::size_t kFrames = 10;
-  constexpr int kMostFailures = 3;
-  const Specimen& specimen = lab.complete();
-  const Stimulus stimulus = shortened(lab.stimulus(), kFrames);
+  constexpr int kMaxFailures = 3;
+  const PluginUnderTest& plugin = context.completePlugin();
+  const InputSequence sequence = shortened(context.sequence(), kFrames);
   int drawn = 0;
   std::array<int, 3> outcomes{};
-  const auto count = [&](Drawn outcome) -> int& {
+  const auto count = [&](DrawResult outcome) -> int& {
     return outcomes.at(static_cast<std::size_t>(outcome));
   };
-  while (count(Drawn::Worked) < kWanted && drawn < kMostDraws && lab.spent() < 0.6 &&
-         count(Drawn::Failed) < kMostFailures) {
-    const ParameterValues values = drawParameters(specimen, lab.options().seed, drawn);
-    const std::string who = "draw " + std::to_string(drawn) + " of seed " +
-                            std::to_string(lab.options().seed) + " (" +
-                            difference(specimen.values, values) + ")";
-    lab.topic(who);
-    ++count(tryDraw(lab, stimulus, values, who));
+  while (count(DrawResult::Worked) < kWanted && drawn < kMaxDraws && context.timeUsed() < 0.6 &&
+         count(DrawResult::Failed) < kMaxFailures) {
+    const ParameterValues values = randomParameters(plugin, context.task().seed, drawn);
+    const std::string draw = "draw " + std::to_string(drawn) + " of seed " +
+                             std::to_string(context.task().seed) + " (" +
+                             difference(plugin.values, values) + ")";
+    context.currentInput(draw);
+    ++count(tryDraw(context, sequence, values, draw));
     ++drawn;
   }
-  lab.note(std::to_string(drawn) + " draws of seed " + std::to_string(lab.options().seed) + ": " +
-           std::to_string(count(Drawn::Worked)) + " worked, " +
-           std::to_string(count(Drawn::Refused)) + " refused by configure()");
+  context.note(std::to_string(drawn) + " draws of seed " + std::to_string(context.task().seed) +
+               ": " + std::to_string(count(DrawResult::Worked)) + " worked, " +
+               std::to_string(count(DrawResult::Refused)) + " refused by configure()");
 }
 
 /// A value of another type than the declared one.
@@ -64,25 +64,25 @@ ParameterValue ofWrongType(const ParameterInfo& info) {
   return true;
 }
 
-void checkWrongTypes(Lab& lab) {
-  const Specimen& specimen = lab.complete();
-  const Stimulus nothing = shortened(lab.stimulus(), 0);
-  for (const ParameterInfo& info : specimen.plugin.schema) {
-    ParameterValues values = specimen.values;
+void checkWrongTypes(CheckContext& context) {
+  const PluginUnderTest& plugin = context.completePlugin();
+  const InputSequence nothing = shortened(context.sequence(), 0);
+  for (const ParameterInfo& info : plugin.loaded.schema) {
+    ParameterValues values = plugin.values;
     values[info.name] = ofWrongType(info);
-    lab.topic("parameter '" + info.name + "' of a wrong type");
-    Actor actor(specimen, values);
-    const Status status = actor.configure(nothing.rig);
+    context.currentInput("parameter '" + info.name + "' of a wrong type");
+    TestInstance instance(plugin, values);
+    const Status status = instance.configure(nothing.rig);
     if (status.isOk()) {
-      lab.error("configure() takes parameter '" + info.name + "' of a wrong type");
+      context.error("configure() accepts parameter '" + info.name + "' of a wrong type");
     } else if (status.code() != StatusCode::InvalidParameter) {
-      lab.warning("parameter '" + info.name + "' of a wrong type: " + status.message());
+      context.warning("parameter '" + info.name + "' of a wrong type: " + status.message());
     }
   }
 }
 
-/// The text that a user would type for a number just beyond the range; empty where there is none.
-std::string beyond(const ParameterInfo& info, bool above) {
+/// A number outside of the range as text; empty if there is none.
+std::string outsideOf(const ParameterInfo& info, bool above) {
   const double end = above ? info.max : info.min;
   const bool number = info.type == ParameterType::Integer || info.type == ParameterType::Real;
   if (!number || std::abs(end) > 1e15) return {};
@@ -90,37 +90,37 @@ std::string beyond(const ParameterInfo& info, bool above) {
   return std::to_string(static_cast<std::int64_t>(outside));
 }
 
-/// What the host refuses by the plugin's declaration, tried through the plugin's own schema.
-void checkOutOfRange(Lab& lab) {
-  const Specimen& specimen = lab.specimen();
-  for (const ParameterInfo& info : specimen.plugin.schema) {
-    for (const std::string& value : {beyond(info, false), beyond(info, true)}) {
+/// The host refuses values outside of the declared ranges.
+void checkOutOfRange(CheckContext& context) {
+  const PluginUnderTest& plugin = context.plugin();
+  for (const ParameterInfo& info : plugin.loaded.schema) {
+    for (const std::string& value : {outsideOf(info, false), outsideOf(info, true)}) {
       if (value.empty()) continue;
       const std::string assignment = info.name + "=" + value;
-      const auto settings = readSettings(specimen.plugin.schema, lab.options().id, {assignment});
-      if (settings.problems.empty()) lab.error("--set " + assignment + " is not refused");
+      const auto settings = readSettings(plugin.loaded.schema, context.task().id, {assignment});
+      if (settings.problems.empty()) context.error("--set " + assignment + " is not refused");
     }
   }
 }
 
-void checkMissingData(Lab& lab) {
-  const Specimen& specimen = lab.specimen();
-  ParameterValues values = specimen.values;
-  bool any = false;
-  for (const ParameterInfo& info : specimen.plugin.schema) {
+void checkMissingData(CheckContext& context) {
+  const PluginUnderTest& plugin = context.plugin();
+  ParameterValues values = plugin.values;
+  bool has_path = false;
+  for (const ParameterInfo& info : plugin.loaded.schema) {
     if (info.type != ParameterType::Path || !info.required) continue;
-    values[info.name] = (specimen.scratch / "nothing/here").string();
-    any = true;
+    values[info.name] = (plugin.scratch / "nothing/here").string();
+    has_path = true;
   }
-  if (!any) lab.skip("it requires no path");
-  Actor actor(specimen, values);
-  const Status status = actor.configure({});
+  if (!has_path) context.skip("it has no required path");
+  TestInstance instance(plugin, values);
+  const Status status = instance.configure({});
   if (status.isOk()) {
-    lab.error("configure() takes a path where there is nothing",
-              "check the data in configure(), so that errors come before frame 0");
+    context.error("configure() accepts a path that does not exist",
+                  "check the data in configure(), so that errors come before frame 0");
   } else if (status.message().find("nothing") == std::string::npos) {
-    lab.warning("the failure does not name the path: " + status.message(),
-                "name the file that is missing, and what to do");
+    context.warning("the failure does not name the path: " + status.message(),
+                    "name the missing file and a remedy");
   }
 }
 
@@ -131,7 +131,7 @@ constexpr std::array kChecks = {
           &checkRandom},
     Check{"parameters-illegal", 1, kAllRoles, "values out of range are refused",
           "declare the range", &checkOutOfRange},
-    Check{"missing-data", 1, kSource, "data that are not there are refused with their path",
+    Check{"missing-data", 1, kSource, "missing data are refused with their path",
           "check the data in configure()", &checkMissingData},
     Check{"parameters-types", 3, kAllRoles, "configure() refuses values of a wrong type",
           "let bindParameters() read the values", &checkWrongTypes},

@@ -1,127 +1,123 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a plugin does to the process that it is a guest in.
+// Side effects of a plugin on its process: global state, threads, files, memory.
 #include <oneapi/tbb/global_control.h>
 
 #include <array>
 #include <cstdlib>
 
 #include "conformance/check.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
 #include "conformance/process_state.hpp"
 
 namespace tolman::conformance {
 namespace {
 
-void wholeLife(Lab& lab, const Stimulus& stimulus) {
-  const auto actor = lab.living(stimulus.rig);
-  lab.demand(actor->run(stimulus));
-  lab.demand(actor->finish(stimulus));
-  lab.demand(actor->destroy());
-}
-
-/// The C library's random numbers go on where they were.
-class RandomWatch {
+/// Detects calls of rand() and srand().
+class RandProbe {
  public:
-  RandomWatch() {
+  RandProbe() {
     std::srand(kSeed);
-    expected_ = std::rand();  // NOLINT: watched, not used
+    expected_ = std::rand();  // NOLINT: only compared
     std::srand(kSeed);
   }
-  bool disturbed() const { return std::rand() != expected_; }  // NOLINT
+  bool changed() const { return std::rand() != expected_; }  // NOLINT
 
  private:
   static constexpr unsigned kSeed = 20240607;
   int expected_;
 };
 
-/// The state before the library was opened is the one to be found at the end.
-void checkGlobals(Lab& lab) {
-  const RandomWatch random;
-  const OutputTrap output;
+/// The state at the end equals that before the library was opened.
+void checkGlobals(CheckContext& context) {
+  const RandProbe random;
+  const OutputCapture output;
   const ProcessState before = processState();
-  const Stimulus stimulus = lab.stimulus();
+  const InputSequence sequence = context.sequence();
   const int opencv_threads = openCvThreads();
-  wholeLife(lab, stimulus);
-  for (const std::string& difference : differences(before, processState())) lab.error(difference);
-  if (random.disturbed()) lab.error("rand() or srand() of the C library was called");
-  if (openCvThreads() != opencv_threads) lab.error("cv::setNumThreads() was called");
-  if (!output.out().empty()) lab.error("wrote to stdout: '" + output.out() + "'");
-  if (!output.err().empty()) lab.warning("wrote to stderr: '" + output.err() + "'");
+  context.runOnce(sequence);
+  for (const std::string& difference : differences(before, processState()))
+    context.error(difference);
+  if (random.changed()) context.error("rand() or srand() of the C library was called");
+  if (openCvThreads() != opencv_threads) context.error("cv::setNumThreads() was called");
+  if (!output.out().empty()) context.error("wrote to stdout: '" + output.out() + "'");
+  if (!output.err().empty()) context.warning("wrote to stderr: '" + output.err() + "'");
 }
 
-struct Belongings {
+struct Resources {
   std::size_t threads = 0;
   std::map<int, std::string> files;
 };
 
-Belongings belongings(std::size_t expected_threads) {
+Resources resources(std::size_t expected_threads) {
   return {threadCount(expected_threads), openFiles()};
 }
 
-void compareFiles(const Lab& lab, const std::map<int, std::string>& before,
+void compareFiles(const CheckContext& context, const std::map<int, std::string>& before,
                   const std::map<int, std::string>& after) {
   for (const auto& [descriptor, target] : after) {
-    if (!before.contains(descriptor)) lab.error("left a file open: " + target);
+    if (!before.contains(descriptor)) context.error("left a file open: " + target);
   }
 }
 
-/// A first life may make pools and caches that stay; a second one has to leave all as it was.
-/// oneTBB gets no workers, so that any other thread is the plugin's own.
-void checkLeftovers(Lab& lab) {
+/// The first instance may create pools and caches that stay; the second must release all that it
+/// acquires. oneTBB gets no workers, so every other thread is the plugin's own.
+void checkLeaks(CheckContext& context) {
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-  const Stimulus stimulus = shortened(lab.stimulus(), 8);
-  const Belongings at_first = belongings(1);
-  wholeLife(lab, stimulus);
-  const Belongings before = belongings(at_first.threads);
-  const auto actor = lab.living(stimulus.rig);
-  lab.demand(actor->run(stimulus));
-  lab.demand(actor->finish(stimulus));
+  const InputSequence sequence = shortened(context.sequence(), 8);
+  const Resources at_first = resources(1);
+  context.runOnce(sequence);
+  const Resources before = resources(at_first.threads);
+  const auto instance = context.configured(sequence.rig);
+  context.require(instance->run(sequence));
+  context.require(instance->finish(sequence));
   const std::size_t after_finish = threadCount(before.threads);
-  lab.demand(actor->destroy());
-  const Belongings after = belongings(before.threads);
+  context.require(instance->destroy());
+  const Resources after = resources(before.threads);
   if (after.threads > before.threads) {
-    lab.error("left a thread behind: " + std::to_string(after.threads - before.threads) +
-                  " more after each life",
-              "join threads in finish() and in the destructor");
+    context.error("left a thread running: " + std::to_string(after.threads - before.threads) +
+                      " more with each instance",
+                  "join threads in finish() and in the destructor");
   } else if (after_finish > before.threads) {
-    lab.error("a thread runs on after finish()", "join threads in finish()");
+    context.error("a thread still runs after finish()", "join threads in finish()");
   } else if (before.threads > at_first.threads) {
-    lab.note(std::to_string(before.threads - at_first.threads) + " threads of a pool stay");
+    context.note(std::to_string(before.threads - at_first.threads) + " threads of a pool remain");
   }
-  compareFiles(lab, before.files, after.files);
+  compareFiles(context, before.files, after.files);
 }
 
-void checkMemory(Lab& lab) {
+void checkMemory(CheckContext& context) {
   constexpr int kWarmUp = 3;
-  constexpr int kLives = 5;
-  constexpr double kTolerated = 16;  // KiB a life
+  constexpr int kInstances = 5;
+  constexpr double kTolerated = 16;  // KiB per instance
   const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-  const Stimulus stimulus = shortened(lab.stimulus(), 8);
-  for (int i = 0; i < kWarmUp && lab.spent() < 0.3; ++i) wholeLife(lab, stimulus);
-  int lives = 0;
+  const InputSequence sequence = shortened(context.sequence(), 8);
+  for (int i = 0; i < kWarmUp && context.timeUsed() < 0.3; ++i) context.runOnce(sequence);
+  int instances = 0;
   int grown = 0;
   const std::size_t begin = heapBytes();
-  for (std::size_t last = begin; lives < kLives && lab.spent() < 0.8; ++lives) {
-    wholeLife(lab, stimulus);
+  for (std::size_t last = begin; instances < kInstances && context.timeUsed() < 0.8; ++instances) {
+    context.runOnce(sequence);
     const std::size_t now = heapBytes();
     if (now > last) ++grown;
     last = now;
   }
-  const double kib =
-      (static_cast<double>(heapBytes()) - static_cast<double>(begin)) / 1024 / std::max(lives, 1);
-  lab.figure("heap growth a life", kib, "KiB");
-  if (grown == lives && lives > 1 && kib > kTolerated) {
-    lab.warning("each life leaves " + std::to_string(static_cast<int>(kib)) + " KiB on the heap");
+  const double kib = (static_cast<double>(heapBytes()) - static_cast<double>(begin)) / 1024 /
+                     std::max(instances, 1);
+  context.measured("heap growth per instance", kib, "KiB");
+  if (grown == instances && instances > 1 && kib > kTolerated) {
+    context.warning("each instance leaves " + std::to_string(static_cast<int>(kib)) +
+                    " KiB on the heap");
   }
 }
 
 constexpr std::array kChecks = {
     Check{"globals", 2, kAllRoles,
-          "leaves locale, signals, rounding, folder, environment, output alone",
+          "does not change locale, signals, rounding, working directory, environment; writes no "
+          "output",
           "use the logger, the random stream and the clock of the context", &checkGlobals},
-    Check{"leftovers", 2, kAllRoles, "leaves no thread and no open file behind",
-          "close what you open, at the latest in the destructor", &checkLeftovers},
-    Check{"memory", 3, kAllRoles, "memory does not grow with every life",
+    Check{"leaks", 2, kAllRoles, "leaves no thread running and no file open",
+          "close files and join threads in the destructor at the latest", &checkLeaks},
+    Check{"memory", 3, kAllRoles, "memory does not grow with each instance",
           "run the plugin's own tests under -fsanitize=address", &checkMemory},
 };
 

@@ -1,118 +1,122 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same input gives the same answers, bit by bit: again, after reset(), with other threads.
+// Equal input gives bitwise equal answers: in a second instance, after reset(), with other threads.
 #include <oneapi/tbb/global_control.h>
 
 #include <array>
 #include <thread>
 
 #include "conformance/check.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
+#include "conformance/input_faults.hpp"
 
 namespace tolman::conformance {
 namespace {
 
-Transcript live(Lab& lab, Actor& actor, const Stimulus& stimulus) {
-  lab.demand(actor.run(stimulus));
-  lab.demand(actor.finish(stimulus));
-  return actor.transcript();
+Transcript answersOf(CheckContext& context, TestInstance& instance, const InputSequence& sequence) {
+  context.require(instance.run(sequence));
+  context.require(instance.finish(sequence));
+  return instance.transcript();
 }
 
-void compare(const Lab& lab, const Transcript& expected, const Transcript& found,
+void compare(const CheckContext& context, const Transcript& expected, const Transcript& found,
              const std::string& what) {
   if (const auto difference = firstDifference(expected, found)) {
-    lab.error(what + " differs at " + *difference);
+    context.error(what + " differs at " + *difference);
   }
 }
 
-/// Both alive at once, so that they lie at different addresses; later, so that clocks differ.
-void checkDeterministic(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
-  const auto first = lab.living(stimulus.rig);
-  const auto second = lab.living(stimulus.rig);
-  const Transcript expected = live(lab, *first, stimulus);
-  compare(lab, expected, live(lab, *second, stimulus), "a second instance");
+/// Both instances exist at the same time, at different addresses, and run one after the other, at
+/// different times.
+void checkDeterministic(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto first = context.configured(sequence.rig);
+  const auto second = context.configured(sequence.rig);
+  const Transcript expected = answersOf(context, *first, sequence);
+  compare(context, expected, answersOf(context, *second, sequence), "a second instance");
 }
 
-void checkInterleaved(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
-  const auto alone = lab.living(stimulus.rig);
-  const Transcript expected = live(lab, *alone, stimulus);
-  const auto first = lab.living(stimulus.rig);
-  const auto second = lab.living(stimulus.rig);
-  for (std::size_t i = 0; i < stimulus.moments.size(); ++i) {
-    lab.demand(first->run(stimulus, i, i + 1));
-    lab.demand(second->run(stimulus, i, i + 1));
+void checkInterleaved(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto alone = context.configured(sequence.rig);
+  const Transcript expected = answersOf(context, *alone, sequence);
+  const auto first = context.configured(sequence.rig);
+  const auto second = context.configured(sequence.rig);
+  for (std::size_t i = 0; i < sequence.inputs.size(); ++i) {
+    context.require(first->run(sequence, i, i + 1));
+    context.require(second->run(sequence, i, i + 1));
   }
-  lab.demand(first->finish(stimulus));
-  lab.demand(second->finish(stimulus));
-  compare(lab, expected, first->transcript(), "an instance beside another");
-  compare(lab, expected, second->transcript(), "an instance beside another");
+  context.require(first->finish(sequence));
+  context.require(second->finish(sequence));
+  compare(context, expected, first->transcript(), "an instance that alternates with another");
+  compare(context, expected, second->transcript(), "an instance that alternates with another");
 }
 
-void checkReset(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
-  const auto actor = lab.living(stimulus.rig);
-  const Transcript expected = live(lab, *actor, stimulus);
-  lab.demand(actor->reset());
-  actor->forget();
-  compare(lab, expected, live(lab, *actor, stimulus), "a run after finish() and reset()");
-  lab.demand(actor->reset());
-  lab.demand(actor->run(stimulus, 0, stimulus.moments.size() / 2));
-  lab.demand(actor->reset());
-  actor->forget();
-  compare(lab, expected, live(lab, *actor, stimulus), "a run after reset() in mid-run");
+void checkReset(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto instance = context.configured(sequence.rig);
+  const Transcript expected = answersOf(context, *instance, sequence);
+  context.require(instance->reset());
+  instance->clearTranscript();
+  compare(context, expected, answersOf(context, *instance, sequence),
+          "a run after finish() and reset()");
+  context.require(instance->reset());
+  context.require(instance->run(sequence, 0, sequence.inputs.size() / 2));
+  context.require(instance->reset());
+  instance->clearTranscript();
+  compare(context, expected, answersOf(context, *instance, sequence),
+          "a run after reset() during a run");
 }
 
-void checkThreads(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
+void checkThreads(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
   const auto with = [&](std::size_t threads) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return live(lab, *lab.living(stimulus.rig), stimulus);
+    return context.runOnce(sequence);
   };
   const Transcript expected = with(1);
-  compare(lab, expected, with(4), "a run with 4 threads instead of 1");
-  compare(lab, expected, with(3), "a run with 3 threads instead of 1");
+  compare(context, expected, with(4), "a run with 4 threads instead of 1");
+  compare(context, expected, with(3), "a run with 3 threads instead of 1");
 }
 
-/// The host calls one after the other, but not always from the same thread.
-void checkMigration(Lab& lab) {
-  const Stimulus stimulus = lab.stimulus();
-  const Transcript expected = live(lab, *lab.living(stimulus.rig), stimulus);
-  const auto wanderer = lab.living(stimulus.rig);
-  for (std::size_t i = 0; i < stimulus.moments.size(); ++i) {
+/// The host makes one call at a time, but not always from the same thread.
+void checkMigration(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const Transcript expected = context.runOnce(sequence);
+  const auto instance = context.configured(sequence.rig);
+  for (std::size_t i = 0; i < sequence.inputs.size(); ++i) {
     Status status;
-    std::thread([&] { status = wanderer->run(stimulus, i, i + 1); }).join();
-    lab.demand(status, "called from another thread");
+    std::thread([&] { status = instance->run(sequence, i, i + 1); }).join();
+    context.require(status, "called from another thread");
   }
-  lab.demand(wanderer->finish(stimulus));
-  compare(lab, expected, wanderer->transcript(), "a run that changes its thread");
+  context.require(instance->finish(sequence));
+  compare(context, expected, instance->transcript(), "a run with calls from several threads");
 }
 
-void checkPadding(Lab& lab) {
-  Stimulus stimulus = lab.stimulus();
-  const Transcript expected = live(lab, *lab.living(stimulus.rig), stimulus);
-  padRows(stimulus);
-  compare(lab, expected, live(lab, *lab.living(stimulus.rig), stimulus),
-          "a run with padded image rows");
+void checkPadding(CheckContext& context) {
+  InputSequence sequence = context.sequence();
+  const Transcript expected = context.runOnce(sequence);
+  padRows(sequence);
+  compare(context, expected, context.runOnce(sequence), "a run with padded image rows");
 }
 
 constexpr std::array kChecks = {
     Check{"deterministic", 2, kAllRoles,
-          "two instances with equal seed and input answer alike, bit by bit",
-          "depend on input, parameters and context.seed alone: no clock, address, uninitialised "
+          "two instances with equal seed and input give bitwise equal answers",
+          "depend only on input, parameters and context.seed: no clock, address or uninitialised "
           "memory",
           &checkDeterministic},
-    Check{"interleaved", 2, kAllRoles, "two instances side by side do not disturb each other",
-          "keep no state outside of the instance: no statics, no globals", &checkInterleaved},
-    Check{"reset", 2, kAllRoles, "after reset() an instance answers like a fresh one, bit by bit",
-          "reset() puts every member back to where configure() left it, random streams too",
+    Check{"interleaved", 2, kAllRoles,
+          "two instances that run alternately do not influence each other",
+          "keep all state in the instance: no statics, no globals", &checkInterleaved},
+    Check{"reset", 2, kAllRoles, "after reset() an instance gives bitwise the answers of a new one",
+          "reset() restores every member, random streams included, to its value after configure()",
           &checkReset},
-    Check{"padded-rows", 2, kSeeing, "the stride of an image does not matter",
-          "step from row to row with image.row(r) or image.stride()", &checkPadding},
-    Check{"threads", 3, kAllRoles, "the number of threads does not matter, bit by bit",
+    Check{"padded-rows", 2, kWithImages, "answers do not depend on the stride of an image",
+          "address rows with image.row(r) or image.stride()", &checkPadding},
+    Check{"threads", 3, kAllRoles, "answers do not depend on the number of threads",
           "sum in a fixed order: tbb::parallel_deterministic_reduce, or slots by index",
           &checkThreads},
-    Check{"migration", 3, kAllRoles, "calls may come from different threads",
+    Check{"migration", 3, kAllRoles, "answers do not depend on the calling thread",
           "keep no state in thread-local variables", &checkMigration},
 };
 

@@ -1,56 +1,56 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saved state: the same future after load(), and damage that is found.
+// Saved state: equal answers after load(), and detection of damage.
 #include <array>
 #include <sstream>
 
 #include "conformance/check.hpp"
-#include "conformance/lab.hpp"
+#include "conformance/check_context.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::conformance {
 namespace {
 
-/// The first half of a run, and what was saved after it.
-struct Half {
-  Stimulus stimulus;
-  std::unique_ptr<Actor> actor;
+/// An instance after the first half of its input, and its saved state.
+struct SavedRun {
+  InputSequence sequence;
+  std::unique_ptr<TestInstance> instance;
   std::size_t middle = 0;
   std::string bytes;
 };
 
-Half runHalf(Lab& lab) {
-  Half half;
-  half.stimulus = lab.stimulus();
-  half.middle = half.stimulus.moments.size() / 2;
-  half.actor = lab.living(half.stimulus.rig);
-  if (!half.actor->keepsState()) lab.skip("it is no StateKeeper");
-  lab.demand(half.actor->run(half.stimulus, 0, half.middle));
+SavedRun runAndSave(CheckContext& context) {
+  SavedRun run;
+  run.sequence = context.sequence();
+  run.middle = run.sequence.inputs.size() / 2;
+  run.instance = context.configured(run.sequence.rig);
+  if (!run.instance->keepsState()) context.skip("it does not implement StateKeeper");
+  context.require(run.instance->run(run.sequence, 0, run.middle));
   std::ostringstream stream;
-  lab.demand(half.actor->save(stream));
-  half.bytes = stream.str();
-  return half;
+  context.require(run.instance->save(stream));
+  run.bytes = stream.str();
+  return run;
 }
 
-void checkState(Lab& lab) {
-  Half half = runHalf(lab);
-  const auto heir = lab.living(half.stimulus.rig);
-  std::istringstream stream(half.bytes);
-  lab.demand(heir->load(stream));
-  heir->resume(*half.actor);
-  half.actor->forget();
-  for (Actor* actor : {half.actor.get(), heir.get()}) {
-    lab.demand(actor->run(half.stimulus, half.middle), "after save and load");
-    lab.demand(actor->finish(half.stimulus), "after save and load");
+void checkState(CheckContext& context) {
+  SavedRun run = runAndSave(context);
+  const auto restored = context.configured(run.sequence.rig);
+  std::istringstream stream(run.bytes);
+  context.require(restored->load(stream));
+  restored->continueRun(*run.instance);
+  run.instance->clearTranscript();
+  for (TestInstance* instance : {run.instance.get(), restored.get()}) {
+    context.require(instance->run(run.sequence, run.middle), "after save and load");
+    context.require(instance->finish(run.sequence), "after save and load");
   }
-  const auto difference = firstDifference(half.actor->transcript(), heir->transcript());
-  if (difference) lab.error("the future after load() differs at " + *difference);
-  lab.figure("saved state", static_cast<double>(half.bytes.size()) / 1024, "KiB");
+  const auto difference = firstDifference(run.instance->transcript(), restored->transcript());
+  if (difference) context.error("answers after load() differ at " + *difference);
+  context.measured("saved state", static_cast<double>(run.bytes.size()) / 1024, "KiB");
 }
 
 std::vector<std::pair<std::string, std::string>> damagedCopies(const std::string& bytes,
                                                                std::uint64_t seed) {
-  std::vector<std::pair<std::string, std::string>> copies = {{"nothing at all", ""},
-                                                             {"foreign text", "once upon a time"}};
+  std::vector<std::pair<std::string, std::string>> copies = {
+      {"empty", ""}, {"unrelated text", "once upon a time"}};
   for (const double share : {0.1, 0.5, 0.9}) {
     const auto size = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
     copies.emplace_back("cut off after " + std::to_string(size) + " bytes", bytes.substr(0, size));
@@ -66,45 +66,45 @@ std::vector<std::pair<std::string, std::string>> damagedCopies(const std::string
   return copies;
 }
 
-void checkOneDamage(Lab& lab, const Half& half, const Transcript& fresh, const std::string& what,
-                    const std::string& bytes) {
-  lab.topic("load: " + what);
+void checkDamagedCopy(CheckContext& context, const SavedRun& run, const Transcript& fresh,
+                      const std::string& what, const std::string& bytes) {
+  context.currentInput("load: " + what);
   std::istringstream stream(bytes);
-  const Status status = half.actor->load(stream);
+  const Status status = run.instance->load(stream);
   if (status.isOk()) {
-    lab.error("load() takes a damaged state: " + what);
-    throw Stop();
+    context.error("load() accepts a damaged state: " + what);
+    throw CheckEnded();
   }
   if (status.code() != StatusCode::InvalidInput) {
-    lab.warning(what + ": the failure is no InvalidInput: " + status.message());
+    context.warning(what + ": the status is not InvalidInput: " + status.message());
   }
-  half.actor->startAfresh();
-  half.actor->forget();
-  lab.demand(half.actor->run(half.stimulus, 0, half.middle), "after a load() that failed");
-  if (const auto difference = firstDifference(fresh, half.actor->transcript())) {
-    lab.error("after a load() that failed (" + what +
-              ") it is not as after reset(): " + *difference);
-    throw Stop();
+  run.instance->beginRun();
+  run.instance->clearTranscript();
+  context.require(run.instance->run(run.sequence, 0, run.middle), "after a load() that failed");
+  if (const auto difference = firstDifference(fresh, run.instance->transcript())) {
+    context.error("after a load() that failed (" + what +
+                  ") it is not in the state after reset(): " + *difference);
+    throw CheckEnded();
   }
 }
 
-void checkDamage(Lab& lab) {
-  Half half = runHalf(lab);
-  half.stimulus = shortened(std::move(half.stimulus), half.middle);
-  const Transcript fresh = half.actor->transcript();
-  if (half.bytes.empty()) lab.skip("it saves nothing");
-  for (const auto& [what, bytes] : damagedCopies(half.bytes, lab.options().seed)) {
-    if (lab.spent() > 0.6) break;
-    checkOneDamage(lab, half, fresh, what, bytes);
+void checkDamage(CheckContext& context) {
+  SavedRun run = runAndSave(context);
+  run.sequence = shortened(std::move(run.sequence), run.middle);
+  const Transcript fresh = run.instance->transcript();
+  if (run.bytes.empty()) context.skip("its saved state is empty");
+  for (const auto& [what, bytes] : damagedCopies(run.bytes, context.task().seed)) {
+    if (context.timeUsed() > 0.6) break;
+    checkDamagedCopy(context, run, fresh, what, bytes);
   }
 }
 
 constexpr std::array kChecks = {
-    Check{"state", 2, kAllRoles, "after save() and load() the future is the same, bit by bit",
-          "save all that decides the future, random streams too", &checkState},
+    Check{"state", 2, kAllRoles, "after save() and load() all later answers are bitwise equal",
+          "save everything that later answers depend on, random streams included", &checkState},
     Check{"state-damaged", 2, kAllRoles,
-          "load() of damaged bytes fails and leaves a reset instance",
-          "StateWriter and StateReader find damage before any number is used", &checkDamage},
+          "load() of damaged bytes fails and leaves the instance as after reset()",
+          "StateWriter and StateReader detect damage before a value is used", &checkDamage},
 };
 
 }  // namespace

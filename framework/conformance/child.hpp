@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A process that may crash, hang or end itself, and what became of it.
+// Runs a command in a child process that may crash, hang or exit, and reads its report and output.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "isolation/child_process.hpp"
+
 namespace tolman::conformance {
 
 struct ChildEnd {
   bool timed_out = false;
-  int signal = 0;      ///< that ended it; 0 for none
-  int exit_code = 0;   ///< without a signal
-  std::string output;  ///< the last of what it wrote to stdout and stderr
+  isolation::ProcessEnd process;
+  std::string output;  ///< last 300 bytes of stdout and stderr
 };
 
-struct ChildLimits {
-  double seconds = 60;
-  std::size_t memory_mib = 4096;  ///< of its data; 0 for no limit
-};
-
-/// Runs `command(descriptor)`, whose process may write lines to that descriptor; each goes to
-/// `on_line`. Afterwards the process is gone, and those that it started.
+/// Runs `command(descriptor)`. The child may write lines to that descriptor; each is passed to
+/// `on_line`. On return the child and all processes of its group have ended. Throws
+/// std::exception when it cannot be started.
 ChildEnd runChild(const std::function<std::vector<std::string>(int descriptor)>& command,
-                  const ChildLimits& limits,
-                  const std::function<void(const std::string& line)>& on_line);
+                  double timeout_s, const std::function<void(const std::string& line)>& on_line);
 
 }  // namespace tolman::conformance

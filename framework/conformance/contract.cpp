@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/contract.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
-#include "plugins/stages.hpp"
+#include "host/stages.hpp"
 
 namespace tolman::conformance {
 namespace {
@@ -13,7 +15,7 @@ Status checkPose(const Eigen::Isometry3d& T, const std::string& name) {
   const bool rotation =
       (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-6 && R.determinant() > 0;
   if (rotation) return Status::ok();
-  return Status::failed("the rotation of '" + name + "' is no rotation; use normalised()");
+  return Status::failed("the rotation of '" + name + "' is not orthonormal; use normalised()");
 }
 
 Status checkCovariance(const Matrix6d& covariance) {
@@ -27,20 +29,19 @@ Status checkCovariance(const Matrix6d& covariance) {
   return Status::ok();
 }
 
-/// Of a relative pose: the map would let nothing else contradict one without uncertainty.
+/// Of a relative pose. With zero covariance the map would trust it over all other measurements.
 Status checkMeasured(const Matrix6d& covariance) {
   if (covariance.trace() > 0) return checkCovariance(covariance);
   return Status::failed(
-      "has_relative_pose with a covariance of zero claims to be exact; say how "
-      "uncertain the pose is");
+      "has_relative_pose with zero covariance claims an exact pose; set its covariance");
 }
 
 Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous) {
   const std::int64_t passed_ns = previous ? frame.stamp_ns - previous->stamp_ns : 0;
   const double expected = 1e-9 * static_cast<double>(passed_ns);
   if (std::abs(motion.dt - expected) < 1e-6) return Status::ok();
-  return Status::failed("dt is " + std::to_string(motion.dt) + " s, the stamps say " +
-                        std::to_string(expected) + " s; see setPlanarVelocity()");
+  return Status::failed(fmt::format("dt is {:f} s, the stamps say {:f} s; see setPlanarVelocity()",
+                                    motion.dt, expected));
 }
 
 }  // namespace
@@ -67,8 +68,8 @@ Status checkMotion(const Motion& motion, const Frame& frame, const Frame* previo
     return Status::failed("an Initialising motion is the identity");
   }
   if (motion.points.cols() > 0 && (motion.points_frame < 0 || motion.points_frame > motion.frame)) {
-    return Status::failed("points of frame " + std::to_string(motion.points_frame) +
-                          ", which is not one of the past");
+    return Status::failed(
+        fmt::format("points of frame {}, which is not a past frame", motion.points_frame));
   }
   Status status = checkPose(motion.T_previous_current, "T_previous_current");
   if (status.isOk()) status = checkCovariance(motion.covariance);
@@ -77,7 +78,7 @@ Status checkMotion(const Motion& motion, const Frame& frame, const Frame* previo
 }
 
 Status checkPlace(const PlaceObservation& seen, std::int64_t& templates) {
-  Status status = plugins::checkTemplateId(seen, templates);
+  Status status = host::checkTemplateId(seen, templates);
   if (seen.recognition == Recognition::Novel) ++templates;
   if (!status.isOk() || !seen.has_relative_pose) return status;
   status = checkPose(seen.T_template_current, "T_template_current");
@@ -86,8 +87,8 @@ Status checkPlace(const PlaceObservation& seen, std::int64_t& templates) {
 
 Status checkDecision(const Decision& decision, std::int64_t last) {
   if (decision.action == Action::Stay && decision.experience != last) {
-    return Status::failed("stays at experience " + std::to_string(decision.experience) +
-                          ", but was at " + std::to_string(last));
+    return Status::failed(
+        fmt::format("stays at experience {}, but was at {}", decision.experience, last));
   }
   if (decision.action != Action::CloseLoop || !decision.has_relative_pose) return Status::ok();
   const Status status = checkPose(decision.T_experience_current, "T_experience_current");
@@ -96,14 +97,14 @@ Status checkDecision(const Decision& decision, std::int64_t last) {
 
 Status checkUpdate(const MapUpdate& update, const MapGraph& graph, std::int64_t last_version) {
   const auto experiences = static_cast<std::int64_t>(graph.experiences.size());
-  if (update.version < last_version) return Status::failed("the version of the map went down");
+  if (update.version < last_version) return Status::failed("the version of the map decreased");
   if (update.experiences != experiences ||
       update.links != static_cast<std::int64_t>(graph.links.size())) {
-    return Status::failed("the update counts other experiences or links than graph() has");
+    return Status::failed("the update's counts of experiences and links differ from graph()");
   }
   if (update.experience < -1 || update.experience >= experiences) {
-    return Status::failed("the frame hangs on experience " + std::to_string(update.experience) +
-                          ", which does not exist");
+    return Status::failed("the frame is attached to experience " +
+                          std::to_string(update.experience) + ", which does not exist");
   }
   const Status status = checkPose(update.T_world_camera, "T_world_camera");
   return status.isOk() ? checkPose(update.T_experience_camera, "T_experience_camera") : status;

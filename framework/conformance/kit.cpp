@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/kit.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
 
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"
-#include "isolation/child_process.hpp"
-#include "plugins/scratch_folder.hpp"
+#include "host/scratch_folder.hpp"
 
 namespace tolman::conformance {
 namespace {
@@ -19,32 +16,31 @@ std::string lastLine(const std::string& output) {
   std::string text = output;
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::string line = text.substr(text.rfind('\n') + 1);
-  return line.empty() ? "" : "; its last words: " + line;
+  return line.empty() ? "" : "; last line of its output: " + line;
 }
 
-/// One check in its process.
-class Experiment {
+/// Runs one check in its own process.
+class CheckProcess {
  public:
-  Experiment(const Check& check, const KitOptions& options) : options_(options) {
+  CheckProcess(const Check& check, const KitOptions& options) : options_(options) {
     result_.check = check.id;
     result_.level = check.level;
     result_.demand = check.demand;
   }
 
   CheckResult run() {
-    const plugins::ScratchFolder scratch("tolman-validate");
+    const host::ScratchFolder scratch("tolman-validate");
     if (scratch.path().empty()) throw std::runtime_error("no temporary folder");
     const auto begin = std::chrono::steady_clock::now();
     const auto command = [&](int descriptor) {
       std::vector<std::string> words = options_.program;
-      words.push_back(encode(Task{result_.check,
-                                  descriptor,
-                                  {options_.file, options_.id, options_.set, options_.seed,
-                                   options_.level, scratch.path(), options_.timeout}}));
+      words.push_back(encode(CheckTask{result_.check, descriptor, options_.file, options_.id,
+                                       options_.set, options_.seed, options_.level, scratch.path(),
+                                       options_.timeout, options_.memory_mib}));
       return words;
     };
-    judge(runChild(command, {options_.timeout, options_.memory_mib},
-                   [this](const std::string& line) { hear(line); }));
+    reportEnd(runChild(command, options_.timeout,
+                       [this](const std::string& line) { readMessage(line); }));
     result_.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);
@@ -52,51 +48,48 @@ class Experiment {
   bool timedOut() const { return timed_out_; }
 
  private:
-  void hear(const std::string& line) {
-    std::optional<Message> message = decodeMessage(line);
+  void readMessage(const std::string& line) {
+    std::optional<CheckMessage> message = decodeMessage(line);
     if (!message) return;
-    if (auto* step = std::get_if<Step>(&*message)) step_ = std::move(step->what);
-    if (auto* topic = std::get_if<Topic>(&*message)) topic_ = std::move(topic->what);
-    if (auto* finding = std::get_if<Finding>(&*message)) result_.findings.push_back(*finding);
-    if (auto* figure = std::get_if<Figure>(&*message)) result_.figures.push_back(*figure);
-    done_ = done_ || std::holds_alternative<Done>(*message);
+    if (auto* started = std::get_if<CallStarted>(&*message)) call_ = std::move(started->call);
+    if (auto* input = std::get_if<CurrentInput>(&*message)) input_ = std::move(input->description);
+    if (auto* finding = std::get_if<CheckFinding>(&*message)) result_.findings.push_back(*finding);
+    if (auto* measured = std::get_if<Measurement>(&*message)) {
+      result_.measurements.push_back(*measured);
+    }
+    completed_ = completed_ || std::holds_alternative<CheckCompleted>(*message);
   }
 
-  std::string place() const {
-    if (done_) return "when the process ended";
-    return "in '" + step_ + "'" + (topic_.empty() ? "" : " of " + topic_);
+  std::string lastCall() const {
+    if (completed_) return "when the process ended";
+    return "in '" + call_ + "'" + (input_.empty() ? "" : " of " + input_);
   }
 
-  void judge(const ChildEnd& end) {
-    const std::string where = place();
+  void reportEnd(const ChildEnd& end) {
     timed_out_ = end.timed_out;
+    const std::string how = end.process.text() + " " + lastCall() + lastLine(end.output);
     if (end.timed_out) {
       error("did not return within " + std::to_string(static_cast<int>(options_.timeout)) + " s, " +
-                where,
+                lastCall(),
             "look for endless loops and for locks; --timeout gives more time");
-    } else if (end.signal != 0) {
-      error("died of " + isolation::signalName(end.signal) + " " + where + lastLine(end.output),
-            "run it under a debugger: --check " + result_.check + " repeats this check alone");
-    } else if (!done_) {
-      error("ended the process itself (exit code " + std::to_string(end.exit_code) + ") " + where +
-                lastLine(end.output),
-            "never call exit(): return a Status");
-    } else if (end.exit_code != 0) {
-      error("the process ended with exit code " + std::to_string(end.exit_code) +
-                lastLine(end.output),
-            "look at destructors of static objects");
+    } else if (end.process.signal != 0) {
+      error(how, "run it under a debugger: --check " + result_.check + " repeats this check alone");
+    } else if (!completed_) {
+      error(how, "never call exit(): return a Status");
+    } else if (end.process.exit_code != 0) {
+      error(how, "look at destructors of static objects");
     }
   }
 
   void error(const std::string& message, const std::string& remedy) {
-    result_.findings.push_back({Severity::Error, message, remedy});
+    result_.findings.push_back({CheckSeverity::Error, message, remedy});
   }
 
   const KitOptions& options_;
   CheckResult result_;
-  std::string step_ = "start";
-  std::string topic_;
-  bool done_ = false;
+  std::string call_ = "start";
+  std::string input_;
+  bool completed_ = false;
   bool timed_out_ = false;
 };
 
@@ -109,20 +102,20 @@ bool isWanted(const Check& check, const KitOptions& options, Role role) {
 
 }  // namespace
 
-Report validate(const KitOptions& options, Role role, const Progress& progress) {
-  constexpr int kMostHangs = 3;
-  Report report{options.file,  options.id,   std::string(enumName(role)),
-                options.level, options.seed, {}};
-  int hangs = 0;
+ConformanceReport validate(const KitOptions& options, Role role, const OnCheckResult& on_result) {
+  constexpr int kMaxTimeouts = 3;
+  ConformanceReport report{options.file,  options.id,   std::string(enumName(role)),
+                           options.level, options.seed, {}};
+  int timeouts = 0;
   for (const Check& check : allChecks()) {
     if (!isWanted(check, options, role)) continue;
-    Experiment experiment(check, options);
-    report.checks.push_back(experiment.run());
+    CheckProcess process(check, options);
+    report.checks.push_back(process.run());
     const CheckResult& result = report.checks.back();
-    progress(result);
-    hangs += experiment.timedOut() ? 1 : 0;
+    on_result(result);
+    timeouts += process.timedOut() ? 1 : 0;
     const bool basic = check.id == "manifest" || check.id == "load" || check.id == "settings";
-    if ((basic && result.severity() == Severity::Error) || hangs == kMostHangs) break;
+    if ((basic && result.severity() == CheckSeverity::Error) || timeouts == kMaxTimeouts) break;
   }
   return report;
 }

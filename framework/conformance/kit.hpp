@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The conformance kit: all checks of one plugin, each in a process of its own.
+// The conformance kit: runs the checks of one plugin, each in its own process.
 #pragma once
 
 #include <functional>
@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "conformance/check.hpp"
-#include "conformance/finding.hpp"
+#include "conformance/check_result.hpp"
 
 namespace tolman::conformance {
 
 struct KitOptions {
-  std::vector<std::string> program;  ///< starts runCheck() with one more argument, the task
+  std::vector<std::string> program;  ///< command that calls runCheck(); the task is appended
   std::string file;
   std::string id;                 ///< of the plugin in the file
   std::vector<std::string> set;   ///< "key=value"
@@ -23,11 +23,10 @@ struct KitOptions {
   std::size_t memory_mib = 4096;  ///< for each check
 };
 
-/// Called after each check.
-using Progress = std::function<void(const CheckResult&)>;
+using OnCheckResult = std::function<void(const CheckResult&)>;
 
-/// Makes the checks of `role` up to the level. When the plugin cannot be loaded, or three checks
-/// hung, the rest is left out.
-Report validate(const KitOptions& options, Role role, const Progress& progress);
+/// Runs the checks of `role` up to the level and calls `on_result` after each. Stops when the
+/// plugin cannot be loaded, or after three checks that timed out.
+ConformanceReport validate(const KitOptions& options, Role role, const OnCheckResult& on_result);
 
 }  // namespace tolman::conformance

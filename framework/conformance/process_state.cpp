@@ -51,7 +51,7 @@ void addSignals(ProcessState& state) {
 }
 
 void addNumbers(ProcessState& state) {
-  constexpr unsigned kControl = 0xffc0;  // without the flags that calculations raise
+  constexpr unsigned kControl = 0xffc0;  // without the exception flags of calculations
   state["rounding mode"] = std::to_string(std::fegetround());
   state["floating point control (denormals, traps)"] = std::to_string(_mm_getcsr() & kControl);
 }
@@ -144,9 +144,9 @@ double residentMib() { return statusMib("VmRSS:"); }
 double peakResidentMib() { return statusMib("VmHWM:"); }
 void resetPeakResident() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-OutputTrap::OutputTrap() : out_(redirect(STDOUT_FILENO)), err_(redirect(STDERR_FILENO)) {}
+OutputCapture::OutputCapture() : out_(redirect(STDOUT_FILENO)), err_(redirect(STDERR_FILENO)) {}
 
-OutputTrap::~OutputTrap() {
+OutputCapture::~OutputCapture() {
   std::cout.flush();
   std::fflush(nullptr);
   for (const Stream& stream : {out_, err_}) {
@@ -156,14 +156,14 @@ OutputTrap::~OutputTrap() {
   }
 }
 
-OutputTrap::Stream OutputTrap::redirect(int descriptor) {
+OutputCapture::Stream OutputCapture::redirect(int descriptor) {
   std::fflush(nullptr);
-  const Stream stream{descriptor, ::dup(descriptor), ::memfd_create("trap", MFD_CLOEXEC)};
+  const Stream stream{descriptor, ::dup(descriptor), ::memfd_create("output", MFD_CLOEXEC)};
   ::dup2(stream.file, descriptor);
   return stream;
 }
 
-std::string OutputTrap::contents(const Stream& stream) {
+std::string OutputCapture::contents(const Stream& stream) {
   std::cout.flush();
   std::fflush(nullptr);
   std::array<char, 200> text{};
@@ -171,7 +171,7 @@ std::string OutputTrap::contents(const Stream& stream) {
   return {text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
 }
 
-std::string OutputTrap::out() const { return contents(out_); }
-std::string OutputTrap::err() const { return contents(err_); }
+std::string OutputCapture::out() const { return contents(out_); }
+std::string OutputCapture::err() const { return contents(err_); }
 
 }  // namespace tolman::conformance

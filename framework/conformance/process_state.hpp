@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a process has only one of, and what a plugin must leave alone.
+// Global state of the process, which a plugin must not change, and its resources.
 #pragma once
 
 #include <map>
@@ -8,38 +8,38 @@
 
 namespace tolman::conformance {
 
-/// Locale, signal handlers, rounding, folder, environment ..., as texts under their names.
+/// Locale, signal handlers, rounding mode, working directory, environment, ... as text by name.
 using ProcessState = std::map<std::string, std::string>;
 ProcessState processState();
 
 /// "working directory: '/a' became '/b'", one for each difference.
 std::vector<std::string> differences(const ProcessState& before, const ProcessState& after);
 
-/// Threads of OpenCV, or -1 when no plugin brought it.
+/// Threads of OpenCV, or -1 when it is not loaded.
 int openCvThreads();
 
-/// Ids of all threads; those that are about to end are waited for a moment.
+/// Number of threads. Waits up to 0.5 s for it to fall to `expected`.
 std::size_t threadCount(std::size_t expected);
 
-/// What each open descriptor leads to, without the one that is needed to look.
+/// The target of each open descriptor.
 std::map<int, std::string> openFiles();
 
-/// Bytes that are allocated on the heap now.
+/// Bytes allocated on the heap.
 std::size_t heapBytes();
 
-/// Memory of this process, MiB.
+/// Resident memory of this process, MiB.
 double residentMib();
 double peakResidentMib();
 void resetPeakResident();
 
-/// Catches what is written to stdout and stderr while it lives.
-class OutputTrap {
+/// Captures stdout and stderr of this process during its lifetime.
+class OutputCapture {
  public:
-  OutputTrap();
-  ~OutputTrap();
-  OutputTrap(const OutputTrap&) = delete;
-  OutputTrap& operator=(const OutputTrap&) = delete;
-  /// What was written so far, cut off after 200 bytes.
+  OutputCapture();
+  ~OutputCapture();
+  OutputCapture(const OutputCapture&) = delete;
+  OutputCapture& operator=(const OutputCapture&) = delete;
+  /// The first 200 bytes written so far.
   std::string out() const;
   std::string err() const;
 

@@ -1,39 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the kit and the process of one check tell each other: one line of JSON each.
+// Messages between the conformance kit and the process of one check: one line of JSON each.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
-#include "conformance/lab.hpp"
+#include "conformance/check_result.hpp"
 
 namespace tolman::conformance {
 
-/// The task of a process: a check, and where to report.
-struct Task {
+/// To the process: which check to run on which plugin.
+struct CheckTask {
   std::string check;
-  int report_descriptor = -1;
-  LabOptions lab;
+  int report_descriptor = -1;  ///< where the process writes its messages
+  std::string file;
+  std::string id;
+  std::vector<std::string> set;  ///< "key=value"
+  std::uint64_t seed = 1;
+  int level = 3;
+  std::filesystem::path scratch;
+  double timeout_s = 60;            ///< after which the kit kills the process
+  std::uint64_t memory_mib = 4096;  ///< 0 for no limit
 };
-std::string encode(const Task& task);
+std::string encode(const CheckTask& task);
 /// Throws std::exception for what encode() did not write.
-Task decodeTask(const std::string& text);
+CheckTask decodeTask(const std::string& text);
 
-/// The call that comes next.
-struct Step {
-  std::string what;
+// To the kit.
+struct CallStarted {
+  std::string call;  ///< "frame 12"
 };
-/// What the calls from now on are about: "draw 7 of seed 1".
-struct Topic {
-  std::string what;
+/// The input of the calls that follow: "draw 7 of seed 1".
+struct CurrentInput {
+  std::string description;
 };
-/// The check is complete.
-struct Done {};
+struct CheckCompleted {};
 
-using Message = std::variant<Step, Topic, Finding, Figure, Done>;
-std::string encode(const Message& message);
-/// Nothing for what encode() did not write: plugins may write where they should not.
-std::optional<Message> decodeMessage(const std::string& line);
+using CheckMessage =
+    std::variant<CallStarted, CurrentInput, CheckFinding, Measurement, CheckCompleted>;
+std::string encode(const CheckMessage& message);
+/// Nothing for what encode() did not write: a plugin may write to any descriptor.
+std::optional<CheckMessage> decodeMessage(const std::string& line);
 
 }  // namespace tolman::conformance

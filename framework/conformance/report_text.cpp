@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/report_text.hpp"
 
-#include <array>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace tolman::conformance {
 namespace {
-
-std::string padded(std::string_view text, std::size_t width) {
-  std::string line(text);
-  line.resize(std::max(width, line.size()), ' ');
-  return line;
-}
-
-std::string number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
 
 std::string indented(const std::string& text) {
   std::string lines = "         ";
@@ -32,44 +19,42 @@ std::string indented(const std::string& text) {
 
 std::string text(const CheckResult& result) {
   std::string lines =
-      padded(enumName(result.severity()), 9) + padded(result.check, 20) + result.demand;
-  for (const Figure& figure : result.figures) {
-    lines +=
-        "\n" + std::string(29, ' ') + figure.name + ": " + number(figure.value) + " " + figure.unit;
+      fmt::format("{:<9}{:<20}{}", enumName(result.severity()), result.check, result.demand);
+  for (const Measurement& measured : result.measurements) {
+    lines += fmt::format("\n{:29}{}: {:.4g} {}", "", measured.name, measured.value, measured.unit);
   }
   lines += "\n";
-  for (const Finding& finding : result.findings) {
+  for (const CheckFinding& finding : result.findings) {
     lines += indented(finding.message);
     if (!finding.remedy.empty()) lines += indented("remedy: " + finding.remedy);
   }
   return lines;
 }
 
-std::string summary(const Report& report) {
-  const auto count = [&](Severity severity) { return std::to_string(report.count(severity)); };
-  const bool whole = report.checks.size() > 1;  // one asked-for check says nothing of the rest
-  const std::string verdict = !report.conforms() ? "does not conform at level "
-                              : whole            ? "conforms at level "
-                                                 : "one check made, of level ";
-  std::string line = report.id + ": " + verdict + std::to_string(report.level) + ": " +
-                     count(Severity::Ok) + " ok, " + count(Severity::Warning) + " warnings, " +
-                     count(Severity::Error) + " errors, " + count(Severity::Skip) +
-                     " skipped; seed " + std::to_string(report.seed);
-  return line + "\n";
+std::string summary(const ConformanceReport& report) {
+  const bool whole = report.checks.size() > 1;  // --check selected a single one
+  const std::string verdict = !report.conforms() ? "does not conform at level"
+                              : whole            ? "conforms at level"
+                                                 : "one check run, of level";
+  return fmt::format("{}: {} {}: {} ok, {} warnings, {} errors, {} skipped; seed {}\n", report.id,
+                     verdict, report.level, report.count(CheckSeverity::Ok),
+                     report.count(CheckSeverity::Warning), report.count(CheckSeverity::Error),
+                     report.count(CheckSeverity::Skip), report.seed);
 }
 
-nlohmann::ordered_json json(const Report& report) {
+nlohmann::ordered_json json(const ConformanceReport& report) {
   nlohmann::ordered_json checks = nlohmann::ordered_json::array();
   for (const CheckResult& result : report.checks) {
     nlohmann::ordered_json findings = nlohmann::ordered_json::array();
-    for (const Finding& finding : result.findings) {
+    for (const CheckFinding& finding : result.findings) {
       findings.push_back({{"severity", enumName(finding.severity)},
                           {"message", finding.message},
                           {"remedy", finding.remedy}});
     }
-    nlohmann::ordered_json figures = nlohmann::ordered_json::array();
-    for (const Figure& figure : result.figures) {
-      figures.push_back({{"name", figure.name}, {"value", figure.value}, {"unit", figure.unit}});
+    nlohmann::ordered_json measurements = nlohmann::ordered_json::array();
+    for (const Measurement& measured : result.measurements) {
+      measurements.push_back(
+          {{"name", measured.name}, {"value", measured.value}, {"unit", measured.unit}});
     }
     checks.push_back({{"check", result.check},
                       {"level", result.level},
@@ -77,7 +62,7 @@ nlohmann::ordered_json json(const Report& report) {
                       {"result", enumName(result.severity())},
                       {"seconds", result.seconds},
                       {"findings", findings},
-                      {"figures", figures}});
+                      {"measurements", measurements}});
   }
   return {{"id", report.id},
           {"role", report.role},
@@ -85,10 +70,10 @@ nlohmann::ordered_json json(const Report& report) {
           {"level", report.level},
           {"seed", report.seed},
           {"conforms", report.conforms()},
-          {"ok", report.count(Severity::Ok)},
-          {"warnings", report.count(Severity::Warning)},
-          {"errors", report.count(Severity::Error)},
-          {"skipped", report.count(Severity::Skip)},
+          {"ok", report.count(CheckSeverity::Ok)},
+          {"warnings", report.count(CheckSeverity::Warning)},
+          {"errors", report.count(CheckSeverity::Error)},
+          {"skipped", report.count(CheckSeverity::Skip)},
           {"checks", checks}};
 }
 

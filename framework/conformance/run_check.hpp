@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The inside of the process that makes one check.
+// Main function of the process that runs one check.
 #pragma once
 
 #include <string>
 
 namespace tolman::conformance {
 
-/// Makes the check of an encoded Task and reports to its descriptor. Whatever the plugin does to
-/// this process, the kit outside sees it.
+/// Runs the check of an encoded CheckTask and writes its messages to the task's descriptor.
 void runCheck(const std::string& task);
 
 }  // namespace tolman::conformance

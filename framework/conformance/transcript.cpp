@@ -30,8 +30,8 @@ std::optional<std::string> firstDifference(const Transcript& expected, const Tra
                                            std::size_t skip) {
   const std::size_t count = expected.size() - std::min(skip, expected.size());
   for (std::size_t i = 0; i < std::min(count, found.size()); ++i) {
-    const Answer& wanted = expected[skip + i];
-    const Answer& given = found[i];
+    const TranscriptEntry& wanted = expected[skip + i];
+    const TranscriptEntry& given = found[i];
     if (wanted.call != given.call) return "'" + given.call + "' instead of '" + wanted.call + "'";
     for (std::size_t f = 0; f < std::max(wanted.fields.size(), given.fields.size()); ++f) {
       if (f >= wanted.fields.size() || f >= given.fields.size())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All answers of one life of a plugin, small enough to keep and exact enough to compare bit by bit.
+// All answers of one instance as hashes of their fields, to compare two runs bit by bit.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace tolman::conformance {
 
-/// A hash of every bit of a field's value. -0.0 and 0.0 differ, as do two NaN.
+/// FNV-1a hash of all bits of a value: -0.0 and 0.0 differ. The padding of images is left out.
 class BitHash {
  public:
   void add(const void* bytes, std::size_t size);
@@ -46,9 +46,9 @@ class BitHash {
   std::uint64_t hash_ = 0xcbf29ce484222325ULL;
 };
 
-/// One answer: what was asked, and a hash for each field.
-struct Answer {
-  std::string call;  ///< "track, frame 12"
+/// One answer: the call, and a hash for each field.
+struct TranscriptEntry {
+  std::string call;  ///< "frame 12"
   std::vector<std::pair<std::string, std::uint64_t>> fields;
 
   template <Record R>
@@ -65,10 +65,10 @@ struct Answer {
   }
 };
 
-using Transcript = std::vector<Answer>;
+using Transcript = std::vector<TranscriptEntry>;
 
-/// "track, frame 12: 'T_previous_current'", or nothing when all bits agree. `skip` answers of
-/// `expected` are passed over at its beginning.
+/// "frame 12: 'T_previous_current'", or nothing when all bits agree. The first `skip` answers of
+/// `expected` are ignored.
 std::optional<std::string> firstDifference(const Transcript& expected, const Transcript& found,
                                            std::size_t skip = 0);
 

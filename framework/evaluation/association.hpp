@@ -2,6 +2,7 @@
 // Which pose of an estimate belongs to which pose of the truth.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "evaluation/trajectory.hpp"
@@ -16,8 +17,10 @@ struct Matches {
   std::size_t truth_total = 0;  ///< poses of the truth, matched or not
 
   std::size_t size() const { return truth.size(); }
+  /// The share of the truth that has a tracked pose.
   double coverage() const {
-    return static_cast<double>(truth.size()) / static_cast<double>(truth_total);
+    const auto tracked = std::ranges::count(estimate, true, &TrajectoryPose::tracked);
+    return static_cast<double>(tracked) / static_cast<double>(truth_total);
   }
 };
 

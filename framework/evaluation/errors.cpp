@@ -52,7 +52,7 @@ Statistics statistics(std::vector<double> values) {
   return result;
 }
 
-Statistics absoluteError(const Matches& aligned, bool planar) {
+std::vector<double> positionErrors(const Matches& aligned, bool planar) {
   std::vector<double> values;
   for (std::size_t i = 0; i < aligned.size(); ++i) {
     Eigen::Vector3d error = aligned.estimate[i].T_world_camera.translation() -
@@ -60,7 +60,11 @@ Statistics absoluteError(const Matches& aligned, bool planar) {
     if (planar) error.y() = 0;
     values.push_back(error.norm());
   }
-  return statistics(std::move(values));
+  return values;
+}
+
+Statistics absoluteError(const Matches& aligned, bool planar) {
+  return statistics(positionErrors(aligned, planar));
 }
 
 RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta) {

@@ -21,8 +21,10 @@ struct Statistics {
 /// All 0 for no values.
 Statistics statistics(std::vector<double> values);
 
-/// Distances between matched positions, m. `planar` leaves height (camera y) out, as befits an
-/// estimate that knows no height.
+/// Distances between matched positions, m. `planar` leaves height (camera y) out, for an estimate
+/// without height.
+std::vector<double> positionErrors(const Matches& aligned, bool planar = false);
+/// Statistics of positionErrors().
 Statistics absoluteError(const Matches& aligned, bool planar = false);
 
 /// The error of motion over a step: |T_truth^-1 T_estimate| of matched motions.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/metrics.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -96,6 +98,21 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   return metrics;
 }
 
+MapCounts countsOf(const MapGraph& graph, std::int64_t loop_decisions) {
+  MapCounts counts;
+  counts.experiences = static_cast<std::int64_t>(graph.experiences.size());
+  counts.loop_decisions = loop_decisions;
+  for (const Link& link : graph.links) {
+    if (graph.isRejected(link)) {
+      ++counts.rejected_loop_links;
+      continue;
+    }
+    ++counts.links;
+    if (link.kind == LinkKind::Loop) ++counts.loop_links;
+  }
+  return counts;
+}
+
 StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
   std::vector<double> ms;
   ms.reserve(durations_ns.size());
@@ -110,17 +127,16 @@ StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns) {
 
 std::string unjoinedText(const Metrics& metrics) {
   if (metrics.parts <= 1) return "";
-  std::string text =
-      "the map is in " + std::to_string(metrics.parts) + " parts that nothing joins (";
-  const char* separator = "";
+  std::vector<std::string> places;
   for (std::size_t i = 0; i < metrics.sessions.size(); ++i) {
     for (const std::int64_t part : metrics.sessions[i].parts) {
-      text += separator + std::string("session ") + std::to_string(i) + " in part " +
-              std::to_string(part);
-      separator = ", ";
+      places.push_back(fmt::format("session {} in part {}", i, part));
     }
   }
-  return text + "); poses of different parts say nothing of each other";
+  return fmt::format(
+      "the map is in {} parts that no link joins ({}); the relative poses of different parts are "
+      "unknown",
+      metrics.parts, fmt::join(places, ", "));
 }
 
 Json toJson(const StageTiming& timing) {
@@ -154,10 +170,14 @@ Json toJson(const Metrics& metrics) {
           {"coverage", coverage},
           {"frames", metrics.frames},
           {"templates", metrics.templates},
-          {"experiences", metrics.experiences},
-          {"loops", metrics.loops},
+          {"experiences", metrics.counts.experiences},
+          {"links", metrics.counts.links},
+          {"loop_links", metrics.counts.loop_links},
+          {"rejected_loop_links", metrics.counts.rejected_loop_links},
+          {"loop_decisions", metrics.counts.loop_decisions},
           {"parts", metrics.parts},
           {"sessions", sessionsJson(metrics)},
+          {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},
           {"timing", timingJson(metrics.timing)}};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of a run, and their JSON: metrics.json.
+// Errors, counts and timing of a run, and their JSON: metrics.json.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,20 @@
 #include <vector>
 
 #include "evaluation/alignment.hpp"
+#include "evaluation/cell_figures.hpp"
 #include "evaluation/errors.hpp"
 #include "evaluation/kitti_segments.hpp"
+#include "tolman/records.hpp"
 
 namespace tolman::evaluation {
 
-/// What only the truth can tell of a trajectory.
+/// Errors of a trajectory against ground truth.
 struct Scores {
   Statistics ate_m;
   RelativeError rpe_frame;  ///< over one frame
   RelativeError rpe_metre;  ///< per metre, over steps of 1 m
   SegmentErrors kitti;
-  double scale = 1;  ///< that the alignment has applied to the estimate
+  double scale = 1;  ///< scale factor of the alignment
   double coverage = 0;
 };
 
@@ -33,7 +35,7 @@ struct TrajectoryMetrics {
   std::string reason;  ///< why there are no scores
 };
 
-/// Time that a stage took a frame, ms.
+/// Computing time of a stage per frame, ms.
 struct StageTiming {
   std::size_t frames = 0;
   double mean_ms = 0;
@@ -43,13 +45,23 @@ struct StageTiming {
   double max_ms = 0;
 };
 
-/// One session of the map's life, and how it hangs together with the others.
+/// What the finished map holds, and how many loops the cells decided. The two numbers of loops
+/// differ: a map may fold decisions of one visit into one link, and it may reject links.
+struct MapCounts {
+  std::int64_t experiences = 0;
+  std::int64_t links = 0;                ///< of both kinds, rejected ones left out
+  std::int64_t loop_links = 0;           ///< those of `links` that close a loop
+  std::int64_t rejected_loop_links = 0;  ///< not among `links`
+  std::int64_t loop_decisions = 0;       ///< frames with the decision close_loop
+};
+
+/// The frames and experiences of one session, and the connected parts of the map they lie in.
 struct SessionFigures {
   std::string name;
   std::int64_t first_frame = 0;
   std::int64_t frames = 0;
   std::int64_t experiences = 0;
-  std::vector<std::int64_t> parts;  ///< of the map that its experiences are in
+  std::vector<std::int64_t> parts;  ///< parts of the map with its experiences
 };
 
 struct Metrics {
@@ -58,28 +70,30 @@ struct Metrics {
   TrajectoryMetrics map;
   std::int64_t frames = 0;
   std::int64_t templates = 0;
-  std::int64_t experiences = 0;
-  std::int64_t loops = 0;
+  MapCounts counts;
   std::map<std::string, StageTiming> timing;
-  std::int64_t parts = 0;  ///< of the map that no link joins
+  std::int64_t parts = 0;  ///< connected parts of the map
   std::vector<SessionFigures> sessions;
+  std::optional<CellFigures> cells;  ///< none where no activity was recorded
 };
 
-/// "sessions 0 and 2 are not joined", or nothing when the whole map hangs together.
+/// A sentence about the connected parts of the map; empty where there is only one.
 std::string unjoinedText(const Metrics& metrics);
 
 /// Scores an estimate; an empty truth or estimate gives a reason instead of scores. Drift is over
-/// `lengths`, or as lengthsFor() says. `max_difference_ns` < 0 matches by frame index, else by
+/// `lengths`, by default lengthsFor(). `max_difference_ns` < 0 matches by frame index, else by
 /// nearest stamp.
 TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& estimate,
                                   Alignment alignment,
                                   const std::optional<SegmentLengths>& lengths = std::nullopt,
                                   std::int64_t max_difference_ns = -1);
 
+MapCounts countsOf(const MapGraph& graph, std::int64_t loop_decisions);
+
 StageTiming stageTiming(const std::vector<std::int64_t>& durations_ns);
 
-/// `odometry` and `map` have the same keys; figures that are not known are null, and `reason`
-/// says why. Top-level `coverage` is the smaller of the two.
+/// `odometry` and `map` have the same keys; unknown numbers are null, with the cause in `reason`.
+/// Top-level `coverage` is the smaller of the two.
 nlohmann::ordered_json toJson(const Metrics& metrics);
 nlohmann::ordered_json toJson(const TrajectoryMetrics& metrics);
 nlohmann::ordered_json toJson(const StageTiming& timing);

@@ -13,6 +13,7 @@ struct TrajectoryPose {
   std::int64_t frame = 0;
   std::int64_t stamp_ns = 0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  bool tracked = true;  ///< false: odometry was lost or initialising
 };
 using Trajectory = std::vector<TrajectoryPose>;
 

@@ -4,8 +4,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -15,6 +13,8 @@ namespace {
 
 // Written rotations are rounded; what is farther off than this is no rotation.
 constexpr double kRotationTolerance = 1e-2;
+// Metres: no vehicle drives as far, and the squares of all errors stay finite.
+constexpr double kFarthest = 1e9;
 
 /// What is wrong with a line; the reader adds file and line.
 struct LineError : std::runtime_error {
@@ -54,6 +54,12 @@ double number(std::string_view word) {
   return value;
 }
 
+double coordinate(std::string_view word) {
+  const double metres = number(word);
+  if (std::abs(metres) <= kFarthest) return metres;
+  throw LineError("position " + shown(word) + " is too large; positions are metres");
+}
+
 /// Seconds to nanoseconds, without a detour over double where the word is plain decimal.
 std::int64_t stampNs(std::string_view word) {
   const double seconds = number(word);
@@ -88,7 +94,10 @@ TrajectoryPose tumPose(const std::vector<std::string_view>& entries) {
   TrajectoryPose pose;
   pose.stamp_ns = stampNs(entries[0]);
   Eigen::Matrix<double, 7, 1> v;
-  for (int i = 0; i < 7; ++i) v[i] = number(entries[static_cast<std::size_t>(i) + 1]);
+  for (int i = 0; i < 7; ++i) {
+    const std::string_view word = entries[static_cast<std::size_t>(i) + 1];
+    v[i] = i < 3 ? coordinate(word) : number(word);
+  }
   const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
   if (std::abs(q.norm() - 1) > kRotationTolerance) {
     throw LineError("the quaternion has length " + std::to_string(q.norm()) + " instead of 1");
@@ -104,14 +113,16 @@ TrajectoryPose kittiPose(const std::vector<std::string_view>& entries) {
                     std::to_string(entries.size()));
   }
   Eigen::Matrix<double, 3, 4, Eigen::RowMajor> rows;
-  for (std::size_t i = 0; i < 12; ++i) rows.data()[i] = number(entries[i]);
+  for (std::size_t i = 0; i < 12; ++i) {
+    rows.data()[i] = i % 4 == 3 ? coordinate(entries[i]) : number(entries[i]);
+  }
   TrajectoryPose pose;
   pose.T_world_camera.linear() = checkedRotation(rows.leftCols<3>());
   pose.T_world_camera.translation() = rows.col(3);
   return pose;
 }
 
-using LineReader = std::function<TrajectoryPose(const std::vector<std::string_view>&)>;
+using LineReader = TrajectoryPose (*)(const std::vector<std::string_view>&);
 
 LineReader formatOf(const std::vector<std::string_view>& entries) {
   if (entries.size() == 8) return tumPose;
@@ -128,19 +139,23 @@ void append(Trajectory& trajectory, TrajectoryPose pose, bool has_stamps) {
   trajectory.push_back(pose);
 }
 
-/// `reader` empty: found out at the first pose.
-Result<Trajectory> readLines(const std::filesystem::path& file, LineReader reader) {
-  std::ifstream stream(file);
-  if (!stream || std::filesystem::is_directory(file)) {
-    return Status::invalidInput(file.string() + ": cannot be read; check the path");
+}  // namespace
+
+Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
+  std::error_code ignored;  // a pipe would wait for its writer
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
+  if (!stream.is_open()) {
+    return Status::invalidInput(file.string() + ": is no file that can be read; check the path");
   }
   Trajectory trajectory;
+  LineReader reader = nullptr;
   std::string line;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
     try {
       const std::vector<std::string_view> entries = words(line);
       if (entries.empty()) continue;
-      if (!reader) reader = formatOf(entries);
+      if (reader == nullptr) reader = formatOf(entries);
       append(trajectory, reader(entries), entries.size() == 8);
     } catch (const LineError& error) {
       return Status::invalidInput(file.string() + ":" + std::to_string(number_of_line) + ": " +
@@ -149,18 +164,6 @@ Result<Trajectory> readLines(const std::filesystem::path& file, LineReader reade
   }
   if (trajectory.empty()) return Status::invalidInput(file.string() + ": holds no pose");
   return trajectory;
-}
-
-}  // namespace
-
-Result<Trajectory> readTum(const std::filesystem::path& file) { return readLines(file, tumPose); }
-
-Result<Trajectory> readKitti(const std::filesystem::path& file) {
-  return readLines(file, kittiPose);
-}
-
-Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
-  return readLines(file, nullptr);
 }
 
 }  // namespace tolman::evaluation

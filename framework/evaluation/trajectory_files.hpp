@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Readers of trajectory files, TUM and KITTI. Errors are InvalidInput and start with file:line.
+// Reads trajectory files, TUM and KITTI. Errors are InvalidInput and start with file:line.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,13 @@
 
 namespace tolman::evaluation {
 
+/// The first line with numbers decides on the format: eight numbers are TUM, twelve are KITTI.
+///
 /// TUM: lines `stamp tx ty tz qx qy qz qw` (s, m), '#' starts a comment. Frames are counted from 0
 /// over the lines with poses. Stamps must grow; decimal stamps are read exactly to the nanosecond.
-Result<Trajectory> readTum(const std::filesystem::path& file);
-
-/// KITTI: twelve numbers a line, the upper 3x4 of T_world_camera row by row. Frame = line from 0;
-/// stamps are unknown and 0.
-Result<Trajectory> readKitti(const std::filesystem::path& file);
-
-/// By what the first line with numbers has: eight are TUM, twelve are KITTI.
+///
+/// KITTI: the upper 3x4 of T_world_camera row by row. Frame = line from 0; stamps are unknown and
+/// 0.
 Result<Trajectory> readTrajectory(const std::filesystem::path& file);
 
 }  // namespace tolman::evaluation

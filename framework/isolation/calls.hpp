@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the host and the process of a stage say to each other.
+// The calls from the host to the process of a plugin, and its replies.
 #pragma once
 
 #include <cstdint>
 
 namespace tolman::isolation {
 
-/// From the host; each gets one reply.
+/// From the host. Each call gets one reply.
 enum class Call : std::uint32_t {
   Load = 1,
   Create,
@@ -34,12 +34,14 @@ enum class Call : std::uint32_t {
   Begin,
   Watch,
   FinishObserver,
+  Describe,
+  Url,
 };
 
-/// To the host.
-enum class Word : std::uint32_t {
-  Reply = 1,  ///< a status and the answers, in the buffer
-  Log,        ///< a line; any number, at any time
+/// From the process.
+enum class ReplyKind : std::uint32_t {
+  Reply = 1,  ///< to a call: status and results in the shared buffer
+  Log,        ///< one log line; at any time
 };
 
 }  // namespace tolman::isolation

@@ -43,40 +43,41 @@ std::array<Socket, 2> Socket::pair() {
   return {Socket(Descriptor(ends[0])), Socket(Descriptor(ends[1]))};
 }
 
-bool Socket::send(const Note& note) const {
-  Head head{note.kind, note.detail, note.size};
-  // sendmsg() takes a pointer to what it does not change.
+bool Socket::send(const SocketMessage& message) const {
+  Head head{message.kind, message.detail, message.size};
+  // sendmsg() does not change the text, but its pointer is not const.
   std::array<iovec, 2> pieces{
       {{&head, sizeof head},
-       {const_cast<char*>(note.text.data()), std::min(note.text.size(), kMostText)}}};
-  msghdr message{};
-  message.msg_iov = pieces.data();
-  message.msg_iovlen = pieces.size();
+       {const_cast<char*>(message.text.data()), std::min(message.text.size(), kMaxText)}}};
+  msghdr header{};
+  header.msg_iov = pieces.data();
+  header.msg_iovlen = pieces.size();
   ssize_t sent = 0;
   do {
-    sent = ::sendmsg(descriptor_.get(), &message, MSG_NOSIGNAL);
+    sent = ::sendmsg(descriptor_.get(), &header, MSG_NOSIGNAL);
   } while (sent < 0 && errno == EINTR);
   return sent >= 0;
 }
 
-Wait Socket::receive(Note& note, std::chrono::milliseconds patience) const {
+ReceiveResult Socket::receive(SocketMessage& message, std::chrono::milliseconds timeout) const {
   pollfd watched{descriptor_.get(), POLLIN, 0};
-  const int ready = ::poll(&watched, 1, static_cast<int>(patience.count()));
-  if (ready == 0 || (ready < 0 && errno == EINTR)) return Wait::Nothing;
+  const int ready = ::poll(&watched, 1, static_cast<int>(timeout.count()));
+  if (ready == 0 || (ready < 0 && errno == EINTR)) return ReceiveResult::Timeout;
   Head head{};
-  note.text.resize(kMostText);
-  std::array<iovec, 2> pieces{{{&head, sizeof head}, {note.text.data(), note.text.size()}}};
-  msghdr message{};
-  message.msg_iov = pieces.data();
-  message.msg_iovlen = pieces.size();
-  const ssize_t bytes = ::recvmsg(descriptor_.get(), &message, 0);
-  if (bytes < 0 && errno == EINTR) return Wait::Nothing;
-  if (bytes < static_cast<ssize_t>(sizeof head)) return Wait::Gone;  // the end, or no note of ours
-  note.kind = head.kind;
-  note.detail = head.detail;
-  note.size = head.size;
-  note.text.resize(static_cast<std::size_t>(bytes) - sizeof head);
-  return Wait::Note;
+  message.text.resize(kMaxText);
+  std::array<iovec, 2> pieces{{{&head, sizeof head}, {message.text.data(), message.text.size()}}};
+  msghdr header{};
+  header.msg_iov = pieces.data();
+  header.msg_iovlen = pieces.size();
+  const ssize_t bytes = ::recvmsg(descriptor_.get(), &header, 0);
+  if (bytes < 0 && errno == EINTR) return ReceiveResult::Timeout;
+  if (bytes < static_cast<ssize_t>(sizeof head))
+    return ReceiveResult::Closed;  // closed, or not a valid message
+  message.kind = head.kind;
+  message.detail = head.detail;
+  message.size = head.size;
+  message.text.resize(static_cast<std::size_t>(bytes) - sizeof head);
+  return ReceiveResult::Message;
 }
 
 }  // namespace tolman::isolation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between the host and the process of one stage: a socket for short notes that keep their bounds
-// (a call, a reply, a line of the log), and one shared buffer each way for what a call carries.
-// When one side dies the other's socket ends at once, so nobody waits for the dead.
+// The connection between the host and the process of one plugin: a sequenced-packet socket for
+// short messages (a call, a reply, a log line), and one shared buffer in each direction for the
+// data of a call. When one process ends, the socket of the other is closed at once.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace tolman::isolation {
 
-/// Closes with its object.
+/// Owns a file descriptor.
 class Descriptor {
  public:
   explicit Descriptor(int value = -1) : value_(value) {}
@@ -28,16 +28,17 @@ class Descriptor {
   int value_;
 };
 
-/// One note. `size` bytes of the sender's buffer belong to it.
-struct Note {
+/// One message. Its data are the first `size` bytes of the sender's shared buffer.
+struct SocketMessage {
   std::uint32_t kind = 0;
-  std::uint32_t detail = 0;  ///< number of a call and of its reply; level of a log line
+  std::uint32_t detail =
+      0;  ///< number of the call that it makes or replies to; level of a log line
   std::uint64_t size = 0;
-  std::string text;  ///< at most kMostText; longer texts are cut
+  std::string text;  ///< longer texts are cut off after kMaxText bytes
 };
-inline constexpr std::size_t kMostText = 8192;
+inline constexpr std::size_t kMaxText = 8192;  // bytes
 
-enum class Wait : std::uint8_t { Note, Nothing, Gone };
+enum class ReceiveResult : std::uint8_t { Message, Timeout, Closed };
 
 /// One end of the socket.
 class Socket {
@@ -48,16 +49,16 @@ class Socket {
   int descriptor() const { return descriptor_.get(); }
   void close() { descriptor_.close(); }
 
-  /// Any thread. False when nobody listens any more.
-  bool send(const Note& note) const;
-  /// Waits at most so long; less than zero: for ever.
-  Wait receive(Note& note, std::chrono::milliseconds patience) const;
+  /// May be called from any thread. False when the other end is closed.
+  bool send(const SocketMessage& message) const;
+  /// Waits at most `timeout`; without limit if it is negative.
+  ReceiveResult receive(SocketMessage& message, std::chrono::milliseconds timeout) const;
 
  private:
   Descriptor descriptor_;
 };
 
-/// In memory of its own, what may change during a call.
+/// Shared memory for values that change during a call.
 struct ControlBlock {
   std::atomic<std::uint32_t> cancelled;
 };

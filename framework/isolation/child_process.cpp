@@ -21,20 +21,21 @@ void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// What happens between fork and exec; posix_spawn() because the host has threads.
+/// What happens between fork and exec. posix_spawn(), because the host has threads.
 class SpawnPlan {
  public:
-  explicit SpawnPlan(const std::vector<int>& passed) {
+  SpawnPlan(const std::vector<int>& passed, int output) {
     check(::posix_spawn_file_actions_init(&actions_), "no process");
     check(::posix_spawnattr_init(&attributes_), "no process");
     ::posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", 0, 0);
-    ::posix_spawn_file_actions_adddup2(&actions_, STDERR_FILENO, STDOUT_FILENO);
-    // A descriptor laid on itself loses its close-on-exec mark.
+    ::posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    ::posix_spawn_file_actions_adddup2(&actions_, output, STDERR_FILENO);
+    // dup2() of a descriptor to itself removes its close-on-exec flag.
     for (const int fd : passed) ::posix_spawn_file_actions_adddup2(&actions_, fd, fd);
     sigset_t none;
     ::sigemptyset(&none);
     ::posix_spawnattr_setsigmask(&attributes_, &none);
-    // In a group of its own, interrupts of the terminal are for the host to hear.
+    // Its own process group, so that Ctrl-C in the terminal reaches only the host.
     ::posix_spawnattr_setpgroup(&attributes_, 0);
     ::posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
   }
@@ -81,11 +82,12 @@ void limitResources(std::uint64_t memory_mib) {
 
 std::string ProcessEnd::text() const {
   if (signal != 0) return "died of " + signalName(signal);
-  return "ended the process itself (exit code " + std::to_string(exit_code) + ")";
+  return "exited with code " + std::to_string(exit_code);
 }
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed)
-    : pid_(SpawnPlan(passed).start(command)) {}
+ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
+                           int output)
+    : pid_(SpawnPlan(passed, output).start(command)) {}
 
 ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
 
@@ -108,14 +110,14 @@ void ChildProcess::reap() {
   end_.exit_code = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
 }
 
-ProcessEnd ChildProcess::end(std::chrono::milliseconds patience) {
+ProcessEnd ChildProcess::end(std::chrono::milliseconds timeout) {
   if (reaped_) return end_;
-  const auto deadline = std::chrono::steady_clock::now() + patience;
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
   while (!hasEnded() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // Its group outlives it: what it has started goes with it. It may have left the group itself.
-  // Both before reaping, while the number is still its own.
+  // The group may still hold processes that it started, and it may have left the group itself.
+  // Kill both before reaping: until then the id cannot belong to another process.
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
   reap();

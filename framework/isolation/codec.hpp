@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How records and the other arguments of a call become bytes, and bytes become them: the field list
-// of each record, in the machine's byte order, since both ends are one build. What is read was
-// written by a process that may have gone mad: sizes are checked before anything is believed.
+// Encodes and decodes records and the other arguments of a call: the fields of a record in order,
+// in the machine's byte order, since both processes run the same build. The decoder checks all
+// sizes, because the sender may be a defective process.
 #pragma once
 
 #include <array>
@@ -18,44 +18,29 @@
 #include <variant>
 #include <vector>
 
+#include "host/refusal.hpp"
 #include "isolation/shared_buffer.hpp"
 #include "tolman/parameters.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::isolation {
 
-/// The bytes are not what the other side should have written.
-struct Malformed : std::runtime_error {
+/// The bytes are not a valid encoding.
+struct MalformedMessage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Members of the structs that are no records.
-template <class T>
-requires std::same_as<std::remove_const_t<T>, MapGraph>
-auto parts(T& graph) { return std::tie(graph.version, graph.experiences, graph.links); }
-
-template <class T>
-requires std::same_as<std::remove_const_t<T>, Finding>
-auto parts(T& finding) { return std::tie(finding.severity, finding.where, finding.message); }
-
-template <class T>
-requires std::same_as<std::remove_const_t<T>, SourceInfo>
-auto parts(T& info) { return std::tie(info.description, info.rig, info.frames, info.has_truth); }
-
-template <class T>
-requires std::same_as<std::remove_const_t<T>, RunInfo>
-auto parts(T& run) { return std::tie(run.name, run.directory, run.source); }
-
-template <class T>
-requires std::same_as<std::remove_const_t<T>, NamedArray>
-auto parts(T& array) { return std::tie(array.name, array.shape, array.values); }
-
+// Members of structs that are not records.
 template <class T>
 requires std::same_as<std::remove_const_t<T>, ParameterInfo>
 auto parts(T& info) {
   return std::tie(info.name, info.type, info.default_value, info.required, info.min, info.max,
                   info.unit, info.doc, info.choices);
 }
+
+template <class T>
+requires std::same_as<std::remove_const_t<T>, host::Refusal>
+auto parts(T& refusal) { return std::tie(refusal.id, refusal.message, refusal.remedy); }
 
 template <class T>
 concept HasParts = requires(T& value) {
@@ -76,7 +61,7 @@ class Encoder {
     (put(values), ...);
   }
 
-  /// What another encoder has written.
+  /// Appends bytes that another encoder has written.
   void append(std::string_view bytes) { raw(bytes.data(), bytes.size()); }
 
   template <Scalar T>
@@ -145,7 +130,7 @@ class Decoder {
  public:
   Decoder(const std::byte* bytes, std::size_t size) : bytes_(bytes), size_(size) {}
   std::size_t remaining() const { return size_ - position_; }
-  /// The rest is of no interest.
+  /// Ignores the remaining bytes.
   void skip() { position_ = size_; }
 
   template <class... T>
@@ -174,7 +159,7 @@ class Decoder {
   }
   void get(Status& status) {
     const auto code = next<StatusCode>();
-    if (code > StatusCode::Failed) throw Malformed("a status code that does not exist");
+    if (code > StatusCode::Failed) throw MalformedMessage("a status code that does not exist");
     status =
         code == StatusCode::Ok ? (skipText(), Status::ok()) : Status(code, next<std::string>());
   }
@@ -192,7 +177,7 @@ class Decoder {
     const auto most = static_cast<Eigen::Index>(remaining() / kScalar);
     if (!rows_fit || !columns_fit || rows < 0 || columns < 0 ||
         (rows > 0 && columns > most / rows)) {
-      throw Malformed("a matrix of impossible size");
+      throw MalformedMessage("a matrix of impossible size");
     }
     matrix.resize(rows, columns);
     const std::size_t bytes = kScalar * static_cast<std::size_t>(matrix.size());
@@ -228,15 +213,16 @@ class Decoder {
 
  private:
   const std::byte* take(std::size_t count) {
-    if (count > remaining()) throw Malformed("the message ends too early");
+    if (count > remaining()) throw MalformedMessage("the message ends too early");
     const std::byte* start = bytes_ + position_;
     position_ += count;
     return start;
   }
-  /// A number of things of at least `least` bytes each, as far as the message can hold them.
+  /// Reads a number of elements of at least `least` bytes each; refuses more than the message
+  /// holds.
   std::size_t count(std::size_t least) {
     const auto count = next<std::size_t>();
-    if (count > remaining() / least) throw Malformed("a list longer than its message");
+    if (count > remaining() / least) throw MalformedMessage("a list longer than its message");
     return count;
   }
   void skipText() { take(count(1)); }
@@ -254,12 +240,13 @@ inline void Encoder::put(const Image& image) {
 }
 
 inline void Decoder::get(Image& image) {
-  constexpr int kMost = 1 << 16;  // px
+  constexpr int kMaxSide = 1 << 16;  // px
   const int width = next<int>();
   const int height = next<int>();
   const auto format = next<PixelFormat>();
-  if (width < 0 || height < 0 || width > kMost || height > kMost || format > PixelFormat::Bgr8) {
-    throw Malformed("an image of impossible size");
+  if (width < 0 || height < 0 || width > kMaxSide || height > kMaxSide ||
+      format > PixelFormat::Bgr8) {
+    throw MalformedMessage("an image of impossible size");
   }
   image = Image();
   if (width == 0 || height == 0) return;
@@ -289,7 +276,7 @@ inline void Decoder::get(ParameterValue& value) {
       value = next<std::vector<double>>();
       return;
     default:
-      throw Malformed("a parameter of no known type");
+      throw MalformedMessage("a parameter of no known type");
   }
 }
 

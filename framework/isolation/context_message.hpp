@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a plugin's context crosses to its process: the values; the services are made there.
+// The values of a context that are sent to the process of a plugin. Its services (log, artefacts,
+// cancellation) are created in that process.
 #pragma once
 
 #include <cstdint>
@@ -26,19 +27,12 @@ struct ContextMessage {
   }
 };
 
-/// What a process is to open, and within which bounds.
+/// Which plugin a process opens, and its limits.
 struct LoadMessage {
   std::string file;
   std::string id;
   std::uint64_t memory_mib = 0;  ///< 0 for no limit
-  std::int64_t threads = 0;      ///< 0 for all
-};
-
-/// Why not; without an id, nothing is the matter.
-struct RefusalMessage {
-  std::string id;
-  std::string message;
-  std::string remedy;
+  std::int64_t threads = 0;      ///< 0 for one per processor
 };
 
 template <class T>
@@ -49,8 +43,5 @@ auto parts(T& m) {
 template <class T>
 requires std::same_as<std::remove_const_t<T>, LoadMessage>
 auto parts(T& m) { return std::tie(m.file, m.id, m.memory_mib, m.threads); }
-template <class T>
-requires std::same_as<std::remove_const_t<T>, RefusalMessage>
-auto parts(T& m) { return std::tie(m.id, m.message, m.remedy); }
 
 }  // namespace tolman::isolation

@@ -6,18 +6,22 @@
 #include <ostream>
 #include <stdexcept>
 
-#include "plugins/prediction.hpp"
+#include "host/prediction.hpp"
 
 namespace tolman::isolation {
 namespace {
 
 const auto kNone = std::tuple<>();
 
-/// What all roles have.
+/// The calls that all roles have.
 template <class RoleType>
-class RemoteRole : public RoleType, public ArraySource, public StateKeeper {
+class RemoteRole : public RoleType,
+                   public ArraySource,
+                   public ArrayDescriptions,
+                   public PageServer,
+                   public StateKeeper {
  public:
-  explicit RemoteRole(std::shared_ptr<Remote> remote) : remote_(std::move(remote)) {}
+  explicit RemoteRole(std::shared_ptr<RemotePlugin> remote) : remote_(std::move(remote)) {}
 
   Status configure(const Context& context) override { return remote_->configure(context); }
   Status reset() override { return remote_->call(Call::Reset, kNone, std::tuple<>()); }
@@ -25,6 +29,18 @@ class RemoteRole : public RoleType, public ArraySource, public StateKeeper {
   void arrays(std::vector<NamedArray>& arrays) const override {
     const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
     if (!status.isOk()) throw std::runtime_error(status.message());
+  }
+  Status describe(std::vector<ArrayInfo>& arrays) const override {
+    std::vector<ArrayInfo> described;
+    const Status status = remote_->call(Call::Describe, kNone, std::tie(described));
+    arrays.insert(arrays.end(), described.begin(), described.end());
+    return status;
+  }
+  std::string url() const override {
+    std::string url;
+    const Status status = remote_->call(Call::Url, kNone, std::tie(url));
+    if (!status.isOk()) throw std::runtime_error(status.message());
+    return url;
   }
   Status save(std::ostream& stream) const override {
     std::string bytes;
@@ -37,14 +53,14 @@ class RemoteRole : public RoleType, public ArraySource, public StateKeeper {
     return remote_->call(Call::Restore, std::tie(bytes), std::tuple<>());
   }
 
-  Remote& remote() { return *remote_; }
+  RemotePlugin& remote() { return *remote_; }
 
  protected:
   template <class... I, class... O>
   Status ask(Call call, std::tuple<const I&...> in, std::tuple<O&...> out) const {
     return remote_->call(call, in, out);
   }
-  std::shared_ptr<Remote> remote_;
+  std::shared_ptr<RemotePlugin> remote_;
 };
 
 class RemoteSource final : public RemoteRole<Source> {
@@ -64,23 +80,23 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
  public:
   using RemoteRole::RemoteRole;
   Status track(const Frame& frame, Motion& motion) override {
-    const double dt = static_cast<double>(frame.stamp_ns - asked_ns_) * 1e-9;
-    asked_ns_ = frame.stamp_ns;
+    const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
+    last_stamp_ns_ = frame.stamp_ns;
     const Status status = ask(Call::Track, std::tie(frame), std::tie(motion));
     if (!status.isOk()) {
       if (!remote_->alive()) ++missed_;
       return status;
     }
-    forgetful_ = (forgetful_ || remote_->takeAmnesia()) &&
-                 motion.state == TrackingState::Initialising && seen_;
-    if (forgetful_) {
-      plugins::predict(motion, last_, dt);  // a fresh start would say that the robot stood still
+    predicting_ = (predicting_ || remote_->takeStateLoss()) &&
+                  motion.state == TrackingState::Initialising && has_last_;
+    if (predicting_) {
+      host::predict(motion, last_, dt);  // the first motion of a new plugin would be the identity
     } else if (missed_ > 0) {
-      takeOutMissed(motion, dt);
+      removeMissed(motion, dt);
     }
     missed_ = 0;
     last_ = motion;
-    seen_ = true;
+    has_last_ = true;
     return status;
   }
   Status finish(std::vector<MotionRevision>& revisions) override {
@@ -88,9 +104,9 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
   }
 
  private:
-  /// A plugin that was restored never saw the fatal frames, so its motion spans them. For those
-  /// frames the host has put in the last motion: that part is not this frame's.
-  void takeOutMissed(Motion& motion, double dt) const {
+  /// A restored plugin did not process the frames at which its process ended, so its motion spans
+  /// them. The host has used the last motion for each of those frames; it is removed here.
+  void removeMissed(Motion& motion, double dt) const {
     for (int i = 0; i < missed_; ++i) {
       motion.T_previous_current = last_.T_previous_current.inverse() * motion.T_previous_current;
     }
@@ -98,10 +114,10 @@ class RemoteOdometry final : public RemoteRole<Odometry> {
   }
 
   Motion last_;
-  std::int64_t asked_ns_ = 0;
-  int missed_ = 0;  ///< frames that no process has survived
-  bool forgetful_ = false;
-  bool seen_ = false;
+  std::int64_t last_stamp_ns_ = 0;
+  int missed_ = 0;  ///< frames since the last answer at which the process ended
+  bool predicting_ = false;
+  bool has_last_ = false;
 };
 
 class RemotePlace final : public RemoteRole<Place> {
@@ -171,14 +187,17 @@ class RemoteObserver final : public RemoteRole<Observer> {
 };
 
 template <class Proxy>
-std::unique_ptr<plugins::Instance> adopt(std::shared_ptr<Remote> remote, const std::string& name) {
-  const plugins::Manifest& manifest = remote->manifest();
+std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
+                                      const std::string& name) {
+  const host::Manifest& manifest = remote->manifest();
   auto proxy = std::make_unique<Proxy>(remote);
-  PluginObject object{proxy.get(), nullptr, nullptr};
+  PluginObject object{proxy.get()};
   if (remote->hasArrays()) object.arrays = proxy.get();
   if (remote->hasState()) object.state = proxy.get();
-  (void)proxy.release();  // the instance ends it
-  return plugins::Instance::adopt(manifest, name, object, [](Plugin* plugin) {
+  if (manifest.hasExtra("descriptions")) object.descriptions = proxy.get();
+  if (manifest.hasExtra("page")) object.page = proxy.get();
+  (void)proxy.release();  // owned by the instance
+  return host::Instance::adopt(manifest, name, object, [](Plugin* plugin) {
     const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));
     return owned->remote().destroy();
   });
@@ -186,8 +205,8 @@ std::unique_ptr<plugins::Instance> adopt(std::shared_ptr<Remote> remote, const s
 
 }  // namespace
 
-plugins::OrRefusal<std::unique_ptr<plugins::Instance>> instantiate(std::shared_ptr<Remote> remote,
-                                                                   const std::string& name) {
+host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
+                                                             const std::string& name) {
   if (auto refusal = remote->create()) return *refusal;
   switch (remote->manifest().role) {
     case Role::Source:
@@ -206,7 +225,7 @@ plugins::OrRefusal<std::unique_ptr<plugins::Instance>> instantiate(std::shared_p
   return adopt<RemoteObserver>(std::move(remote), name);
 }
 
-Status openArtefacts(Remote& remote, const std::string& run_directory) {
+Status openArtefacts(RemotePlugin& remote, const std::string& run_directory) {
   return remote.call(Call::OpenArtefacts, std::tie(run_directory), std::tuple<>());
 }
 

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plugin in another process, as an instance like any other: each role's calls, passed on.
+// Adapts a RemotePlugin to the role interfaces, so that the host uses it like any other instance.
 #pragma once
 
 #include <memory>
 #include <string>
 
-#include "isolation/remote.hpp"
-#include "plugins/instance.hpp"
+#include "host/instance.hpp"
+#include "isolation/remote_plugin.hpp"
 
 namespace tolman::isolation {
 
-/// Makes the plugin's object in its process. Refusals: those of Remote::create().
-plugins::OrRefusal<std::unique_ptr<plugins::Instance>> instantiate(std::shared_ptr<Remote> remote,
-                                                                   const std::string& name);
+/// Constructs the plugin's object in its process. Refusals: those of RemotePlugin::create().
+host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
+                                                             const std::string& name);
 
-/// The folder of the run, from which the process makes the artefact writer of its plugin.
-Status openArtefacts(Remote& remote, const std::string& run_directory);
+/// Sends the folder of the run to the process, which creates the plugin's artefact writer there.
+Status openArtefacts(RemotePlugin& remote, const std::string& run_directory);
 
 }  // namespace tolman::isolation

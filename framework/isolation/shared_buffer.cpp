@@ -13,7 +13,7 @@
 namespace tolman::isolation {
 namespace {
 
-constexpr std::size_t kStep = std::size_t{1} << 20U;  // bytes: growing costs a system call
+constexpr std::size_t kStep = std::size_t{1} << 20U;  // bytes; each growth is a system call
 
 [[noreturn]] void throwErrno(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -21,7 +21,7 @@ constexpr std::size_t kStep = std::size_t{1} << 20U;  // bytes: growing costs a 
 
 std::size_t sizeOf(int descriptor) {
   struct stat state {};
-  if (::fstat(descriptor, &state) != 0) throwErrno("shared memory cannot be looked at");
+  if (::fstat(descriptor, &state) != 0) throwErrno("the size of shared memory cannot be read");
   return static_cast<std::size_t>(state.st_size);
 }
 
@@ -52,7 +52,7 @@ void SharedBuffer::map(std::size_t size) {
 
 std::byte* SharedBuffer::reserve(std::size_t size) {
   if (size <= mapped_) return memory_;
-  // By half as much again: a long list is written in pieces.
+  // Grow by half, because a long list is written in many pieces.
   const std::size_t wanted = std::max(size, mapped_ + mapped_ / 2);
   const std::size_t rounded = (wanted + kStep - 1) / kStep * kStep;
   if (sizeOf(descriptor_) < rounded && ::ftruncate(descriptor_, static_cast<off_t>(rounded)) != 0) {
@@ -65,7 +65,7 @@ std::byte* SharedBuffer::reserve(std::size_t size) {
 const std::byte* SharedBuffer::view(std::size_t size) {
   if (size <= mapped_) return memory_;
   const std::size_t there = sizeOf(descriptor_);
-  if (there < size) throw std::runtime_error("a message longer than its memory");
+  if (there < size) throw std::runtime_error("a message longer than the shared memory");
   map(std::min(there, (size + kStep - 1) / kStep * kStep));
   return memory_;
 }

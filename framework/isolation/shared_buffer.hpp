@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory that two processes see. It grows and never shrinks (the kernel is told so): otherwise the
-// process that reads could be killed by the one that writes.
+// Memory shared by two processes. It can grow but not shrink (sealed by F_SEAL_SHRINK): otherwise
+// the writer could truncate it, and reading would crash the reader.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@ namespace tolman::isolation {
 
 class SharedBuffer {
  public:
-  /// Fresh and empty. Throws std::system_error.
+  /// Creates an empty buffer. Throws std::system_error.
   explicit SharedBuffer(const std::string& name);
-  /// Takes over a descriptor that was inherited.
+  /// Takes ownership of an inherited descriptor.
   explicit SharedBuffer(int descriptor) : descriptor_(descriptor) {}
   ~SharedBuffer();
   SharedBuffer(const SharedBuffer&) = delete;
   SharedBuffer& operator=(const SharedBuffer&) = delete;
 
   int descriptor() const { return descriptor_; }
-  /// For the writer: at least `size` bytes, what was written before kept. May move.
+  /// For the writer: at least `size` bytes; keeps what was written. May move the memory.
   std::byte* reserve(std::size_t size);
   /// For the reader: the first `size` bytes; throws std::runtime_error when there are fewer.
   const std::byte* view(std::size_t size);

@@ -3,36 +3,50 @@
 
 #include <algorithm>
 
-#include "pipeline/undisturbed.hpp"
-#include "plugins/prediction.hpp"
+#include "host/prediction.hpp"
+#include "pipeline/task_isolation.hpp"
 
 namespace tolman::pipeline {
 namespace {
 
-// Of a graph this large, every frame may have a copy; of a larger one, frames in proportion fewer.
+// A graph up to this size is published at every change; a larger one at proportionally fewer
+// frames.
 constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links
+
+/// An empty record of a frame.
+template <Record R>
+R recordOf(const Frame& frame) {
+  R record;
+  record.frame = frame.frame;
+  record.stamp_ns = frame.stamp_ns;
+  return record;
+}
+
+template <class Work>
+Status timed(StageTimes& times, Role role, const Work& work) {
+  const StageTimer timer(times, role);
+  return work();
+}
 
 /// The stand-in answer of a skipped odometry.
 Motion predictedMotion(const Frame& frame, const Motion& last) {
-  Motion motion;
-  motion.frame = frame.frame;
-  motion.stamp_ns = frame.stamp_ns;
+  auto motion = recordOf<Motion>(frame);
   if (last.frame < 0) return motion;  // nothing leads to the first frame
   motion.scale_known = last.scale_known;
-  plugins::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
+  host::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
   return motion;
 }
 
 }  // namespace
 
-std::optional<Status> Chain::failure() const {
+bool Chain::failed() const {
   const std::lock_guard lock(failure_mutex_);
-  return failure_;
+  return failure_.has_value();
 }
 
-void Chain::fail(const Status& status) {
+void Chain::fail(Role role, const Status& status) {
   const std::lock_guard lock(failure_mutex_);
-  if (!failure_) failure_ = status;
+  if (!failure_) failure_ = {role, status};
 }
 
 void Chain::failInput(const Status& status) {
@@ -41,163 +55,170 @@ void Chain::failInput(const Status& status) {
   input_failure_ = status;
 }
 
-Status Chain::result() const {
+std::optional<StageFailure> Chain::failure() const {
   const std::lock_guard lock(failure_mutex_);
-  return failure_.value_or(input_failure_.value_or(Status::ok()));
+  if (failure_ || !input_failure_) return failure_;
+  return StageFailure{Role::Source, *input_failure_};
 }
 
 bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int64_t frame,
-                    std::string_view role) {
+                    Role role) {
   if (status.isOk()) return true;
+  const std::string name(enumName(role));
   if (policy == config::FailurePolicy::Stop) {
-    listener_.onEvent({frame, LogLevel::Error, std::string(role), status.message()});
-    fail(status);
+    listener_.onEvent({frame, LogLevel::Error, name, status.message()});
+    fail(role, status);
     return false;
   }
   ++counters_.skipped;
-  const FailureTally::Tell tell = failures_.count(role);
-  if (tell == FailureTally::Tell::No) return true;
-  const char* last = tell == FailureTally::Tell::LastTime ? "; more are counted, not told" : "";
-  listener_.onEvent({frame, LogLevel::Warning, std::string(role),
-                     status.message() + (frame < 0 ? "; going on" : "; frame skipped") + last});
+  const FailureTally::Report report = failures_.count(name);
+  if (report == FailureTally::Report::No) return true;
+  const char* last =
+      report == FailureTally::Report::Last ? "; further ones are counted, not reported" : "";
+  listener_.onEvent(
+      {frame, LogLevel::Warning, name,
+       status.message() + (frame < 0 ? "; the run continues" : "; frame skipped") + last});
   return true;
 }
 
-void Chain::admit(Packet& packet) {
-  packet.sequence = admitted_++;
+void Chain::admit(FrameRecords& records) {
+  records.sequence = admitted_++;
   ++place_backlog_;
 }
 
-void Chain::odometry(Packet& packet) {
+void Chain::odometry(FrameRecords& records) {
   if (failed()) return;
-  const StageTimer timer(packet.times, Role::Odometry);
-  packet.odometry_status =
-      undisturbed([&] { return stages_.odometry.track(packet.frame, packet.motion); });
+  records.odometry_status = timed(records.times, Role::Odometry, [&] {
+    return withoutOtherTasks([&] { return stages_.odometry.track(records.frame, records.motion); });
+  });
 }
 
-void Chain::place(Packet& packet) {
+void Chain::place(FrameRecords& records) {
   --place_backlog_;
   if (failed()) return;
-  packet.place.frame = packet.frame.frame;
-  packet.place.stamp_ns = packet.frame.stamp_ns;
-  if (packet.leave_out_place) return;
-  const StageTimer timer(packet.times, Role::Place);
-  const Motion* motion = place_needs_motion_ ? &packet.motion : nullptr;
-  packet.place_status =
-      undisturbed([&] { return stages_.place.observe(packet.frame, motion, packet.place); });
+  records.place = recordOf<PlaceObservation>(records.frame);
+  if (records.leave_out_place) return;
+  const StageTimer timer(records.times, Role::Place);
+  const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
+  records.place_status = withoutOtherTasks(
+      [&] { return stages_.place.observe(records.frame, motion, records.place); });
 }
 
-bool Chain::takeOdometry(Packet& packet) {
-  const Status& status = packet.odometry_status;
-  if (!resolve(status, policies_.odometry, packet.frame.frame, "odometry")) return false;
-  if (!status.isOk()) packet.motion = predictedMotion(packet.frame, last_motion_);
-  last_motion_ = packet.motion;
+bool Chain::takeOdometry(FrameRecords& records) {
+  const Status& status = records.odometry_status;
+  if (!resolve(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
+  if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
+  last_motion_ = records.motion;
   return true;
 }
 
-bool Chain::takePlace(Packet& packet) {
-  const Status& status = packet.place_status;
-  if (!resolve(status, policies_.place, packet.frame.frame, "place")) return false;
+bool Chain::takePlace(FrameRecords& records) {
+  const Status& status = records.place_status;
+  if (!resolve(status, policies_.place, records.frame.frame, Role::Place)) return false;
   if (status.isOk()) return true;
-  packet.place = PlaceObservation{};
-  packet.place.frame = packet.frame.frame;
-  packet.place.stamp_ns = packet.frame.stamp_ns;
+  records.place = recordOf<PlaceObservation>(records.frame);
   return true;
 }
 
-bool Chain::decide(Packet& packet) {
-  Status status;
+bool Chain::decide(FrameRecords& records) {
   Status arrays;
-  {
-    const StageTimer timer(packet.times, Role::Cells);
-    status = stages_.cells.step(packet.motion, packet.place, packet.decision);
-    if (status.isOk()) {
-      arrays = stages_.cells.instance().arrays(packet.frame.frame, packet.cells);
+  const Status status = timed(records.times, Role::Cells, [&] {
+    Status stepped = stages_.cells.step(records.motion, records.place, records.decision);
+    if (stepped.isOk()) {
+      arrays = stages_.cells.instance().arrays(records.frame.frame, records.cells);
     }
-  }
-  if (!resolve(status, policies_.cells, packet.frame.frame, "cells")) return false;
-  // A decision that was taken stands, whatever becomes of the pictures.
-  if (!resolve(arrays, policies_.cells, packet.frame.frame, "cells")) return false;
-  if (!arrays.isOk()) packet.cells.clear();
+    return stepped;
+  });
+  if (!resolve(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  // A decision stands even when the arrays for viewers fail.
+  if (!resolve(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  if (!arrays.isOk()) records.cells.clear();
   if (!status.isOk()) {
-    packet.decision = Decision{};
-    packet.decision.frame = packet.frame.frame;
-    packet.decision.stamp_ns = packet.frame.stamp_ns;
-    packet.decision.experience = last_decision_.experience;
-    packet.decision.heading = last_decision_.heading;
+    records.decision = recordOf<Decision>(records.frame);
+    records.decision.experience = last_decision_.experience;
+    records.decision.heading = last_decision_.heading;
   }
-  last_decision_ = packet.decision;
+  last_decision_ = records.decision;
   return true;
 }
 
-bool Chain::map(Packet& packet) {
-  Status status;
-  {
-    const StageTimer timer(packet.times, Role::Map);
-    status = stages_.map.update(packet.motion, packet.decision, packet.map);
+bool Chain::map(FrameRecords& records) {
+  const Status status = timed(records.times, Role::Map, [&] {
+    return stages_.map.update(records.motion, records.decision, records.map);
+  });
+  if (!resolve(status, policies_.map, records.frame.frame, Role::Map)) return false;
+  if (!status.isOk()) {  // the frame keeps the experience of the last one, moved by the motion
+    const Eigen::Isometry3d& step = records.motion.T_previous_current;
+    records.map = last_map_;
+    records.map.frame = records.frame.frame;
+    records.map.stamp_ns = records.frame.stamp_ns;
+    records.map.T_experience_camera = last_map_.T_experience_camera * step;
+    records.map.T_world_camera = last_map_.T_world_camera * step;
   }
-  if (!resolve(status, policies_.map, packet.frame.frame, "map")) return false;
-  if (!status.isOk()) {  // hang the frame where the last one hung, moved by the motion
-    const Eigen::Isometry3d& step = packet.motion.T_previous_current;
-    packet.map = last_map_;
-    packet.map.frame = packet.frame.frame;
-    packet.map.stamp_ns = packet.frame.stamp_ns;
-    packet.map.T_experience_camera = last_map_.T_experience_camera * step;
-    packet.map.T_world_camera = last_map_.T_world_camera * step;
-  }
-  publishGraph(packet);
-  last_map_ = packet.map;
+  publishGraph(records);
+  last_map_ = records.map;
   return true;
 }
 
-/// The recorder wants every change, and an odometry that revises its last motions changes the map
-/// at every frame. But to copy, check and store a graph costs time in proportion to its size:
-/// waiting in proportion, too, bounds the cost of a frame however long the run. What waits is
-/// published later, at the latest by finish().
-void Chain::publishGraph(Packet& packet) {
-  const MapUpdate& now = packet.map;
-  graph_is_news_ = graph_is_news_ || now.version != last_map_.version ||
-                   now.experiences != last_map_.experiences || now.links != last_map_.links;
-  if (!graph_is_news_ || now.frame < next_graph_frame_) return;
-  graph_is_news_ = false;
-  const Status status = stages_.map.graph(packet.graph);
-  packet.graph_changed = resolve(status, policies_.map, now.frame, "map") && status.isOk();
-  const std::size_t size = packet.graph.experiences.size() + packet.graph.links.size();
+/// Copying, checking and storing a graph costs time in proportion to its size, and an odometry that
+/// revises its last motions changes the map at every frame. Publishing at intervals in proportion
+/// to the size bounds the cost per frame for runs of any length. A change that waits is published
+/// later, at the latest by finish().
+void Chain::publishGraph(FrameRecords& records) {
+  const MapUpdate& now = records.map;
+  graph_has_changed_ = graph_has_changed_ || now.version != last_map_.version ||
+                       now.experiences != last_map_.experiences || now.links != last_map_.links;
+  if (!graph_has_changed_ || now.frame < next_graph_frame_) return;
+  graph_has_changed_ = false;
+  const Status status = stages_.map.graph(records.graph);
+  records.graph_changed = resolve(status, policies_.map, now.frame, Role::Map) && status.isOk();
+  if (records.graph_changed) countGraph(records.graph);
+  const std::size_t size = records.graph.experiences.size() + records.graph.links.size();
   next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame);
 }
 
-void Chain::think(Packet& packet) {
+void Chain::runCellsAndMap(FrameRecords& records) {
   if (failed()) return;
-  packet.answered =
-      takeOdometry(packet) && takePlace(packet) && decide(packet) && map(packet) && !failed();
-  if (packet.answered) count(packet);
+  records.answered =
+      takeOdometry(records) && takePlace(records) && decide(records) && map(records) && !failed();
+  if (records.answered) count(records);
 }
 
-void Chain::count(const Packet& packet) {
+void Chain::count(const FrameRecords& records) {
   ++counters_.frames;
-  if (!packet.frame.defect.empty()) ++counters_.defects;
-  const bool lost = packet.motion.state == TrackingState::Lost;
+  if (!records.frame.defect.empty()) ++counters_.defects;
+  const bool lost = records.motion.state == TrackingState::Lost;
   if (lost) ++counters_.lost;
+  if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;
   if (lost != counters_.lost_at_end) {
-    listener_.onEvent({packet.frame.frame, lost ? LogLevel::Warning : LogLevel::Info, "odometry",
-                       lost ? "tracking lost; motion is predicted" : "tracking again"});
+    listener_.onEvent({records.frame.frame, lost ? LogLevel::Warning : LogLevel::Info, "odometry",
+                       lost ? "tracking lost; motion is predicted" : "tracking recovered"});
   }
   counters_.lost_at_end = lost;
-  if (packet.leave_out_place) ++counters_.place_left_out;
-  counters_.templates = std::max(counters_.templates, packet.place.template_id + 1);
-  counters_.experiences = packet.map.experiences;
-  counters_.links = packet.map.links;
-  counters_.loops = packet.map.loops;
+  if (records.leave_out_place) ++counters_.place_left_out;
+  counters_.templates = std::max(counters_.templates, records.place.template_id + 1);
+  if (records.decision.action == Action::CloseLoop) ++counters_.loop_decisions;
 }
 
-void Chain::tell(const Packet& packet) {
-  if (!packet.answered) return;
-  const Status status = listener_.onFrame(packet.snapshot());
-  if (!status.isOk()) fail(status);
+void Chain::countGraph(const MapGraph& graph) {
+  counters_.experiences = static_cast<std::int64_t>(graph.experiences.size());
+  counters_.links = counters_.loop_links = 0;
+  for (const Link& link : graph.links) {
+    if (graph.isRejected(link)) continue;
+    ++counters_.links;
+    if (link.kind == LinkKind::Loop) ++counters_.loop_links;
+  }
 }
 
-/// A map that takes a loop back moves frames that hang on it: only it knows where to.
-void Chain::tellTrajectory() {
+void Chain::publish(const FrameRecords& records) {
+  if (!records.answered) return;
+  const Status status = listener_.onFrame(records.snapshot());
+  if (!status.isOk()) fail(Role::Observer, status);
+}
+
+/// A map that rejects a loop after it was closed also moves the frames that refer to it, so the
+/// final poses are asked of the map.
+void Chain::publishTrajectory() {
   std::vector<FramePose> poses;
   for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
     FramePose pose{frame, Eigen::Isometry3d::Identity()};
@@ -205,20 +226,19 @@ void Chain::tellTrajectory() {
     if (status.isOk()) poses.push_back(pose);
     if (!status.isOk() && status.code() != StatusCode::InvalidParameter) break;  // not just unseen
   }
-  const Status told = listener_.onTrajectory(poses);
-  if (!told.isOk()) fail(told);
+  const Status published = listener_.onTrajectory(poses);
+  if (!published.isOk()) fail(Role::Observer, published);
 }
 
 void Chain::finish() {
+  if (counters_.neverTracked()) {
+    listener_.onEvent({-1, LogLevel::Warning, "odometry", std::string(kNeverTracked)});
+  }
   std::vector<MotionRevision> revisions;
   MapGraph graph;
   const auto step = [&](Role role, config::FailurePolicy policy, const auto& work) {
-    Status status;
-    {
-      const StageTimer timer(finish_times_ns_, role);
-      status = work();
-    }
-    (void)resolve(status, policy, -1, enumName(role));
+    const Status status = timed(finish_times_ns_, role, work);
+    (void)resolve(status, policy, -1, role);
     return status.isOk();
   };
   step(Role::Odometry, policies_.odometry, [&] { return stages_.odometry.finish(revisions); });
@@ -226,14 +246,15 @@ void Chain::finish() {
   step(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
   step(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
-  tellTrajectory();
-  const bool known = step(Role::Map, policies_.map, [&] { return stages_.map.graph(graph); });
-  if (!known) {
+  publishTrajectory();
+  if (step(Role::Map, policies_.map, [&] { return stages_.map.graph(graph); })) {
+    countGraph(graph);
+  } else {
     if (policies_.map == config::FailurePolicy::Stop) return;
-    graph = MapGraph();  // what was published stays; the others still hear of the end
+    graph = MapGraph();  // what was published stays in the record
   }
-  const Status told = listener_.onFinish(revisions, graph);
-  if (!told.isOk()) fail(told);
+  const Status published = listener_.onFinish(revisions, graph);
+  if (!published.isOk()) fail(Role::Observer, published);
 }
 
 }  // namespace tolman::pipeline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What fails at every frame must not fill the log.
+// Counts failures by name, so that what fails at every frame does not fill the log.
 #pragma once
 
 #include <map>
@@ -10,15 +10,17 @@ namespace tolman::pipeline {
 
 class FailureTally {
  public:
-  enum class Tell { Yes, LastTime, No };
-  /// One more failure of `who`.
-  Tell count(std::string_view who) {
+  enum class Report { Yes, Last, No };
+  /// One more failure of `who`; whether it is to be reported.
+  Report count(std::string_view who) {
     const int failures = ++failures_[std::string(who)];
-    return failures < kMostTold ? Tell::Yes : failures == kMostTold ? Tell::LastTime : Tell::No;
+    return failures < kMostReports    ? Report::Yes
+           : failures == kMostReports ? Report::Last
+                                      : Report::No;
   }
 
  private:
-  static constexpr int kMostTold = 10;
+  static constexpr int kMostReports = 10;
   std::map<std::string, int> failures_;
 };
 

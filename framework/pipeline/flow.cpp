@@ -6,38 +6,38 @@ namespace flow = tbb::flow;
 
 namespace {
 
-constexpr auto kSequenceOf = [](const PacketPtr& packet) { return packet->sequence; };
+constexpr auto kSequenceOf = [](const FrameRecordsPtr& records) { return records->sequence; };
 
 }  // namespace
 
-Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const Packet&)> on_done)
+Flow::Flow(flow::graph& graph, Chain& chain, std::function<void(const FrameRecords&)> on_done)
     : entry_(graph, kSequenceOf),
       fork_(graph),
       odometry_(graph, flow::serial,
-                [&chain](PacketPtr packet) {
-                  chain.odometry(*packet);
-                  return packet;
+                [&chain](FrameRecordsPtr records) {
+                  chain.odometry(*records);
+                  return records;
                 }),
       after_odometry_(graph, kSequenceOf),
       place_(graph, flow::serial,
-             [&chain](PacketPtr packet) {
-               chain.place(*packet);
-               return packet;
+             [&chain](FrameRecordsPtr records) {
+               chain.place(*records);
+               return records;
              }),
       after_place_(graph, kSequenceOf),
       join_(graph),
       pair_(graph, flow::serial, [](const Pair& pair) { return std::get<0>(pair); }),
-      before_think_(graph, kSequenceOf),
-      think_(graph, flow::serial,
-             [&chain](PacketPtr packet) {
-               chain.think(*packet);
-               return packet;
-             }),
-      after_think_(graph, kSequenceOf),
-      tell_(graph, flow::serial, [&chain, done = std::move(on_done)](PacketPtr packet) {
-        chain.tell(*packet);
-        done(*packet);
-        return packet;
+      before_cells_and_map_(graph, kSequenceOf),
+      cells_and_map_(graph, flow::serial,
+                     [&chain](FrameRecordsPtr records) {
+                       chain.runCellsAndMap(*records);
+                       return records;
+                     }),
+      after_cells_and_map_(graph, kSequenceOf),
+      publish_(graph, flow::serial, [&chain, done = std::move(on_done)](FrameRecordsPtr records) {
+        chain.publish(*records);
+        done(*records);
+        return records;
       }) {
   connect(chain.placeNeedsMotion());
 }
@@ -49,17 +49,17 @@ void Flow::connect(bool place_needs_motion) {
   flow::make_edge(place_, after_place_);
   if (place_needs_motion) {
     flow::make_edge(after_odometry_, place_);
-    flow::make_edge(after_place_, before_think_);
+    flow::make_edge(after_place_, before_cells_and_map_);
   } else {
     flow::make_edge(fork_, place_);
     flow::make_edge(after_odometry_, flow::input_port<0>(join_));
     flow::make_edge(after_place_, flow::input_port<1>(join_));
     flow::make_edge(join_, pair_);
-    flow::make_edge(pair_, before_think_);
+    flow::make_edge(pair_, before_cells_and_map_);
   }
-  flow::make_edge(before_think_, think_);
-  flow::make_edge(think_, after_think_);
-  flow::make_edge(after_think_, tell_);
+  flow::make_edge(before_cells_and_map_, cells_and_map_);
+  flow::make_edge(cells_and_map_, after_cells_and_map_);
+  flow::make_edge(after_cells_and_map_, publish_);
 }
 
 }  // namespace tolman::pipeline

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who is told what happens in a run: recorder and observers, behind one small interface.
+// Receives what happens in a run; the host implements it with recorder and observers.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "pipeline/packet.hpp"
+#include "pipeline/frame_records.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::pipeline {
 
 using Event = RunEvent;
 
-/// Where the map has a frame.
+/// The pose that the final map gives a frame.
 struct FramePose {
   std::int64_t frame = -1;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
@@ -27,8 +27,8 @@ class Listener {
   /// A failure stops the run. The snapshot comes without events.
   virtual Status onFrame(const Snapshot& snapshot) = 0;
   virtual void onEvent(const Event& event) = 0;
-  /// After the last frame: where every frame was, earlier sessions' too, by the final map. Before
-  /// onFinish().
+  /// After the last frame and before onFinish(): final poses of all frames, those of earlier
+  /// sessions included.
   virtual Status onTrajectory(const std::vector<FramePose>& /*poses*/) { return Status::ok(); }
   /// After the last frame, with the final map.
   virtual Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) = 0;

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <oneapi/tbb/flow_graph.h>
 
+#include "pipeline/drive.hpp"
 #include "pipeline/flow.hpp"
-#include "pipeline/run.hpp"
 
 namespace tolman::pipeline {
 namespace {
 
-/// The next frame as a packet; null at the end, after a failure, or when cancelled.
-PacketPtr nextPacket(Chain& chain, const Cancellation& cancellation) {
+/// The next frame; null at the end, after a failure, or when cancelled.
+FrameRecordsPtr nextFrame(Chain& chain, const Cancellation& cancellation) {
   if (chain.failed() || cancellation.requested()) return nullptr;
-  auto packet = std::make_shared<Packet>();
+  auto records = std::make_shared<FrameRecords>();
   Status status;
   {
-    const StageTimer timer(packet->times, Role::Source);
-    status = chain.stages().source.next(packet->frame);
+    const StageTimer timer(records->times, Role::Source);
+    status = chain.stages().source.next(records->frame);
   }
   if (status.isOk()) {
-    chain.admit(*packet);
-    return packet;
+    chain.admit(*records);
+    return records;
   }
   if (status.code() != StatusCode::EndOfStream) chain.failInput(status);
   return nullptr;
@@ -30,14 +30,14 @@ void runLossless(Chain& chain, const config::PipelineSettings& options,
                  const Cancellation& cancellation) {
   namespace flow = tbb::flow;
   flow::graph graph;
-  flow::input_node<PacketPtr> source(graph, [&](tbb::flow_control& control) {
-    PacketPtr packet = nextPacket(chain, cancellation);
-    if (!packet) control.stop();
-    return packet;
+  flow::input_node<FrameRecordsPtr> source(graph, [&](tbb::flow_control& control) {
+    FrameRecordsPtr records = nextFrame(chain, cancellation);
+    if (!records) control.stop();
+    return records;
   });
-  flow::limiter_node<PacketPtr> limiter(graph, static_cast<std::size_t>(options.queue));
+  flow::limiter_node<FrameRecordsPtr> limiter(graph, static_cast<std::size_t>(options.queue));
   Flow stages(graph, chain,
-              [&](const Packet&) { limiter.decrementer().try_put(flow::continue_msg()); });
+              [&](const FrameRecords&) { limiter.decrementer().try_put(flow::continue_msg()); });
   flow::make_edge(source, limiter);
   flow::make_edge(limiter, stages.entry());
   source.activate();

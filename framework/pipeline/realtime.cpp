@@ -8,16 +8,16 @@
 #include <thread>
 
 #include "pipeline/bounded_queue.hpp"
+#include "pipeline/drive.hpp"
 #include "pipeline/flow.hpp"
-#include "pipeline/run.hpp"
 
 namespace tolman::pipeline {
 namespace {
 
 using Steady = std::chrono::steady_clock;
 
-/// Feeds frames at the pace of their stamps. Only here does a wall clock decide something, and what
-/// it decides (which frames are left out) is counted and recorded.
+/// Feeds frames at the pace of their stamps. Nowhere else does the wall clock influence a result;
+/// what it decides here (which frames are left out) is counted and recorded.
 class PacedFeed {
  public:
   PacedFeed(Chain& chain, const config::PipelineSettings& options, const Cancellation& cancellation)
@@ -25,7 +25,7 @@ class PacedFeed {
         options_(options),
         cancellation_(cancellation),
         queue_(static_cast<std::size_t>(options.queue), options.input_policy),
-        flow_(graph_, chain, [this](const Packet& packet) { done(packet); }) {}
+        flow_(graph_, chain, [this](const FrameRecords& records) { done(records); }) {}
 
   /// Returns how many frames were dropped.
   std::int64_t run() {
@@ -44,30 +44,30 @@ class PacedFeed {
     const auto start = Steady::now();
     std::optional<std::int64_t> first_ns;
     while (!chain_.failed() && !cancellation_.requested()) {
-      auto packet = std::make_shared<Packet>();
-      const Status status = chain_.stages().source.next(packet->frame);
+      auto records = std::make_shared<FrameRecords>();
+      const Status status = chain_.stages().source.next(records->frame);
       if (!status.isOk()) {
         if (status.code() != StatusCode::EndOfStream) chain_.failInput(status);
         break;
       }
-      if (!first_ns) first_ns = packet->frame.stamp_ns;
-      const double ahead_ns = static_cast<double>(packet->frame.stamp_ns - *first_ns);
+      if (!first_ns) first_ns = records->frame.stamp_ns;
+      const double ahead_ns = static_cast<double>(records->frame.stamp_ns - *first_ns);
       waitUntil(start +
                 std::chrono::nanoseconds(static_cast<std::int64_t>(ahead_ns / options_.speed)));
-      if (const auto dropped = queue_.push(packet)) reportDrop((*dropped)->frame.frame);
+      if (const auto dropped = queue_.push(records)) reportDrop((*dropped)->frame.frame);
       pump();
     }
     drain();
   }
 
-  /// Sleeps in short pieces, so that an interrupt is heard within 50 ms.
+  /// Sleeps in short pieces, so that a cancellation takes effect within 50 ms.
   void waitUntil(Steady::time_point when) const {
     while (!cancellation_.requested() && Steady::now() < when) {
       std::this_thread::sleep_until(std::min(when, Steady::now() + std::chrono::milliseconds(50)));
     }
   }
 
-  /// The graph still works on what is queued: leave only when all of it went in.
+  /// Returns when all queued frames have entered the graph.
   void drain() {
     while (!queue_.empty()) {
       pump();
@@ -78,17 +78,18 @@ class PacedFeed {
   void pump() {
     const std::lock_guard lock(pump_mutex_);
     while (in_flight_ < options_.queue) {
-      auto packet = queue_.pop();
-      if (!packet) return;
+      auto records = queue_.pop();
+      if (!records) return;
       ++in_flight_;
-      const bool late = chain_.placeBacklog() >= options_.queue;
-      chain_.admit(**packet);
-      (*packet)->leave_out_place = late && options_.place_policy == config::PlacePolicy::DropNewest;
-      flow_.entry().try_put(*packet);
+      const bool late = 2 * chain_.placeBacklog() >= options_.queue;  // half of it waits
+      chain_.admit(**records);
+      (*records)->leave_out_place =
+          late && options_.place_policy == config::PlacePolicy::DropNewest;
+      flow_.entry().try_put(*records);
     }
   }
 
-  void done(const Packet&) {
+  void done(const FrameRecords&) {
     {
       const std::lock_guard lock(pump_mutex_);
       --in_flight_;
@@ -105,7 +106,7 @@ class PacedFeed {
   Chain& chain_;
   const config::PipelineSettings& options_;
   const Cancellation& cancellation_;
-  BoundedQueue<PacketPtr> queue_;
+  BoundedQueue<FrameRecordsPtr> queue_;
   tbb::flow::graph graph_;
   Flow flow_;
   std::mutex pump_mutex_;

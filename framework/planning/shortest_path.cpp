@@ -12,16 +12,16 @@
 namespace tolman::planning {
 namespace {
 
-struct Step {
+struct Edge {
   std::size_t to;
   double seconds;
   double metres;
 };
-using Network = std::vector<std::vector<Step>>;
+using AdjacencyList = std::vector<std::vector<Edge>>;
 
 double lengthOf(const Link& link) { return link.T_from_to.translation().norm(); }
 
-/// m/s over all links that took time; 1 where none did.
+/// m/s over all links with a duration; 1 where there are none.
 double meanSpeed(const MapGraph& graph) {
   double metres = 0;
   double seconds = 0;
@@ -33,88 +33,88 @@ double meanSpeed(const MapGraph& graph) {
   return metres > 0 && seconds > 0 ? metres / seconds : 1;
 }
 
-/// Links lead both ways. Those that a damaged record has made endless lead nowhere.
-Network networkOf(const MapGraph& graph) {
+/// Skips rejected links, and those whose length or duration a damaged record has made infinite.
+AdjacencyList adjacencyOf(const MapGraph& graph) {
   const double speed = meanSpeed(graph);
-  Network network(graph.experiences.size());
+  AdjacencyList edges(graph.experiences.size());
   for (const Link& link : graph.links) {
     const double metres = lengthOf(link);
     const double seconds = link.duration > 0 ? link.duration : metres / speed;
-    if (!link.isBelieved() || !std::isfinite(metres) || !std::isfinite(seconds)) continue;
+    if (graph.isRejected(link) || !std::isfinite(metres) || !std::isfinite(seconds)) continue;
     const auto from = static_cast<std::size_t>(link.from);
     const auto to = static_cast<std::size_t>(link.to);
-    network.at(from).push_back({to, seconds, metres});
-    network.at(to).push_back({from, seconds, metres});
+    edges.at(from).push_back({to, seconds, metres});
+    edges.at(to).push_back({from, seconds, metres});
   }
-  return network;
+  return edges;
 }
 
-constexpr std::size_t kNobody = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-struct Search {
-  explicit Search(std::size_t size)
+struct ShortestPathTree {
+  explicit ShortestPathTree(std::size_t size)
       : seconds(size, std::numeric_limits<double>::infinity()),
         metres(size, 0),
-        before(size, kNobody) {}
+        before(size, kNone) {}
   std::vector<double> seconds;
   std::vector<double> metres;
   std::vector<std::size_t> before;
 };
 
-Search dijkstra(const Network& network, std::size_t from, std::size_t to) {
-  Search search(network.size());
+ShortestPathTree dijkstra(const AdjacencyList& edges, std::size_t from, std::size_t to) {
+  ShortestPathTree tree(edges.size());
   using Candidate = std::tuple<double, std::size_t>;
   std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
-  search.seconds[from] = 0;
+  tree.seconds[from] = 0;
   open.emplace(0, from);
   while (!open.empty()) {
     const auto [seconds, here] = open.top();
     open.pop();
     if (here == to) break;
-    if (seconds > search.seconds[here]) continue;  // was reached faster since
-    for (const Step& step : network[here]) {
-      const double arrival = seconds + step.seconds;
-      if (arrival >= search.seconds[step.to]) continue;
-      search.seconds[step.to] = arrival;
-      search.metres[step.to] = search.metres[here] + step.metres;
-      search.before[step.to] = here;
-      open.emplace(arrival, step.to);
+    if (seconds > tree.seconds[here]) continue;  // a faster path was found since
+    for (const Edge& edge : edges[here]) {
+      const double arrival = seconds + edge.seconds;
+      if (arrival >= tree.seconds[edge.to]) continue;
+      tree.seconds[edge.to] = arrival;
+      tree.metres[edge.to] = tree.metres[here] + edge.metres;
+      tree.before[edge.to] = here;
+      open.emplace(arrival, edge.to);
     }
   }
-  return search;
+  return tree;
 }
 
 }  // namespace
 
-Result<Route> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_t to) {
+Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_t to) {
   const auto count = static_cast<std::int64_t>(graph.experiences.size());
   for (const std::int64_t end : {from, to}) {
     if (end >= 0 && end < count) continue;
     return Status::invalidInput("there is no experience " + std::to_string(end) +
-                                "; the map has 0 to " + std::to_string(count - 1));
+                                (count == 0 ? std::string("; the map is empty")
+                                            : "; the map has 0 to " + std::to_string(count - 1)));
   }
   const auto start = static_cast<std::size_t>(from);
   const auto goal = static_cast<std::size_t>(to);
-  const Search search = dijkstra(networkOf(graph), start, goal);
-  if (goal != start && search.before[goal] == kNobody) {
-    return Status::invalidInput("no way leads from experience " + std::to_string(from) + " to " +
+  const ShortestPathTree tree = dijkstra(adjacencyOf(graph), start, goal);
+  if (goal != start && tree.before[goal] == kNone) {
+    return Status::invalidInput("no route leads from experience " + std::to_string(from) + " to " +
                                 std::to_string(to) +
-                                ": they lie in parts of the map that no loop has joined");
+                                ": they lie in different connected parts of the map");
   }
-  Route route;
-  for (std::size_t here = goal;; here = search.before[here]) {
-    route.legs.push_back(
-        {static_cast<std::int64_t>(here), search.seconds[here], search.metres[here]});
+  PlannedRoute route;
+  for (std::size_t here = goal;; here = tree.before[here]) {
+    route.legs.push_back({static_cast<std::int64_t>(here), tree.seconds[here], tree.metres[here]});
     if (here == start) break;
   }
   std::reverse(route.legs.begin(), route.legs.end());
   return route;
 }
 
-std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector2d& place) {
+std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector2d& position) {
   const auto distance = [&](const Experience& experience) {
     const Eigen::Vector3d p = experience.T_world_experience.translation();
-    return (Eigen::Vector2d(p.x(), p.z()) - place).squaredNorm();
+    return (Eigen::Vector2d(p.x(), p.z()) - position).squaredNorm();
   };
   const auto nearest = std::min_element(
       graph.experiences.begin(), graph.experiences.end(),

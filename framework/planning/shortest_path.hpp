@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ways through an experience map, as a rat would take them: the fastest, by the times that its
-// links took to travel (D. Ball et al., "OpenRatSLAM", Autonomous Robots 34, 2013, section on
-// planning).
+// Fastest routes through an experience map: Dijkstra's algorithm over the travel times of the links
+// (D. Ball et al., "OpenRatSLAM", Autonomous Robots 34, 2013, section on planning).
 #pragma once
 
 #include <Eigen/Core>
@@ -15,22 +14,22 @@ namespace tolman::planning {
 
 struct Leg {
   std::int64_t experience = -1;
-  double seconds = 0;  ///< from the start
-  double metres = 0;
+  double seconds = 0;  ///< travel time from the start
+  double metres = 0;   ///< length from the start
 };
 
-struct Route {
+struct PlannedRoute {
   std::vector<Leg> legs;  ///< from start to goal, both included
   double seconds() const { return legs.empty() ? 0 : legs.back().seconds; }
   double metres() const { return legs.empty() ? 0 : legs.back().metres; }
 };
 
-/// The fastest way (Dijkstra). Links can be travelled both ways. A loop link took no time; it costs
-/// its length at the mean speed of the map. InvalidInput for experiences that do not exist, and
-/// where no way leads there.
-Result<Route> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_t to);
+/// Links lead in both directions; those that the map has rejected are not used. A loop link has no
+/// travel time of its own: it costs its length at the mean speed of the map. InvalidInput for
+/// experiences that do not exist, and where no route connects them.
+Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_t to);
 
-/// The experience nearest to a place of the plane (right, forward), m; -1 for an empty map.
-std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector2d& place);
+/// The experience nearest to a position in the plane (right, forward), m; -1 for an empty map.
+std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector2d& position);
 
 }  // namespace tolman::planning

@@ -22,9 +22,9 @@ bool isSafe(const std::filesystem::path& name) {
 }
 
 /// The folder `name` in `parent`, made when absent; not through a symbolic link.
-Descriptor enter(const Descriptor& parent, const std::string& name) {
+FileDescriptor enter(const FileDescriptor& parent, const std::string& name) {
   ::mkdirat(parent.number(), name.c_str(), 0755);
-  return Descriptor(
+  return FileDescriptor(
       ::openat(parent.number(), name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
@@ -40,7 +40,7 @@ Status ArtefactFolder::write(std::string_view name, std::span<const std::byte> b
                                     "': the name must be relative, without \"..\"");
   }
   const std::filesystem::path path = std::filesystem::path("artefacts") / instance_ / relative;
-  Descriptor folder(::open(run_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  FileDescriptor folder(::open(run_directory_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   for (const auto& part : path.parent_path()) {
     if (folder.isOpen()) folder = enter(folder, part.string());
   }

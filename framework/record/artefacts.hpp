@@ -9,7 +9,7 @@
 
 namespace tolman::record {
 
-/// Writes below <run>/artefacts/<instance>/ and nowhere else: names with "..", absolute names and
+/// Writes below <run>/artefacts/<instance>/ only: names with "..", absolute names and
 /// symbolic links on the way are refused.
 class ArtefactFolder : public ArtefactWriter {
  public:

@@ -28,37 +28,38 @@ bool writeAll(int file, std::span<const std::byte> bytes) {
 }
 
 /// A fresh file, whatever a killed program has left; `name` becomes its name.
-Descriptor createTemporary(const Descriptor& directory, std::string& name) {
+FileDescriptor createTemporary(const FileDescriptor& directory, std::string& name) {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   for (int attempt = 0; attempt < 1000; ++attempt) {
     const std::string candidate = "." + name + ".partial" + std::to_string(attempt);
-    Descriptor file(::openat(directory.number(), candidate.c_str(), kFlags, 0644));
+    FileDescriptor file(::openat(directory.number(), candidate.c_str(), kFlags, 0644));
     if (file.isOpen() || errno != EEXIST) {
       name = candidate;
       return file;
     }
   }
-  return Descriptor(-1);
+  return FileDescriptor(-1);
 }
 
 }  // namespace
 
-Descriptor::~Descriptor() {
+FileDescriptor::~FileDescriptor() {
   if (number_ >= 0) ::close(number_);
 }
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
   std::swap(number_, other.number_);
   return *this;
 }
 
-Status writeAtomicallyAt(const Descriptor& directory, const std::string& name,
-                         std::span<const std::byte> bytes, const std::string& shown) {
+Status writeAtomicallyAt(const FileDescriptor& directory, const std::string& name,
+                         std::span<const std::byte> bytes, const std::string& shown, Sync sync) {
   std::string temporary = name;
-  const Descriptor file = createTemporary(directory, temporary);
+  const FileDescriptor file = createTemporary(directory, temporary);
   if (!file.isOpen()) return failure(shown, "cannot be created; check folder and permissions");
   Status status;
-  if (!writeAll(file.number(), bytes) || ::fsync(file.number()) != 0) {
+  const bool synced = sync == Sync::Yes;
+  if (!writeAll(file.number(), bytes) || (synced && ::fsync(file.number()) != 0)) {
     status = failure(shown, "cannot be written; look for a full disk");
   } else if (::renameat(directory.number(), temporary.c_str(), directory.number(), name.c_str()) !=
              0) {
@@ -68,12 +69,13 @@ Status writeAtomicallyAt(const Descriptor& directory, const std::string& name,
   return status;
 }
 
-Status writeAtomically(const std::filesystem::path& file, std::string_view text) {
+Status writeAtomically(const std::filesystem::path& file, std::string_view text, Sync sync) {
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!directory.isOpen()) return failure(file.string(), "its folder cannot be opened");
+  const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!directory.isOpen())
+    return failure(file.string(), "its folder cannot be opened; check path and permissions");
   return writeAtomicallyAt(directory, file.filename().string(),
-                           std::as_bytes(std::span(text.data(), text.size())), file.string());
+                           std::as_bytes(std::span(text.data(), text.size())), file.string(), sync);
 }
 
 }  // namespace tolman::record

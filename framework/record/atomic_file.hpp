@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -13,12 +14,12 @@
 namespace tolman::record {
 
 /// A file descriptor with an owner.
-class Descriptor {
+class FileDescriptor {
  public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor();
-  Descriptor(Descriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
-  Descriptor& operator=(Descriptor&& other) noexcept;
+  explicit FileDescriptor(int number) : number_(number) {}
+  ~FileDescriptor();
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(other.number_) { other.number_ = -1; }
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept;
   bool isOpen() const { return number_ >= 0; }
   int number() const { return number_; }
 
@@ -26,12 +27,17 @@ class Descriptor {
   int number_;
 };
 
+/// Whether the bytes are on the disk when the call returns, so that they survive a loss of power.
+enum class Sync : std::uint8_t { Yes, No };
+
 /// Writes `bytes` to a temporary file beside `name` in the open `directory`, syncs, renames.
 /// `shown` names the file in messages. A failure leaves the old file and no temporary one.
-Status writeAtomicallyAt(const Descriptor& directory, const std::string& name,
-                         std::span<const std::byte> bytes, const std::string& shown);
+Status writeAtomicallyAt(const FileDescriptor& directory, const std::string& name,
+                         std::span<const std::byte> bytes, const std::string& shown,
+                         Sync sync = Sync::Yes);
 
 /// The same by path; the folder must exist.
-Status writeAtomically(const std::filesystem::path& file, std::string_view text);
+Status writeAtomically(const std::filesystem::path& file, std::string_view text,
+                       Sync sync = Sync::Yes);
 
 }  // namespace tolman::record

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a record's field list becomes columns: one Codec a type, with the column's name and type, the
-// way in (bind) and the way out (read).
+// Maps the fields of a record to columns of a table: one Codec per type, which describes the
+// columns, binds a value to them and reads it back.
 //
 // Isometry3d: seven REAL columns _x _y _z _qx _qy _qz _qw (w >= 0). Matrices: one BLOB, row-major,
 // little-endian; the column count of a dynamic one follows from the size. Enumerations: TEXT.
@@ -9,7 +9,6 @@
 
 #include <bit>
 #include <concepts>
-#include <cstring>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -46,33 +45,33 @@ struct Codec;
 template <class T>
 inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
 
-template <std::integral T>
+template <class T>
+requires std::is_arithmetic_v<T>
 struct Codec<T> {
-  static void describe(const Field& f, Columns& out) { out.push_back(columnOf(f, "INTEGER")); }
-  static void bind(Statement& row, T value) { row.bind(static_cast<std::int64_t>(value)); }
-  static void read(Statement& row, T& value) { value = static_cast<T>(row.integer()); }
-};
-
-template <std::floating_point T>
-struct Codec<T> {
-  static void describe(const Field& f, Columns& out) { out.push_back(columnOf(f, "REAL")); }
-  static void bind(Statement& row, T value) { row.bind(static_cast<double>(value)); }
-  static void read(Statement& row, T& value) { value = static_cast<T>(row.real()); }
+  using Stored = std::conditional_t<std::is_integral_v<T>, std::int64_t, double>;
+  static void describe(const Field& f, Columns& out) {
+    out.push_back(columnOf(f, std::is_integral_v<T> ? "INTEGER" : "REAL"));
+  }
+  static void bind(Statement& row, T value) { row.bindNext(static_cast<Stored>(value)); }
+  static void read(Statement& row, T& value) {
+    const Stored stored = row.next();
+    value = static_cast<T>(stored);
+  }
 };
 
 template <>
 struct Codec<std::string> {
   static void describe(const Field& f, Columns& out) { out.push_back(columnOf(f, "TEXT")); }
-  static void bind(Statement& row, const std::string& value) { row.bind(std::string_view(value)); }
-  static void read(Statement& row, std::string& value) { value = row.text(); }
+  static void bind(Statement& row, const std::string& value) { row.bindNext(value); }
+  static void read(Statement& row, std::string& value) { value = row.next().getString(); }
 };
 
 template <NamedEnum T>
 struct Codec<T> {
   static void describe(const Field& f, Columns& out) { Codec<std::string>::describe(f, out); }
-  static void bind(Statement& row, T value) { row.bind(enumName(value)); }
+  static void bind(Statement& row, T value) { row.bindNext(std::string(enumName(value))); }
   static void read(Statement& row, T& value) {
-    const std::string name = row.text();
+    const std::string name = row.next().getString();
     const std::span<const std::string_view> names = enumNames(value);
     for (std::size_t i = 0; i < names.size(); ++i) {
       if (names[i] == name) {
@@ -95,13 +94,13 @@ struct Codec<Eigen::Isometry3d> {
   static void bind(Statement& row, const Eigen::Isometry3d& T) {
     Eigen::Quaterniond q(T.linear());
     if (q.w() < 0) q.coeffs() = -q.coeffs();
-    for (int i = 0; i < 3; ++i) row.bind(T.translation()[i]);
-    for (int i = 0; i < 4; ++i) row.bind(q.coeffs()[i]);
+    for (int i = 0; i < 3; ++i) row.bindNext(T.translation()[i]);
+    for (int i = 0; i < 4; ++i) row.bindNext(q.coeffs()[i]);
   }
   static void read(Statement& row, Eigen::Isometry3d& T) {
     Eigen::Quaterniond q;
-    for (int i = 0; i < 3; ++i) T.translation()[i] = row.real();
-    for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.real();
+    for (int i = 0; i < 3; ++i) T.translation()[i] = row.next().getDouble();
+    for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.next().getDouble();
     if (!(std::abs(q.norm() - 1) < 1e-3)) throw BadRow("a quaternion is not of unit length");
     T.linear() = q.normalized().toRotationMatrix();
   }
@@ -122,32 +121,26 @@ struct Codec<T> {
     out.push_back(columnOf({f.name, f.unit, doc}, "BLOB"));
   }
   static void bind(Statement& row, const T& matrix) {
-    std::vector<Scalar> values;
-    values.reserve(static_cast<std::size_t>(matrix.size()));
-    for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
-      for (Eigen::Index c = 0; c < matrix.cols(); ++c) values.push_back(matrix(r, c));
-    }
-    row.bind(std::as_bytes(std::span(values)));
+    const Eigen::VectorX<Scalar> values = matrix.template reshaped<Eigen::RowMajor>();
+    const void* data = values.size() == 0 ? "" : static_cast<const void*>(values.data());
+    row.bindNext(data, static_cast<int>(sizeof(Scalar)) * static_cast<int>(values.size()));
   }
   static void read(Statement& row, T& matrix) {
-    const std::vector<std::byte> bytes = row.blob();
+    const std::string bytes = row.next().getString();
     const std::size_t line = sizeof(Scalar) * static_cast<std::size_t>(T::RowsAtCompileTime);
     const auto columns = static_cast<Eigen::Index>(bytes.size() / line);
     constexpr int kColumns = T::ColsAtCompileTime;
     if (bytes.size() % line != 0 || (kColumns != Eigen::Dynamic && columns != kColumns)) {
       throw BadRow("a matrix has " + std::to_string(bytes.size()) + " bytes, which do not fit");
     }
-    if constexpr (kColumns == Eigen::Dynamic) matrix.resize(T::RowsAtCompileTime, columns);
-    const std::byte* next = bytes.data();
-    for (Eigen::Index r = 0; r < matrix.rows(); ++r) {
-      for (Eigen::Index c = 0; c < matrix.cols(); ++c, next += sizeof(Scalar)) {
-        std::memcpy(&matrix(r, c), next, sizeof(Scalar));
-      }
-    }
+    matrix.resize(T::RowsAtCompileTime, columns);
+    const auto* values = reinterpret_cast<const Scalar*>(bytes.data());
+    matrix.template reshaped<Eigen::RowMajor>() =
+        Eigen::Map<const Eigen::VectorX<Scalar>>(values, matrix.size());
   }
 };
 
-/// What has no column in its record's own table.
+/// Fields that have no column in the table of their record.
 template <class T>
 concept StoredElsewhere = std::same_as<T, Image> ||
     (requires { typename T::value_type; } && !kIsMatrix<T> && !std::same_as<T, std::string>);
@@ -159,7 +152,7 @@ struct Codec<T> {
   static void read(Statement&, T&) {}
 };
 
-/// A record; within another one its columns have the member's name before theirs.
+/// A nested record: the columns' names begin with the member's name.
 template <Record T>
 struct Codec<T> {
   static void describe(const Field& f, Columns& out) {

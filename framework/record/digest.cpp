@@ -12,24 +12,23 @@
 namespace tolman::record {
 namespace {
 
-/// Each value with its type and size before it, so that no two tables look alike. The types are
-/// those of the schema, so reals go in bit by bit.
+/// Each value with its size before it, so that different tables give different digests. Reals are
+/// added as their eight bytes, integers as decimal text.
 void addTable(const Database& database, const Table& table, Sha256& sha) {
   sha.add(table.name + "\n");
   Statement rows(database, "SELECT " + columnList(table.columns) + " FROM \"" + table.name +
                                "\" ORDER BY rowid");
   while (rows.step()) {
     for (const Column& column : table.columns) {
-      if (rows.isNull()) {
-        rows.skip();
+      const SQLite::Column value = rows.next();
+      if (value.isNull()) {
         sha.add("null ");
       } else if (column.type == "REAL") {
-        const double value = rows.real();
-        sha.add(std::as_bytes(std::span(&value, 1)));
+        const double real = value.getDouble();
+        sha.add(std::as_bytes(std::span(&real, 1)));
       } else {
-        const std::vector<std::byte> bytes = rows.blob();  // integers as their text
-        sha.add(std::to_string(bytes.size()) + " ");
-        sha.add(bytes);
+        const std::string bytes = value.getString();
+        sha.add(std::to_string(bytes.size()) + " " + bytes);
       }
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Are two runs the same? Digests of their results.
+// SHA-256 of the results of a run, to compare runs byte by byte.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,12 @@ namespace tolman::record {
 
 Result<std::string> fileDigest(const std::filesystem::path& file);
 
-/// SHA-256 of all recorded rows that a run must repeat: every table but `timing`, `event` (its
-/// order and its times are the machine's) and `run`.
+/// SHA-256 of all rows that are the same in every repetition of a run: every table but `timing`,
+/// `event` (its order and times differ) and `run`.
 Result<std::string> databaseDigest(const std::filesystem::path& run_directory);
 
-/// Writes results.sha256: the exported files that are there, in the format of `sha256sum -c`.
+/// Writes results.sha256: digests of the exported files that exist, in the format of `sha256sum
+/// -c`.
 Status writeResultsDigest(const std::filesystem::path& run_directory);
 
 }  // namespace tolman::record

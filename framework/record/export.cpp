@@ -7,6 +7,7 @@
 
 #include "record/atomic_file.hpp"
 #include "record/g2o_file.hpp"
+#include "record/pose_files.hpp"
 
 namespace tolman::record {
 namespace {
@@ -35,9 +36,9 @@ Result<Span> spanOf(const RunReader& reader, std::int64_t session) {
   return span;
 }
 
-std::vector<StampedPose> within(const std::vector<StampedPose>& poses, const Span& span) {
-  std::vector<StampedPose> chosen;
-  for (StampedPose pose : poses) {
+evaluation::Trajectory within(const evaluation::Trajectory& poses, const Span& span) {
+  evaluation::Trajectory chosen;
+  for (evaluation::TrajectoryPose pose : poses) {
     if (pose.frame < span.first || pose.frame >= span.end) continue;
     pose.frame -= span.first;
     chosen.push_back(pose);
@@ -52,7 +53,7 @@ Result<std::string> contentOf(const RunReader& reader, std::string_view file, co
   }
   const auto& all = file.starts_with("odometry.") ? reader.odometry() : reader.map();
   if (!all.isOk()) return all.status();
-  const std::vector<StampedPose> poses = within(all.value(), span);
+  const evaluation::Trajectory poses = within(all.value(), span);
   return file.ends_with(".tum") ? Result<std::string>(tumText(poses)) : kittiText(poses);
 }
 

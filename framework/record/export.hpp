@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Result files from run.sqlite alone: the same code at the end of a run and after a kill.
+// Writes the result files from run.sqlite alone, at the end of a run or after a kill.
 #pragma once
 
 #include <array>

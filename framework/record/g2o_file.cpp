@@ -25,7 +25,7 @@ std::string g2oText(const MapGraph& graph) {
   const GraphParts parts = partsOf(graph);
   if (parts.count > 1) {
     text += "# " + std::to_string(parts.count) +
-            " parts that no link joins: how they lie to each other is not known\n";
+            " parts that no link joins: their relative poses are unknown\n";
   }
   for (const Experience& experience : graph.experiences) {
     text += "VERTEX_SE3:QUAT " + std::to_string(experience.id) + " " +
@@ -33,6 +33,7 @@ std::string g2oText(const MapGraph& graph) {
   }
   if (!graph.experiences.empty()) text += "FIX 0\n";
   for (const Link& link : graph.links) {
+    if (graph.isRejected(link)) continue;
     text += "EDGE_SE3:QUAT " + std::to_string(link.from) + " " + std::to_string(link.to) + " " +
             poseText(link.T_from_to);
     const Matrix6d information = g2oInformation(link);

@@ -13,7 +13,8 @@ namespace tolman::record {
 /// are raised to it, so that a covariance of zero has an inverse; scaled by the link's weight.
 Matrix6d g2oInformation(const Link& link);
 
-/// VERTEX_SE3:QUAT, FIX 0, and EDGE_SE3:QUAT with the 21 values of the upper triangle.
+/// Links that the map has rejected are left out. VERTEX_SE3:QUAT, FIX 0, and EDGE_SE3:QUAT with the
+/// 21 values of the upper triangle.
 std::string g2oText(const MapGraph& graph);
 
 }  // namespace tolman::record

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which experiences hang together. A session that no loop has joined with another, or a robot that
-// was carried away, leaves a map in parts; poses of different parts say nothing of each other.
+// The connected components of an experience graph. A map has several when no loop joins a session
+// with the earlier ones, or when tracking restarted at an unknown pose. The relative pose of two
+// components is unknown.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +12,11 @@
 namespace tolman::record {
 
 struct GraphParts {
-  std::vector<std::int64_t> of_experience;  ///< part of each experience, dense from 0 by least id
+  std::vector<std::int64_t> of_experience;  ///< component of each experience; the first one is 0
   std::int64_t count = 0;
 };
 
-/// By loops that the optimiser has not given up, and by what was driven.
+/// Components over all links that the map has not rejected.
 GraphParts partsOf(const MapGraph& graph);
 
 }  // namespace tolman::record

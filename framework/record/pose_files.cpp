@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/pose_files.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 
@@ -10,17 +12,6 @@ namespace {
 // A damaged frame number must not fill the disk with repeated lines.
 constexpr std::int64_t kMaxFrames = 100'000'000;
 constexpr std::int64_t kMaxGap = 1'000'000;
-
-std::string stampText(std::int64_t stamp_ns) {
-  constexpr std::uint64_t kSecond = 1'000'000'000;
-  const bool negative = stamp_ns < 0;
-  const auto bits = static_cast<std::uint64_t>(stamp_ns);
-  const std::uint64_t size = negative ? -bits : bits;
-  const std::string decimals = std::to_string(kSecond + size % kSecond).substr(1);
-  std::string text = negative ? "-" : "";
-  text += std::to_string(size / kSecond);
-  return text + "." + decimals;
-}
 
 std::string kittiLine(const Eigen::Isometry3d& T) {
   std::string line;
@@ -41,6 +32,13 @@ std::string numberText(double value) {
   return {text.data(), end};
 }
 
+std::string secondsText(std::int64_t time_ns) {
+  constexpr std::uint64_t kSecond = 1'000'000'000;
+  const auto bits = static_cast<std::uint64_t>(time_ns);
+  const std::uint64_t size = time_ns < 0 ? -bits : bits;
+  return fmt::format("{}{}.{:09}", time_ns < 0 ? "-" : "", size / kSecond, size % kSecond);
+}
+
 std::string poseText(const Eigen::Isometry3d& T) {
   Eigen::Quaterniond q = Eigen::Quaterniond(T.linear()).normalized();
   if (q.w() < 0) q.coeffs() = -q.coeffs();
@@ -50,22 +48,22 @@ std::string poseText(const Eigen::Isometry3d& T) {
   return text + numberText(q.w());
 }
 
-std::string tumText(std::span<const StampedPose> poses) {
+std::string tumText(const evaluation::Trajectory& poses) {
   std::string text;
-  for (const StampedPose& pose : poses) {
-    text += stampText(pose.stamp_ns) + " " + poseText(pose.T_world_camera) + "\n";
+  for (const evaluation::TrajectoryPose& pose : poses) {
+    text += secondsText(pose.stamp_ns) + " " + poseText(pose.T_world_camera) + "\n";
   }
   return text;
 }
 
-Result<std::string> kittiText(std::span<const StampedPose> poses) {
+Result<std::string> kittiText(const evaluation::Trajectory& poses) {
   std::string text;
   std::string line = kittiLine(Eigen::Isometry3d::Identity());
   std::int64_t next = 0;
-  for (const StampedPose& pose : poses) {
+  for (const evaluation::TrajectoryPose& pose : poses) {
     if (pose.frame < next || pose.frame - next > kMaxGap || pose.frame > kMaxFrames) {
-      return Status::invalidInput("frame " + std::to_string(pose.frame) + " comes where frame " +
-                                  std::to_string(next) + " was due; the record is damaged");
+      return Status::invalidInput(fmt::format(
+          "frame {} comes where frame {} was due; the record is damaged", pose.frame, next));
     }
     for (; next < pose.frame; ++next) text += line;
     line = kittiLine(pose.T_world_camera);

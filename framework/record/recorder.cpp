@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/recorder.hpp"
 
-#include <array>
+#include <sqlite3.h>
+
 #include <chrono>
 
 namespace tolman::record {
 namespace {
 
 constexpr std::chrono::milliseconds kCommitPeriod(500);
-constexpr std::array<std::string_view, 4> kLevelNames = {"debug", "info", "warning", "error"};
 
 template <class T>
 bool sameValue(const T& a, const T& b) {
@@ -41,11 +41,24 @@ void upsertChanged(StoreWriter& store, std::vector<R>& written, const std::vecto
   written = now;
 }
 
+/// The rows that a later session copies; revisions after the last frame go to `revise`.
+template <class Insert, class Revise>
+void forEachInherited(const Database& old, const Insert& insert, const Revise& revise) {
+  forEachRow<RecordedSession>(old, "", insert);
+  forEachRow<Frame>(old, "", insert);
+  forEachRow<Motion>(old, "", insert);
+  forEachRow<MotionRevision>(old, "WHERE \"announced_at\" IS NULL", revise);
+  forEachRow<PlaceObservation>(old, "", insert);
+  forEachRow<Decision>(old, "", insert);
+  forEachRow<RecordedArray>(old, "WHERE \"source\" = 'cells'", insert);
+  forEachRow<MapUpdate>(old, "", insert);
+}
+
 Database createDatabase(const std::filesystem::path& file) {
-  Database database(file, Database::Mode::Create);
-  database.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; BEGIN");
-  for (const Table& table : schema()) database.execute(createSql(table));
-  database.execute(
+  Database database = openDatabase(file, Access::Create);
+  database.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; BEGIN");
+  for (const Table& table : schema()) database.exec(createSql(table));
+  database.exec(
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
       "INSERT INTO \"run\" VALUES ('schema_version', '" +
       std::to_string(kSchemaVersion) + "'); COMMIT");
@@ -59,10 +72,7 @@ Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& di
   if (std::filesystem::exists(file)) {
     return Status::failed(file.string() + ": exists; record into a fresh directory");
   }
-  std::unique_ptr<Recorder> recorder;
-  const Status status = guarded(file.string(), [&] { recorder.reset(new Recorder(file)); });
-  if (!status.isOk()) return status;
-  return recorder;
+  return answered(file.string(), [&] { return std::unique_ptr<Recorder>(new Recorder(file)); });
 }
 
 Recorder::Recorder(const std::filesystem::path& file)
@@ -83,47 +93,49 @@ Status Recorder::write(Work&& work) {
   if (closed_) return Status::failed(name_ + ": is closed");
   bool broke_rule = false;
   Status status = guarded(name_, [&] {
-    if (!in_transaction_) database_.execute("BEGIN");
+    if (!in_transaction_) database_.exec("BEGIN");
     in_transaction_ = true;
-    database_.execute("SAVEPOINT one_call");
+    database_.exec("SAVEPOINT one_call");
     try {
       work();
-    } catch (const SqliteError& error) {
-      broke_rule = error.isConstraint();
+    } catch (const SQLite::Exception& error) {
+      broke_rule = error.getErrorCode() == SQLITE_CONSTRAINT;
       if (broke_rule) rollBackCall();
       throw;
     }
-    database_.execute("RELEASE one_call");
+    database_.exec("RELEASE one_call");
   });
   if (!status.isOk() && !broke_rule) failure_ = status;
   return status;
 }
 
-/// Forgets what the call has noted as written, so that it is written again.
+/// Forgets which rows are written, so that the next call writes them again.
 void Recorder::rollBackCall() {
-  database_.execute("ROLLBACK TO one_call; RELEASE one_call");
-  written_ = {};
+  database_.exec("ROLLBACK TO one_call; RELEASE one_call");
+  written_experiences_.clear();
+  written_links_.clear();
   points_frame_ = -1;
+}
+
+Status Recorder::inheritable(const RunReader& earlier) {
+  return guarded((earlier.directory() / "run.sqlite").string(), [&] {
+    const auto read = [](const auto&) {};
+    forEachInherited(earlier.database(), read, read);
+    if (Statement(earlier.database(), "PRAGMA foreign_key_check").step()) {
+      throw BadRow("rows are missing; the file is damaged");
+    }
+  });
 }
 
 Status Recorder::inherit(const RunReader& earlier) {
   return write([&] {
-    const Database& old = earlier.database();
-    forEachRow<Session>(old, "", [&](const Session& row) { store_.insert(row); });
-    forEachRow<Frame>(old, "", [&](const Frame& row) { store_.insert(row); });
-    forEachRow<Motion>(old, "", [&](const Motion& row) { store_.insert(row); });
-    forEachRow<MotionRevision>(old, "WHERE \"announced_at\" IS NULL",
-                               [&](const auto& row) { store_.insertAnnounced(std::nullopt, row); });
-    forEachRow<PlaceObservation>(old, "", [&](const auto& row) { store_.insert(row); });
-    forEachRow<Decision>(old, "", [&](const Decision& row) {
-      store_.insert(row);
-      store_.insertArrays(row.frame, "cells", readArrays(old, row.frame, "cells"));
-    });
-    forEachRow<MapUpdate>(old, "", [&](const MapUpdate& row) { store_.insert(row); });
+    forEachInherited(
+        earlier.database(), [&](const auto& row) { store_.insert(row); },
+        [&](const auto& row) { store_.insertAnnounced(std::nullopt, row); });
   });
 }
 
-Status Recorder::session(const Session& session) {
+Status Recorder::session(const RecordedSession& session) {
   return write([&] { store_.insert(session); });
 }
 
@@ -133,8 +145,11 @@ Status Recorder::finalPoses(const std::vector<FinalPose>& poses) {
   });
 }
 
-Status Recorder::camera(const CameraRig& rig) {
-  return write([&] { store_.insert(rig); });
+Status Recorder::begin(const RunInfo& run) {
+  return write([&] {
+    store_.insert(run.source.rig);
+    for (const ArrayInfo& info : run.arrays) store_.insert(toRow(info));
+  });
 }
 
 Status Recorder::snapshot(const Snapshot& snapshot) {
@@ -164,11 +179,14 @@ void Recorder::writeMotion(const Motion& motion) {
 }
 
 void Recorder::writeGraph(const MapGraph& graph) {
-  if (graph.links.size() < written_.links.size()) {  // a map may take loops back
-    database_.execute("DELETE FROM \"link\" WHERE \"id\" >= " + std::to_string(graph.links.size()));
+  std::vector<RecordedLink> links;
+  links.reserve(graph.links.size());
+  for (const Link& link : graph.links) links.push_back({link, graph.isRejected(link)});
+  if (links.size() < written_links_.size()) {  // a map may remove links
+    database_.exec("DELETE FROM \"link\" WHERE \"id\" >= " + std::to_string(links.size()));
   }
-  upsertChanged(store_, written_.experiences, graph.experiences);
-  upsertChanged(store_, written_.links, graph.links);
+  upsertChanged(store_, written_experiences_, graph.experiences);
+  upsertChanged(store_, written_links_, links);
 }
 
 Status Recorder::revisions(const std::vector<MotionRevision>& revisions) {
@@ -184,33 +202,22 @@ Status Recorder::graph(const MapGraph& graph) {
 }
 
 Status Recorder::timing(std::int64_t frame, std::string_view stage, std::int64_t duration_ns) {
-  return write([&] {
-    Statement& row = store_.insertion("timing");
-    row.bind(frame);
-    row.bind(stage);
-    row.bind(duration_ns);
-    row.run();
-  });
+  return write([&] { store_.insert(RecordedTiming{frame, std::string(stage), duration_ns}); });
 }
 
 Status Recorder::event(std::int64_t frame, LogLevel level, std::string_view source,
                        std::string_view message) {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return write([&] {
-    Statement& row = store_.insertion("event");
-    row.bind(frame);
-    row.bind(kLevelNames.at(static_cast<std::size_t>(level)));
-    row.bind(source);
-    row.bind(message);
-    row.bind(std::int64_t{std::chrono::nanoseconds(now).count()});
-    row.run();
+    store_.insert(RecordedEvent{{frame, level, std::string(source), std::string(message)},
+                                std::chrono::nanoseconds(now).count()});
   });
 }
 
 Status Recorder::meta(std::string_view key, std::string_view value) {
   return write([&] {
-    meta_.bind(key);
-    meta_.bind(value);
+    meta_.bindNext(std::string(key));
+    meta_.bindNext(std::string(value));
     meta_.run();
   });
 }
@@ -218,7 +225,7 @@ Status Recorder::meta(std::string_view key, std::string_view value) {
 /// With the mutex held.
 void Recorder::commitNow() {
   if (!in_transaction_ || !failure_.isOk()) return;
-  failure_ = guarded(name_, [&] { database_.execute("COMMIT"); });
+  failure_ = guarded(name_, [&] { database_.exec("COMMIT"); });
   in_transaction_ = false;
 }
 
@@ -236,6 +243,16 @@ void Recorder::commitRegularly(const std::stop_token& stop) {
   }
 }
 
+/// A plain file also opens on read-only media. While a reader is connected, the log stays.
+void Recorder::mergeLog() {
+  try {
+    database_.exec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");
+  } catch (const SQLite::Exception& error) {
+    const int code = error.getErrorCode();
+    if (code != SQLITE_BUSY && code != SQLITE_LOCKED) throw;
+  }
+}
+
 Status Recorder::close() {
   committer_.request_stop();
   if (committer_.joinable()) committer_.join();
@@ -243,11 +260,7 @@ Status Recorder::close() {
   if (closed_) return failure_;
   closed_ = true;
   commitNow();
-  // Back to one plain file, which also opens on read-only media; a reader may hinder it.
-  if (failure_.isOk()) {
-    (void)guarded(
-        name_, [&] { database_.execute("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE"); });
-  }
+  if (failure_.isOk()) failure_ = guarded(name_, [&] { mergeLog(); });
   return failure_;
 }
 

@@ -11,48 +11,51 @@
 #include <thread>
 #include <vector>
 
+#include "record/rows.hpp"
 #include "record/run_reader.hpp"
-#include "record/session.hpp"
 #include "record/store.hpp"
 #include "tolman/context.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::record {
 
-/// All functions may be called from any thread. Each call is written wholly or not at all. A failed
-/// disk is final: every later call returns the first failure. A row that breaks a rule of the
-/// schema (a frame told twice, a link to no experience) fails its own call only.
+/// All functions may be called from any thread. Each call is written completely or not at all.
+/// After a disk error every later call returns that error. A row that violates the schema (a frame
+/// recorded twice, a link to a missing experience) fails its own call only.
 ///
-/// The motion's points are stored once for each points_frame; later rows with the same one hold
-/// none. Experiences and links are stored as last known.
+/// The points of a motion are stored once per points_frame; later rows with the same points_frame
+/// hold none. Tables `experience` and `link` hold the latest values.
 class Recorder {
  public:
   /// Creates run.sqlite in an existing directory that has none.
   static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory);
-  ~Recorder();  ///< closes, and drops what close() would say
+  ~Recorder();  ///< closes, and ignores the status of close()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Before anything else: copies the sessions of an earlier run with all their frames. Its map is
-  /// not copied, for this run's knows it and more.
+  /// Whether inherit() can read all of `earlier`.
+  static Status inheritable(const RunReader& earlier);
+  /// Must be the first call when this run continues `earlier`. Copies the sessions and frames of
+  /// `earlier`, but not its map: the map of this run already contains that.
   Status inherit(const RunReader& earlier);
   /// The session that begins now.
-  Status session(const Session& session);
-  Status camera(const CameraRig& rig);
-  /// All that is known of a frame; `frame` must be there, the rest may be null.
+  Status session(const RecordedSession& session);
+  /// The cameras of the source and the descriptions of the arrays.
+  Status begin(const RunInfo& run);
+  /// One frame with the results of all stages; members other than `frame` may be null.
   Status snapshot(const Snapshot& snapshot);
-  /// The revisions that odometry owed after the last frame.
+  /// Revisions that odometry returned after the last frame.
   Status revisions(const std::vector<MotionRevision>& revisions);
   Status graph(const MapGraph& graph);
-  /// Where the frames were, by the finished map.
+  /// Poses of the frames in the finished map.
   Status finalPoses(const std::vector<FinalPose>& poses);
   Status timing(std::int64_t frame, std::string_view stage, std::int64_t duration_ns);
   Status event(std::int64_t frame, LogLevel level, std::string_view source,
                std::string_view message);
   Status meta(std::string_view key, std::string_view value);
-  /// Makes all that was written so far safe from a kill.
+  /// Everything written before survives a kill.
   Status commit();
-  /// Commits and leaves one plain file; nothing can be written afterwards.
+  /// Commits, and merges the write-ahead log into run.sqlite. Later calls fail.
   Status close();
 
  private:
@@ -63,6 +66,7 @@ class Recorder {
   void writeMotion(const Motion& motion);
   void rollBackCall();
   void commitNow();
+  void mergeLog();
   void commitRegularly(const std::stop_token& stop);
 
   std::mutex mutex_;  // guards everything below
@@ -70,13 +74,15 @@ class Recorder {
   Database database_;
   StoreWriter store_;
   Statement meta_;
-  MapGraph written_;  // what the tables hold, so that only changes are written
+  // Contents of the tables, so that only changes are written.
+  std::vector<Experience> written_experiences_;
+  std::vector<RecordedLink> written_links_;
   std::int64_t points_frame_ = -1;
   bool in_transaction_ = false;
   bool closed_ = false;
   Status failure_;
   std::condition_variable_any wake_;
-  std::jthread committer_;  // last: it uses the others
+  std::jthread committer_;  // last, because its thread uses the members above
 };
 
 }  // namespace tolman::record

@@ -10,15 +10,7 @@ namespace {
 std::int64_t lastShown(const Database& database, bool unfinished) {
   Statement row(database, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"");
   row.step();
-  return row.integer() - (unfinished ? 1 : 0);
-}
-
-Statement rowsAfter(const Database& database, const std::string& columns, const char* table,
-                    std::int64_t row) {
-  Statement rows(database, "SELECT rowid, " + columns + " FROM \"" + table +
-                               "\" WHERE rowid > ? ORDER BY rowid");
-  rows.bind(row);
-  return rows;
+  return row.next().getInt64() - (unfinished ? 1 : 0);
 }
 
 template <class T>
@@ -42,17 +34,20 @@ Snapshot RecordedFrame::snapshot() const {
 }
 
 template <Record R>
-Replay::Cursor<R>::Cursor(const Database& database, std::int64_t after)
-    : rows(database, "SELECT " + columnList(columnsOf<R>()) + " FROM \"" + R::kRecord +
-                         "\" WHERE \"frame\" > ? ORDER BY \"frame\"") {
-  rows.bind(after);
+Replay::Cursor<R>::Cursor(const Database& database, const std::string& key_column,
+                          std::int64_t after)
+    : rows(database, "SELECT " + key_column + ", " + columnList(columnsOf<R>()) + " FROM \"" +
+                         R::kRecord + "\" WHERE " + key_column + " > ? ORDER BY " + key_column) {
+  rows.bindNext(after);
   advance();
 }
 
 template <Record R>
 void Replay::Cursor<R>::advance() {
   ahead.reset();
-  if (rows.step()) Codec<R>::read(rows, ahead.emplace());
+  if (!rows.step()) return;
+  key = rows.next().getInt64();
+  Codec<R>::read(rows, ahead.emplace());
 }
 
 template <Record R>
@@ -79,22 +74,13 @@ Replay::Replay(const RunReader& reader, ReplayPosition position, bool unfinished
       position_(std::move(position)),
       unfinished_(unfinished),
       end_(lastShown(reader.database(), unfinished)),
-      frames_(reader.database(), position_.frame),
-      motions_(reader.database(), position_.frame),
-      places_(reader.database(), position_.frame),
-      decisions_(reader.database(), position_.frame),
-      maps_(reader.database(), position_.frame),
-      times_(rowsAfter(reader.database(), "\"frame\", \"stage\", \"duration_ns\"", "timing",
-                       position_.timing_row)),
-      events_(rowsAfter(reader.database(), "\"frame\", \"level\", \"source\", \"message\"", "event",
-                        position_.event_row)) {
-  readTime();
-  while (events_.step()) {
-    auto& [row, event] = waiting_events_.emplace_back();
-    row = events_.integer();
-    Codec<RunEvent>::read(events_, event);
-  }
-}
+      frames_(reader.database(), "frame", position_.frame),
+      motions_(reader.database(), "frame", position_.frame),
+      places_(reader.database(), "frame", position_.frame),
+      decisions_(reader.database(), "frame", position_.frame),
+      maps_(reader.database(), "frame", position_.frame),
+      times_(reader.database(), "rowid", position_.timing_row),
+      events_(reader.database(), "rowid", position_.event_row) {}
 
 Result<bool> Replay::next(RecordedFrame& recorded) {
   if (!frames_.ahead || frames_.ahead->frame > end_) return false;
@@ -131,36 +117,25 @@ void Replay::restorePoints(Motion& motion) {
 
 /// Rows of timing come in the order of frames.
 void Replay::takeTimes(RecordedFrame& recorded) {
-  for (; time_ahead_ && time_ahead_->frame <= recorded.frame.frame; readTime()) {
-    const auto role = std::ranges::find(kRoleNames, time_ahead_->stage);
-    if (time_ahead_->frame == recorded.frame.frame && role != kRoleNames.end()) {
+  for (; times_.ahead && times_.ahead->frame <= recorded.frame.frame; times_.advance()) {
+    const auto role = std::ranges::find(kRoleNames, times_.ahead->stage);
+    if (times_.ahead->frame == recorded.frame.frame && role != kRoleNames.end()) {
       recorded.stage_times_ns[static_cast<std::size_t>(role - kRoleNames.begin())] =
-          time_ahead_->duration_ns;
+          times_.ahead->duration_ns;
     }
-    position_.timing_row = time_ahead_->row;
+    position_.timing_row = times_.key;
   }
 }
 
-void Replay::readTime() {
-  time_ahead_.reset();
-  if (!times_.step()) return;
-  TimingRow& time = time_ahead_.emplace();
-  time.row = times_.integer();
-  time.frame = times_.integer();
-  time.stage = times_.text();
-  time.duration_ns = times_.integer();
-}
-
-/// Those of later frames wait; those of none come with the next frame, and the last has the rest.
+/// Events of a frame come with that frame, events of no frame (-1) with the next one, and all
+/// remaining events with the last frame.
 void Replay::takeEvents(RecordedFrame& recorded) {
   const bool last = !unfinished_ && !frames_.ahead;
-  auto next = waiting_events_.begin();
-  for (; next != waiting_events_.end(); ++next) {
-    if (!last && next->second.frame > recorded.frame.frame) break;
-    recorded.events.push_back(next->second);
-    position_.event_row = next->first;
+  for (; events_.ahead && (last || events_.ahead->frame <= recorded.frame.frame);
+       events_.advance()) {
+    recorded.events.push_back(*events_.ahead);
+    position_.event_row = events_.key;
   }
-  waiting_events_.erase(waiting_events_.begin(), next);
 }
 
 }  // namespace tolman::record

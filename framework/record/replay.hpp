@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recorded run once more, frame by frame, as its observers saw it.
+// Reads a recorded run frame by frame, as the snapshots that its observers were given.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "record/run_reader.hpp"
@@ -13,14 +12,14 @@
 
 namespace tolman::record {
 
-/// What the record holds of one frame: no images, and of lists (sensors, revisions) nothing.
+/// The rows of one frame. Images are not recorded; sensors and revisions are not read.
 struct RecordedFrame {
   Frame frame;
-  std::optional<Motion> motion;  ///< with the points of its points_frame
+  std::optional<Motion> motion;  ///< with the points of points_frame
   std::optional<PlaceObservation> place;
   std::optional<Decision> decision;
   std::optional<MapUpdate> map;
-  std::vector<NamedArray> cells;  ///< empty at frames without, see record.arrays_every
+  std::vector<NamedArray> cells;  ///< only at every record.arrays_every-th frame
   StageTimes stage_times_ns{};
   std::vector<RunEvent> events;  ///< since the frame before
 
@@ -28,15 +27,7 @@ struct RecordedFrame {
   Snapshot snapshot() const;
 };
 
-/// A row of timing.
-struct TimingRow {
-  std::int64_t row = 0;
-  std::int64_t frame = 0;
-  std::string stage;
-  std::int64_t duration_ns = 0;
-};
-
-/// How far a replay has come; another one, of a reader opened later, goes on from there.
+/// The position of a replay. A replay of a reader opened later can start from it.
 struct ReplayPosition {
   std::int64_t frame = -1;
   std::int64_t timing_row = 0;
@@ -47,8 +38,8 @@ struct ReplayPosition {
 
 class Replay {
  public:
-  /// Of `reader`, which must outlive it. `unfinished`: the run goes on, so its newest frame may be
-  /// half written and is left for later.
+  /// `reader` must outlive the replay. `unfinished`: the run is still being written; its newest
+  /// frame may be incomplete and is not read.
   static Result<std::unique_ptr<Replay>> open(const RunReader& reader, ReplayPosition position,
                                               bool unfinished);
 
@@ -57,36 +48,34 @@ class Replay {
   const ReplayPosition& position() const { return position_; }
 
  private:
-  /// Rows of a record kind in the order of frames, the next one read ahead.
+  /// Rows of a record kind in the order of a key column, the next one read ahead.
   template <Record R>
   struct Cursor {
-    Cursor(const Database& database, std::int64_t after);
+    Cursor(const Database& database, const std::string& key_column, std::int64_t after);
     void advance();
     std::optional<R> take(std::int64_t frame);
     Statement rows;
+    std::int64_t key = 0;  ///< of `ahead`
     std::optional<R> ahead;
   };
 
   Replay(const RunReader& reader, ReplayPosition position, bool unfinished);
   void fill(RecordedFrame& recorded);
   void restorePoints(Motion& motion);
-  void readTime();
   void takeTimes(RecordedFrame& recorded);
   void takeEvents(RecordedFrame& recorded);
 
   const RunReader& reader_;
   ReplayPosition position_;
   bool unfinished_;
-  std::int64_t end_;  ///< of the frames that are shown
+  std::int64_t end_;  ///< last frame to read
   Cursor<Frame> frames_;
   Cursor<Motion> motions_;
   Cursor<PlaceObservation> places_;
   Cursor<Decision> decisions_;
   Cursor<MapUpdate> maps_;
-  Statement times_;
-  std::optional<TimingRow> time_ahead_;
-  Statement events_;
-  std::vector<std::pair<std::int64_t, RunEvent>> waiting_events_;
+  Cursor<RecordedTiming> times_;
+  Cursor<RecordedEvent> events_;
 };
 
 }  // namespace tolman::record

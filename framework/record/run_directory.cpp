@@ -74,7 +74,7 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
 }
 
 Result<RunDirectory> RunDirectory::lock(const fs::path& path) {
-  Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!descriptor.isOpen() || ::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
     return Status::failed(path.string() + ": another run is writing here; choose another --out");
   }
@@ -82,7 +82,7 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path) {
 }
 
 bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
-  const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   return descriptor.isOpen() && ::flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0;
 }
 

@@ -39,7 +39,7 @@ class RunDirectory {
   static bool isBeingWritten(const std::filesystem::path& path);
   /// run.json of the run there; null where there is none, or none that is JSON.
   static nlohmann::ordered_json readRunFile(const std::filesystem::path& path);
-  /// Whether the run there came to no end: nobody writes, and run.json says that it is running.
+  /// Whether the run was killed: run.json says "running", and no process holds the lock.
   static bool wasKilled(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
@@ -48,13 +48,13 @@ class RunDirectory {
   Status writeRunFile(nlohmann::ordered_json provenance, RunState state) const;
 
  private:
-  RunDirectory(std::filesystem::path path, Descriptor lock)
+  RunDirectory(std::filesystem::path path, FileDescriptor lock)
       : path_(std::move(path)), lock_(std::move(lock)) {}
   static Result<RunDirectory> lock(const std::filesystem::path& path);
   Status clear(bool replace) const;
 
   std::filesystem::path path_;
-  Descriptor lock_;
+  FileDescriptor lock_;
 };
 
 }  // namespace tolman::record

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a recorded run means: trajectories, graph, counters.
+// Trajectories, graph and totals from the rows of run.sqlite.
 #include <algorithm>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "record/run_reader.hpp"
 
 namespace tolman::record {
 namespace {
 
-/// Ids must be dense from 0, as the records promise.
+/// BadRow where ids are not dense from 0.
 template <Record R>
 std::vector<R> denseRows(const Database& database) {
   std::vector<R> rows;
@@ -32,11 +33,29 @@ Revisions lastRevisions(const Database& database) {
   return revisions;
 }
 
+/// Frames whose odometry was lost or initialising. The last frame before a track is its origin.
+std::set<std::int64_t> untrackedFrames(const Database& database) {
+  std::set<std::int64_t> frames;
+  std::int64_t origin = -1;
+  Statement rows(database, "SELECT \"frame\", \"state\" FROM \"motion\" ORDER BY \"frame\"");
+  while (rows.step()) {
+    const std::int64_t frame = rows.next().getInt64();
+    const std::string state = rows.next().getString();
+    if (state == enumName(TrackingState::Tracking)) {
+      frames.erase(std::exchange(origin, -1));
+    } else {
+      frames.insert(frame);
+      origin = state == enumName(TrackingState::Initialising) ? frame : -1;
+    }
+  }
+  return frames;
+}
+
 /// The one number that a query gives.
 std::int64_t integerOf(const Database& database, const std::string& query) {
   Statement row(database, query);
   row.step();
-  return row.integer();
+  return row.next().getInt64();
 }
 
 std::int64_t count(const Database& database, const std::string& table_and_condition) {
@@ -45,13 +64,14 @@ std::int64_t count(const Database& database, const std::string& table_and_condit
 
 }  // namespace
 
-const Result<std::vector<StampedPose>>& RunReader::odometry() const {
+const Result<evaluation::Trajectory>& RunReader::odometry() const {
   return once(odometry_, [&] {
-    std::vector<StampedPose> poses;
+    evaluation::Trajectory poses;
     std::set<std::int64_t> beginnings;
-    forEachRow<Session>(database_, "",
-                        [&](const Session& row) { beginnings.insert(row.first_frame); });
+    forEachRow<RecordedSession>(
+        database_, "", [&](const RecordedSession& row) { beginnings.insert(row.first_frame); });
     const Revisions revisions = lastRevisions(database_);
+    const std::set<std::int64_t> untracked = untrackedFrames(database_);
     Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
     forEachRow<Motion>(database_, "", [&](const Motion& motion) {
       const auto revised = revisions.find(motion.frame);
@@ -62,35 +82,40 @@ const Result<std::vector<StampedPose>>& RunReader::odometry() const {
       } else if (!poses.empty()) {
         T_world_camera = normalised(T_world_camera * T_previous_current);
       }
-      poses.push_back({motion.frame, motion.stamp_ns, T_world_camera});
+      poses.push_back(
+          {motion.frame, motion.stamp_ns, T_world_camera, !untracked.contains(motion.frame)});
     });
     return poses;
   });
 }
 
-const Result<std::vector<StampedPose>>& RunReader::map() const {
+const Result<evaluation::Trajectory>& RunReader::map() const {
   return once(map_, [&] {
-    std::vector<StampedPose> poses;
+    evaluation::Trajectory poses;
     const auto experiences = denseRows<Experience>(database_);
     const auto known = static_cast<std::int64_t>(experiences.size());
     std::unordered_map<std::int64_t, Eigen::Isometry3d> settled;
+    const std::set<std::int64_t> untracked = untrackedFrames(database_);
     forEachRow<FinalPose>(database_, "",
                           [&](const FinalPose& row) { settled[row.frame] = row.T_world_camera; });
     forEachRow<MapUpdate>(database_, "", [&](const MapUpdate& update) {
       Eigen::Isometry3d T_world_camera = update.T_world_camera;
-      if (const auto last_word = settled.find(update.frame); last_word != settled.end()) {
-        T_world_camera = last_word->second;
+      if (const auto final_pose = settled.find(update.frame); final_pose != settled.end()) {
+        T_world_camera = final_pose->second;
       } else if (update.experience >= 0 && update.experience < known) {
         const auto& experience = experiences[static_cast<std::size_t>(update.experience)];
         T_world_camera = experience.T_world_experience * update.T_experience_camera;
       }
-      poses.push_back({update.frame, update.stamp_ns, T_world_camera});
+      poses.push_back(
+          {update.frame, update.stamp_ns, T_world_camera, !untracked.contains(update.frame)});
     });
     return poses;
   });
 }
 
-Result<std::vector<Session>> RunReader::sessions() const { return records<Session>(); }
+Result<std::vector<RecordedSession>> RunReader::sessions() const {
+  return records<RecordedSession>();
+}
 
 Result<std::int64_t> RunReader::nextFrame() const {
   return answered(name_, [&] {
@@ -98,9 +123,9 @@ Result<std::int64_t> RunReader::nextFrame() const {
   });
 }
 
-Result<std::vector<StampedPose>> RunReader::truth() const {
+Result<evaluation::Trajectory> RunReader::truth() const {
   return answered(name_, [&] {
-    std::vector<StampedPose> poses;
+    evaluation::Trajectory poses;
     forEachRow<Frame>(database_, "WHERE \"has_truth\" <> 0", [&](const Frame& frame) {
       poses.push_back({frame.frame, frame.stamp_ns, frame.T_world_camera_truth});
     });
@@ -112,12 +137,13 @@ const Result<MapGraph>& RunReader::graph() const {
   return once(graph_, [&] {
     MapGraph graph;
     graph.experiences = denseRows<Experience>(database_);
-    graph.links = denseRows<Link>(database_);
     const auto count = static_cast<std::int64_t>(graph.experiences.size());
-    for (const Link& link : graph.links) {
+    for (const RecordedLink& link : denseRows<RecordedLink>(database_)) {
       if (std::min(link.from, link.to) < 0 || std::max(link.from, link.to) >= count) {
         throw BadRow("link " + std::to_string(link.id) + " ends at no experience");
       }
+      graph.links.push_back(link);
+      if (link.rejected) graph.rejected.push_back(link.id);
     }
     graph.version =
         integerOf(database_, "SELECT coalesce(max(\"version\"), 0) FROM \"map_update\"");
@@ -128,26 +154,15 @@ const Result<MapGraph>& RunReader::graph() const {
 Result<bool> RunReader::scaleKnown() const {
   return answered(name_, [&] {
     Statement last(database_, "SELECT \"scale_known\" FROM \"motion\" ORDER BY rowid DESC LIMIT 1");
-    return !last.step() || last.integer() != 0;
+    return !last.step() || last.next().getInt64() != 0;
   });
 }
 
-Result<Counters> RunReader::counters() const {
+Result<RunTotals> RunReader::totals() const {
   return answered(name_, [&] {
-    Counters counters;
-    counters.frames = count(database_, "\"frame\"");
-    counters.lost = count(database_, "\"motion\" WHERE \"state\" = 'lost'");
-    counters.templates = count(database_, "\"place\" WHERE \"recognition\" = 'novel'");
-    counters.experiences = count(database_, "\"experience\"");
-    counters.links = count(database_, "\"link\"");
-    counters.loops = count(database_, "\"link\" WHERE \"kind\" = 'loop'");
-    Statement stamps(database_,
-                     "SELECT coalesce(min(\"stamp_ns\"), 0), coalesce(max(\"stamp_ns\"), 0)"
-                     " FROM \"frame\"");
-    stamps.step();
-    counters.first_stamp_ns = stamps.integer();
-    counters.last_stamp_ns = stamps.integer();
-    return counters;
+    return RunTotals{count(database_, "\"frame\""),
+                     count(database_, "\"place\" WHERE \"recognition\" = 'novel'"),
+                     count(database_, "\"decision\" WHERE \"action\" = 'close_loop'")};
   });
 }
 

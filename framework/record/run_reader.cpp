@@ -21,21 +21,18 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
 RunReader::RunReader(std::filesystem::path directory, const std::filesystem::path& file)
     : directory_(std::move(directory)),
       name_(file.string()),
-      database_(file, Database::Mode::ReadOnly) {
-  database_.execute("BEGIN");  // all reads see one state
+      database_(openDatabase(file, Access::ReadOnly)) {
+  database_.exec("BEGIN");  // all reads see one state
   checkVersion();
 }
 
 void RunReader::checkVersion() const {
-  Statement tables(database_, "SELECT count(*) FROM sqlite_schema WHERE name = 'run'");
-  tables.step();
-  if (tables.integer() != 1) throw BadRow("is no run database; it has no table `run`");
+  if (!database_.tableExists("run")) throw BadRow("is no run database; it has no table `run`");
   Statement row(database_, "SELECT \"value\" FROM \"run\" WHERE \"key\" = 'schema_version'");
-  const std::string version = row.step() ? row.text() : "none";
-  if (version != std::to_string(kSchemaVersion)) {
-    throw BadRow("has schema version " + version + ", this program reads " +
-                 std::to_string(kSchemaVersion) + "; use the version that wrote it");
-  }
+  const std::string version = row.step() ? row.next().getString() : "none";
+  if (version == std::to_string(kSchemaVersion)) return;
+  throw BadRow("has schema version " + version + ", this program reads " +
+               std::to_string(kSchemaVersion) + "; run again to record it anew");
 }
 
 Result<std::vector<NamedArray>> RunReader::arrays(std::int64_t frame,
@@ -43,13 +40,22 @@ Result<std::vector<NamedArray>> RunReader::arrays(std::int64_t frame,
   return answered(name_, [&] { return readArrays(database_, frame, source); });
 }
 
+Result<std::vector<ArrayInfo>> RunReader::arrayInfos() const {
+  return answered(name_, [&] {
+    std::vector<ArrayInfo> infos;
+    forEachRow<RecordedArrayInfo>(
+        database_, "", [&](const RecordedArrayInfo& row) { infos.push_back(fromRow(row)); });
+    return infos;
+  });
+}
+
 Result<std::map<std::string, std::string>> RunReader::meta() const {
   return answered(name_, [&] {
     std::map<std::string, std::string> facts;
     Statement rows(database_, "SELECT \"key\", \"value\" FROM \"run\"");
     while (rows.step()) {
-      const std::string key = rows.text();
-      facts[key] = rows.text();
+      const std::string key = rows.next().getString();
+      facts[key] = rows.next().getString();
     }
     return facts;
   });
@@ -58,11 +64,9 @@ Result<std::map<std::string, std::string>> RunReader::meta() const {
 Result<std::map<std::string, std::vector<std::int64_t>>> RunReader::timing() const {
   return answered(name_, [&] {
     std::map<std::string, std::vector<std::int64_t>> durations;
-    Statement rows(database_, "SELECT \"stage\", \"duration_ns\" FROM \"timing\" ORDER BY rowid");
-    while (rows.step()) {
-      const std::string stage = rows.text();
-      durations[stage].push_back(rows.integer());
-    }
+    forEachRow<RecordedTiming>(database_, "", [&](const RecordedTiming& row) {
+      durations[row.stage].push_back(row.duration_ns);
+    });
     return durations;
   });
 }

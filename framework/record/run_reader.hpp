@@ -9,27 +9,22 @@
 #include <string>
 #include <vector>
 
-#include "record/pose_files.hpp"
-#include "record/session.hpp"
+#include "evaluation/trajectory.hpp"
+#include "record/rows.hpp"
 #include "record/store.hpp"
 
 namespace tolman::record {
 
-/// What a run has come to.
-struct Counters {
+/// Counts over all frames of the record. What the map holds is counted on graph().
+struct RunTotals {
   std::int64_t frames = 0;
-  std::int64_t lost = 0;       ///< frames with tracking lost
-  std::int64_t templates = 0;  ///< novel views
-  std::int64_t experiences = 0;
-  std::int64_t links = 0;
-  std::int64_t loops = 0;
-  std::int64_t first_stamp_ns = 0;
-  std::int64_t last_stamp_ns = 0;
+  std::int64_t templates = 0;       ///< frames with a novel view
+  std::int64_t loop_decisions = 0;  ///< frames with the decision close_loop
 };
 
-/// Sees the state at the time of opening, even while the run goes on; so trajectories and graph are
-/// composed once and kept. Not for two threads at once. A damaged database gives a failure, never
-/// wrong rows of the wrong shape.
+/// Reads the state at the time of opening, also while the run continues; trajectories and graph are
+/// therefore computed once and cached. Not thread-safe. A damaged database gives a failure, never
+/// rows of a wrong shape.
 class RunReader {
  public:
   static Result<std::unique_ptr<RunReader>> open(const std::filesystem::path& directory);
@@ -45,20 +40,28 @@ class RunReader {
   }
   /// The named arrays of a frame: source "sensors" or "cells".
   Result<std::vector<NamedArray>> arrays(std::int64_t frame, std::string_view source) const;
+  /// Calls visit(const RecordedArray&) for each array of the cells, frame by frame.
+  template <class Visit>
+  Status visitCellArrays(Visit&& visit) const {
+    return guarded(
+        name_, [&] { forEachRow<RecordedArray>(database_, "WHERE \"source\" = 'cells'", visit); });
+  }
+  /// Their descriptions, in the order of RunInfo::arrays.
+  Result<std::vector<ArrayInfo>> arrayInfos() const;
 
-  /// The runs whose frames are here, in order; at least one where there are frames.
-  Result<std::vector<Session>> sessions() const;
+  /// The sessions whose frames are recorded, in order; at least one where there are frames.
+  Result<std::vector<RecordedSession>> sessions() const;
   /// One more than the last frame.
   Result<std::int64_t> nextFrame() const;
   /// The motions with their last revisions, composed; each session starts with the identity.
-  const Result<std::vector<StampedPose>>& odometry() const;
-  /// Each frame where the finished map has it; of a run that was killed before, on its experience,
-  /// by the experiences as last known.
-  const Result<std::vector<StampedPose>>& map() const;
+  const Result<evaluation::Trajectory>& odometry() const;
+  /// Poses in the finished map. For a killed run: the latest pose of the frame's experience,
+  /// composed with the frame's pose relative to it.
+  const Result<evaluation::Trajectory>& map() const;
   /// The true poses of the frames that have one.
-  Result<std::vector<StampedPose>> truth() const;
+  Result<evaluation::Trajectory> truth() const;
   const Result<MapGraph>& graph() const;
-  Result<Counters> counters() const;
+  Result<RunTotals> totals() const;
   /// Whether the last motion was in metres; true where there is none.
   Result<bool> scaleKnown() const;
   Result<std::map<std::string, std::string>> meta() const;
@@ -80,8 +83,8 @@ class RunReader {
   std::filesystem::path directory_;
   std::string name_;  // of the file, for messages
   Database database_;
-  mutable std::optional<Result<std::vector<StampedPose>>> odometry_;
-  mutable std::optional<Result<std::vector<StampedPose>>> map_;
+  mutable std::optional<Result<evaluation::Trajectory>> odometry_;
+  mutable std::optional<Result<evaluation::Trajectory>> map_;
   mutable std::optional<Result<MapGraph>> graph_;
 };
 

@@ -1,120 +1,75 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/schema.hpp"
 
-#include "record/session.hpp"
+#include "record/rows.hpp"
 
 namespace tolman::record {
 namespace {
 
-const char* const kFrameKey = ", PRIMARY KEY (\"frame\")";
-const char* const kFrameForeignKey =
-    ", PRIMARY KEY (\"frame\"), FOREIGN KEY (\"frame\") REFERENCES \"frame\" (\"frame\")";
+std::string primaryKey(const std::string& column) { return ", PRIMARY KEY (\"" + column + "\")"; }
+
+/// `column` refers to the key of table `parent`.
+std::string reference(const std::string& column, const std::string& parent,
+                      const std::string& key) {
+  return ", FOREIGN KEY (\"" + column + "\") REFERENCES \"" + parent + "\" (\"" + key + "\")";
+}
+
+std::string frameReference() { return reference("frame", "frame", "frame"); }
 
 template <Record R>
-Table table(std::string doc, std::string constraints) {
-  return {R::kRecord, std::move(doc), columnsOf<R>(), std::move(constraints)};
+Table table(std::string doc, std::string constraints, bool deterministic = true) {
+  return {R::kRecord, std::move(doc), columnsOf<R>(), std::move(constraints), deterministic};
 }
 
-Table motionRevisionTable() {
-  Table result = table<MotionRevision>(
-      "better values for earlier motions, in the order of announcement (rowid); of several for one "
-      "frame the last counts",
-      ", FOREIGN KEY (\"frame\") REFERENCES \"frame\" (\"frame\")"
-      ", FOREIGN KEY (\"announced_at\") REFERENCES \"frame\" (\"frame\")");
-  result.columns.insert(result.columns.begin(), announcedAt());
-  return result;
+/// A table with one row per frame.
+template <Record R>
+Table frameTable(std::string doc) {
+  return table<R>(std::move(doc), primaryKey("frame") + frameReference());
 }
 
-Table linkTable() {
-  return table<Link>("links of the experience map as last known",
-                     ", PRIMARY KEY (\"id\")"
-                     ", FOREIGN KEY (\"from\") REFERENCES \"experience\" (\"id\")"
-                     ", FOREIGN KEY (\"to\") REFERENCES \"experience\" (\"id\")"
-                     ", FOREIGN KEY (\"frame\") REFERENCES \"frame\" (\"frame\")");
-}
-
-Table experienceTable() {
-  return table<Experience>("nodes of the experience map as last known",
-                           ", PRIMARY KEY (\"id\")"
-                           ", FOREIGN KEY (\"frame\") REFERENCES \"frame\" (\"frame\")");
-}
-
-Table finalPoseTable() {
-  return table<FinalPose>("where each frame was, by all that the map knew after the last one",
-                          kFrameForeignKey);
-}
-
-Table sessionTable() {
-  return table<Session>("the runs whose frames are recorded here, this one the last",
-                        ", PRIMARY KEY (\"id\")");
-}
-
-Table arrayTable() {
-  return {"array",
-          "named arrays of a frame: its sensors, and the state of the cells",
-          {{"frame", "INTEGER", "", "the frame"},
-           {"source", "TEXT", "", "field of the frame record (sensors), or cells"},
-           {"name", "TEXT", "", "name of the array"},
-           {"shape", "TEXT", "", "sizes, slowest first, e.g. 10x36"},
-           {"values", "BLOB", "", "float32, row-major"}},
-          ", PRIMARY KEY (\"frame\", \"source\", \"name\")"
-          ", FOREIGN KEY (\"frame\") REFERENCES \"frame\" (\"frame\")"};
-}
-
-Table timingTable() {
-  return {"timing",
-          "how long stages took; never the same twice",
-          {{"frame", "INTEGER", "", "the frame"},
-           {"stage", "TEXT", "", "name of the stage"},
-           {"duration_ns", "INTEGER", "ns", "time of the machine"}},
-          "",
-          false};
-}
-
-Table eventTable() {
-  return {"event",
-          "warnings, errors and notes",
-          {{"frame", "INTEGER", "", "the frame, -1 for none"},
-           {"level", "TEXT", "", "debug, info, warning or error"},
-           {"source", "TEXT", "", "who says it"},
-           {"message", "TEXT", "", "what"},
-           {"time_ns", "INTEGER", "ns", "time of the machine since 1970"}},
-          "",
-          false};
-}
-
-Table runTable() {
-  return {"run",
-          "facts about the run, among them schema_version",
-          {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
-          ", PRIMARY KEY (\"key\")",
-          false};
+Table revisionTable() {
+  Table revisions = table<MotionRevision>(
+      "improved motions of earlier frames, in the order of arrival (rowid); the last one of a "
+      "frame is valid",
+      frameReference() + reference("announced_at", "frame", "frame"));
+  revisions.columns.insert(revisions.columns.begin(), announcedAt());
+  return revisions;
 }
 
 }  // namespace
 
 Column announcedAt() {
   return {"announced_at", "INTEGER NULL", "",
-          "the frame with which it came; NULL after the last frame"};
+          "the frame whose motion brought it; NULL after the last frame"};
 }
 
 std::vector<Table> schema() {
   return {
-      runTable(),
-      sessionTable(),
+      {"run",
+       "properties of the run, among them schema_version",
+       {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
+       primaryKey("key"),
+       false},
+      table<RecordedSession>("the runs whose frames are recorded here, this one the last",
+                             primaryKey("id")),
       table<CameraRig>("the cameras; one row", ""),
-      table<Frame>("exposures, without the images", kFrameKey),
-      table<Motion>("what odometry said; points only where points_frame is new", kFrameForeignKey),
-      motionRevisionTable(),
-      table<PlaceObservation>("what place recognition said", kFrameForeignKey),
-      table<Decision>("what the spatial cells decided", kFrameForeignKey),
-      table<MapUpdate>("what the map said", kFrameForeignKey),
-      finalPoseTable(),
-      experienceTable(),
-      linkTable(),
-      arrayTable(),
-      timingTable(),
-      eventTable(),
+      table<Frame>("exposures, without the images", primaryKey("frame")),
+      frameTable<Motion>("answers of odometry; points only where points_frame is new"),
+      revisionTable(),
+      frameTable<PlaceObservation>("answers of place recognition"),
+      frameTable<Decision>("decisions of the spatial cells"),
+      frameTable<MapUpdate>("answers of the map"),
+      frameTable<FinalPose>("pose of each frame in the finished map"),
+      table<Experience>("nodes of the experience map, latest values",
+                        primaryKey("id") + frameReference()),
+      table<RecordedLink>("links of the experience map, latest values",
+                          primaryKey("id") + reference("from", "experience", "id") +
+                              reference("to", "experience", "id") + frameReference()),
+      table<RecordedArrayInfo>("descriptions of the named arrays, constant over a run", ""),
+      table<RecordedArray>("named arrays of a frame: its sensors, and the state of the cells",
+                           ", PRIMARY KEY (\"frame\", \"source\", \"name\")" + frameReference()),
+      table<RecordedTiming>("computing time of each stage and frame", "", false),
+      table<RecordedEvent>("warnings, errors and notes", "", false),
   };
 }
 

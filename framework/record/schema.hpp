@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of run.sqlite: one a record kind, generated from the record's field list, and four
-// that are not records. All are STRICT, all columns NOT NULL unless said.
+// The tables of run.sqlite: one per kind of record, generated from its field list, and a few that
+// hold no records. All are STRICT; columns are NOT NULL where nothing else is said.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace tolman::record {
 
-inline constexpr std::int64_t kSchemaVersion = 2;
+inline constexpr std::int64_t kSchemaVersion = 3;
 
 struct Table {
   std::string name;
@@ -21,7 +21,7 @@ struct Table {
   bool deterministic = true;
 };
 
-/// In an order in which they can be created and filled.
+/// Parents of foreign keys come first.
 std::vector<Table> schema();
 
 std::string createSql(const Table& table);
@@ -32,7 +32,7 @@ std::string columnList(const Columns& columns);
 /// INSERT for `columns` with one `?` each.
 std::string insertSql(const std::string& table, const Columns& columns);
 
-/// The column of a table of nested records that says with which frame they came.
+/// The column of a table of nested records that holds the frame of the enclosing record.
 Column announcedAt();
 
 }  // namespace tolman::record

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/store.hpp"
 
-#include <algorithm>
 #include <charconv>
-#include <cstring>
+
+#include "record/rows.hpp"
 
 namespace tolman::record {
 namespace {
@@ -33,6 +33,17 @@ std::vector<int> shapeOf(const std::string& text) {
   return shape;
 }
 
+void checkSize(const NamedArray& array) {
+  std::size_t size = 1;
+  for (const int side : array.shape) {
+    const bool fits =
+        side >= 0 && (side == 0 || size <= array.values.size() / static_cast<std::size_t>(side));
+    if (!fits) throw BadRow("an array's shape does not fit its values");
+    size *= static_cast<std::size_t>(side);
+  }
+  if (size != array.values.size()) throw BadRow("an array's shape does not fit its values");
+}
+
 }  // namespace
 
 std::string StoreWriter::upsertSql(const std::string& table, const Columns& columns) {
@@ -48,54 +59,24 @@ std::string StoreWriter::upsertSql(const std::string& table, const Columns& colu
   return sql;
 }
 
-Statement& StoreWriter::insertion(std::string_view table) {
-  return statement(table, [&] {
-    const std::vector<Table> tables = schema();
-    const auto found = std::ranges::find(tables, table, &Table::name);
-    return insertSql(found->name, found->columns);
-  });
-}
-
 void StoreWriter::insertArrays(std::int64_t frame, std::string_view source,
                                const std::vector<NamedArray>& arrays) {
-  Statement& row = insertion("array");
   for (const NamedArray& array : arrays) {
-    row.bind(frame);
-    row.bind(source);
-    row.bind(std::string_view(array.name));
-    row.bind(std::string_view(shapeText(array.shape)));
-    row.bind(std::as_bytes(std::span(array.values)));
-    row.run();
+    insert(RecordedArray{frame, std::string(source), array.name, shapeText(array.shape),
+                         Eigen::Map<const Eigen::RowVectorXf>(
+                             array.values.data(), static_cast<Eigen::Index>(array.values.size()))});
   }
 }
 
 std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
                                    std::string_view source) {
-  Statement rows(database,
-                 "SELECT \"name\", \"shape\", \"values\" FROM \"array\""
-                 " WHERE \"frame\" = ? AND \"source\" = ? ORDER BY rowid");
-  rows.bind(frame);
-  rows.bind(source);
   std::vector<NamedArray> arrays;
-  while (rows.step()) {
-    NamedArray& array = arrays.emplace_back();
-    array.name = rows.text();
-    array.shape = shapeOf(rows.text());
-    const std::vector<std::byte> bytes = rows.blob();
-    if (bytes.size() % sizeof(float) != 0) throw BadRow("an array has a broken number of bytes");
-    std::size_t size = 1;
-    for (const int side : array.shape) {
-      if (side < 0 || (side > 0 && size > bytes.size() / static_cast<std::size_t>(side))) {
-        throw BadRow("an array's shape does not fit its values");
-      }
-      size *= static_cast<std::size_t>(side);
-    }
-    if (size != bytes.size() / sizeof(float)) {
-      throw BadRow("an array's shape does not fit its values");
-    }
-    array.values.resize(size);
-    if (!bytes.empty()) std::memcpy(array.values.data(), bytes.data(), bytes.size());
-  }
+  const std::string condition = "WHERE \"frame\" = " + std::to_string(frame) +
+                                " AND \"source\" = '" + std::string(source) + "'";
+  forEachRow<RecordedArray>(database, condition, [&](const RecordedArray& row) {
+    arrays.push_back({row.name, shapeOf(row.shape), {row.values.begin(), row.values.end()}});
+    checkSize(arrays.back());
+  });
   return arrays;
 }
 

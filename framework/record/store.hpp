@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Records into tables and out of them, nested lists included. Throws; knows no transactions.
+// Writes records to tables and reads them, nested lists included. Throws on errors; transactions
+// are the caller's.
 #pragma once
 
 #include <map>
@@ -16,7 +17,7 @@ inline constexpr bool kIsRecordList = false;
 template <Record R>
 inline constexpr bool kIsRecordList<std::vector<R>> = true;
 
-/// Writes, with each statement prepared once.
+/// Prepares each statement once.
 class StoreWriter {
  public:
   explicit StoreWriter(Database& database) : database_(database) {}
@@ -37,7 +38,7 @@ class StoreWriter {
     row.run();
   }
 
-  /// A row of a nested list; no frame: it came after the last one.
+  /// A row of a nested list; `frame` is that of the enclosing record, none after the last frame.
   template <Record R>
   void insertAnnounced(std::optional<std::int64_t> frame, const R& record) {
     Statement& row = statement(R::kRecord, [] {
@@ -45,7 +46,7 @@ class StoreWriter {
       columns.insert(columns.begin(), announcedAt());
       return insertSql(R::kRecord, columns);
     });
-    frame ? row.bind(*frame) : row.bindNull();
+    frame ? row.bindNext(*frame) : row.bindNext();
     Codec<R>::bind(row, record);
     row.run();
   }
@@ -53,16 +54,13 @@ class StoreWriter {
   void insertArrays(std::int64_t frame, std::string_view source,
                     const std::vector<NamedArray>& arrays);
 
-  /// The insertion into a table of the schema, to be bound and run.
-  Statement& insertion(std::string_view table);
-
  private:
   template <Record R>
   void insertLists(const R& record) {
     visitFields(record, [&]([[maybe_unused]] const Field& field, const auto& value) {
       using T = std::remove_cvref_t<decltype(value)>;
       if constexpr (!requires { record.frame; }) {
-        static_assert(!StoredElsewhere<T>, "a list hangs on a frame");
+        static_assert(!StoredElsewhere<T>, "only records with a frame may have lists");
       } else if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {
         insertArrays(record.frame, field.name, value);
       } else if constexpr (kIsRecordList<T>) {
@@ -105,7 +103,7 @@ void forEachRow(const Database& database, const std::string& condition, Visit&& 
 
 template <Record R>
 void readLists(const Database& database, R& record) {
-  if constexpr (requires { record.frame; }) {  // lists hang on frames
+  if constexpr (requires { record.frame; }) {  // only records with a frame have lists
     visitFields(record, [&]([[maybe_unused]] const Field& field, auto& value) {
       using T = std::remove_cvref_t<decltype(value)>;
       if constexpr (std::is_same_v<T, std::vector<NamedArray>>) {

@@ -36,7 +36,7 @@ std::vector<double> ticks(const Range& range, int wanted) {
   const double step = stepOf(range, wanted);
   const double slack = 1e-9 * range.length();
   const double first = std::ceil((range.low - slack) / step);
-  if (std::abs(first) > 1e12) return {range.low};  // the steps are lost in the digits
+  if (std::abs(first) > 1e12) return {range.low};  // steps below the precision of a double
   std::vector<double> values;
   for (double i = first; i * step <= range.high + slack; ++i) values.push_back(i * step);
   return values;
@@ -59,7 +59,7 @@ Axes::Axes(Svg& svg, AxesPlan plan) : svg_(svg), plan_(std::move(plan)) {
   if (!plan_.y_label.empty()) drawY();
   svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "none", kFrameColour);
   const double middle = plan_.place.center().x();
-  svg_.text({middle, plan_.place.min().y() - 26}, plan_.title, {Anchor::Middle, 13, 0, true});
+  svg_.text({middle, plan_.place.min().y() - 26}, plan_.title, {TextAnchor::Middle, 13, 0, true});
 }
 
 void Axes::fit() {
@@ -80,9 +80,9 @@ void Axes::drawX() {
     const double x = at(value, plan_.y.low).x();
     svg_.line({x, plan_.place.min().y()}, {x, bottom}, kGridColour);
     svg_.line({x, bottom}, {x, bottom + 4}, kFrameColour);
-    svg_.text({x, bottom + 17}, tickText(value, step), {Anchor::Middle, 11});
+    svg_.text({x, bottom + 17}, tickText(value, step), {TextAnchor::Middle, 11});
   }
-  svg_.text({plan_.place.center().x(), bottom + 34}, plan_.x_label, {Anchor::Middle, 12});
+  svg_.text({plan_.place.center().x(), bottom + 34}, plan_.x_label, {TextAnchor::Middle, 12});
 }
 
 void Axes::drawY() {
@@ -93,9 +93,9 @@ void Axes::drawY() {
     const double y = at(plan_.x.low, value).y();
     svg_.line({left, y}, {plan_.place.max().x(), y}, kGridColour);
     svg_.line({left - 4, y}, {left, y}, kFrameColour);
-    svg_.text({left - 7, y + 4}, tickText(value, step), {Anchor::End, 11});
+    svg_.text({left - 7, y + 4}, tickText(value, step), {TextAnchor::End, 11});
   }
-  svg_.text({left - 46, plan_.place.center().y()}, plan_.y_label, {Anchor::Middle, 12, -90});
+  svg_.text({left - 46, plan_.place.center().y()}, plan_.y_label, {TextAnchor::Middle, 12, -90});
 }
 
 Eigen::Vector2d Axes::at(double x, double y) const {
@@ -118,7 +118,7 @@ void Axes::legend(const std::vector<Entry>& entries) {
   const double y = plan_.place.min().y() - 8;
   for (const Entry& entry : entries) {
     svg_.line({x, y - 4}, {x + 16, y - 4}, entry.colour, 3);
-    svg_.text({x + 20, y}, entry.name, {Anchor::Start, 11});
+    svg_.text({x + 20, y}, entry.name, {TextAnchor::Start, 11});
     x += 34 + 6.3 * static_cast<double>(entry.name.size());
   }
 }

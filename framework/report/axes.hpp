@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A frame with ticks and labels, and the way from values to pixels.
+// A coordinate frame with ticks and labels; converts values to pixels.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,10 +19,10 @@ struct Range {
 
 /// Round values (1, 2 or 5 times a power of ten) within the range, about `wanted` of them.
 std::vector<double> ticks(const Range& range, int wanted);
-/// As short as the steps of the axis allow: "0.25", "1500".
+/// With as many decimals as the step of the axis needs: "0.25", "1500".
 std::string tickText(double value, double step);
 
-/// Where the frame of axes stands, px.
+/// Position of the frame in the picture, px.
 inline Eigen::AlignedBox2d frame(double left, double top, double right, double bottom) {
   return {Eigen::Vector2d(left, top), Eigen::Vector2d(right, bottom)};
 }
@@ -34,7 +34,7 @@ struct AxesPlan {
   Range x;
   Range y;
   Eigen::AlignedBox2d place;  ///< of the frame, px
-  bool equal = false;         ///< one scale for both: the frame shrinks to it
+  bool equal = false;         ///< equal scales; the frame is made smaller to fit
 };
 
 class Axes {
@@ -44,9 +44,8 @@ class Axes {
 
   Eigen::Vector2d at(double x, double y) const;
   double pixelsX(double length) const { return length * scale_.x(); }
-  double pixelsY(double length) const { return length * scale_.y(); }
   const Eigen::AlignedBox2d& box() const { return plan_.place; }
-  /// Values outside of the frame are pulled to its edge.
+  /// Values outside the frame are clamped to it.
   void polyline(const std::vector<double>& x, const std::vector<double>& y, const char* colour,
                 double thickness = 1.5);
 

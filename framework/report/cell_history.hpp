@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The neural activity over a run: one ring (head direction) and one sheet (grid).
+// The recorded arrays of the spatial cells over a run, told apart by their descriptions
+// (ArrayInfo).
 #pragma once
 
 #include <cstdint>
@@ -9,24 +10,31 @@
 
 namespace tolman::report {
 
-/// Activity of a population at the frames where it was recorded; a row a frame.
+/// One array at the frames where it was recorded.
 struct PopulationHistory {
-  std::string name;
+  ArrayInfo info;  ///< the name alone where the array has no description
   std::vector<int> shape;
   std::vector<std::int64_t> frames;
-  std::vector<std::vector<float>> activity;  ///< each as large as the shape
+  std::vector<std::vector<float>> activity;  ///< one row per frame, as large as the shape
+  std::size_t stride = 1;                    ///< of `others`: every stride-th array was kept
+  std::size_t seen = 0;
 
   bool empty() const { return frames.empty(); }
 };
 
 struct CellHistory {
-  PopulationHistory ring;
-  PopulationHistory sheet;
+  PopulationHistory ring;   ///< head direction: the first activity over one periodic axis
+  PopulationHistory sheet;  ///< grid: the first activity over two axes
+  std::vector<PopulationHistory> others;  ///< all other arrays, at 240 frames at most
 };
 
-/// At the frames of `decisions`: the first arrays of the cells whose names end in ".activity", of
-/// one and of two dimensions.
+/// Reads the arrays at the frames of `decisions`.
 Result<CellHistory> readCells(const record::RunReader& reader,
                               const std::vector<Decision>& decisions);
+
+/// What index `i` of an axis stands for, within [0, period) of a periodic axis.
+double axisValue(const ArrayAxis& axis, std::size_t i);
+/// The same in radians, for an axis of angles in "deg" or "rad".
+double axisAngle(const ArrayAxis& axis, std::size_t i);
 
 }  // namespace tolman::report

@@ -10,26 +10,18 @@
 namespace tolman::report {
 
 std::string rateColour(double value) {
-  static constexpr std::array<std::array<double, 3>, 9> kAnchors = {{{68, 1, 84},
-                                                                     {71, 44, 122},
-                                                                     {59, 81, 139},
-                                                                     {44, 113, 142},
-                                                                     {33, 144, 141},
-                                                                     {39, 173, 129},
-                                                                     {92, 200, 99},
-                                                                     {170, 220, 50},
-                                                                     {253, 231, 37}}};
+  static constexpr std::array<int, 9> kAnchors = {0x440154, 0x472c7a, 0x3b518b, 0x2c718e, 0x21908d,
+                                                  0x27ad81, 0x5cc863, 0xaadc32, 0xfde725};
   const double place =
       std::clamp(std::isfinite(value) ? value : 0, 0.0, 1.0) * (kAnchors.size() - 1);
   const auto below = std::min(static_cast<std::size_t>(place), kAnchors.size() - 2);
   const double part = place - static_cast<double>(below);
-  std::array<int, 3> colour{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double mixed =
-        (1 - part) * kAnchors.at(below).at(i) + part * kAnchors.at(below + 1).at(i);
-    colour.at(i) = static_cast<int>(std::lround(mixed));
+  long colour = 0;
+  for (const int shift : {16, 8, 0}) {
+    const auto channel = [&](std::size_t i) { return kAnchors.at(i) >> shift & 0xff; };
+    colour = colour << 8 | std::lround((1 - part) * channel(below) + part * channel(below + 1));
   }
-  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+  return fmt::format("#{:06x}", colour);
 }
 
 void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,
@@ -41,8 +33,8 @@ void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,
     svg.rectangle({left + i * cell.x(), middle.y() - cell.y() / 2}, cell,
                   rateColour(i / (kSteps - 1.0)));
   }
-  svg.text({left - 6, middle.y() + 4}, low, {Anchor::End, 11});
-  svg.text({left + kSteps * cell.x() + 6, middle.y() + 4}, high, {Anchor::Start, 11});
+  svg.text({left - 6, middle.y() + 4}, low, {TextAnchor::End, 11});
+  svg.text({left + kSteps * cell.x() + 6, middle.y() + 4}, high, {TextAnchor::Start, 11});
 }
 
 }  // namespace tolman::report

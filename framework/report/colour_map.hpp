@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colours for rates: dark for none, bright for most, even steps to the eye, and to those who see
-// few colours (anchors of viridis; S. van der Walt and N. Smith, 2015).
+// Colour map viridis (S. van der Walt and N. Smith, 2015), interpolated between nine of its
+// colours: perceptually uniform, also with colour blindness.
 #pragma once
 
 #include <string>

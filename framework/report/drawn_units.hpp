@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which single units a report draws.
+// The units whose firing rate maps a report draws.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "report/walk.hpp"
+#include "report/activity_path.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::report {
 
-/// Counted from 0. Of the ring the opposite unit is drawn as well.
+/// Indices from 0. Of the head direction ring the opposite unit is drawn as well.
 struct UnitChoice {
   std::size_t head_direction = 0;
   std::size_t row = 0;
@@ -22,12 +22,12 @@ enum class Population : std::uint8_t { Ring, Sheet };
 struct DrawnUnit {
   Population population = Population::Ring;
   std::size_t unit = 0;  ///< from 0, row by row
-  std::string name;      ///< counts from 1
+  std::string name;      ///< with indices from 1
   RateMap rates;
+  std::string phase;  ///< of a grid unit: what its indices stand for, "(0, 2.5) m"
 };
 
-/// First those of the ring, as far as the run has them. InvalidParameter for a unit beyond the
-/// run's.
+/// Units of the ring first. InvalidParameter for a unit that the run does not have.
 Result<std::vector<DrawnUnit>> drawnUnits(const CellHistory& cells,
                                           const evaluation::Trajectory& map,
                                           const UnitChoice& choice);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The figures of a report, each as SVG text; empty where the run has nothing to show.
+// The figures of a report, each as SVG text; empty where the record has no data for it.
 #pragma once
 
 #include <string>
@@ -21,6 +21,9 @@ std::string templateFigure(const std::vector<PlaceObservation>& places);
 
 /// Activity of head direction ring and grid sheet at the start, and at thirds of the run.
 std::string activityFigure(const CellHistory& cells, const std::vector<Decision>& decisions);
+
+/// Each array over time: lines for up to five values, else a heat map.
+std::string arrayFigure(const std::vector<PopulationHistory>& arrays);
 
 /// Where single units fire on the path of the map, with the tuning curve of the first.
 std::string firingFigure(const Neurons& neurons, const std::vector<DrawnUnit>& units);

@@ -40,26 +40,28 @@ Axes drawRates(Svg& svg, const Eigen::Vector2d& corner, const std::string& title
 }
 
 std::string periodicityText(const Neurons& neurons, const GridUnit& unit) {
-  if (!unit.periodicity || !neurons.chance) return "too narrow a way to tell of a square lattice";
+  if (!unit.periodicity || !neurons.chance)
+    return "the path is too narrow to measure a square lattice";
   const Periodicity& lattice = *unit.periodicity;
   return fmt::format("square lattice {:.2f}, by chance {:.2f}: {:.0f} m at {:.0f} deg",
                      lattice.score, *neurons.chance, lattice.spacing, lattice.direction * kDegrees);
 }
 
-/// Each of its fields in a ring.
+/// Rate map with a circle around each field.
 void drawGridUnit(Svg& svg, const Neurons& neurons, const DrawnUnit& drawn) {
   constexpr double kRing = 14;       // px
   constexpr double kBelowAxes = 52;  // px
   const GridUnit& unit = neurons.sheet[drawn.unit];
-  const Axes axes = drawRates(svg, {0, kPanel},
-                              fmt::format("{}: {} field{}, {:.2f} bits", drawn.name, unit.fields,
-                                          unit.fields == 1 ? "" : "s", unit.bits),
-                              drawn.rates);
+  const Axes axes =
+      drawRates(svg, {0, kPanel},
+                fmt::format("{}, phase {}: {} field{}, {:.2f} bits", drawn.name, drawn.phase,
+                            unit.fields, unit.fields == 1 ? "" : "s", unit.bits),
+                drawn.rates);
   for (const Eigen::Vector2d& centre : fields(drawn.rates)) {
     svg.circle(axes.at(centre.x(), centre.y()), kRing, "none", kVermilion);
   }
   svg.text({axes.box().center().x(), axes.box().max().y() + kBelowAxes},
-           periodicityText(neurons, unit), {Anchor::Middle, 11});
+           periodicityText(neurons, unit), {TextAnchor::Middle, 11});
 }
 
 void drawTuning(Svg& svg, const Eigen::Vector2d& corner, const std::string& title,

@@ -18,13 +18,17 @@ constexpr double kRight = 30;
 constexpr double kBottom = 50;
 constexpr double kLeastWidth = 520;  // for the legend
 constexpr std::size_t kPanelsInARow = 3;
-constexpr double kPixelsPerCircle = 2.5;  // with less room experiences are dots
+constexpr double kPixelsPerCircle = 2.5;  // with less room experiences are drawn as dots
 
-/// What of the plane is shown. Forward at the start is up, or to the right where the path is much
-/// longer than wide.
-class View {
+bool isAcceptedLoop(const MapGraph& graph, const Link& link) {
+  return link.kind == LinkKind::Loop && !graph.isRejected(link);
+}
+
+/// The part of the plane that is drawn. Forward at the start is up, or to the right where the path
+/// is more than twice as long as wide.
+class PlanView {
  public:
-  explicit View(const std::vector<MapPicture>& pictures) {
+  explicit PlanView(const std::vector<MapPicture>& pictures) {
     for (const MapPicture& picture : pictures) {
       for (const auto* line : {&picture.truth, &picture.odometry, &picture.map}) {
         for (const auto& pose : *line) box_.extend(inPlane(pose.T_world_camera.translation()));
@@ -63,39 +67,29 @@ class View {
   bool lying_ = false;
 };
 
-class Drawing {
- public:
-  Drawing(Svg& svg, const View& view, const Axes& axes) : svg_(svg), view_(view), axes_(axes) {}
-
-  void line(const evaluation::Trajectory& trajectory, const char* colour, double thickness) {
-    std::vector<Eigen::Vector2d> points;
-    for (const auto& pose : trajectory) {
-      points.push_back(view_.at(axes_, pose.T_world_camera.translation()));
-    }
-    svg_.polyline(points, colour, thickness);
+void drawPath(Svg& svg, const PlanView& view, const Axes& axes,
+              const evaluation::Trajectory& trajectory, const char* colour, double thickness) {
+  std::vector<Eigen::Vector2d> points;
+  for (const auto& pose : trajectory) {
+    points.push_back(view.at(axes, pose.T_world_camera.translation()));
   }
+  svg.polyline(points, colour, thickness);
+}
 
-  void graph(const MapGraph& graph) {
-    const auto at = [&](std::int64_t id) {
-      const Experience& experience = graph.experiences[static_cast<std::size_t>(id)];
-      return view_.at(axes_, experience.T_world_experience.translation());
-    };
-    const double room = axes_.box().sizes().maxCoeff() / kPixelsPerCircle;
-    const bool many = static_cast<double>(graph.experiences.size()) > room;
-    for (const Experience& experience : graph.experiences) {
-      svg_.circle(at(experience.id), many ? 1.2 : 3, many ? kGreen : "none",
-                  many ? "none" : kGreen);
-    }
-    for (const Link& link : graph.links) {
-      if (link.kind == LinkKind::Loop) svg_.line(at(link.from), at(link.to), kVermilion, 2);
-    }
+void drawGraph(Svg& svg, const PlanView& view, const Axes& axes, const MapGraph& graph) {
+  const auto at = [&](std::int64_t id) {
+    const Experience& experience = graph.experiences[static_cast<std::size_t>(id)];
+    return view.at(axes, experience.T_world_experience.translation());
+  };
+  const double room = axes.box().sizes().maxCoeff() / kPixelsPerCircle;
+  const bool many = static_cast<double>(graph.experiences.size()) > room;
+  for (const Experience& experience : graph.experiences) {
+    svg.circle(at(experience.id), many ? 1.2 : 3, many ? kGreen : "none", many ? "none" : kGreen);
   }
-
- private:
-  Svg& svg_;
-  const View& view_;
-  const Axes& axes_;
-};
+  for (const Link& link : graph.links) {
+    if (isAcceptedLoop(graph, link)) svg.line(at(link.from), at(link.to), kVermilion, 2);
+  }
+}
 
 std::vector<Axes::Entry> entries(const MapPicture& picture) {
   std::vector<Axes::Entry> list;
@@ -103,49 +97,48 @@ std::vector<Axes::Entry> entries(const MapPicture& picture) {
   list.push_back({kOrange, "odometry"});
   list.push_back({kBlue, "map"});
   list.push_back({kGreen, fmt::format("{} experiences", picture.graph.experiences.size())});
-  const auto loops = std::ranges::count(picture.graph.links, LinkKind::Loop, &Link::kind);
+  const auto loops = std::ranges::count_if(
+      picture.graph.links, [&](const Link& link) { return isAcceptedLoop(picture.graph, link); });
   list.push_back({kVermilion, fmt::format("{} loop link{}", loops, loops == 1 ? "" : "s")});
   return list;
 }
 
-void drawMap(Svg& svg, const View& view, const MapPicture& picture, const std::string& title,
+void drawMap(Svg& svg, const PlanView& view, const MapPicture& picture, const std::string& title,
              const Eigen::AlignedBox2d& place) {
   Axes axes(svg, view.plan(title, place));
-  Drawing drawing(svg, view, axes);
-  if (!picture.truth.empty()) drawing.line(picture.truth, kGrey, 4);
-  drawing.line(picture.odometry, kOrange, 1.5);
-  drawing.line(picture.map, kBlue, 1.5);
-  drawing.graph(picture.graph);
+  if (!picture.truth.empty()) drawPath(svg, view, axes, picture.truth, kGrey, 4);
+  drawPath(svg, view, axes, picture.odometry, kOrange, 1.5);
+  drawPath(svg, view, axes, picture.map, kBlue, 1.5);
+  drawGraph(svg, view, axes, picture.graph);
   axes.legend(entries(picture));
 }
 
-}  // namespace
-
-std::string svgText(const MapPicture& picture) {
-  const View view({picture});
-  const Eigen::Vector2d size = view.pixels(kLongSide);
-  Svg svg(std::max(kLeft + size.x() + kRight, kLeastWidth), kTop + size.y() + kBottom);
-  drawMap(svg, view, picture, picture.title, frame(kLeft, kTop, kLeft + size.x(), kTop + size.y()));
-  return svg.take();
-}
-
-std::string comparisonText(const std::vector<MapPicture>& pictures) {
-  const View view(pictures);
-  const Eigen::Vector2d size = view.pixels(kPanelSide);
+/// A panel for each picture, all with the same axes; several are lettered.
+std::string panels(const std::vector<MapPicture>& pictures, double long_side) {
+  const PlanView view(pictures);
+  const Eigen::Vector2d size = view.pixels(long_side);
   const Eigen::Vector2d cell(std::max(kLeft + size.x() + kRight, kLeastWidth),
                              kTop + size.y() + kBottom);
   const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
   const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
   Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const std::size_t row = i / kPanelsInARow;
     const double left = kLeft + cell.x() * static_cast<double>(i % kPanelsInARow);
-    const double top = kTop + cell.y() * static_cast<double>(row);
-    const std::string title =
-        fmt::format("({}) {}", static_cast<char>('a' + i % 26), pictures[i].title);
-    drawMap(svg, view, pictures[i], title, frame(left, top, left + size.x(), top + size.y()));
+    const double top = kTop + cell.y() * static_cast<double>(i / kPanelsInARow);
+    const std::string letter =
+        pictures.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i % 26)) : "";
+    drawMap(svg, view, pictures[i], letter + pictures[i].title,
+            frame(left, top, left + size.x(), top + size.y()));
   }
   return svg.take();
+}
+
+}  // namespace
+
+std::string svgText(const MapPicture& picture) { return panels({picture}, kLongSide); }
+
+std::string comparisonText(const std::vector<MapPicture>& pictures) {
+  return panels(pictures, kPanelSide);
 }
 
 }  // namespace tolman::report

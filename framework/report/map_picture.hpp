@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Experience maps as pictures: map.svg, and the maps of several runs beside each other.
+// Draws experience maps: map.svg, and the maps of several runs side by side.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace tolman::report {
 
-/// What the picture shows; the truth may be empty. All in the world frame of the run.
+/// Contents of the picture, in the world frame of the run. The truth may be empty.
 struct MapPicture {
   std::string title;
   evaluation::Trajectory truth;  ///< already aligned with the map
@@ -22,7 +22,7 @@ struct MapPicture {
 /// Seen from above; equal scales, axes in metres, a legend.
 std::string svgText(const MapPicture& picture);
 
-/// One panel a run, all with the same axes: what differs is what the systems made of the drive.
+/// One panel per run, all with the same axes.
 std::string comparisonText(const std::vector<MapPicture>& pictures);
 
 }  // namespace tolman::report

@@ -11,14 +11,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kTuningBins = 36;
-constexpr std::size_t kChances = 100;  // at least so many shifted units
+constexpr std::size_t kChances = 100;  // minimal number of shifted units
 constexpr double kShortestShift = 0.05;
 
 std::vector<HeadDirectionUnit> measureRing(const PopulationHistory& ring,
                                            const evaluation::Trajectory& map) {
   std::vector<HeadDirectionUnit> units;
   if (ring.empty()) return units;
-  const Walk walk(ring, map);
+  const ActivityPath walk(ring, map);
   for (std::size_t i = 0; i < ring.activity.front().size(); ++i) {
     units.push_back({tuningCurve(walk.samples(i), kTuningBins), spatialInformation(walk.rates(i))});
   }
@@ -29,13 +29,13 @@ GridUnit measureUnit(const RateMap& map) {
   return {spatialInformation(map), fields(map).size(), squarePeriodicity(map)};
 }
 
-/// Shares of the way that are spread evenly, however many are asked for: no random stream needed.
+/// Shares of the path, evenly distributed for any number of them (golden ratio sequence).
 double shiftOf(std::size_t i) {
   const double turns = static_cast<double>(i + 1) * std::numbers::phi;
   return kShortestShift + (1 - 2 * kShortestShift) * (turns - std::floor(turns));
 }
 
-std::optional<double> chanceOf(const Walk& walk, std::size_t units) {
+std::optional<double> chanceOf(const ActivityPath& walk, std::size_t units) {
   std::vector<double> scores;
   for (std::size_t i = 0; i < std::max(units, kChances); ++i) {
     const auto periodicity = squarePeriodicity(walk.rates(i % units, shiftOf(i)));
@@ -48,16 +48,18 @@ std::optional<double> chanceOf(const Walk& walk, std::size_t units) {
   return *place;
 }
 
-Json curveJson(const HeadDirectionUnit& unit, std::size_t number) {
-  return {{"unit", number},
+Json curveJson(const HeadDirectionUnit& unit, const ArrayAxis& axis, std::size_t i) {
+  return {{"unit", i + 1},
+          {"nominal_deg", axisAngle(axis, i) * kDegrees},
           {"preferred_deg", unit.tuning.preferred * kDegrees},
           {"mean_vector_length", unit.tuning.mean_vector_length},
           {"spatial_information_bits", unit.bits},
           {"tuning", unit.tuning.rate}};
 }
 
-Json unitJson(const GridUnit& unit, std::size_t row, std::size_t column) {
-  Json json{{"unit", {row, column}},
+Json unitJson(const GridUnit& unit, const ArrayInfo& sheet, std::size_t row, std::size_t column) {
+  Json json{{"unit", {row + 1, column + 1}},
+            {"nominal", {axisValue(sheet.axes[0], row), axisValue(sheet.axes[1], column)}},
             {"spatial_information_bits", unit.bits},
             {"fields", unit.fields},
             {"periodicity", nullptr}};
@@ -82,9 +84,11 @@ double Neurons::periodicShare() const {
 Neurons measureNeurons(const CellHistory& cells, const evaluation::Trajectory& map) {
   Neurons neurons;
   neurons.ring = measureRing(cells.ring, map);
+  neurons.ring_info = cells.ring.info;
+  neurons.sheet_info = cells.sheet.info;
   if (cells.sheet.empty()) return neurons;
   neurons.columns = static_cast<std::size_t>(cells.sheet.shape[1]);
-  const Walk walk(cells.sheet, map);
+  const ActivityPath walk(cells.sheet, map);
   const std::size_t units = cells.sheet.activity.front().size();
   for (std::size_t i = 0; i < units; ++i) neurons.sheet.push_back(measureUnit(walk.rates(i)));
   neurons.chance = chanceOf(walk, units);
@@ -98,11 +102,12 @@ Json toJson(const Neurons& neurons) {
             {"grid_chance", nullptr},
             {"grid_share_above_chance", nullptr}};
   for (const HeadDirectionUnit& unit : neurons.ring) {
-    json["head_direction"].push_back(curveJson(unit, json["head_direction"].size() + 1));
+    json["head_direction"].push_back(
+        curveJson(unit, neurons.ring_info.axes[0], json["head_direction"].size()));
   }
   for (std::size_t i = 0; i < neurons.sheet.size(); ++i) {
     json["grid"].push_back(
-        unitJson(neurons.sheet[i], i / neurons.columns + 1, i % neurons.columns + 1));
+        unitJson(neurons.sheet[i], neurons.sheet_info, i / neurons.columns, i % neurons.columns));
   }
   if (neurons.chance) {
     json["grid_chance"] = *neurons.chance;

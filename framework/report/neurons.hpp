@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is measured of every head direction unit and every grid unit of a run.
+// Measurements of every head direction unit and every grid unit of a run: tuning curve, spatial
+// information, fields and periodicity of the firing rate along the path of the map.
 #pragma once
 
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
+#include "report/activity_path.hpp"
 #include "report/periodicity.hpp"
-#include "report/walk.hpp"
 
 namespace tolman::report {
 
@@ -19,15 +20,17 @@ struct HeadDirectionUnit {
 struct GridUnit {
   double bits = 0;  ///< spatialInformation()
   std::size_t fields = 0;
-  std::optional<Periodicity> periodicity;  ///< none where the way is too narrow to tell
+  std::optional<Periodicity> periodicity;  ///< none where the path is too narrow
 };
 
 struct Neurons {
   std::vector<HeadDirectionUnit> ring;
   std::vector<GridUnit> sheet;  ///< row by row
   std::size_t columns = 0;      ///< of the sheet
-  /// The score of periodicity that 95 % of the sheet's units stay below when their activity is
-  /// shifted in time against the way; none where there is no score.
+  ArrayInfo ring_info;
+  ArrayInfo sheet_info;
+  /// The 95th percentile of the periodicity score of units whose activity is shifted in time
+  /// against the path; none where there is no score.
   std::optional<double> chance;
 
   /// The share of grid units that score above chance.
@@ -36,9 +39,10 @@ struct Neurons {
 
 Neurons measureNeurons(const CellHistory& cells, const evaluation::Trajectory& map);
 
-/// All of it in degrees, units counted from 1; null without cells.
+/// Angles in degrees, unit indices from 1; `nominal` is what the unit stands for by its
+/// description. Null without cells.
 nlohmann::ordered_json toJson(const Neurons& neurons);
-/// A rate map as rows from its corner to the right, null where nobody was.
+/// A rate map as rows from its corner to the right, null in bins without visits.
 nlohmann::ordered_json toJson(const RateMap& map);
 
 }  // namespace tolman::report

@@ -6,7 +6,6 @@
 
 #include <fstream>
 #include <iterator>
-#include <optional>
 
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
@@ -49,11 +48,11 @@ Status addNeurons(RunPage& page, const CellHistory& cells, const UnitChoice& cho
   }
   if (units.value().empty()) return Status::ok();
   const Neurons neurons = measureNeurons(cells, page.data.map);
-  std::string caption = "Firing rate of single units where the robot was; dark is silent.";
+  std::string caption = "Firing rate of single units along the path; dark is low.";
   if (neurons.chance) {
-    caption += fmt::format(
-        " {:.0f} % of the {} grid units fire on a square lattice more than chance does.",
-        100 * neurons.periodicShare(), neurons.sheet.size());
+    caption +=
+        fmt::format(" {:.0f} % of the {} grid units fit a square lattice better than chance.",
+                    100 * neurons.periodicShare(), neurons.sheet.size());
   }
   addFigure(page, "firing", std::move(caption), firingFigure(neurons, units.value()));
   page.neurons = toJson(neurons);
@@ -77,9 +76,12 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
   if (!decisions.isOk()) return decisions.status();
   const auto cells = readCells(reader, decisions.value());
   if (!cells.isOk()) return cells.status();
-  addFigure(page, "activity",
-            "State of the attractor networks at four moments; the red hand is the estimate.",
-            activityFigure(cells.value(), decisions.value()));
+  addFigure(
+      page, "activity",
+      "State of the attractor networks at four moments; the red line is the estimated heading.",
+      activityFigure(cells.value(), decisions.value()));
+  addFigure(page, "arrays", "Other arrays of the cells over time.",
+            arrayFigure(cells.value().others));
   const Status neurons = addNeurons(page, cells.value(), units);
   if (!neurons.isOk()) return neurons;
   addFigure(page, "timing", "Time that each stage took for a frame, ms.",
@@ -87,28 +89,20 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
   return Status::ok();
 }
 
-std::string number(const std::optional<double>& value, int decimals) {
-  return value ? fmt::format("{:.{}f}", *value, decimals) : "–";
-}
-
 std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
-  const auto of = [&](auto get) -> std::optional<double> {
-    if (!m.scores) return std::nullopt;
-    return get(*m.scores);
+  const evaluation::Scores scores = m.scores.value_or(evaluation::Scores{});
+  const auto number = [](bool known, double value, int decimals) {
+    return known ? fmt::format("{:.{}f}", value, decimals) : "–";
   };
-  using S = evaluation::Scores;
-  const bool drift = m.scores && m.scores->kitti.segments > 0;
-  const auto drift_of = [&](double value) { return drift ? std::optional(value) : std::nullopt; };
+  const auto metres = [&](double value) { return number(m.scores.has_value(), value, 3); };
+  const auto drift = [&](double value) { return number(scores.kitti.segments > 0, value, 3); };
   return fmt::format(
       "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td></tr>\n",
-      name, m.path_length_m, number(of([](const S& s) { return s.ate_m.rmse; }), 3),
-      number(of([](const S& s) { return s.ate_m.mean; }), 3),
-      number(of([](const S& s) { return s.ate_m.median; }), 3),
-      number(of([](const S& s) { return s.ate_m.max; }), 3),
-      number(drift_of(drift ? m.scores->kitti.t_rel_percent : 0), 3),
-      number(drift_of(drift ? m.scores->kitti.r_rel_deg_per_100m : 0), 3),
-      number(of([](const S& s) { return 100 * s.coverage; }), 1));
+      name, m.path_length_m, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
+      metres(scores.ate_m.median), metres(scores.ate_m.max), drift(scores.kitti.t_rel_percent),
+      drift(scores.kitti.r_rel_deg_per_100m),
+      number(m.scores.has_value(), 100 * scores.coverage, 1));
 }
 
 std::string errorTable(const evaluation::Metrics& metrics) {
@@ -118,7 +112,7 @@ std::string errorTable(const evaluation::Metrics& metrics) {
              "m</th><th>mean</th><th>median</th><th>max</th><th title=\"KITTI drift: mean "
              "translation error of sub-paths\">t_rel %</th><th title=\"KITTI drift: mean rotation "
              "error of sub-paths\">r_rel °/100 m</th>"
-             "<th>matched %</th></tr>\n",
+             "<th>tracked %</th></tr>\n",
              enumName(metrics.alignment)) +
          errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) + "</table></div>\n";
 }
@@ -137,8 +131,8 @@ std::string sessionTable(const evaluation::Metrics& metrics) {
   }
   text += "</table>\n";
   const std::string unjoined = evaluation::unjoinedText(metrics);
-  return text + "<p>" + (unjoined.empty() ? "All of the map hangs together." : escaped(unjoined)) +
-         "</p>\n";
+  return text + "<p>" +
+         (unjoined.empty() ? "All parts of the map are connected." : escaped(unjoined)) + "</p>\n";
 }
 
 std::string healthTable(const Json& provenance, const evaluation::Metrics& metrics) {
@@ -148,9 +142,10 @@ std::string healthTable(const Json& provenance, const evaluation::Metrics& metri
     for (const auto& [key, value] : counters->items()) {
       rows += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", escaped(key), escaped(value.dump()));
     }
-  } else {  // a killed run has no last word
-    rows = fmt::format("<tr><td>frames</td><td>{}</td></tr><tr><td>loops</td><td>{}</td></tr>\n",
-                       metrics.frames, metrics.loops);
+  } else {  // a killed run has no counters in run.json
+    rows =
+        fmt::format("<tr><td>frames</td><td>{}</td></tr><tr><td>loop links</td><td>{}</td></tr>\n",
+                    metrics.frames, metrics.counts.loop_links);
   }
   return "<table>" + rows + "</table>\n";
 }
@@ -177,7 +172,7 @@ std::string section(const RunPage& run) {
         "and warnings of its end are missing.</p>\n";
   }
   text += errorTable(run.data.metrics);
-  for (const Figure& figure : run.figures) {
+  for (const PageFigure& figure : run.figures) {
     text += fmt::format("<figure id=\"{}\">\n{}<figcaption>{}</figcaption></figure>\n", figure.file,
                         figure.svg, escaped(figure.caption));
   }

@@ -12,26 +12,26 @@
 
 namespace tolman::report {
 
-struct Figure {
+struct PageFigure {
   std::string file;  ///< name without extension, "error"
   std::string caption;
   std::string svg;
 };
 
-/// All that a page says about one run.
+/// The contents of a page about one run.
 struct RunPage {
   RunData data;
-  std::string directory;  ///< its name, without the path; tells the runs of one page apart
-  std::vector<Figure> figures;
-  /// What the firing figure shows in numbers: every unit's, and the rate maps that are drawn.
+  std::string directory;  ///< its name without the path; distinguishes the runs of one page
+  std::vector<PageFigure> figures;
+  /// Measurements of all units, and the rate maps of the firing figure.
   nlohmann::ordered_json neurons;     ///< null without cells
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml
-  bool killed = false;                ///< it came to no end
+  bool killed = false;                ///< the run did not end by itself
 };
 
-/// Draws every figure that the record has something for. `reader` is of the run that `data` was
-/// read from. InvalidParameter where the run has no such unit.
+/// Draws every figure for which the record has data. `reader` must be of the run of `data`.
+/// InvalidParameter where the run has no such unit.
 Result<RunPage> makePage(const record::RunReader& reader, RunData data,
                          const UnitChoice& units = {});
 /// The same from the record alone.
@@ -41,7 +41,7 @@ Result<RunPage> makePage(const std::filesystem::path& directory,
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);
 
-/// `comparison` is what comparisonFigure() has drawn of the same runs.
+/// `comparison` is the result of comparisonFigure() for the same runs.
 std::string html(const std::vector<RunPage>& runs, const std::string& comparison);
 inline std::string html(const std::vector<RunPage>& runs) {
   return html(runs, comparisonFigure(runs));

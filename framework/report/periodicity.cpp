@@ -9,6 +9,8 @@
 namespace tolman::report {
 namespace {
 
+using evaluation::RateMap;
+
 constexpr double kLeastBins = 4;
 constexpr double kLeastPeriods = 1.5;  // along the shorter side
 constexpr double kFiner = 1.02;        // from one spacing to the next
@@ -17,7 +19,7 @@ constexpr int kPadding = 4;            // bins of the spectrum for each of the m
 
 double sumOfRates(const RateMap& map) { return (map.visits.array() > 0).select(map.rate, 0).sum(); }
 
-/// The rates less their mean where somebody was, as shares of their sum, with room around.
+/// Rates minus their mean in visited bins, divided by their sum, and zero-padded.
 cv::Mat_<float> paddedShares(const RateMap& map) {
   const double sum = sumOfRates(map);
   const double mean = 1 / static_cast<double>((map.visits.array() > 0).count());
@@ -32,7 +34,7 @@ cv::Mat_<float> paddedShares(const RateMap& map) {
   return shares;
 }
 
-/// |F(k)| of them.
+/// Magnitude |F(k)| of their Fourier transform.
 class Spectrum {
  public:
   explicit Spectrum(const RateMap& map) {
@@ -45,7 +47,7 @@ class Spectrum {
     cv::magnitude(parts[0], parts[1], magnitude_);
   }
 
-  /// At `k` cycles a bin, between the four nearest.
+  /// At `k` cycles per bin, by bilinear interpolation.
   double at(const Eigen::Vector2d& k) const {
     const Eigen::Vector2d place = k * size_;
     const Eigen::Vector2d low = place.array().floor();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A figure as pixels, for slides and papers that take no SVG.
+// Renders a figure to PNG, with librsvg.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace tolman::report {
 
-/// The bytes of a PNG file, `zoom` pixels a unit of the picture. Failed for what is no SVG, or too
-/// large.
+/// The bytes of a PNG file with `zoom` pixels per unit of the SVG. Failed for text that is no SVG,
+/// and for pictures that are too large.
 Result<std::string> pngOf(const std::string& svg, double zoom = 2);
 
 }  // namespace tolman::report

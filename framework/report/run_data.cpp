@@ -26,29 +26,11 @@ T must(Result<T>&& result) {
   return std::move(result).value();
 }
 
-/// The poses of the record as those of the evaluation: neither folder may know the other.
-evaluation::Trajectory toTrajectory(const std::vector<record::StampedPose>& poses) {
-  evaluation::Trajectory trajectory;
-  trajectory.reserve(poses.size());
-  for (const auto& pose : poses) {
-    trajectory.push_back({pose.frame, pose.stamp_ns, pose.T_world_camera});
-  }
-  return trajectory;
-}
-
 /// `auto`: similarity for a single camera, planar for a source without images, else rigid.
 Alignment resolve(config::Alignment asked, const record::RunReader& reader) {
-  switch (asked) {
-    case config::Alignment::Se3:
-      return Alignment::Se3;
-    case config::Alignment::Se2:
-      return Alignment::Se2;
-    case config::Alignment::Sim3:
-      return Alignment::Sim3;
-    case config::Alignment::None:
-      return Alignment::None;
-    case config::Alignment::Auto:
-      break;
+  const auto named = std::ranges::find(evaluation::kAlignmentNames, enumName(asked));
+  if (named != evaluation::kAlignmentNames.end()) {
+    return static_cast<Alignment>(named - evaluation::kAlignmentNames.begin());
   }
   const auto cameras = reader.records<CameraRig>();
   if (cameras.isOk() && !cameras.value().empty() && cameras.value()[0].width == 0) {
@@ -57,7 +39,7 @@ Alignment resolve(config::Alignment asked, const record::RunReader& reader) {
   return must(reader.scaleKnown()) ? Alignment::Se3 : Alignment::Sim3;
 }
 
-/// Nothing: by the length of the truth.
+/// None: chosen by the length of the true path.
 std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSettings& settings) {
   if (!settings.segment_lengths.empty()) {
     return evaluation::SegmentLengths{"custom", settings.segment_lengths};
@@ -73,9 +55,9 @@ evaluation::Trajectory since(std::int64_t first, evaluation::Trajectory trajecto
   return trajectory;
 }
 
-std::vector<evaluation::SessionFigures> sessionFigures(const std::vector<record::Session>& sessions,
-                                                       std::int64_t frames, const MapGraph& graph,
-                                                       const record::GraphParts& parts) {
+std::vector<evaluation::SessionFigures> sessionFigures(
+    const std::vector<record::RecordedSession>& sessions, std::int64_t frames,
+    const MapGraph& graph, const record::GraphParts& parts) {
   std::vector<evaluation::SessionFigures> figures;
   for (std::size_t i = 0; i < sessions.size(); ++i) {
     const std::int64_t first = sessions[i].first_frame;
@@ -94,34 +76,26 @@ std::vector<evaluation::SessionFigures> sessionFigures(const std::vector<record:
   return figures;
 }
 
-struct Paths {
-  evaluation::Trajectory truth;
-  evaluation::Trajectory odometry;
-  evaluation::Trajectory map;
-};
-
-evaluation::Metrics measure(const record::RunReader& reader, const Paths& paths,
-                            const config::EvaluationSettings& settings) {
+/// Of the trajectories and the graph in `run`.
+evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
+                            const RunData& run, const config::EvaluationSettings& settings) {
   const auto lengths = lengthsOf(settings);
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
-  metrics.odometry =
-      evaluation::scoreTrajectory(paths.truth, paths.odometry, metrics.alignment, lengths);
-  const MapGraph& graph = must(reader.graph());
-  const record::GraphParts parts = record::partsOf(graph);
+  metrics.odometry = evaluation::scoreTrajectory(truth, run.odometry, metrics.alignment, lengths);
+  const record::GraphParts parts = record::partsOf(run.graph);
   metrics.parts = parts.count;
   metrics.sessions =
-      sessionFigures(must(reader.sessions()), must(reader.nextFrame()), graph, parts);
+      sessionFigures(must(reader.sessions()), must(reader.nextFrame()), run.graph, parts);
   if (settings.sessions == config::SessionScope::Joint && parts.count > 1) {
     metrics.map.reason = evaluation::unjoinedText(metrics);
   } else {
-    metrics.map = evaluation::scoreTrajectory(paths.truth, paths.map, metrics.alignment, lengths);
+    metrics.map = evaluation::scoreTrajectory(truth, run.map, metrics.alignment, lengths);
   }
-  const auto counters = must(reader.counters());
-  metrics.frames = counters.frames;
-  metrics.templates = counters.templates;
-  metrics.experiences = counters.experiences;
-  metrics.loops = counters.loops;
+  const record::RunTotals totals = must(reader.totals());
+  metrics.frames = totals.frames;
+  metrics.templates = totals.templates;
+  metrics.counts = evaluation::countsOf(run.graph, totals.loop_decisions);
   const auto timing = must(reader.timing());
   for (const auto& [stage, durations] : timing) {
     metrics.timing[stage] = evaluation::stageTiming(durations);
@@ -129,7 +103,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const Paths& paths,
   return metrics;
 }
 
-/// The truth where the map's alignment puts it: in the run's own world frame.
+/// The truth, aligned with the map in the world frame of the run.
 evaluation::Trajectory truthOnMap(const evaluation::Trajectory& truth,
                                   const evaluation::Trajectory& map, Alignment alignment) {
   const auto matches = evaluation::associateByFrame(map, truth);
@@ -141,7 +115,7 @@ evaluation::Trajectory truthOnMap(const evaluation::Trajectory& truth,
   return moved;
 }
 
-/// How far each matched frame is off after alignment.
+/// Position error of each matched frame after alignment.
 ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Trajectory& estimate,
                      Alignment alignment) {
   ErrorSeries series;
@@ -150,15 +124,11 @@ ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Traj
   const auto similarity = evaluation::align(matches.value(), alignment);
   if (!similarity.isOk()) return series;
   const auto aligned = evaluation::aligned(matches.value(), similarity.value());
-  const bool planar = alignment == Alignment::Se2;
-  for (std::size_t i = 0; i < aligned.size(); ++i) {
-    Eigen::Vector3d off = aligned.estimate[i].T_world_camera.translation() -
-                          aligned.truth[i].T_world_camera.translation();
-    if (planar) off.y() = 0;
-    const auto stamp = aligned.estimate[i].stamp_ns - estimate.front().stamp_ns;
+  for (const auto& pose : aligned.estimate) {
+    const auto stamp = pose.stamp_ns - estimate.front().stamp_ns;
     series.seconds.push_back(static_cast<double>(stamp) * 1e-9);
-    series.metres.push_back(off.norm());
   }
+  series.metres = evaluation::positionErrors(aligned, alignment == Alignment::Se2);
   return series;
 }
 
@@ -176,18 +146,16 @@ Result<RunData> readRun(const record::RunReader& reader,
     const auto sessions = must(reader.sessions());
     const std::int64_t own = sessions.empty() ? 0 : sessions.back().first_frame;
     const bool joint = settings.sessions == config::SessionScope::Joint;
-    Paths paths{since(joint ? 0 : own, toTrajectory(must(reader.truth()))),
-                since(own, toTrajectory(must(reader.odometry()))),
-                since(joint ? 0 : own, toTrajectory(must(reader.map())))};
+    const auto truth = since(joint ? 0 : own, must(reader.truth()));
     RunData data;
     data.name = nameOf(reader);
-    data.metrics = measure(reader, paths, settings);
-    data.truth = truthOnMap(paths.truth, paths.map, data.metrics.alignment);
-    data.odometry_error = errorsOf(paths.truth, paths.odometry, data.metrics.alignment);
-    data.map_error = errorsOf(paths.truth, paths.map, data.metrics.alignment);
-    data.odometry = std::move(paths.odometry);
-    data.map = std::move(paths.map);
+    data.odometry = since(own, must(reader.odometry()));
+    data.map = since(joint ? 0 : own, must(reader.map()));
     data.graph = must(reader.graph());
+    data.metrics = measure(reader, truth, data, settings);
+    data.truth = truthOnMap(truth, data.map, data.metrics.alignment);
+    data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
+    data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
     return data;
   } catch (const std::exception& error) {
     return Status::invalidInput(error.what());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the results of a run are made from, read once from its record.
+// The data behind metrics, figures and page of a run, read once from its record.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace tolman::report {
 
-/// One error figure a frame that has a truth.
+/// Position error at each frame with ground truth.
 struct ErrorSeries {
   std::vector<double> seconds;  ///< data time since the first frame of the run
   std::vector<double> metres;
@@ -21,7 +21,7 @@ struct ErrorSeries {
 
 struct RunData {
   std::string name;
-  evaluation::Trajectory truth;  ///< where the map's alignment puts it: in the world of the run
+  evaluation::Trajectory truth;  ///< aligned with the map, in the world frame of the run
   evaluation::Trajectory odometry;
   evaluation::Trajectory map;
   ErrorSeries odometry_error;

@@ -3,27 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace tolman::report {
 
 std::string escaped(std::string_view text) {
+  static const std::map<char, std::string_view> kEntities = {
+      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
   std::string safe;
-  for (const char c : text) {
-    switch (c) {
-      case '<':
-        safe += "&lt;";
-        break;
-      case '>':
-        safe += "&gt;";
-        break;
-      case '&':
-        safe += "&amp;";
-        break;
-      case '"':
-        safe += "&quot;";
-        break;
-      default:
-        safe += c;
-    }
+  for (const char& c : text) {
+    const auto entity = kEntities.find(c);
+    safe += entity != kEntities.end() ? entity->second : std::string_view(&c, 1);
   }
   return safe;
 }
@@ -64,9 +54,9 @@ void Svg::rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size,
 }
 
 void Svg::text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style) {
-  const char* anchor = style.anchor == Anchor::Start    ? "start"
-                       : style.anchor == Anchor::Middle ? "middle"
-                                                        : "end";
+  const char* anchor = style.anchor == TextAnchor::Start    ? "start"
+                       : style.anchor == TextAnchor::Middle ? "middle"
+                                                            : "end";
   const std::string turn = style.turned_deg == 0
                                ? ""
                                : fmt::format(" transform=\"rotate({:g} {:.1f} {:.1f})\"",
@@ -75,10 +65,6 @@ void Svg::text(const Eigen::Vector2d& at, std::string_view text, const TextStyle
       "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" font-size=\"{:g}\"{}{}>{}</text>\n",
       at.x(), at.y(), anchor, style.size, style.bold ? " font-weight=\"bold\"" : "", turn,
       escaped(text));
-}
-
-void Svg::beginGroup(std::string_view title) {
-  body_ += "<g><title>" + escaped(title) + "</title>\n";
 }
 
 std::string Svg::take() const {

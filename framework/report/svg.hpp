@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of lines and text, written as SVG. Pixels; x to the right, y down.
+// Writes a picture of lines, shapes and text as SVG. Coordinates are pixels, x right, y down.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace tolman::report {
 
-// Okabe and Ito's colours, which colour-blind people can tell apart.
+// The palette of Okabe and Ito (2008), distinguishable with colour blindness.
 inline constexpr const char* kGrey = "#999999";
 inline constexpr const char* kOrange = "#E69F00";
 inline constexpr const char* kBlue = "#0072B2";
@@ -17,13 +17,13 @@ inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kPurple = "#CC79A7";
 
-/// Text that may stand in XML and HTML.
+/// `text` with the special characters of XML and HTML replaced by entities.
 std::string escaped(std::string_view text);
 
-enum class Anchor : std::uint8_t { Start, Middle, End };
+enum class TextAnchor : std::uint8_t { Start, Middle, End };
 
 struct TextStyle {
-  Anchor anchor = Anchor::Start;
+  TextAnchor anchor = TextAnchor::Start;
   double size = 12;
   double turned_deg = 0;
   bool bold = false;
@@ -44,9 +44,6 @@ class Svg {
   void rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view fill,
                  std::string_view stroke = "none");
   void text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style = {});
-  /// A title that a pointer shows over what is drawn between begin and end.
-  void beginGroup(std::string_view title);
-  void endGroup() { body_ += "</g>\n"; }
 
   std::string take() const;
 

@@ -24,9 +24,10 @@ std::string timingFigure(const evaluation::Metrics& metrics) {
   for (const auto& [stage, timing] : metrics.timing) {
     svg.rectangle({110, y + 5}, {axes.pixelsX(timing.p90_ms), 20}, "#cfe3f1");
     svg.rectangle({110, y + 5}, {axes.pixelsX(timing.median_ms), 20}, kBlue);
-    svg.text({102, y + 19}, stage, {Anchor::End});
+    svg.text({102, y + 19}, stage, {TextAnchor::End});
     svg.text({116 + axes.pixelsX(timing.p90_ms), y + 19},
-             fmt::format("{:.3g} / {:.3g}", timing.median_ms, timing.p90_ms), {Anchor::Start, 11});
+             fmt::format("{:.3g} / {:.3g}", timing.median_ms, timing.p90_ms),
+             {TextAnchor::Start, 11});
     y += 30;
   }
   axes.legend({{kBlue, "median"}, {"#cfe3f1", "90th percentile"}});

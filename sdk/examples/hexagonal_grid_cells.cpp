@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Grid cells on hexagonal lattices: each module holds the position as a phase on a twisted torus
-// (Guanella et al. 2007). One repeats itself every few metres; several of different scale (Stensola
-// et al. 2012) hardly ever (Fiete et al. 2008): where all agree, a familiar view is believed.
+// (Guanella et al. 2007). One module is periodic with a few metres; several of different scale
+// (Stensola et al. 2012) have a much longer common period (Fiete et al. 2008). A familiar view
+// closes a loop where all modules agree.
 #include <array>
 #include <cmath>
 #include <map>
@@ -38,10 +39,18 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
     static constexpr auto declaration() {
       using tolman::parameter;
       using P = Parameters;
-      return tolman::parameters(
-          parameter("scale", &P::scale).range(0.1, 1e4).unit("m").doc("Of the finest lattice."),
-          parameter("spacing", &P::spacing).range(0.01, 1e4).unit("m").doc("Of experiences."),
-          parameter("loop_minimum_travel", &P::unseen).range(0, 1e6).unit("m").doc("To a loop."));
+      return tolman::parameters(parameter("scale", &P::scale)
+                                    .range(0.1, 1e4)
+                                    .unit("m")
+                                    .doc("Period of the finest lattice."),
+                                parameter("spacing", &P::spacing)
+                                    .range(0.01, 1e4)
+                                    .unit("m")
+                                    .doc("Distance of experiences."),
+                                parameter("loop_minimum_travel", &P::unseen)
+                                    .range(0, 1e6)
+                                    .unit("m")
+                                    .doc("Least path to a loop."));
     }
   };
 
@@ -84,7 +93,7 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
     return tolman::Status::ok();
   }
 
-  /// The rate of 12 x 12 cells of each module: three plane waves, as a grid cell's firing field.
+  /// Firing rates of 12 x 12 cells of each module: the sum of three plane waves.
   void arrays(std::vector<tolman::NamedArray>& arrays) const override {
     constexpr int kSide = 12;
     for (std::size_t m = 0; m < kModules; ++m) {
@@ -100,7 +109,7 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
   }
 
  private:
-  /// Where the robot is, or was when it made a template.
+  /// State of the robot, now or when a template was made.
   struct Place {
     Code code;
     double heading = 0;  ///< rad, to the left
@@ -124,7 +133,8 @@ class HexagonalGridCells : public tolman::Cells, public tolman::ArraySource {
     here_.in_experience = tolman::compose(here_.in_experience, step);
   }
 
-  /// Familiar, unseen for a while, and all modules agree where it lies: to a tenth of the scale.
+  /// Whether the template was not seen for a while and all modules agree on its position to a tenth
+  /// of their scale.
   bool isBack(const tolman::PlaceObservation& view) const {
     const auto seen = memories_.find(view.template_id);
     if (view.recognition != tolman::Recognition::Familiar || seen == memories_.end()) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Places by histograms of oriented gradients (Dalal and Triggs, CVPR 2005): what a view looks like
-// is which way edges run in each field of the image, so that light and shade matter little.
+// Place recognition by histograms of oriented gradients (Dalal and Triggs, CVPR 2005). A view is
+// described by the directions of edges in each field of the image, which depend little on lighting.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,7 +54,7 @@ class HogPlaces : public tolman::Place {
                          tolman::PlaceObservation& observation) override {
     observation.frame = frame.frame;
     observation.stamp_ns = frame.stamp_ns;
-    if (frame.left.empty()) return tolman::Status::ok();  // nothing to say
+    if (frame.left.empty()) return tolman::Status::ok();  // no image, no place
     Descriptor view = describe(frame.left);
     std::size_t nearest = 0;
     double best = 2;
@@ -81,7 +81,7 @@ class HogPlaces : public tolman::Place {
     return 0.114F * bgr[0] + 0.587F * bgr[1] + 0.299F * bgr[2];
   }
 
-  /// Each pixel votes with its gradient for a direction of its field; the vote is shared between
+  /// The gradient of each pixel is added to the direction histogram of its field, shared between
   /// the two nearest bins.
   Descriptor describe(const tolman::Image& image) const {
     const int bins = parameters_.orientations;
@@ -90,7 +90,7 @@ class HogPlaces : public tolman::Place {
       for (int c = 1; c + 1 < image.width(); ++c) {
         const float dx = grey(image, c + 1, r) - grey(image, c - 1, r);
         const float dy = grey(image, c, r + 1) - grey(image, c, r - 1);
-        const double half_circle = std::atan2(dy, dx) / std::numbers::pi;  // the sign has no say
+        const double half_circle = std::atan2(dy, dx) / std::numbers::pi;  // without the sign
         const double place = tolman::wrapPeriod(half_circle * bins, bins);
         const int bin = static_cast<int>(place);
         const auto share = static_cast<float>(place - bin);
@@ -106,8 +106,8 @@ class HogPlaces : public tolman::Place {
     return votes;
   }
 
-  /// Fields to length 1, cut at 0.2 against single strong edges (as the paper does), the whole to
-  /// length 1 again.
+  /// Normalises each field to length 1, clips it at 0.2 (as in the paper, against single strong
+  /// edges), and normalises the whole to length 1.
   static void normalise(Descriptor& votes, std::size_t bins) {
     const auto scale = [&](std::size_t first, std::size_t count, float floor) {
       float squares = floor;
@@ -125,4 +125,5 @@ class HogPlaces : public tolman::Place {
 
 }  // namespace
 
-TOLMAN_PLUGIN(hog_places, HogPlaces, "0.1.0", "Places by histograms of oriented gradients.");
+TOLMAN_PLUGIN(hog_places, HogPlaces, "0.1.0",
+              "Place recognition by histograms of oriented gradients.");

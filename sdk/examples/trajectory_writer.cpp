@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes the trajectory as it was known while driving, in TUM format, which evo and others read.
-// The host's own trajectory.tum is the one corrected to the end; the difference between the two is
-// what loop closing did.
+// Writes the pose that the map gives for each frame at the time of the frame, in TUM format, which
+// evo reads. The host's trajectory.tum has the final poses; the difference is the effect of later
+// loop closures.
 #include <iomanip>
 #include <locale>
 #include <span>
@@ -21,7 +21,7 @@ class TrajectoryWriter : public tolman::Observer {
           tolman::parameter("file", &Parameters::file)
               .doc("Name of the file below artefacts/STAGE/ in the run directory."),
           tolman::parameter("skip_lost", &Parameters::skip_lost)
-              .doc("Leave out frames whose motion was only predicted."));
+              .doc("Leave out frames with a predicted motion."));
     }
   };
 
@@ -66,11 +66,11 @@ class TrajectoryWriter : public tolman::Observer {
   }
 
  private:
-  /// The stamp from integers, so that not a nanosecond is lost.
+  /// The stamp from integers, without rounding.
   static std::string line(std::int64_t stamp_ns, const Eigen::Isometry3d& T_world_camera) {
     constexpr std::int64_t kSecond = 1'000'000'000;
     std::ostringstream text;
-    text.imbue(std::locale::classic());  // a point, whatever the user's language
+    text.imbue(std::locale::classic());  // decimal point in every locale
     text << stamp_ns / kSecond << '.' << std::setw(9) << std::setfill('0') << stamp_ns % kSecond
          << std::setprecision(9);
     const Eigen::Vector3d t = T_world_camera.translation();

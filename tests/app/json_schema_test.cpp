@@ -10,8 +10,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-plugins::LoadedPlugin pluginOf(const std::string& id, Role role, Schema schema) {
-  plugins::LoadedPlugin plugin;
+host::LoadedPlugin pluginOf(const std::string& id, Role role, Schema schema) {
+  host::LoadedPlugin plugin;
   plugin.manifest.id = id;
   plugin.manifest.role = role;
   plugin.manifest.summary = "The " + id + ".";
@@ -28,7 +28,7 @@ ParameterInfo parameterOf(const std::string& name, ParameterType type, Parameter
   return info;
 }
 
-plugins::LoadedPlugin toy() {
+host::LoadedPlugin toy() {
   ParameterInfo count = parameterOf("count", ParameterType::Integer, std::int64_t{3});
   count.min = 1;
   count.max = 9;

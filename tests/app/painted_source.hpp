@@ -2,6 +2,7 @@
 // The formulas of the source `painted`, for the plugin and for the tests that look at its frames.
 #pragma once
 
+#include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::fixture {
@@ -27,7 +28,7 @@ inline Eigen::Isometry3d paintedPose(std::int64_t frame) {
   return Eigen::Translation3d(3, 0.5, -7) * fromPlanar(pose);
 }
 
-class Painted : public Source {
+class Painted : public Source, public ArrayDescriptions {
  public:
   struct Parameters {
     std::int64_t frames = 20;
@@ -95,6 +96,14 @@ class Painted : public Source {
     return Status::ok();
   }
   Status inspect(std::vector<Finding>&) override { return Status::ok(); }
+  Status describe(std::vector<ArrayInfo>& arrays) const override {
+    ArrayInfo depth;
+    depth.name = "depth.left";
+    depth.kind = ArrayKind::DepthImage;
+    depth.unit = "m";
+    arrays.push_back(depth);
+    return Status::ok();
+  }
 
  private:
   Image paint(std::int64_t frame, int camera) const {

@@ -7,8 +7,8 @@ using namespace tolman;
 
 namespace {
 
-plugins::LoadedPlugin toy() {
-  plugins::LoadedPlugin plugin;
+host::LoadedPlugin toy() {
+  host::LoadedPlugin plugin;
   plugin.manifest.id = "toy";
   plugin.manifest.role = Role::Cells;
   plugin.manifest.version = "1.0";

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "support/data.hpp"
+#include "tolman/version.hpp"
 
 using namespace tolman::app;
 namespace fs = std::filesystem;
@@ -98,8 +99,9 @@ TEST_CASE("the files of all roles and of one are written, filled in") {
       writeNewPlugin(folder.path() / "template", {tolman::Role::Cells, "my_cells", to});
   REQUIRE(written.isOk());
   CHECK(written.value() == std::vector<fs::path>{".gitignore", "tests/my_cells_test.cpp"});
-  CHECK(textOf(to / "tests/my_cells_test.cpp") ==
-        "MyCells is cells my_cells; Sums up. Tells more,\nin two lines. me@home 0.1");
+  CHECK(
+      textOf(to / "tests/my_cells_test.cpp") ==
+      "MyCells is cells my_cells; Sums up. Tells more,\nin two lines. me@home " TOLMAN_SDK_VERSION);
 }
 
 TEST_CASE("an empty folder may be filled, a file or a full folder may not") {

@@ -16,11 +16,11 @@ struct HandClock : Clock {
 };
 
 /// Ten frames, one a second.
-std::string shown(const app::Audience& audience, std::int64_t total, int frames = 10) {
+std::string shown(app::Terminal terminal, std::int64_t total, int frames = 10) {
   std::ostringstream out;
   HandClock clock;
   {
-    app::ProgressLine line(out, clock, audience, total);
+    app::ProgressLine line(out, clock, terminal, total);
     for (int i = 0; i < frames; ++i) {
       clock.now_ns += 1'000'000'000;
       line.step();

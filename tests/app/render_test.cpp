@@ -116,7 +116,7 @@ TEST_CASE("images, calibration, times and poses come back through the kitti sour
 TEST_CASE("poses.txt is in the world of the source as given") {
   const Easel easel;
   REQUIRE(easel.render().exit_code == 0);
-  const auto poses = evaluation::readKitti(easel.out / "poses.txt");
+  const auto poses = evaluation::readTrajectory(easel.out / "poses.txt");
   REQUIRE(poses.isOk());
   for (const auto& pose : poses.value()) {
     const Eigen::Isometry3d expected = fixture::paintedPose(pose.frame);
@@ -208,7 +208,7 @@ TEST_CASE("frames without a sound image are left out, and the rest closes up") {
   const Finished finished = easel.render({"--set", "source.defect_every=5"});
   REQUIRE(finished.exit_code == 0);
   CHECK(contains(finished.out, "16 written, 4 left out"));
-  CHECK(contains(finished.err, "frame 4 is left out, the folder cannot have a hole: spilt"));
+  CHECK(contains(finished.err, "frame 4 is left out, the folder cannot have a gap: spilt"));
   const ReadBack back(easel.out);
   REQUIRE(back.frames.size() == 16);
   checkPixels(back.frames[4].left, 5, 0);
@@ -245,8 +245,8 @@ TEST_CASE("refusals name the remedy") {
     std::ofstream(easel.out / "thesis.tex") << "years\n";
     easel.refused({}, 8,
                   easel.out.string() +
-                      ": is not empty; choose another --out, or give --force to replace what an "
-                      "earlier rendering left there\n");
+                      ": is not empty; choose another --out, or give --force to replace an "
+                      "earlier rendering\n");
     CHECK(easel.render({"--force"}).exit_code == 0);
     CHECK(readText(easel.out / "thesis.tex") == "years\n");
   }

@@ -6,17 +6,35 @@
 using namespace tolman;
 
 TEST_CASE("health comes first, in one block") {
-  pipeline::Outcome outcome;
+  run::Outcome outcome;
   outcome.counters.frames = 50;
+  outcome.counters.initialising = 1;
+  outcome.counters.lost = 3;
   outcome.counters.dropped = 2;
   outcome.counters.skipped = 1;
   outcome.counters.templates = 7;
-  outcome.counters.loops = 3;
+  outcome.counters.loop_decisions = 3;
+  outcome.counters.links = 20;
+  outcome.counters.loop_links = 1;
+  outcome.wall_s = 5;
   outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)] = 1'250'000'000;
-  CHECK(app::healthText(outcome, 5.0) ==
-        "frames    50 processed, 2 dropped, 1 skipped, 0 without image, 0 lost\n"
-        "memory    7 templates, 0 experiences, 0 links, 3 loops\n"
-        "time      5.0 s, 10.0 frames/s; the map's last work 1.25 s\n");
+  CHECK(app::healthText(outcome) ==
+        "tracking  46 of 50 frames, 1 initialising, 3 lost\n"
+        "frames    50 processed, 2 dropped, 1 skipped, 0 without image\n"
+        "memory    7 templates, 0 experiences, 20 links, of them 1 loop link (3 loop decisions)\n"
+        "time      5.0 s, 10.0 frames/s; final optimisation of the map 1.25 s\n");
+}
+
+TEST_CASE("that a run never tracked is its first line") {
+  run::Outcome outcome;
+  outcome.counters.frames = 50;
+  outcome.counters.initialising = 47;
+  outcome.counters.lost = 3;
+  outcome.counters.lost_at_end = true;
+  CHECK_THAT(
+      app::healthText(outcome),
+      Catch::StartsWith("tracking  0 of 50 frames, 47 initialising, 3 lost; lost at the end\n"
+                        "          no motion in the whole run; are the images rectified"));
 }
 
 TEST_CASE("figures name their alignment, coverage and segments") {
@@ -30,7 +48,7 @@ TEST_CASE("figures name their alignment, coverage and segments") {
   scored.scores->kitti.lengths.name = "short";
   scored.scores->kitti.t_rel_percent = 1.5;
   CHECK(app::trajectoryText("odometry", scored) ==
-        "odometry  path 60.10 m over 51 poses; matched 51 (50.0 % of the truth)\n"
+        "odometry  path 60.10 m over 51 poses; matched 51; 50.0 % of the truth tracked\n"
         "          ATE rmse 0.123 m  (mean 0.000, median 0.000, min 0.000, max 0.000)\n"
         "          drift 1.500 %, 0.000 deg/100 m  (20 segments, short lengths)\n");
 }
@@ -42,4 +60,24 @@ TEST_CASE("without truth there are no error figures, and the reason is said") {
   unscored.reason = "there is no ground truth";
   CHECK(app::trajectoryText("map", unscored) ==
         "map       path 108.00 m over 108 poses; no error figures: there is no ground truth\n");
+}
+
+TEST_CASE("one line tells what the cells said and how they are tuned") {
+  evaluation::CellFigures cells;
+  cells.reason = "there is no ground truth";
+  CHECK(app::cellsText(cells) == "cells     no errors: there is no ground truth\n");
+  cells.reason.clear();
+  CHECK(app::cellsText(cells).empty());
+  cells.rings.resize(1);
+  cells.rings[0].error_deg = {100, 3.62, 7.04};
+  cells.rings[0].scores.mean_vector_length = {0.75, 0.3, 0.1, 1};
+  cells.rings[0].scores.half_width_deg = {44.9, 60, 90, 1};
+  cells.sheets.resize(1);
+  cells.sheets[0].scores.square = {1.1, 0.4, 0, 0.5};
+  cells.position_m = {100, 12, 20};
+  cells.modulo_m = 60;
+  CHECK(app::cellsText(cells) ==
+        "cells     heading error median 3.6, 90 % 7.0 deg; mean vector 0.75, 100 % above chance; "
+        "half width 45 deg; position error median 12.0, 90 % 20.0 m (modulo 60 m); square grid "
+        "1.10, 50 % above chance\n");
 }

@@ -77,13 +77,15 @@ struct Recorded {
 };
 
 /// One column of a history.
-std::vector<double> column(const Container& history, const nlohmann::json& run,
+std::vector<double> column(const Container& history, const nlohmann::json& hello,
                            const std::string& name) {
   std::size_t index = 0;
-  while (run["row"].at(index)["name"] != name) ++index;
+  while (hello["columns"].at(index)["name"] != name) ++index;
   const auto rows = history.arrays.at("rows").as<double>();
   std::vector<double> values;
-  for (std::size_t i = index; i < rows.size(); i += run["row"].size()) values.push_back(rows[i]);
+  for (std::size_t i = index; i < rows.size(); i += hello["columns"].size()) {
+    values.push_back(rows[i]);
+  }
   return values;
 }
 
@@ -94,19 +96,20 @@ TEST_CASE("a finished run is served as it was recorded, with its images") {
   recorded.make();
   Viewing viewing(recorded.run);
   viewing.waitForEnd();
-  const auto run = viewing.run();
-  CHECK(run["frames"] == 40);
+  const auto hello = viewing.run();
+  const auto& run = hello["run"];
+  CHECK(run["source"]["frames"] == 40);
   CHECK(run["directory"] == fs::absolute(recorded.run).string());
-  CHECK(run["camera"]["width"] == 160);
-  CHECK(run["has_truth"] == true);
+  CHECK(run["source"]["rig"]["width"] == 160);
+  CHECK(run["source"]["has_truth"] == true);
   const auto reader = record::RunReader::open(recorded.run).value();
   const Container history = viewing.container("/api/history");
   const auto motions = reader->records<Motion>().value();
   const auto updates = reader->records<MapUpdate>().value();
   const auto decisions = reader->records<Decision>().value();
-  const auto tracked = column(history, run, "tracked");
-  const auto map_z = column(history, run, "map_z");
-  const auto heading = column(history, run, "heading");
+  const auto tracked = column(history, hello, "motion.tracked");
+  const auto map_z = column(history, hello, "map.z");
+  const auto heading = column(history, hello, "decision.heading");
   REQUIRE(tracked.size() == 40);
   for (std::size_t i = 0; i < 40; ++i) {
     CHECK(tracked[i] == static_cast<double>(motions[i].tracked));
@@ -114,10 +117,11 @@ TEST_CASE("a finished run is served as it was recorded, with its images") {
     CHECK(heading[i] == decisions[i].heading);
   }
   const auto odometry = reader->odometry().value();
-  CHECK(column(history, run, "odo_z")[39] == Approx(odometry[39].T_world_camera.translation().z()));
-  CHECK(column(history, run, "odometry_ms")[5] > 0);
+  CHECK(column(history, hello, "odometry.z")[39] ==
+        Approx(odometry[39].T_world_camera.translation().z()));
+  CHECK(column(history, hello, "duration.odometry")[5] > 0);
   const Container graph = viewing.container("/api/graph");
-  CHECK(graph.arrays.at("experience_frame").shape[0] == reader->graph().value().experiences.size());
+  CHECK(graph.arrays.at("experience").shape[0] == reader->graph().value().experiences.size());
   for (const int frame : {0, 17, 39}) {  // each frame is kept
     const Container shown = viewing.container("/api/frame/" + std::to_string(frame));
     CHECK(shown.header["frame"] == frame);
@@ -154,8 +158,8 @@ TEST_CASE("a run that goes on is followed to its end") {
     std::this_thread::sleep_for(10ms);
     const auto reader = record::RunReader::open(recorded.run);
     if (!reader.isOk()) continue;
-    const auto counters = reader.value()->counters();
-    if (counters.isOk()) committed = counters.value().frames;
+    const auto totals = reader.value()->totals();
+    if (totals.isOk()) committed = totals.value().frames;
   }
   Viewing viewing(recorded.run);
   CHECK(viewing.run()["live"] == true);

@@ -61,7 +61,7 @@ TEST_CASE("the examples build from the installed package and work together") {
   CHECK(metrics["frames"] == kFrames);
   CHECK(metrics["templates"] > 1);
   CHECK(metrics["templates"] < 20);  // most views came back
-  CHECK(metrics["loops"] > 0);
+  CHECK(metrics["loop_links"] > 0);
   CHECK(metrics["map"]["ate"]["rmse_m"] < 0.5);
 
   const fs::path online = run / "artefacts/trajectory_writer/online.tum";

@@ -32,7 +32,7 @@ TEST_CASE("the page's commands, one after the other, make a plugin that runs on 
   INFO(finished.out << finished.err);
   REQUIRE(finished.exit_code == 0);
   CHECK(contains(finished.out, "100% tests passed"));
-  CHECK(contains(finished.out, "Places by the brightness of upright strips."));
+  CHECK(contains(finished.out, "Places by the brightness of vertical strips."));
   CHECK(contains(finished.out, "refused, as it should be"));
   CHECK(contains(finished.err, "did you mean 'tolerance'?"));
   CHECK(fs::exists(home / "plugins/strips/runs/latest/map.svg"));

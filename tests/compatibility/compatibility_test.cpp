@@ -5,11 +5,11 @@
 #include <sstream>
 
 #include "host/fixture_plugins.hpp"
-#include "plugins/stages.hpp"
+#include "host/stages.hpp"
 #include "support/context.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 
 namespace {
 

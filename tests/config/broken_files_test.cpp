@@ -14,32 +14,33 @@ std::string complaints(const std::string& file, const std::vector<std::string>& 
 
 }  // namespace
 
-TEST_CASE("The whole configuration that the broken ones extend is sound") {
+TEST_CASE("The configuration that the broken ones extend is valid") {
   CHECK(test::checkSystem("whole.yaml").complaints() == "");
 }
 
-TEST_CASE("Mistyped keys are refused with the nearest known name, at every level") {
+TEST_CASE("Misspelt keys are refused with the nearest known name, at every level") {
   CHECK(complaints("typos.yaml") ==
-        "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (known here: name, "
+        "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (keys: name, "
         "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
         "evaluation, "
         "record, isolation, extends)\n"
-        "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (known here: "
-        "mode, queue, input_policy, place_policy, speed)\n"
+        "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (keys: mode, "
+        "queue, input_policy, place_policy, speed)\n"
         "broken/typos.yaml:5:3: odometry.activ_points: unknown parameter; did you mean "
-        "'active_points'? (plugin toy_odometry knows: active_points, scale, pyramid, solver)\n"
-        "broken/typos.yaml:7:28: observers.0.prot: unknown parameter; did you mean 'port'? (plugin "
-        "toy_observer knows: port)\n");
+        "'active_points'? (parameters of plugin toy_odometry: active_points, scale, pyramid, "
+        "solver)\n"
+        "broken/typos.yaml:7:28: observers.0.prot: unknown parameter; did you mean 'port'? "
+        "(parameters of plugin toy_observer: port)\n");
 }
 
-TEST_CASE("A key given twice is refused and shows the first place") {
+TEST_CASE("A duplicate key is refused with the position of the first") {
   CHECK(complaints("duplicates.yaml") ==
         "broken/duplicates.yaml:6:3: odometry.active_points: given twice; first at "
         "broken/duplicates.yaml:4:3\n"
         "broken/duplicates.yaml:7:1: seed: given twice; first at broken/duplicates.yaml:2:1\n");
 }
 
-TEST_CASE("Wrong types say what is expected and what came") {
+TEST_CASE("Wrong types are refused with the expected type") {
   CHECK(complaints("types.yaml") ==
         "broken/types.yaml:2:7: seed: expects an integer, not 'many'\n"
         "broken/types.yaml:4:9: source.path: expects a path, not a list\n"
@@ -51,12 +52,12 @@ TEST_CASE("Wrong types say what is expected and what came") {
         "broken/types.yaml:10:12: odometry.pyramid: expects a list of numbers such as [1, 2.5], "
         "not '3'\n"
         "broken/types.yaml:11:3: odometry.solver: expects a text, not nothing\n"
-        "broken/types.yaml:12:3: odometry.nothing: unknown parameter (plugin toy_odometry knows: "
-        "active_points, scale, pyramid, solver)\n"
+        "broken/types.yaml:12:3: odometry.nothing: unknown parameter (parameters of plugin "
+        "toy_odometry: active_points, scale, pyramid, solver)\n"
         "broken/types.yaml:13:6: map: expects a map such as {plugin: ...}, not 'experience_map'\n");
 }
 
-TEST_CASE("YAML's traps are refused: octal, hexadecimal, on, NaN, infinity") {
+TEST_CASE("Ambiguous YAML is refused: octal, hexadecimal, on, NaN, infinity") {
   CHECK(complaints("traps.yaml") ==
         "broken/traps.yaml:2:7: seed: expects an integer, not '010'; write it without leading "
         "zeros\n"
@@ -85,57 +86,56 @@ TEST_CASE("Values out of range show the range with its unit; bad choices show th
         "not 'se4'; did you mean 'se3'?\n");
 }
 
-TEST_CASE("Missing and malformed stages say what to add") {
+TEST_CASE("Missing and malformed stages are refused with a remedy") {
   CHECK(complaints("stages.yaml") ==
-        "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (known here: name, "
+        "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (keys: name, "
         "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
         "evaluation, "
         "record, isolation, extends)\n"
         "broken/stages.yaml:1:1: source: the stage is missing; add 'source: {plugin: ...}' "
-        "('tolman plugins list' shows what there is)\n"
+        "('tolman plugins list' shows the plugins)\n"
         "broken/stages.yaml:1:1: cells: the stage is missing; add 'cells: {plugin: ...}' ('tolman "
-        "plugins list' shows what there is)\n"
-        "broken/stages.yaml:2:11: odometry.plugin: is missing: Id of the plugin that does the "
-        "work.\n"
-        "broken/stages.yaml:2:32: odometry.plugni: unknown key; did you mean 'plugin'? (known "
-        "here: plugin, name, on_failure, isolation)\n"
+        "plugins list' shows the plugins)\n"
+        "broken/stages.yaml:2:11: odometry.plugin: is missing: Id of the plugin.\n"
+        "broken/stages.yaml:2:32: odometry.plugni: unknown key; did you mean 'plugin'? (keys: "
+        "plugin, name, on_failure, isolation)\n"
         "broken/stages.yaml:3:39: place.isolation: expects one of none, process, not 'porcess'; "
         "did you mean 'process'?\n"
         "broken/stages.yaml:4:6: map: expects a map such as {plugin: ...}, not a list\n"
-        "broken/stages.yaml:7:5: observers.1: is called 'toy_observer' like observers.0; give one "
-        "of them another 'name'\n"
-        "broken/stages.yaml:8:34: observers.2.name: use letters, digits, '_' and '-': it becomes a "
-        "folder's name\n"
+        "broken/stages.yaml:7:5: observers.1: has the same name 'toy_observer' as observers.0; set "
+        "another 'name'\n"
+        "broken/stages.yaml:8:34: observers.2.name: use letters, digits, '_' and '-': it becomes "
+        "the name of a folder\n"
         "broken/stages.yaml:9:5: observers.3: expects a map such as {plugin: ...}, not "
         "'progress'\n");
 }
 
-TEST_CASE("A circle of extends shows the chain, and only the circle is reported") {
+TEST_CASE("Circular extends is reported once, with the chain of files") {
   CHECK(complaints("circle_a.yaml") ==
-        "broken/circle_c.yaml:1:10: extends: goes in a circle: broken/circle_b.yaml -> "
+        "broken/circle_c.yaml:1:10: extends: circular: broken/circle_b.yaml -> "
         "broken/circle_c.yaml -> broken/circle_b.yaml\n");
 }
 
-TEST_CASE("Files that are extended but not there are named where they were asked for") {
+TEST_CASE("A missing file is reported at the `extends` that names it") {
   CHECK(complaints("missing_base.yaml") ==
         "broken/missing_base.yaml:1:7: seed: expects an integer, not 'x'\n"
         "broken/missing_base.yaml:2:11: extends: broken/nowhere.yaml: no such file\n"
         "broken/missing_base.yaml:2:25: extends: broken/layers: no such file\n");
   CHECK(complaints("no_such.yaml") == "broken/no_such.yaml: no such file\n");
-  CHECK(complaints("../broken") == "broken/../broken: this is no file\n");
+  CHECK(complaints("../broken") == "broken/../broken: not a regular file\n");
 }
 
-TEST_CASE("Broken environment variables name file and remedy") {
+TEST_CASE("Illegal environment variables are refused with file and remedy") {
   CHECK(test::checkSystem("broken/variables.yaml", {}, {{"PORT", ""}}).complaints() ==
         "broken/variables.yaml:2:7: name: the environment variable TOLMAN_TEST_UNSET is not set; "
         "set it or write ${TOLMAN_TEST_UNSET:-default}\n"
         "broken/variables.yaml:3:16: source.path: '${' without '}'\n"
-        "broken/variables.yaml:4:20: odometry.solver: '${9LIVES}' names no variable; write ${NAME} "
+        "broken/variables.yaml:4:20: odometry.solver: '${9LIVES}' is not a variable; write ${NAME} "
         "or ${NAME:-default}, and $${ for the characters themselves\n"
         "broken/variables.yaml:6:34: observers.0.port: expects an integer, not 'many'\n");
 }
 
-TEST_CASE("What is no configuration at all gives one clear line") {
+TEST_CASE("A file that is not a configuration gives one problem") {
   const auto [file, expected] = GENERATE(table<const char*, const char*>({
       {"empty.yaml", "broken/empty.yaml: the file is empty\n"},
       {"comment.yaml", "broken/comment.yaml: the file is empty\n"},
@@ -153,13 +153,13 @@ TEST_CASE("What is no configuration at all gives one clear line") {
        "broken/merge_key.yaml:3:3: cannot read this YAML: merge keys '<<' are not supported; use "
        "'extends'\n"},
       {"tag.yaml",
-       "broken/tag.yaml:1:7: cannot read this YAML: the tag 'tag:yaml.org,2002:str' means nothing "
-       "here; remove it\n"},
+       "broken/tag.yaml:1:7: cannot read this YAML: the tag 'tag:yaml.org,2002:str' is not "
+       "supported; remove it\n"},
       {"two_documents.yaml",
        "broken/two_documents.yaml:2:1: cannot read this YAML: a second document starts here; one "
        "per file\n"},
       {"binary.yaml",
-       "broken/binary.yaml:2:8: a byte of value 1 is no text; is this a YAML file?\n"},
+       "broken/binary.yaml:2:8: a byte of value 1 is not text; is this a YAML file?\n"},
       {"bomb.yaml",
        "broken/bomb.yaml:5:8: cannot read this YAML: more than 20000 values, copies of aliases "
        "included\n"},
@@ -170,7 +170,7 @@ TEST_CASE("What is no configuration at all gives one clear line") {
   CHECK(complaints(file) == expected);
 }
 
-TEST_CASE("Problems of all files and of the command line come together") {
+TEST_CASE("Problems of all files and of the command line are reported together") {
   CHECK(complaints("syntax_above.yaml", {"threads=all", "pipeline.mode=lossles"}) ==
         "broken/syntax_above.yaml:2:7: seed: expects an integer, not 'x'\n"
         "broken/syntax_below.yaml:2:5: cannot read this YAML: a '{' has no '}'\n"

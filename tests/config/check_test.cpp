@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A map against a schema: what becomes a value, and what is left when something is wrong.
+// Checks a map against a schema: values, defaults and problems.
 #include "config/check.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,7 +13,7 @@ namespace {
 
 struct Checked {
   ParameterValues values;
-  std::string complaints;
+  std::string problems_text;
 };
 
 Checked checkText(const std::string& yaml, const std::string& plugin) {
@@ -24,7 +24,7 @@ Checked checkText(const std::string& yaml, const std::string& plugin) {
   Checked checked;
   checked.values =
       config::check(*map, test::toySchema(plugin), subject, {"/work", "/home/ada"}, problems);
-  checked.complaints = config::format(problems);
+  checked.problems_text = config::format(problems);
   return checked;
 }
 
@@ -50,7 +50,7 @@ struct IntegerAndReal {
 TEST_CASE("Values of each type, with defaults for the rest") {
   const Checked source =
       checkText("{plugin: x, path: ~/kitti, loop: true, order: pingpong}", "toy_source");
-  CHECK(source.complaints == "");
+  CHECK(source.problems_text == "");
   CHECK(valueOf<std::string>(source, "path") == "/home/ada/kitti");
   CHECK(valueOf<bool>(source, "loop"));
   CHECK(valueOf<std::string>(source, "order") == "pingpong");
@@ -59,7 +59,7 @@ TEST_CASE("Values of each type, with defaults for the rest") {
 
   const Checked odometry =
       checkText("{scale: 2, pyramid: [1, 2.5e-1], solver: 007}", "toy_odometry");
-  CHECK(odometry.complaints == "");
+  CHECK(odometry.problems_text == "");
   CHECK(valueOf<double>(odometry, "scale") == 2.0);
   CHECK(valueOf<std::vector<double>>(odometry, "pyramid") == std::vector{1.0, 0.25});
   CHECK(valueOf<std::string>(odometry, "solver") == "007");  // a number is fine as text
@@ -67,9 +67,9 @@ TEST_CASE("Values of each type, with defaults for the rest") {
 }
 
 TEST_CASE("Limits are inclusive") {
-  CHECK(checkText("{scale: 0.5}", "toy_odometry").complaints == "");
-  CHECK(checkText("{scale: 8}", "toy_odometry").complaints == "");
-  CHECK(checkText("{scale: 8.000001}", "toy_odometry").complaints ==
+  CHECK(checkText("{scale: 0.5}", "toy_odometry").problems_text == "");
+  CHECK(checkText("{scale: 8}", "toy_odometry").problems_text == "");
+  CHECK(checkText("{scale: 8.000001}", "toy_odometry").problems_text ==
         "conf/a.yaml:1:9: stage.scale: 8.000001 is out of range: 0.5 ... 8 pixels\n");
 }
 
@@ -84,30 +84,44 @@ TEST_CASE("One-sided ranges and 64-bit integers") {
         "a.yaml:1:44: x.above: -2 is out of range: at least -1\n");
 }
 
-TEST_CASE("A wrong value keeps the default, so that checking can go on") {
+TEST_CASE("A parameter with an illegal value keeps its default") {
   const Checked checked = checkText("{active_points: many, pyramid: [1, x, y]}", "toy_odometry");
   CHECK(valueOf<std::int64_t>(checked, "active_points") == 2000);
   CHECK(valueOf<std::vector<double>>(checked, "pyramid") == std::vector{1.0, 0.5});
-  CHECK(checked.complaints ==
+  CHECK(checked.problems_text ==
         "conf/a.yaml:1:17: stage.active_points: expects an integer, not 'many'\n"
         "conf/a.yaml:1:36: stage.pyramid.1: expects a number, not 'x'\n"
         "conf/a.yaml:1:39: stage.pyramid.2: expects a number, not 'y'\n");
 }
 
-TEST_CASE("A missing required parameter is named with its meaning") {
-  CHECK(checkText("{plugin: toy_source}", "toy_source").complaints ==
+TEST_CASE("A missing required parameter is reported with its doc") {
+  CHECK(checkText("{plugin: toy_source}", "toy_source").problems_text ==
         "conf/a.yaml:1:1: stage.path: is missing for plugin toy_source: Folder of the data.\n");
 }
 
-TEST_CASE("A plugin without parameters says so") {
-  CHECK(checkText("{radius: 3}", "toy_map").complaints ==
+TEST_CASE("Unknown parameter of a plugin without parameters") {
+  CHECK(checkText("{radius: 3}", "toy_map").problems_text ==
         "conf/a.yaml:1:2: stage.radius: unknown parameter (plugin toy_map has no parameters)\n");
 }
 
-TEST_CASE("Quoted words are text and choices, never numbers or truth") {
-  CHECK(checkText("{solver: \"5\"}", "toy_odometry").complaints == "");
-  CHECK(checkText("{path: x, order: \"forward\"}", "toy_source").complaints == "");
-  CHECK(checkText("{path: x, loop: \"true\"}", "toy_source").complaints ==
+TEST_CASE("A key that was renamed is refused with its new name") {
+  Schema schema = test::toySchema("toy_odometry");
+  schema[0].doc += " Formerly `points` and `max_points`.";
+  for (const char* key : {"points", "max_points"}) {
+    config::Problems problems;
+    const auto map = config::readYaml(std::string("{") + key + ": 3}",
+                                      config::Origin::ofFile("a.yaml"), problems);
+    config::check(*map, schema, {"odometry", "plugin toy_odometry", {}}, {}, problems);
+    CHECK(config::format(problems) == std::string("a.yaml:1:2: odometry.") + key +
+                                          ": was renamed to '" + schema[0].name + "'\n");
+  }
+  CHECK(checkText("{formerly: 3}", "toy_map").problems_text.find("unknown") != std::string::npos);
+}
+
+TEST_CASE("Quoted scalars are texts or choices, not numbers or booleans") {
+  CHECK(checkText("{solver: \"5\"}", "toy_odometry").problems_text == "");
+  CHECK(checkText("{path: x, order: \"forward\"}", "toy_source").problems_text == "");
+  CHECK(checkText("{path: x, loop: \"true\"}", "toy_source").problems_text ==
         "conf/a.yaml:1:17: stage.loop: expects true or false, not a text; remove the quotes\n");
 }
 

@@ -23,7 +23,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Later layers win key by key; lists are replaced as a whole") {
+TEST_CASE("Later layers override earlier ones key by key; lists are replaced") {
   const auto loaded =
       config::load(test::fixtures() + "layers/top.yaml", {}, test::environmentOf({}));
   REQUIRE(loaded.problems.empty());
@@ -39,14 +39,14 @@ TEST_CASE("Later layers win key by key; lists are replaced as a whole") {
   CHECK(tree.find("extends") == nullptr);
 }
 
-TEST_CASE("A relative path starts from the file that says it") {
+TEST_CASE("A relative path refers to the folder of its file") {
   const test::CheckedSystem top = test::checkSystem("layers/top.yaml");
   CHECK(std::get<std::string>(top.of("source").at("path")) == test::fixtures() + "there");
   const test::CheckedSystem base = test::checkSystem("layers/base.yaml");
   CHECK(std::get<std::string>(base.of("source").at("path")) == test::fixtures() + "layers/here");
 }
 
-TEST_CASE("A layer that names another plugin drops the old plugin's parameters") {
+TEST_CASE("A layer with another plugin removes the parameters of the old one") {
   const test::CheckedSystem swapped = test::checkSystem("layers/swapped.yaml");
   const config::Node& odometry = *swapped.loaded.tree.find("odometry");
   CHECK(valueAt(odometry, {"plugin"}) == "toy_place @ layers/swapped.yaml:2:20");
@@ -54,7 +54,7 @@ TEST_CASE("A layer that names another plugin drops the old plugin's parameters")
   CHECK(swapped.complaints().find("unknown parameter") == std::string::npos);
 }
 
-TEST_CASE("A file may be extended twice along different ways, but never without end") {
+TEST_CASE("A file may be extended twice on different paths, but not by itself") {
   const test::TemporaryFolder folder;
   write(folder.path() / "root.yaml", "seed: 1\n");
   write(folder.path() / "left.yaml", "extends: root.yaml\nthreads: 2\n");
@@ -70,7 +70,7 @@ TEST_CASE("A file may be extended twice along different ways, but never without 
 
   write(folder.path() / "itself.yaml", "extends: ./itself.yaml\n");
   REQUIRE(load("itself.yaml").problems.size() == 1);
-  CHECK(load("itself.yaml").problems[0].message.starts_with("goes in a circle: "));
+  CHECK(load("itself.yaml").problems[0].message.starts_with("circular: "));
 
   // 2^20 ways down: refused by count instead of read for an hour
   for (int i = 0; i < 20; ++i) {
@@ -84,7 +84,7 @@ TEST_CASE("A file may be extended twice along different ways, but never without 
   CHECK(config::format(wide.problems).find("more than 64 files are read") != std::string::npos);
 }
 
-TEST_CASE("extends takes variables and ~, and refuses what is no file name") {
+TEST_CASE("extends accepts variables and ~, and refuses values that are not file names") {
   const test::TemporaryFolder folder;
   write(folder.path() / "base.yaml", "seed: 5\n");
   write(folder.path() / "a.yaml", "extends: ~/base.yaml\n");
@@ -104,12 +104,12 @@ TEST_CASE("extends takes variables and ~, and refuses what is no file name") {
   CHECK(load("d.yaml").problems[0].message == "expects a file, not a list");
 }
 
-TEST_CASE("A file of more than 1 MiB is refused unread") {
+TEST_CASE("A file of more than 1 MiB is refused without reading it") {
   const test::TemporaryFolder folder;
   write(folder.path() / "large.yaml", "seed: 1\n" + std::string((1U << 20U) + 1, '#'));
   const auto loaded = config::load(folder.path() / "large.yaml", {}, test::environmentOf({}));
   REQUIRE(loaded.problems.size() == 1);
-  CHECK(loaded.problems[0].message == "larger than 1 MiB; is this a configuration?");
+  CHECK(loaded.problems[0].message == "larger than 1 MiB; not a configuration?");
 }
 
 }  // namespace tolman

@@ -35,7 +35,7 @@ std::string randomWord(RandomStream& random) {
 
 }  // namespace
 
-TEST_CASE("Edit distances of the textbook") {
+TEST_CASE("Edit distances of textbook examples") {
   CHECK(config::editDistance("kitten", "sitting") == 3);
   CHECK(config::editDistance("", "abc") == 3);
   CHECK(config::editDistance("abc", "") == 3);
@@ -43,7 +43,7 @@ TEST_CASE("Edit distances of the textbook") {
   CHECK(config::editDistance("Active-Points", "active_points") == 0);
 }
 
-TEST_CASE("The table agrees with the definition, and the distance is symmetric") {
+TEST_CASE("The distance agrees with its recursive definition and is symmetric") {
   RandomStream random(11);
   for (int i = 0; i < 200; ++i) {
     const std::string a = randomWord(random);
@@ -54,7 +54,7 @@ TEST_CASE("The table agrees with the definition, and the distance is symmetric")
   }
 }
 
-TEST_CASE("The nearest name is one that was likely meant, or none") {
+TEST_CASE("The nearest name is a likely one, or none") {
   const std::vector<std::string> known = {"threshold", "thresholds", "columns", "rows", "x"};
   CHECK(config::nearestName("treshold", known) == "threshold");
   CHECK(config::nearestName("colums", known) == "columns");

@@ -34,7 +34,7 @@ std::string merged(const std::string& base, const std::string& over) {
 
 }  // namespace
 
-TEST_CASE("merge: maps by key, everything else as a whole") {
+TEST_CASE("merge: maps by key, scalars and lists as a whole") {
   CHECK(merged("{a: 1, b: 2}", "{b: 3, c: 4}") == "{a: 1b, b: 3o, c: 4o}");
   CHECK(merged("{a: {x: 1, y: 2}}", "{a: {y: 3}}") == "{a: {x: 1b, y: 3o}}");
   CHECK(merged("{a: [1, 2, 3]}", "{a: [4]}") == "{a: [4o]}");
@@ -44,14 +44,14 @@ TEST_CASE("merge: maps by key, everything else as a whole") {
   CHECK(merged("{a: 1}", "{}") == "{a: 1b}");
 }
 
-TEST_CASE("merge: another plugin starts the stage afresh, the same one does not") {
+TEST_CASE("merge: another plugin replaces the stage, the same one does not") {
   CHECK(merged("{s: {plugin: p, x: 1}}", "{s: {plugin: q, y: 2}}") == "{s: {plugin: qo, y: 2o}}");
   CHECK(merged("{s: {plugin: p, x: 1}}", "{s: {plugin: p, y: 2}}") ==
         "{s: {plugin: po, x: 1b, y: 2o}}");
   CHECK(merged("{s: {x: 1}}", "{s: {plugin: q}}") == "{s: {x: 1b, plugin: qo}}");
 }
 
-TEST_CASE("Nodes are found by key or index, and described for people") {
+TEST_CASE("Nodes are found by key or index, and described in words") {
   config::Node node = tree("{list: [x, y], none: , word: w}", "f");
   CHECK(node.find("list")->find("1")->text == "y");
   CHECK(node.find("absent") == nullptr);

@@ -15,7 +15,7 @@ test::CheckedSystem with(const std::vector<std::string>& overrides) {
 
 }  // namespace
 
-TEST_CASE("--set changes scalars, adds parameters and reaches into lists") {
+TEST_CASE("--set changes scalars, adds parameters and addresses items of lists") {
   const test::CheckedSystem system =
       with({"seed=11", "odometry.scale=2.5", "odometry.pyramid=[1, 2, 3]", "observers.1.port=${N}",
             "source.path=~/06", "pipeline.mode=realtime"});
@@ -29,22 +29,24 @@ TEST_CASE("--set changes scalars, adds parameters and reaches into lists") {
   CHECK(std::get<std::string>(system.of("source").at("path")) == "/home/ada/06");
 }
 
-TEST_CASE("A path on the command line starts from the working directory") {
+TEST_CASE("A path on the command line refers to the working directory") {
   const test::CheckedSystem system = with({"source.path=data"});
   CHECK(std::get<std::string>(system.of("source").at("path")) ==
         (std::filesystem::current_path() / "data").string());
 }
 
-TEST_CASE("The later --set wins") { CHECK(with({"seed=1", "seed=2"}).config.general.seed == 2); }
+TEST_CASE("A later --set overrides an earlier one") {
+  CHECK(with({"seed=1", "seed=2"}).config.general.seed == 2);
+}
 
-TEST_CASE("A plugin swapped by --set starts afresh, in whatever order its parameters come") {
+TEST_CASE("A plugin set by --set replaces the stage, whatever the order of the options") {
   const test::CheckedSystem system = with({"odometry.port=81", "odometry.plugin=toy_observer"});
   CHECK(system.complaints() == "");  // toy_odometry's active_points are gone, the port stayed
   CHECK(std::get<std::int64_t>(system.of("odometry").at("port")) == 81);
   CHECK(with({"odometry.plugin=toy_odometry"}).loaded.tree.find("odometry")->children.size() == 2);
 }
 
-TEST_CASE("The index after the last item appends, also to a list that is not there") {
+TEST_CASE("The index after the last item appends, also to a missing list") {
   const test::CheckedSystem system =
       with({"observers.2.plugin=toy_observer", "observers.2.name=c"});
   CHECK(system.complaints() == "");
@@ -59,26 +61,26 @@ TEST_CASE("The index after the last item appends, also to a list that is not the
   CHECK(tree.find("observers")->isSequence());
 }
 
-TEST_CASE("A bad --set is named as it was typed") {
+TEST_CASE("An illegal --set is reported as typed") {
   const auto [argument, expected] = GENERATE(table<const char*, const char*>({
       {"seed", "--set seed: write --set key.path=value\n"},
       {"=1", "--set =1: the key path has an empty part\n"},
       {"source..path=1", "--set source..path=1: the key path has an empty part\n"},
-      {"extends=b.yaml", "--set extends=b.yaml: 'extends' works in files only\n"},
+      {"extends=b.yaml", "--set extends=b.yaml: 'extends' is allowed in files only\n"},
       {"odometry.pyramid=[1",
        "--set odometry.pyramid=[1: cannot read this YAML: a '[' has no ']'\n"},
       {"observers.7.port=1",
-       "--set observers.7.port=1: no item '7' in a list of 2; items count from 0\n"},
+       "--set observers.7.port=1: no item '7' in a list of 2; indices start at 0\n"},
       {"observers.first.port=1",
-       "--set observers.first.port=1: no item 'first' in a list of 2; items count from 0\n"},
-      {"seed.low=1", "--set seed.low=1: 'low' has no place: its parent is the single value '7'\n"},
+       "--set observers.first.port=1: no item 'first' in a list of 2; indices start at 0\n"},
+      {"seed.low=1", "--set seed.low=1: 'low' cannot be set: its parent is the scalar '7'\n"},
       {"name=", "--set name=: name: expects a text, not nothing\n"},
       {"name=${NOWHERE}",
        "--set name=${NOWHERE}: name: the environment variable NOWHERE is not set; set it or write "
        "${NOWHERE:-default}\n"},
       {"odometry.plugni=x",
        "--set odometry.plugni=x: odometry.plugni: unknown parameter; did you mean 'plugin'? "
-       "(plugin toy_odometry knows: active_points, scale, pyramid, solver)\n"},
+       "(parameters of plugin toy_odometry: active_points, scale, pyramid, solver)\n"},
   }));
   CHECK(with({argument}).complaints() == expected);
 }

@@ -6,13 +6,13 @@
 
 namespace tolman {
 
-TEST_CASE("Paths become absolute and normal, from the place that says them") {
-  const config::Places places{"/start", "/home/ada"};
+TEST_CASE("Paths become absolute and normal, relative to their origin") {
+  const config::BaseFolders folders{"/start", "/home/ada"};
   const config::Origin file = config::Origin::ofFile("configs/deep/a.yaml");
   const config::Origin far = config::Origin::ofFile("/etc/tolman/a.yaml");
   const config::Origin line{config::Origin::Kind::CommandLine, "--set x=y", 0, 0, {}};
   const auto resolve = [&](const char* path, const config::Origin& origin) {
-    return config::resolvePath(path, origin, places).value();
+    return config::resolvePath(path, origin, folders).value();
   };
   CHECK(resolve("data", file) == "/start/configs/deep/data");
   CHECK(resolve("../../data/./06/", file) == "/start/data/06");
@@ -26,11 +26,12 @@ TEST_CASE("Paths become absolute and normal, from the place that says them") {
   CHECK(resolve("", file).empty());
 }
 
-TEST_CASE("Homes that are not known are refused") {
+TEST_CASE("Unknown home folders are refused") {
   const auto unset = config::resolvePath("~/x", {}, {"/start", ""});
   CHECK(unset.status().message() == "'~' needs HOME, which is not set");
   const auto other = config::resolvePath("~bob/x", {}, {"/start", "/home/ada"});
-  CHECK(other.status().message() == "'~bob/x': only '~/' is understood, not other homes");
+  CHECK(other.status().message() ==
+        "'~bob/x': only '~/' is supported, not the home of another user");
 }
 
 }  // namespace tolman

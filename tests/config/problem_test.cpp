@@ -8,14 +8,14 @@ namespace tolman {
 
 using config::Origin;
 
-TEST_CASE("Origins read as editors and shells understand them") {
+TEST_CASE("Origins are written as file:line:column or as the option") {
   CHECK(config::text(Origin{}) == "default");
   CHECK(config::text(Origin::ofFile("a.yaml")) == "a.yaml");
   CHECK(config::text(Origin{Origin::Kind::File, "a.yaml", 4, 13, {}}) == "a.yaml:4:13");
   CHECK(config::text(Origin{Origin::Kind::CommandLine, "--set a=1", 0, 0, {}}) == "--set a=1");
 }
 
-TEST_CASE("Problems are sorted by file and position, lines as numbers, the command line last") {
+TEST_CASE("Problems are sorted by file and numeric position, the command line last") {
   const auto at = [](int line, int column) {
     return Origin{Origin::Kind::File, "a.yaml", line, column, {}};
   };

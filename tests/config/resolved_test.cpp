@@ -25,7 +25,7 @@ test::CheckedSystem reloaded(const test::CheckedSystem& system) {
 
 }  // namespace
 
-TEST_CASE("The resolved configuration holds every value, defaults included") {
+TEST_CASE("The resolved configuration has every value, defaults included") {
   const test::CheckedSystem system =
       test::checkSystem("whole.yaml", {"source.path=/data/06", "evaluation.segments=[5, 10.5]"});
   REQUIRE(system.complaints() == "");
@@ -108,7 +108,7 @@ TEST_CASE("Loaded again, the resolved configuration gives the same values and th
   CHECK(again.config.evaluation.segment_lengths == std::vector{1.5});
 }
 
-TEST_CASE("Texts of every kind survive the round trip") {
+TEST_CASE("Texts with special characters are written and read back") {
   const std::string text =
       GENERATE(as<std::string>(), "", "~", "null", "true", "010", "a: b", "# c", " spaces ",
                "say \"no\" \\ yes", "$${HOME} $5 $$", "a\nb\tc", "[1, 2]", "*x", "&x", "!x", "-",
@@ -122,7 +122,7 @@ TEST_CASE("Texts of every kind survive the round trip") {
   CHECK(std::get<std::string>(again.of("odometry").at("solver")) == text);
 }
 
-TEST_CASE("explain shows where each value comes from") {
+TEST_CASE("explain shows the origin of each value") {
   const test::CheckedSystem system =
       test::checkSystem("layers/top.yaml", {"odometry.scale=${SCALE:-4}"}, {});
   const std::string text = test::withoutFolder(config::explain(system.config, system.values));

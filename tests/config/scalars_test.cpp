@@ -31,7 +31,7 @@ TEST_CASE("Integers are decimal digits with a sign") {
   CHECK_FALSE(config::readInteger(bad).isOk());
 }
 
-TEST_CASE("Refused integers say what to write") {
+TEST_CASE("Refused integers name the right spelling") {
   CHECK(message(config::readInteger("1e3")) == "expects an integer, not '1e3'; write 1000");
   CHECK(message(config::readInteger("2.0")) == "expects an integer, not '2.0'; write 2");
   CHECK(message(config::readInteger("010")) ==
@@ -59,7 +59,7 @@ TEST_CASE("NaN and infinity in every spelling are refused as such") {
   CHECK(message(config::readReal(bad)) == "expects a finite number, not '" + bad + "'");
 }
 
-TEST_CASE("Only true and false are true and false") {
+TEST_CASE("Only true and false are booleans") {
   CHECK(config::readBool("true").value());
   CHECK_FALSE(config::readBool("false").value());
   CHECK(message(config::readBool("Yes")) == "expects true or false, not 'Yes'; write true");

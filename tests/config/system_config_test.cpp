@@ -24,7 +24,7 @@ test::CheckedSystem checkText(const std::string& name, const std::string& text) 
 
 }  // namespace
 
-TEST_CASE("Stages come in the order of the flow with instance, policy and origin") {
+TEST_CASE("Stages are in processing order, with instance, policy and origin") {
   const test::CheckedSystem system = test::checkSystem("whole.yaml");
   std::string shown;
   for (const config::StageConfig& stage : system.config.stages) {
@@ -44,7 +44,7 @@ TEST_CASE("Stages come in the order of the flow with instance, policy and origin
         "whole.yaml:6:11");
 }
 
-TEST_CASE("The least configuration has the host's defaults and the file's name") {
+TEST_CASE("A minimal configuration has the host's defaults and the name of the file") {
   const test::CheckedSystem system = checkText("my-run.yaml", kChain);
   CHECK(system.complaints() == "");
   CHECK(system.config.general.name == "my-run");
@@ -77,23 +77,23 @@ TEST_CASE("Groups and lists of the wrong kind are refused, also when left empty"
   CHECK(system.problems[2].message == "expects a list such as [{plugin: progress}], not nothing");
 }
 
-TEST_CASE("A plugin that declares a word of the host's is told so") {
+TEST_CASE("A plugin that declares a key of the host is a problem") {
   const test::CheckedSystem system = test::checkSystem("whole.yaml");
   ParameterInfo name;
   name.name = "name";
   name.default_value = 0.0;
   config::Problems problems;
-  config::check(system.config.stages[2], Schema{name}, system.config.places, problems);
+  config::check(system.config.stages[2], Schema{name}, system.config.folders, problems);
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].message ==
-        "plugin toy_place declares the parameter 'name', a word that the host keeps for itself; "
-        "rename it in the plugin");
+        "plugin toy_place declares the parameter 'name', which is a key of the host; rename it in "
+        "the plugin");
 }
 
 TEST_CASE("An empty plugin name is refused") {
   const auto system = checkText("a.yaml", std::string(kChain) + "observers: [{plugin: \"\"}]\n");
   REQUIRE(system.problems.size() == 1);
-  CHECK(system.problems[0].message == "names no plugin");
+  CHECK(system.problems[0].message == "is empty");
 }
 
 }  // namespace tolman

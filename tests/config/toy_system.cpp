@@ -77,7 +77,7 @@ CheckedSystem checkSystem(const std::string& file, const std::vector<std::string
   for (const config::StageConfig& stage : system.config.stages) {
     if (stage.plugin.empty()) continue;
     system.values[stage.instance] =
-        config::check(stage, toySchema(stage.plugin), system.config.places, system.problems);
+        config::check(stage, toySchema(stage.plugin), system.config.folders, system.problems);
   }
   return system;
 }

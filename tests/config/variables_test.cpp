@@ -24,7 +24,7 @@ std::string expanded(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("Variables and defaults are put in place") {
+TEST_CASE("Variables and defaults are substituted") {
   CHECK(expanded("plain $A $ text") == "plain $A $ text");
   CHECK(expanded("${A}") == "one");
   CHECK(expanded("x${A}y${_x9}z") == "xoney9z");
@@ -36,7 +36,7 @@ TEST_CASE("Variables and defaults are put in place") {
   CHECK(expanded("${EMPTY:-two}") == "two");  // as in a shell
 }
 
-TEST_CASE("$${ stands for ${, and what a variable holds is not expanded again") {
+TEST_CASE("$${ stands for ${, and the value of a variable is not expanded again") {
   CHECK(expanded("$${A}") == "${A}");
   CHECK(expanded("$${A} ${A}") == "${A} one");
   CHECK(expanded("$$${A}") == "$${A}");
@@ -44,16 +44,16 @@ TEST_CASE("$${ stands for ${, and what a variable holds is not expanded again") 
   CHECK(expanded("${A}${A}") == "oneone");
 }
 
-TEST_CASE("Wrong uses are refused with the remedy") {
+TEST_CASE("Illegal uses are refused with a remedy") {
   CHECK(expanded("${B}") == "the environment variable B is not set; set it or write ${B:-default}");
   CHECK(expanded("${A") == "'${' without '}'");
-  CHECK(expanded("${A:-${B}}") == "${A:-...} cannot hold another ${...}");
-  CHECK(expanded("${}").starts_with("'${}' names no variable"));
-  CHECK(expanded("${a b}").starts_with("'${a b}' names no variable"));
-  CHECK(expanded("${A-x}").starts_with("'${A-x}' names no variable"));
+  CHECK(expanded("${A:-${B}}") == "${A:-...} cannot contain another ${...}");
+  CHECK(expanded("${}").starts_with("'${}' is not a variable"));
+  CHECK(expanded("${a b}").starts_with("'${a b}' is not a variable"));
+  CHECK(expanded("${A-x}").starts_with("'${A-x}' is not a variable"));
 }
 
-TEST_CASE("A quoted variable may be a number, and remembers its name") {
+TEST_CASE("A quoted variable may be a number, and its origin has the name of the variable") {
   config::Node node;
   node.kind = config::Node::Kind::Scalar;
   node.text = "${A:-1}${B:-2}";
@@ -65,7 +65,7 @@ TEST_CASE("A quoted variable may be a number, and remembers its name") {
   CHECK(node.origin.variables == "A, B");
 }
 
-TEST_CASE("The process's environment is one of them") {
+TEST_CASE("processEnvironment() reads the environment of this process") {
   REQUIRE(setenv("TOLMAN_TEST_VARIABLE", "here", 1) == 0);
   CHECK(config::processEnvironment()("TOLMAN_TEST_VARIABLE") == "here");
   REQUIRE(unsetenv("TOLMAN_TEST_VARIABLE") == 0);

@@ -48,16 +48,16 @@ std::size_t sizeOf(const Node& node) {
 
 }  // namespace
 
-TEST_CASE("Values and keys know their places") {
+TEST_CASE("Values and keys have their position") {
   CHECK(shown(*read("a: x\nb:\n  c: [1, {d: \"2\"}]\n").tree) ==
         "{a@1:1: 'x'@1:4, b@2:1: {c@3:3: ['1'@3:7, {d@3:11: '2'@3:14}@3:10]@3:6}@3:3}@1:1");
 }
 
-TEST_CASE("An absent value stands at its key, where a person would look") {
+TEST_CASE("An absent value has the position of its key") {
   CHECK(shown(*read("a:\nb: ~\n").tree) == "{a@1:1: null@1:1, b@2:1: null@2:1}@1:1");
 }
 
-TEST_CASE("Quotes make text") {
+TEST_CASE("Quoted scalars are text") {
   const Reading reading = read("[1, \"1\", '1', |\n]");
   const Reading good = read("- 1\n- \"1\"\n- '1'\n- |\n  1\n");
   REQUIRE(good.tree->children.size() == 4);
@@ -68,7 +68,7 @@ TEST_CASE("Quotes make text") {
   CHECK_FALSE(reading.tree);
 }
 
-TEST_CASE("Aliases are copies, with the places where the values were said") {
+TEST_CASE("Aliases are copies with the position of the original") {
   Reading reading = read("a: &x {k: 1}\nb: *x\n");
   REQUIRE(reading.tree);
   CHECK(shown(*reading.tree->find("b")) == "{k@1:8: '1'@1:11}@1:4");
@@ -77,7 +77,7 @@ TEST_CASE("Aliases are copies, with the places where the values were said") {
   CHECK(reading.tree->find("b")->find("k")->text == "1");
 }
 
-TEST_CASE("Duplicates are noted wherever they are; the first stays") {
+TEST_CASE("Duplicate keys are reported at every level; the first is kept") {
   const Reading reading = read("a: [{k: 1, k: 2}, {k: 1}]\nb: 1\n'b': 2\n");
   REQUIRE(reading.tree);
   CHECK(reading.tree->find("b")->text == "1");
@@ -86,14 +86,14 @@ TEST_CASE("Duplicates are noted wherever they are; the first stays") {
         "f:3:1: b: given twice; first at f:2:1\n");
 }
 
-TEST_CASE("Keys must be words") {
+TEST_CASE("Keys must be scalars") {
   CHECK(config::format(read("? [1]\n: 2\n").problems) ==
-        "f:1:3: cannot read this YAML: a key must be a word, not a list\n");
+        "f:1:3: cannot read this YAML: a key must be a scalar, not a list\n");
   CHECK(config::format(read(": 1\n").problems) ==
-        "f:1:1: cannot read this YAML: a key must be a word, not nothing\n");
+        "f:1:1: cannot read this YAML: a key must be a scalar, not nothing\n");
 }
 
-TEST_CASE("A quote that is never closed is an error, though yaml-cpp would take it") {
+TEST_CASE("An unclosed quote is an error, although yaml-cpp accepts it") {
   for (const char* text :
        {"a: 1\nb: 'x", "a: 1\nb: 'x\n", "a: 1\nb: \"x\n\n", "a: 1\nb: 'x\nc: 1\n"}) {
     CAPTURE(text);
@@ -120,14 +120,14 @@ TEST_CASE("Depth and number of values are limited") {
 
 TEST_CASE("Not text") {
   CHECK(config::format(read(std::string("a: 1\nb: \0", 9)).problems) ==
-        "f:2:4: a byte of value 0 is no text; is this a YAML file?\n");
+        "f:2:4: a byte of value 0 is not text; is this a YAML file?\n");
   CHECK(config::format(read("\x7f\x45LF").problems) ==
-        "f:1:1: a byte of value 127 is no text; is this a YAML file?\n");
+        "f:1:1: a byte of value 127 is not text; is this a YAML file?\n");
   CHECK_FALSE(read(std::string("\xff\xfe\x61\x00", 4)).tree);  // UTF-16
   CHECK(read("\xef\xbb\xbfname: a\r\nseed: 1\r\n").tree->children.size() == 2);
 }
 
-TEST_CASE("Random bytes never do worse than a problem") {
+TEST_CASE("Random bytes give at most a problem") {
   RandomStream random(5);
   const std::string syntax = "[]{}:,-?&*!|>'\"%@`#~ \t\n\r<=\\0ax.$";
   for (int i = 0; i < 3000; ++i) {
@@ -141,7 +141,7 @@ TEST_CASE("Random bytes never do worse than a problem") {
   }
 }
 
-TEST_CASE("A real configuration cut or damaged anywhere never does worse than a problem") {
+TEST_CASE("A configuration that is cut or damaged anywhere gives at most a problem") {
   std::ifstream stream(test::fixtures() + "whole.yaml");
   const std::string whole(std::istreambuf_iterator<char>(stream), {});
   REQUIRE(whole.size() > 100);

@@ -15,7 +15,7 @@ Frame frameAt(std::int64_t frame, std::int64_t stamp_ns) {
   return made;
 }
 
-Motion sound(const Frame& frame) {
+Motion validMotion(const Frame& frame) {
   Motion motion;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
@@ -28,27 +28,27 @@ Motion sound(const Frame& frame) {
 
 }  // namespace
 
-TEST_CASE("a sound motion passes, each fault is told apart") {
+TEST_CASE("a valid motion passes, each fault has its message") {
   const Frame before = frameAt(3, 1'000'000'000);
   const Frame now = frameAt(4, 1'500'000'000);
-  const auto says = [&](auto&& spoil) {
-    Motion motion = sound(now);
-    spoil(motion);
+  const auto message = [&](auto&& change) {
+    Motion motion = validMotion(now);
+    change(motion);
     return checkMotion(motion, now, &before).message();
   };
-  CHECK(says([](Motion&) {}).empty());
-  CHECK(says([](Motion& m) { m.state = TrackingState::Lost; }).empty());
-  CHECK(says([](Motion& m) { m.T_previous_current.linear()(0, 0) += 1e-3; }) ==
-        "the rotation of 'T_previous_current' is no rotation; use normalised()");
-  CHECK(says([](Motion& m) { m.T_previous_current.linear().col(0) *= -1; })  // a mirror
+  CHECK(message([](Motion&) {}).empty());
+  CHECK(message([](Motion& m) { m.state = TrackingState::Lost; }).empty());
+  CHECK(message([](Motion& m) { m.T_previous_current.linear()(0, 0) += 1e-3; }) ==
+        "the rotation of 'T_previous_current' is not orthonormal; use normalised()");
+  CHECK(message([](Motion& m) { m.T_previous_current.linear().col(0) *= -1; })  // a mirror
             .starts_with("the rotation"));
-  CHECK(says([](Motion& m) { m.covariance(1, 2) = 0.1; }) == "the covariance is not symmetric");
-  CHECK(says([](Motion& m) { m.covariance(5, 5) = -1e-9; }) ==
+  CHECK(message([](Motion& m) { m.covariance(1, 2) = 0.1; }) == "the covariance is not symmetric");
+  CHECK(message([](Motion& m) { m.covariance(5, 5) = -1e-9; }) ==
         "the covariance has a negative variance");
-  CHECK(says([](Motion& m) { m.dt = 0.4; }).starts_with("dt is 0.400000 s, the stamps say 0.5"));
-  CHECK(says([](Motion& m) { m.state = TrackingState::Initialising; }) ==
+  CHECK(message([](Motion& m) { m.dt = 0.4; }).starts_with("dt is 0.400000 s, the stamps say 0.5"));
+  CHECK(message([](Motion& m) { m.state = TrackingState::Initialising; }) ==
         "an Initialising motion is the identity");
-  CHECK(says([](Motion& m) { m.revisions.resize(1), m.revisions[0].covariance(0, 1) = 3; }) ==
+  CHECK(message([](Motion& m) { m.revisions.resize(1), m.revisions[0].covariance(0, 1) = 3; }) ==
         "the covariance is not symmetric");
 }
 
@@ -63,21 +63,21 @@ TEST_CASE("at frame 0 there is no motion") {
 
 TEST_CASE("template ids are dense from 0") {
   std::int64_t templates = 0;
-  const auto says = [&](Recognition recognition, std::int64_t id) {
+  const auto message = [&](Recognition recognition, std::int64_t id) {
     PlaceObservation seen;
     seen.recognition = recognition;
     seen.template_id = id;
     return checkPlace(seen, templates).message();
   };
-  CHECK(says(Recognition::None, -1).empty());
-  CHECK(says(Recognition::Familiar, 0) == "recognised template 0, which was never made");
-  CHECK(says(Recognition::Novel, 0).empty());
-  CHECK(says(Recognition::Familiar, 0).empty());
-  CHECK(says(Recognition::Novel, 2) == "made template 2; ids are dense, the next one is 1");
-  CHECK(says(Recognition::None, 0) == "answered None with template 0; None has template_id -1");
+  CHECK(message(Recognition::None, -1).empty());
+  CHECK(message(Recognition::Familiar, 0) == "recognised template 0, which was never made");
+  CHECK(message(Recognition::Novel, 0).empty());
+  CHECK(message(Recognition::Familiar, 0).empty());
+  CHECK(message(Recognition::Novel, 2) == "made template 2; ids are dense, the next one is 1");
+  CHECK(message(Recognition::None, 0) == "answered None with template 0; None has template_id -1");
 }
 
-TEST_CASE("who stays is where he was") {
+TEST_CASE("Stay keeps the experience of the last decision") {
   Decision decision;
   decision.experience = 4;
   CHECK(checkDecision(decision, 4).isOk());
@@ -89,15 +89,14 @@ TEST_CASE("who stays is where he was") {
   CHECK_FALSE(checkDecision(decision, 3).isOk());
 }
 
-TEST_CASE("nobody measures without uncertainty") {
+TEST_CASE("a relative pose needs a covariance") {
   const std::string exact =
-      "has_relative_pose with a covariance of zero claims to be exact; say how uncertain the pose "
-      "is";
+      "has_relative_pose with zero covariance claims an exact pose; set its covariance";
   Decision decision;
   decision.action = Action::CloseLoop;
   decision.has_relative_pose = true;
   CHECK(checkDecision(decision, 0).message() == exact);
-  decision.covariance(0, 0) = decision.covariance(2, 2) = 0.01;  // planar: the rest may be nothing
+  decision.covariance(0, 0) = decision.covariance(2, 2) = 0.01;  // planar: the rest may be zero
   CHECK(checkDecision(decision, 0).isOk());
   PlaceObservation seen;
   seen.recognition = Recognition::Novel;
@@ -107,7 +106,7 @@ TEST_CASE("nobody measures without uncertainty") {
   CHECK(checkPlace(seen, templates).message() == exact);
 }
 
-TEST_CASE("an update counts what the graph has, and its version does not fall") {
+TEST_CASE("the counts of an update agree with the graph, its version does not decrease") {
   MapGraph graph;
   graph.experiences.resize(2);
   graph.links.resize(1);
@@ -116,10 +115,10 @@ TEST_CASE("an update counts what the graph has, and its version does not fall") 
   update.links = 1;
   update.version = 3;
   CHECK(checkUpdate(update, graph, 3).isOk());
-  CHECK(checkUpdate(update, graph, 4).message() == "the version of the map went down");
+  CHECK(checkUpdate(update, graph, 4).message() == "the version of the map decreased");
   update.experience = 2;
   CHECK(checkUpdate(update, graph, 3).message() ==
-        "the frame hangs on experience 2, which does not exist");
+        "the frame is attached to experience 2, which does not exist");
   update.experience = 1;
   update.links = 0;
   CHECK_FALSE(checkUpdate(update, graph, 3).isOk());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The corpus: each broken plugin, the check that catches it, and what it says.
+// Each broken fixture plugin, the check that fails, and its message.
 #include "conformance/validation.hpp"
 
 using namespace tolman::test;
@@ -10,12 +10,12 @@ struct Broken {
   const char* library;
   const char* id;
   const char* check;
-  const char* says;  ///< part of the finding
+  const char* message;  ///< part of the finding
   const char* severity = "error";
 };
 
-/// Makes that one check; the plugin fails it with those words and a remedy.
-void expectCaught(const Broken& broken) {
+/// Runs that one check; it must fail with the message and a remedy.
+void expectFound(const Broken& broken) {
   INFO(broken.library << ", " << broken.id << ", " << broken.check);
   const Validation found =
       validate(fixtureLibrary(broken.library),
@@ -25,25 +25,25 @@ void expectCaught(const Broken& broken) {
   const auto check = found.check(broken.check);
   REQUIRE(check.is_object());
   CHECK(check["result"] == broken.severity);
-  CHECK(contains(found.messages(), broken.says));
+  CHECK(contains(found.messages(), broken.message));
   REQUIRE_FALSE(check["findings"].empty());
   CHECK_FALSE(check["findings"].front()["remedy"].get<std::string>().empty());
 }
 
-void expectAllCaught(const std::vector<Broken>& corpus) {
-  for (const Broken& broken : corpus) expectCaught(broken);
+void expectAllFound(const std::vector<Broken>& corpus) {
+  for (const Broken& broken : corpus) expectFound(broken);
 }
 
 }  // namespace
 
-TEST_CASE("libraries that are no plugins of this host are refused with their id") {
-  expectAllCaught({
+TEST_CASE("incompatible libraries are refused with the id of the refusal") {
+  expectAllFound({
       {"wrong_major", "wrong_major", "manifest", "[plugin/sdk-major]"},
       {"newer_minor", "newer_minor", "manifest", "[plugin/sdk-minor]"},
       {"avx2", "steady", "manifest", "[plugin/fingerprint]"},
       {"entry_missing", "entry_missing", "load", "[plugin/entry-missing]"},
       {"missing_symbol", "missing_symbol", "load", "[plugin/load-failed]"},
-      {"returns_null", "returns_null", "life-unused", "created nothing"},
+      {"returns_null", "returns_null", "life-unused", "created no object"},
   });
   for (const auto& [library, says] : {std::pair("no_manifest", "[plugin/no-manifest]"),
                                       std::pair("bad_json", "[plugin/bad-manifest]")}) {
@@ -53,147 +53,159 @@ TEST_CASE("libraries that are no plugins of this host are refused with their id"
   }
 }
 
-TEST_CASE("careless declarations are found") {
-  expectAllCaught({
+TEST_CASE("incomplete declarations are found") {
+  expectAllFound({
       {"undeclared", "no_doc", "schema", "parameter 'gain' has no doc"},
       {"undeclared", "no_range", "schema", "parameter 'gain' has no range", "warning"},
-      {"undeclared", "reserved_name", "schema", "a name that belongs to the host"},
+      {"undeclared", "reserved_name", "schema", "a name that is reserved for the host"},
       {"undeclared", "default_outside", "schema", "has a default outside of its range"},
       {"undeclared", "declared_twice", "schema", "is declared twice"},
       {"undeclared", "no_summary", "manifest", "there is no summary"},
-      {"undeclared", "no_version", "manifest", "'newest' is no version"},
+      {"undeclared", "no_version", "manifest", "'newest' is not a version"},
   });
 }
 
-TEST_CASE("a plugin that throws or breaks off is reported by call and frame") {
-  expectAllCaught({
+TEST_CASE("a plugin that throws or fails is reported with call and frame") {
+  expectAllFound({
       {"misbehaving", "throws_in_constructor", "life-unused", "construct: threw: constructor"},
       {"misbehaving", "throws_in_configure", "life-unused", "configure: threw: configure gives"},
       {"misbehaving", "fails_in_configure", "answers", "exclude each other"},
       {"misbehaving", "throws_in_track", "answers", "track, frame 3: threw: track gives up"},
-      {"misbehaving", "throws_an_integer", "answers", "frame 3: threw something that is no std::"},
+      {"misbehaving", "throws_an_integer", "answers",
+       "frame 3: threw something that is not a std::"},
       {"misbehaving", "throws_in_destructor", "life-unused", "destroy: threw: destructor gives up"},
       {"misbehaving", "throws_in_finish", "life-no-frames", "finish: threw: finish gives up"},
   });
 }
 
-TEST_CASE("a plugin that dies is reported by signal and step") {
-  expectAllCaught({
-      {"guests", "segfault", "answers", "died of SIGSEGV (Segmentation fault) in 'frame 3'"},
-      {"guests", "abort_", "answers", "died of SIGABRT (Aborted) in 'frame 3'"},
-      {"guests", "terminate", "answers", "died of SIGABRT"},
-      {"guests", "divide_by_zero", "answers", "died of SIGFPE"},
-      {"guests", "recurse_forever", "answers", "died of SIGSEGV"},
-      {"guests", "exit_", "answers", "ended the process itself (exit code 0) in 'frame 3'"},
-      {"guests", "eat_memory", "answers", "threw: std::bad_alloc"},
+TEST_CASE("a crash is reported with signal and call") {
+  expectAllFound({
+      {"process_faults", "segfault", "answers",
+       "died of SIGSEGV (Segmentation fault) in 'frame 3'"},
+      {"process_faults", "abort_", "answers", "died of SIGABRT (Aborted) in 'frame 3'"},
+      {"process_faults", "terminate", "answers", "died of SIGABRT"},
+      {"process_faults", "divide_by_zero", "answers", "died of SIGFPE"},
+      {"process_faults", "recurse_forever", "answers", "died of SIGSEGV"},
+      {"process_faults", "exit_", "answers", "exited with code 0 in 'frame 3'"},
+      {"process_faults", "eat_memory", "answers", "threw: std::bad_alloc"},
   });
 }
 
-TEST_CASE("a plugin that hangs is ended at its deadline") {
-  const Validation found = validate(
-      fixtureLibrary("guests"), {"--id", "loop_forever", "--check", "answers", "--timeout", "1"});
+TEST_CASE("a plugin that hangs is killed after the timeout") {
+  const Validation found =
+      validate(fixtureLibrary("process_faults"),
+               {"--id", "loop_forever", "--check", "answers", "--timeout", "1"});
   CHECK(found.exit_code == 4);
   CHECK(contains(found.messages(), "did not return within 1 s, in 'frame 3'"));
 }
 
-TEST_CASE("answers that cannot be true are found") {
-  expectAllCaught({
+TEST_CASE("invalid answers are found") {
+  expectAllFound({
       {"misbehaving", "returns_nan", "answers", "frame 3: the answer has NaN"},
       {"misbehaving", "goes_back_in_time", "answers", "copy `stamp_ns` from the input"},
       {"misbehaving", "answers_another_frame", "answers", "answered for frame 2"},
       {"misbehaving", "revises_the_future", "answers", "revised frame 7"},
-      {"untrue", "scaled_rotation", "answers", "frame 3: the rotation of 'T_previous_current'"},
-      {"untrue", "skew_covariance", "answers", "frame 3: the covariance is not symmetric"},
-      {"untrue", "negative_variance", "answers", "the covariance has a negative variance"},
-      {"untrue", "wrong_dt", "answers", "dt is 1.000000 s, the stamps say 0.100000 s"},
-      {"untrue", "future_points", "answers", "points of frame 4"},
-      {"untrue", "moves_at_once", "answers", "frame 0 has no motion"},
-      {"strangers", "skips_template_ids", "answers", "made template 2; ids are dense"},
-      {"strangers", "none_with_id", "answers", "None has template_id -1"},
-      {"strangers", "knows_the_unseen", "answers", "which was never made"},
-      {"strangers", "wanders", "answers", "stays at experience 0, but was at 1"},
-      {"strangers", "finds_the_unseen", "answers", "a frame that never came must be"},
-      {"strangers", "counts_more", "answers", "counts other experiences or links than graph()"},
-      {"strangers", "watches_null_graph", "answers", "died of SIGSEGV"},
+      {"answer_faults", "scaled_rotation", "answers",
+       "frame 3: the rotation of 'T_previous_current'"},
+      {"answer_faults", "skew_covariance", "answers", "frame 3: the covariance is not symmetric"},
+      {"answer_faults", "negative_variance", "answers", "the covariance has a negative variance"},
+      {"answer_faults", "wrong_dt", "answers", "dt is 1.000000 s, the stamps say 0.100000 s"},
+      {"answer_faults", "future_points", "answers", "points of frame 4"},
+      {"answer_faults", "moves_at_once", "answers", "frame 0 has no motion"},
+      {"role_faults", "skips_template_ids", "answers", "made template 2; ids are dense"},
+      {"role_faults", "none_with_id", "answers", "None has template_id -1"},
+      {"role_faults", "unknown_template", "answers", "which was never made"},
+      {"role_faults", "stays_elsewhere", "answers", "stays at experience 0, but was at 1"},
+      {"role_faults", "unknown_frame", "answers", "a frame that was never given must be"},
+      {"role_faults", "counts_more", "answers",
+       "counts of experiences and links differ from graph()"},
+      {"role_faults", "watches_null_graph", "answers", "died of SIGSEGV"},
   });
 }
 
-TEST_CASE("lives that are not lived as written are found") {
-  expectAllCaught({
-      {"untrue", "destructor_needs_configure", "life-unused", "died of SIGSEGV"},
-      {"untrue", "finish_needs_frames", "life-no-frames", "nothing to finish"},
-      {"untrue", "works_once", "life-again", "after finish and reset: "},
+TEST_CASE("violations of the order of calls are found") {
+  expectAllFound({
+      {"answer_faults", "destructor_needs_configure", "life-unused", "died of SIGSEGV"},
+      {"answer_faults", "finish_needs_frames", "life-no-frames", "nothing to finish"},
+      {"answer_faults", "works_once", "life-again", "after finish and reset: "},
   });
 }
 
-TEST_CASE("input that is legal and not answered is found, and what illegal input breaks") {
-  expectAllCaught({
-      {"untrue", "fails_on_empty", "frames-empty", "some frames without images: odometry"},
-      {"untrue", "crashes_on_empty", "frames-empty", "died of SIGSEGV"},
-      {"untrue", "needs_two_eyes", "one-eye", "died of SIGSEGV"},
-      {"untrue", "counts_on_frames", "frames-dropped", "threw: a frame is missing"},
+TEST_CASE("legal input without an answer and crashes on illegal input are found") {
+  expectAllFound({
+      {"answer_faults", "fails_on_empty", "frames-empty", "some frames without images: odometry"},
+      {"answer_faults", "crashes_on_empty", "frames-empty", "died of SIGSEGV"},
+      {"answer_faults", "needs_right_image", "no-right-image", "died of SIGSEGV"},
+      {"answer_faults", "counts_on_frames", "frames-dropped", "threw: a frame is missing"},
   });
 }
 
-TEST_CASE("parameters that are legal and do not work are found with their draw") {
-  expectAllCaught({
-      {"untrue", "hates_fast", "parameters-random", "of seed 1 (--set speed="},
-      {"untrue", "takes_any_type", "parameters-types", "takes parameter 'speed' of a wrong type"},
+TEST_CASE("legal parameters that fail are found and printed") {
+  expectAllFound({
+      {"answer_faults", "fails_when_fast", "parameters-random", "of seed 1 (--set speed="},
+      {"answer_faults", "takes_any_type", "parameters-types",
+       "accepts parameter 'speed' of a wrong type"},
   });
 }
 
-TEST_CASE("results that do not repeat are found") {
-  expectAllCaught({
-      {"untrue", "address", "deterministic", "a second instance differs at frame 1: 'T_previous"},
-      {"untrue", "wall_clock", "deterministic", "a second instance differs at frame 1"},
-      {"untrue", "reset_forgets", "reset", "after finish() and reset() differs at frame 1"},
-      {"untrue", "shared_state", "interleaved", "an instance beside another differs"},
-      {"untrue", "thread_local_state", "migration", "a run that changes its thread differs"},
-      {"untrue", "thread_count", "threads", "a run with 4 threads instead of 1 differs at frame 1"},
-      {"untrue", "ignores_stride", "padded-rows", "a run with padded image rows differs"},
+TEST_CASE("results that are not reproducible are found") {
+  expectAllFound({
+      {"answer_faults", "address", "deterministic",
+       "a second instance differs at frame 1: 'T_previous"},
+      {"answer_faults", "wall_clock", "deterministic", "a second instance differs at frame 1"},
+      {"answer_faults", "reset_forgets", "reset", "after finish() and reset() differs at frame 1"},
+      {"answer_faults", "shared_state", "interleaved",
+       "an instance that alternates with another differs"},
+      {"answer_faults", "thread_local_state", "migration",
+       "a run with calls from several threads differs"},
+      {"answer_faults", "thread_count", "threads",
+       "a run with 4 threads instead of 1 differs at frame 1"},
+      {"answer_faults", "ignores_stride", "padded-rows", "a run with padded image rows differs"},
   });
 }
 
-TEST_CASE("saved state that is not the whole state, or is believed when damaged, is found") {
-  expectAllCaught({
-      {"strangers", "loads_nothing", "state",
+TEST_CASE("incomplete saved state and undetected damage are found") {
+  expectAllFound({
+      {"role_faults", "loads_nothing", "state",
        "after save and load: place (loads_nothing), observe, frame 20"},
-      {"strangers", "believes_damage", "state-damaged", "takes a damaged state: nothing at all"},
-      {"strangers", "crashes_on_damage", "state-damaged", "died of SIGABRT (Aborted) in 'load' of"},
-      {"strangers", "keeps_half_loaded", "state-damaged",
+      {"role_faults", "accepts_damage", "state-damaged", "accepts a damaged state: empty"},
+      {"role_faults", "crashes_on_damage", "state-damaged",
+       "died of SIGABRT (Aborted) in 'load' of"},
+      {"role_faults", "keeps_half_loaded", "state-damaged",
        "recognised template 1, which was never made"},
   });
 }
 
-TEST_CASE("guests who disturb the process are found") {
-  expectAllCaught({
-      {"guests", "write_to_stdout", "globals", "wrote to stdout: 'frame 3 is a fine frame"},
-      {"guests", "write_to_stderr", "globals", "wrote to stderr: 'hm", "warning"},
-      {"guests", "change_locale", "globals", "locale of C: 'C' became "},
-      {"guests", "install_handler", "globals", "handler of signal 15"},
-      {"guests", "change_rounding", "globals", "rounding mode"},
-      {"guests", "flush_denormals", "globals", "floating point control (denormals, traps)"},
-      {"guests", "change_folder", "globals", "working directory"},
-      {"guests", "set_variable", "globals", "OMP_NUM_THREADS"},
-      {"guests", "draw_globally", "globals", "rand() or srand()"},
-      {"guests", "change_umask", "globals", "umask"},
-      {"guests", "leak_thread", "leftovers", "left a thread behind: 1 more after each life"},
-      {"guests", "run_on", "leftovers", "a thread runs on after finish()"},
-      {"guests", "leak_file", "leftovers", "left a file open: /dev/null"},
-      {"guests", "leak_memory", "memory", "KiB on the heap", "warning"},
+TEST_CASE("side effects on the process are found") {
+  expectAllFound({
+      {"process_faults", "write_to_stdout", "globals", "wrote to stdout: 'frame 3 is a fine frame"},
+      {"process_faults", "write_to_stderr", "globals", "wrote to stderr: 'hm", "warning"},
+      {"process_faults", "change_locale", "globals", "locale of C: 'C' became "},
+      {"process_faults", "install_handler", "globals", "handler of signal 15"},
+      {"process_faults", "change_rounding", "globals", "rounding mode"},
+      {"process_faults", "flush_denormals", "globals", "floating point control (denormals, traps)"},
+      {"process_faults", "change_folder", "globals", "working directory"},
+      {"process_faults", "set_variable", "globals", "OMP_NUM_THREADS"},
+      {"process_faults", "draw_globally", "globals", "rand() or srand()"},
+      {"process_faults", "change_umask", "globals", "umask"},
+      {"process_faults", "leak_thread", "leaks",
+       "left a thread running: 1 more with each instance"},
+      {"process_faults", "run_on", "leaks", "a thread still runs after finish()"},
+      {"process_faults", "leak_file", "leaks", "left a file open: /dev/null"},
+      {"process_faults", "leak_memory", "memory", "KiB on the heap", "warning"},
   });
 }
 
-TEST_CASE("sources that end wrongly or see what is not there are found") {
+TEST_CASE("sources with a wrong end or without their data are found") {
   const auto caught = [](const char* id, const char* check, const char* says) {
     INFO(id);
-    const Validation found = validate(fixtureLibrary("strangers"),
+    const Validation found = validate(fixtureLibrary("role_faults"),
                                       {"--id", id, "--check", check, "--set", "path=/nowhere"});
     INFO(found.reports.dump(1));
     CHECK(found.exit_code == 4);
     CHECK(contains(found.messages(), says));
   };
-  caught("never_there", "missing-data", "takes a path where there is nothing");
-  caught("promises_more", "source-end", "info() promised 9 frames, 5 came");
-  caught("begins_anew", "source-end", "after the end it gives");
+  caught("ignores_path", "missing-data", "accepts a path that does not exist");
+  caught("promises_more", "source-end", "info() promised 9 frames, 5 were given");
+  caught("fails_after_end", "source-end", "after the end it returns");
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The command as a plugin's author meets it.
+// `tolman plugins validate` from the command line.
 #include "conformance/validation.hpp"
 
 using namespace tolman::test;
 
-TEST_CASE("a sound plugin conforms at every level, whatever its role") {
-  for (const auto& [library, id] : {std::pair("steady", "steady"), std::pair("strangers", "keeper"),
-                                    std::pair("strangers", "homely")}) {
+TEST_CASE("a correct plugin of any role conforms at every level") {
+  for (const auto& [library, id] :
+       {std::pair("steady", "steady"), std::pair("role_faults", "keeper"),
+        std::pair("role_faults", "single_experience")}) {
     const Validation found = validate(fixtureLibrary(library), {"--id", id});
     INFO(found.reports.dump(1));
     CHECK(found.exit_code == 0);
@@ -16,22 +17,23 @@ TEST_CASE("a sound plugin conforms at every level, whatever its role") {
   }
 }
 
-TEST_CASE("one crash is one finding: the kit goes on and ends with exit code 4") {
-  const Validation found = validate(fixtureLibrary("guests"), {"--id", "segfault", "--level", "1"});
+TEST_CASE("after a crash the kit runs the remaining checks and exits with code 4") {
+  const Validation found =
+      validate(fixtureLibrary("process_faults"), {"--id", "segfault", "--level", "1"});
   CHECK(found.exit_code == 4);
   CHECK(found.check("answers")["result"] == "error");
   CHECK(found.check("life-no-frames")["result"] == "ok");
-  CHECK(found.check("cost").is_object());  // the last one was made
+  CHECK(found.check("cost").is_object());  // the last check
 }
 
-TEST_CASE("three hangs are enough") {
+TEST_CASE("the kit stops after three timeouts") {
   const Validation found =
-      validate(fixtureLibrary("guests"), {"--id", "loop_forever", "--timeout", "1"});
+      validate(fixtureLibrary("process_faults"), {"--id", "loop_forever", "--timeout", "1"});
   CHECK(found.exit_code == 4);
   CHECK(found.reports[0]["errors"] == 3);
 }
 
-TEST_CASE("a level makes its own checks and those below") {
+TEST_CASE("a level includes the checks of lower levels") {
   const auto levels = [](const char* level) {
     int highest = 0;
     const Validation found = validate(fixtureLibrary("steady"), {"--level", level});
@@ -51,22 +53,22 @@ TEST_CASE("a warning counts at level 3 only") {
         0);
 }
 
-TEST_CASE("what needs data is skipped with the words that would give them") {
-  const std::string library = fixtureLibrary("strangers");
+TEST_CASE("a check without its required data is skipped and names the missing --set") {
+  const std::string library = fixtureLibrary("role_faults");
   const Validation found =
-      validate(library, {"--id", "never_there", "--check", "answers", "--check", "schema"});
+      validate(library, {"--id", "ignores_path", "--check", "answers", "--check", "schema"});
   CHECK(found.exit_code == 0);
   CHECK(found.check("answers")["result"] == "skip");
   CHECK(contains(found.messages(), "give --set path=..."));
   const Validation given =
-      validate(library, {"--id", "never_there", "--check", "answers", "--set", "path=/tmp"});
+      validate(library, {"--id", "ignores_path", "--check", "answers", "--set", "path=/tmp"});
   CHECK(given.check("answers")["result"] == "ok");
 }
 
-TEST_CASE("the draws of a seed are the same every time, and others for another seed") {
+TEST_CASE("the seed determines the draws") {
   const auto draw = [](const char* seed) {
-    return validate(fixtureLibrary("untrue"),
-                    {"--id", "hates_fast", "--check", "parameters-random", "--seed", seed})
+    return validate(fixtureLibrary("answer_faults"),
+                    {"--id", "fails_when_fast", "--check", "parameters-random", "--seed", seed})
         .messages();
   };
   const std::string first = draw("5");
@@ -75,7 +77,7 @@ TEST_CASE("the draws of a seed are the same every time, and others for another s
   CHECK(draw("6") != first);
 }
 
-TEST_CASE("what --set says is checked like a configuration") {
+TEST_CASE("--set is checked like a configuration") {
   const Validation found =
       validate(fixtureLibrary("steady"), {"--set", "speed=500", "--set", "sped=1"});
   CHECK(found.exit_code == 3);
@@ -83,7 +85,7 @@ TEST_CASE("what --set says is checked like a configuration") {
   CHECK(contains(found.messages(), "did you mean 'speed'?"));
 }
 
-TEST_CASE("all plugins of a library are validated, or the one that is named") {
+TEST_CASE("all plugins of a library are validated, or that of --id") {
   const std::string library = fixtureLibrary("undeclared");
   CHECK(validate(library, {"--check", "manifest"}).reports.size() == 7);
   const Validation unknown = validate(library, {"--id", "nobody"});
@@ -91,19 +93,19 @@ TEST_CASE("all plugins of a library are validated, or the one that is named") {
   CHECK(contains(unknown.messages(), "has no plugin 'nobody'"));
 }
 
-TEST_CASE("for people: a line a check, what to do, and a sum") {
+TEST_CASE("as text: one line per check, remedies, and a summary") {
   const Finished finished =
       tolman::test::tolman({"plugins", "validate", fixtureLibrary("undeclared"), "--id", "no_doc",
                             "--check", "schema", "--check", "load"});
   CHECK(finished.exit_code == 4);
   CHECK(contains(finished.out, "ok       load                opens with all symbols resolved"));
   CHECK(contains(finished.out, "error    schema "));
-  CHECK(contains(finished.out, "         remedy: say in one sentence what it does: .doc()"));
+  CHECK(contains(finished.out, "         remedy: describe it in one sentence: .doc()"));
   CHECK(contains(finished.out, "no_doc: does not conform at level 3: 1 ok, 0 warnings, 1 errors"));
   CHECK(contains(finished.out, "seed 1"));
 }
 
-TEST_CASE("wrong words at the command line are usage errors") {
+TEST_CASE("illegal options are usage errors") {
   const std::string library = fixtureLibrary("steady");
   CHECK(tolman::test::tolman({"plugins", "validate", library, "--level", "4"}).exit_code == 2);
   CHECK(tolman::test::tolman({"plugins", "validate", library, "--check", "nice"}).exit_code == 2);

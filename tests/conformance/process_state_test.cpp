@@ -19,7 +19,7 @@ using namespace tolman::conformance;
 
 namespace {
 
-/// What `change` changed, as the kit would say it; `undo` puts it back.
+/// The differences that `change` causes; `undo` reverts it.
 std::vector<std::string> changed(auto&& change, auto&& undo) {
   const ProcessState before = processState();
   change();
@@ -31,13 +31,13 @@ std::vector<std::string> changed(auto&& change, auto&& undo) {
 
 }  // namespace
 
-TEST_CASE("a quiet process has no differences") {
+TEST_CASE("an unchanged process has no differences") {
   const ProcessState before = processState();
   CHECK(differences(before, processState()).empty());
   CHECK(before.at("locale of C") == "C");
 }
 
-TEST_CASE("each disturbance is one difference, with what was and what is") {
+TEST_CASE("each change is one difference, with the value before and after") {
   const auto locale =
       changed([] { std::setlocale(LC_NUMERIC, "C.UTF-8"); }, [] { std::setlocale(LC_ALL, "C"); });
   REQUIRE(locale.size() == 1);
@@ -62,7 +62,7 @@ TEST_CASE("each disturbance is one difference, with what was and what is") {
   CHECK(umask.size() == 1);
 }
 
-TEST_CASE("a calculation that raises flags is no disturbance") {
+TEST_CASE("raised floating point flags are not a difference") {
   const ProcessState before = processState();
   volatile double zero = 0;
   volatile double infinite = 1 / zero;
@@ -71,7 +71,7 @@ TEST_CASE("a calculation that raises flags is no disturbance") {
   std::feclearexcept(FE_ALL_EXCEPT);
 }
 
-TEST_CASE("threads and files are counted as they are") {
+TEST_CASE("threads and open files are counted") {
   const std::size_t before = threadCount(SIZE_MAX);
   std::atomic<bool> stop = false;
   std::thread thread([&] { stop.wait(false); });
@@ -90,7 +90,7 @@ TEST_CASE("threads and files are counted as they are") {
   CHECK(openFiles() == files);
 }
 
-TEST_CASE("the heap knows what was allocated") {
+TEST_CASE("heapBytes() follows allocations") {
   const std::size_t before = heapBytes();
   auto block = std::make_unique<char[]>(10'000'000);
   CHECK(heapBytes() >= before + 10'000'000);
@@ -99,20 +99,20 @@ TEST_CASE("the heap knows what was allocated") {
   CHECK(peakResidentMib() >= residentMib());
 }
 
-TEST_CASE("a trap catches all ways to write, and lets go") {
+TEST_CASE("OutputCapture captures all ways to write, and restores the streams") {
   std::string out;
   std::string err;
   {
-    const OutputTrap trap;
+    const OutputCapture capture;
     std::cout << "one ";
     std::printf("two ");
-    CHECK(trap.out() == "one two ");
+    CHECK(capture.out() == "one two ");
     CHECK(::write(STDERR_FILENO, "three", 5) == 5);
-    out = trap.out();
-    err = trap.err();
+    out = capture.out();
+    err = capture.err();
   }
   CHECK(out == "one two ");
   CHECK(err == "three");
-  const OutputTrap fresh;
+  const OutputCapture fresh;
   CHECK(fresh.out().empty());
 }

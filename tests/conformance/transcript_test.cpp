@@ -12,21 +12,21 @@ using namespace tolman::conformance;
 
 namespace {
 
-Transcript told(const Motion& motion) {
-  Answer answer;
+Transcript transcriptOf(const Motion& motion) {
+  TranscriptEntry answer;
   answer.call = "frame 12";
   answer.add(motion);
   return {answer};
 }
 
-/// The difference between a motion and the same one spoilt.
-std::optional<std::string> difference(auto&& spoil) {
+/// The difference between a motion and a changed copy.
+std::optional<std::string> difference(auto&& change) {
   Motion motion;
   motion.points.setOnes(4, 6);
   motion.revisions.resize(2);
   Motion other = motion;
-  spoil(other);
-  return firstDifference(told(motion), told(other));
+  change(other);
+  return firstDifference(transcriptOf(motion), transcriptOf(other));
 }
 
 Image grey(int width, std::ptrdiff_t stride, std::uint8_t last) {
@@ -55,7 +55,7 @@ TEST_CASE("the smallest difference of any field is found and named") {
   CHECK(difference([](Motion& m) { m.revisions.pop_back(); }) == "frame 12: 'revisions'");
 }
 
-TEST_CASE("missing and displaced answers are differences") {
+TEST_CASE("missing and shifted answers are differences") {
   Transcript three(3);
   for (std::size_t i = 0; i < 3; ++i) three[i].call = "frame " + std::to_string(i);
   Transcript two(three.begin(), three.end() - 1);
@@ -65,14 +65,14 @@ TEST_CASE("missing and displaced answers are differences") {
   CHECK_FALSE(firstDifference(three, late, 1));
 }
 
-TEST_CASE("of an image count pixels, size and format, not the padding") {
+TEST_CASE("the hash of an image covers pixels, size and format, not the padding") {
   CHECK(hash(grey(4, 4, 9)) == hash(grey(4, 11, 9)));
   CHECK(hash(grey(4, 4, 9)) != hash(grey(4, 4, 8)));
   CHECK(hash(grey(4, 4, 0)) != hash(grey(3, 3, 0)));
   CHECK(hash(grey(4, 4, 0)) != hash(Image()));
 }
 
-TEST_CASE("texts do not run into each other") {
+TEST_CASE("the hash of a list of texts depends on where each text ends") {
   const std::vector<std::string> ab_c = {"ab", "c"};
   const std::vector<std::string> a_bc = {"a", "bc"};
   CHECK(hash(ab_c) != hash(a_bc));

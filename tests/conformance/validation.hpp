@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs `tolman plugins validate --json` and finds one's way in its report.
+// Runs `tolman plugins validate --json` and reads its report.
 #pragma once
 
 #include <catch2/catch.hpp>
@@ -18,9 +18,9 @@ inline std::string fixtureLibrary(const std::string& name) {
 
 struct Validation {
   int exit_code = 0;
-  nlohmann::json reports;  ///< one a plugin
+  nlohmann::json reports;  ///< one per plugin
 
-  /// Everything that the reports say, for searching.
+  /// All messages of all findings.
   std::string messages() const {
     std::string text;
     for (const auto& report : reports) {
@@ -32,7 +32,7 @@ struct Validation {
     }
     return text;
   }
-  /// The check of the first report.
+  /// A check of the first report.
   nlohmann::json check(const std::string& id) const {
     for (const auto& check : reports.at(0)["checks"]) {
       if (check["check"] == id) return check;

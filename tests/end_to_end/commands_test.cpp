@@ -28,6 +28,17 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   CHECK(tolman::test::tolman({"fly"}).exit_code == 2);
   CHECK(tolman::test::tolman({"run"}).exit_code == 2);
   CHECK(contains(tolman::test::tolman({"--version"}).out, "tolman 0.1.0"));
+  CHECK(contains(tolman::test::tolman({"version"}).out, "tolman 0.1.0"));
+  CHECK(tolman::test::tolman({"help"}).out == help.out);
+  CHECK(tolman::test::tolman({"help", "plan"}).out == plan.out);
+  const auto words = [](const std::vector<std::string>& arguments) {
+    const Finished finished = tolman::test::tolman(arguments);
+    CHECK(finished.exit_code == 2);
+    return finished.err;
+  };
+  CHECK(words({"rnu", "demo"}) == "'rnu' is no command; did you mean 'run'?\n");
+  CHECK(words({"plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
+  CHECK(contains(words({"fly"}), "'fly' is no command; it is one of: run, check, plugins"));
 }
 
 TEST_CASE("plugins list shows all of ours, and broken ones with their refusal") {
@@ -92,6 +103,18 @@ TEST_CASE("check --explain tells every value's origin") {
   CHECK(contains(explained.out, "default"));
 }
 
+TEST_CASE("a shipped configuration is found by its name, from any folder") {
+  const TemporaryFolder folder;
+  const std::string program = tolmanProgram().string();
+  for (const char* name : {"demo", "configs/demo.yaml"}) {
+    const std::string line = "cd '" + folder.path().string() + "' && '" + program + "' check ";
+    const Finished finished = run({"sh", "-c", line + name});
+    INFO(finished.err);
+    CHECK(finished.exit_code == 0);
+  }
+  CHECK(tolman::test::tolman({"check", "no_such_demo"}).exit_code == 3);
+}
+
 TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   TemporaryFolder folder;
   const auto sequence = folder.path() / "sequence";
@@ -113,7 +136,7 @@ TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   CHECK(none.err.empty());  // once is enough
 }
 
-TEST_CASE("eval gives the published figures of two systems on KITTI 00") {
+TEST_CASE("eval gives the published figures of two systems on KITTI 00", "[data]") {
   const auto data = dataOrSkip("evo_reference");
   if (!data) return;
   const auto score = [&](const char* estimate) {
@@ -198,7 +221,7 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
   const Finished nowhere =
       tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "somewhere"});
   CHECK(nowhere.exit_code == 2);
-  CHECK(contains(nowhere.err, "'somewhere' is no place"));
+  CHECK(contains(nowhere.err, "'somewhere' is not a place"));
 }
 
 TEST_CASE("export of what is no run is one clear error") {

@@ -21,6 +21,7 @@ TEST_CASE("install, build a stranger's plugin against the package, run it") {
   REQUIRE(list.exit_code == 0);
   CHECK(contains(list.out, "view_templates"));
   CHECK(fs::exists(prefix + "/share/tolman/configs/kitti.yaml"));
+  CHECK(run({"sh", "-c", "cd / && '" + program + "' check demo"}).exit_code == 0);
 
   const std::string source = (folder.path() / "stranger").string();
   const std::string build = (folder.path() / "stranger-build").string();

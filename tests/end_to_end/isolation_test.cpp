@@ -71,7 +71,7 @@ TEST_CASE("results are the same, byte for byte, wherever the stages run") {
 }
 
 TEST_CASE("a crash ends the run as a failing plugin does, and what was recorded stays") {
-  const Attempt attempt("guests", "odometry", "segfault");
+  const Attempt attempt("process_faults", "odometry", "segfault");
   CHECK(attempt.finished.exit_code == 7);
   CHECK(contains(attempt.finished.err,
                  "odometry (segfault), track, frame 3: its process died of SIGSEGV"));
@@ -80,7 +80,7 @@ TEST_CASE("a crash ends the run as a failing plugin does, and what was recorded 
 }
 
 TEST_CASE("on_failure: skip goes on without the stage") {
-  const Attempt attempt("guests", "odometry", "segfault", ", on_failure: skip");
+  const Attempt attempt("process_faults", "odometry", "segfault", ", on_failure: skip");
   INFO(attempt.finished.err);
   CHECK(attempt.finished.exit_code == 6);  // lost from frame 3 to the end
   CHECK(attempt.provenance()["counters"]["frames"] == 6);
@@ -88,20 +88,19 @@ TEST_CASE("on_failure: skip goes on without the stage") {
 }
 
 TEST_CASE("on_failure: restart loses one frame") {
-  const Attempt attempt("guests", "odometry", "segfault", ", on_failure: restart");
+  const Attempt attempt("process_faults", "odometry", "segfault", ", on_failure: restart");
   INFO(attempt.finished.err);
   CHECK(attempt.finished.exit_code == 0);
   CHECK(attempt.provenance()["counters"]["frames"] == 6);
   CHECK(attempt.provenance()["counters"]["skipped"] == 1);
-  CHECK(contains(readText(attempt.out / "log.txt"),
-                 "a new process has taken over (1 of 10 restarts)"));
+  CHECK(contains(readText(attempt.out / "log.txt"), "a new process was started (restart 1 of 10)"));
 }
 
 TEST_CASE("a stage that hangs or eats memory is ended at its bounds") {
-  const Attempt hangs("guests", "odometry", "loop_forever");
+  const Attempt hangs("process_faults", "odometry", "loop_forever");
   CHECK(hangs.finished.exit_code == 7);
-  CHECK(contains(hangs.finished.err, "frame 3: did not return within 3 s"));
-  const Attempt eats("guests", "odometry", "eat_memory");
+  CHECK(contains(hangs.finished.err, "frame 3: its process did not return within 3 s"));
+  const Attempt eats("process_faults", "odometry", "eat_memory");
   CHECK(eats.finished.exit_code == 7);
   CHECK(contains(eats.finished.err, "isolation.memory_limit is 1024 MiB"));
 }
@@ -113,15 +112,16 @@ TEST_CASE("an observer learns the time of every stage and what went wrong, where
     const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
     auto arguments = tinyRun(config, folder.path() / "run");
     for (const std::string& word : std::vector<std::string>{
-             "--plugin-path", kFixtures + "witness", "--plugin-path", kFixtures + "misbehaving",
-             "--plugin-path", kFixtures + "steady", "--set",
+             "--plugin-path", kFixtures + "snapshot_log", "--plugin-path",
+             kFixtures + "misbehaving", "--plugin-path", kFixtures + "steady", "--set",
              "odometry={plugin: throws_in_track, on_failure: skip}", "--set",
-             "observers=[{plugin: witness, isolation: " + isolation + "}]"}) {
+             "observers=[{plugin: snapshot_log, isolation: " + isolation + "}]"}) {
       arguments.push_back(word);
     }
     const Finished finished = tolman::test::tolman(arguments);
     INFO(finished.err);
-    const std::string told = readText(folder.path() / "run" / "artefacts" / "witness" / "told.txt");
+    const std::string told =
+        readText(folder.path() / "run" / "artefacts" / "snapshot_log" / "snapshots.txt");
     INFO(told);
     CHECK(contains(told, "timed\n"));
     CHECK(contains(told, "3 warning odometry: "));
@@ -133,7 +133,7 @@ TEST_CASE("restart is refused where it cannot work") {
   const Attempt in_host("misbehaving", "odometry", "throws_in_track",
                         ", isolation: none, on_failure: restart");
   CHECK(in_host.finished.exit_code == 3);
-  const Attempt forgetful("strangers", "place", "skips_template_ids", ", on_failure: restart");
+  const Attempt forgetful("role_faults", "place", "skips_template_ids", ", on_failure: restart");
   CHECK(forgetful.finished.exit_code == 3);
   CHECK(contains(forgetful.finished.err, "place.on_failure: plugin 'skips_template_ids' cannot"));
 }
@@ -145,33 +145,33 @@ TEST_CASE("no broken plugin brings down the host") {
       {"entry_missing", "odometry", "entry_missing", 4},
       {"returns_null", "odometry", "returns_null", 4},
       {"avx2", "odometry", "steady", 4},
-      {"guests", "odometry", "segfault", 7},
-      {"guests", "odometry", "abort_", 7},
-      {"guests", "odometry", "exit_", 7},
-      {"guests", "odometry", "terminate", 7},
-      {"guests", "odometry", "divide_by_zero", 7},
-      {"guests", "odometry", "recurse_forever", 7},
-      {"guests", "odometry", "write_to_stdout", 0},
-      {"guests", "odometry", "install_handler", 0},
-      {"guests", "odometry", "change_locale", 0},
-      {"guests", "odometry", "change_folder", 0},
-      {"guests", "odometry", "leak_thread", 0},
-      {"guests", "odometry", "leak_memory", 0},
-      {"guests", "odometry", "run_on", 0},
+      {"process_faults", "odometry", "segfault", 7},
+      {"process_faults", "odometry", "abort_", 7},
+      {"process_faults", "odometry", "exit_", 7},
+      {"process_faults", "odometry", "terminate", 7},
+      {"process_faults", "odometry", "divide_by_zero", 7},
+      {"process_faults", "odometry", "recurse_forever", 7},
+      {"process_faults", "odometry", "write_to_stdout", 0},
+      {"process_faults", "odometry", "install_handler", 0},
+      {"process_faults", "odometry", "change_locale", 0},
+      {"process_faults", "odometry", "change_folder", 0},
+      {"process_faults", "odometry", "leak_thread", 0},
+      {"process_faults", "odometry", "leak_memory", 0},
+      {"process_faults", "odometry", "run_on", 0},
       {"misbehaving", "odometry", "throws_in_constructor", 4},
       {"misbehaving", "odometry", "throws_in_configure", 4},
       {"misbehaving", "odometry", "throws_in_track", 7},
       {"misbehaving", "odometry", "throws_in_destructor", 0},
       {"misbehaving", "odometry", "returns_nan", 7},
       {"misbehaving", "odometry", "goes_back_in_time", 7},
-      {"untrue", "odometry", "crashes_on_empty", 0},
-      {"untrue", "odometry", "destructor_needs_configure", 0},
-      {"untrue", "odometry", "finish_needs_frames", 0},
-      {"strangers", "place", "crashes_on_damage", 0},
-      {"strangers", "cells", "wanders", 0},
-      {"strangers", "map", "counts_more", 0},
-      {"strangers", "observers", "watches_null_graph", 7},
-      {"strangers", "source", "promises_more, path: nowhere", 0},
+      {"answer_faults", "odometry", "crashes_on_empty", 0},
+      {"answer_faults", "odometry", "destructor_needs_configure", 0},
+      {"answer_faults", "odometry", "finish_needs_frames", 0},
+      {"role_faults", "place", "crashes_on_damage", 0},
+      {"role_faults", "cells", "stays_elsewhere", 0},
+      {"role_faults", "map", "counts_more", 0},
+      {"role_faults", "observers", "watches_null_graph", 7},
+      {"role_faults", "source", "promises_more, path: nowhere", 0},
   };
   for (const Guest& guest : corpus) {
     const Attempt attempt(guest.library, guest.stage, guest.plugin, "", 5);
@@ -185,9 +185,10 @@ TEST_CASE("standard output stays the host's: a plugin that prints does not spoil
   TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 5);
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
-  const Finished finished = tolman::test::tolman(
-      {"run", config.string(), "--out", (folder.path() / "run").string(), "--json", "--plugin-path",
-       kFixtures + "guests", "--set", "odometry={plugin: write_to_stdout, isolation: process}"});
+  const Finished finished =
+      tolman::test::tolman({"run", config.string(), "--out", (folder.path() / "run").string(),
+                            "--json", "--plugin-path", kFixtures + "process_faults", "--set",
+                            "odometry={plugin: write_to_stdout, isolation: process}"});
   CHECK(finished.exit_code == 0);
   CHECK(nlohmann::json::parse(finished.out)["exit_code"] == 0);
 }
@@ -200,8 +201,9 @@ TEST_CASE("when the host is killed its stages do not live on") {
   const std::string mark = folder.path().string();
   Process host(
       {"/usr/bin/env", "TOLMAN_TEST_MARK=" + mark, tolmanProgram().string(), "run", config.string(),
-       "--out", (folder.path() / "run").string(), "--plugin-path", kFixtures + "guests", "--set",
-       "odometry={plugin: loop_forever, isolation: process}", "--set", "isolation.deadline=0"},
+       "--out", (folder.path() / "run").string(), "--plugin-path", kFixtures + "process_faults",
+       "--set", "odometry={plugin: loop_forever, isolation: process}", "--set",
+       "isolation.deadline=0"},
       folder.path());
   const auto marked = [&] {
     int count = 0;

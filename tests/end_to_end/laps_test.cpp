@@ -94,7 +94,8 @@ std::vector<double> turnsAtRecognition(const fs::path& run, const std::vector<do
 
 }  // namespace
 
-TEST_CASE("laps: the map keeps the gyroscope's heading better than odometry, with either cells") {
+TEST_CASE("laps: the map keeps the gyroscope's heading better than odometry, with either cells",
+          "[data]") {
   const auto folder = dataOrSkip("laps_office");
   if (!folder) return;
   const std::string cells = GENERATE("pose_cells", "bayesian_attractor");

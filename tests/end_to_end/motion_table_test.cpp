@@ -42,7 +42,7 @@ std::vector<LoopLink> loopsOf(const fs::path& run) {
                                        "SELECT a.frame, b.frame FROM link "
                                        "JOIN experience a ON a.id = link.\"from\" "
                                        "JOIN experience b ON b.id = link.\"to\" "
-                                       "WHERE kind = 'loop'")) {
+                                       "WHERE kind = 'loop' AND NOT rejected")) {
     loops.push_back({static_cast<std::size_t>(frames[0]), static_cast<std::size_t>(frames[1])});
   }
   return loops;
@@ -60,8 +60,10 @@ struct Bar {
 
 }  // namespace
 
-TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between distant places") {
-  const Bar bar = GENERATE(Bar{"00", 2.4}, Bar{"05", 2.8}, Bar{"06", 2.5}, Bar{"07", 3.1});
+TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between distant places",
+          "[data]") {
+  const Bar bar =
+      GENERATE(Bar{"00", 2.2}, Bar{"02", 6.5}, Bar{"05", 2.6}, Bar{"06", 2.3}, Bar{"07", 1.6});
   const auto folder = dataOrSkip(std::string("kitti_motion/") + bar.sequence);
   if (!folder) return;
   const TemporaryFolder out;
@@ -89,7 +91,7 @@ TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between dist
                 << loops.size() << " loops");
 }
 
-TEST_CASE("KITTI motion: the printed equations run on the same data, worse on 05") {
+TEST_CASE("KITTI motion: the printed equations run on the same data", "[data]") {
   const auto folder = dataOrSkip("kitti_motion/05");
   if (!folder) return;
   const TemporaryFolder out;
@@ -97,5 +99,8 @@ TEST_CASE("KITTI motion: the printed equations run on the same data, worse on 05
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
   const auto metrics = readJson(out.path() / "run/metrics.json");
-  CHECK(metrics["map"]["ate"]["rmse_m"].get<double>() > 2.8);
+  CHECK(metrics["coverage"] == 1);
+  WARN("KITTI 05 by the paper's preset, RMSE: odometry "
+       << metrics["odometry"]["ate"]["rmse_m"] << " m, map " << metrics["map"]["ate"]["rmse_m"]
+       << " m");
 }

@@ -22,7 +22,7 @@ Finished runClip(const fs::path& clip, const fs::path& out,
 
 }  // namespace
 
-TEST_CASE("KITTI 06: all frames, odometry within 0.20 m, map within 0.25 m") {
+TEST_CASE("KITTI 06: all frames, odometry within 0.20 m, map within 0.25 m", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/06");
   if (!clip) return;
   const TemporaryFolder folder;
@@ -43,7 +43,7 @@ TEST_CASE("KITTI 06: all frames, odometry within 0.20 m, map within 0.25 m") {
   CHECK(readText(other / "results.sha256") == readText(out / "results.sha256"));
 }
 
-TEST_CASE("KITTI raw 0001: the path is 108 m long within 1 %") {
+TEST_CASE("KITTI raw 0001: the path is 108 m long within 1 %", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/raw_0001");
   if (!clip) return;
   const TemporaryFolder folder;
@@ -57,7 +57,7 @@ TEST_CASE("KITTI raw 0001: the path is 108 m long within 1 %") {
             .is_null());  // this clip has no truth, and nothing is made up
 }
 
-TEST_CASE("one camera: place recognition runs, stereo odometry says what it needs") {
+TEST_CASE("one camera: place recognition runs, stereo odometry says what it needs", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/00_left");
   if (!clip) return;
   const TemporaryFolder folder;

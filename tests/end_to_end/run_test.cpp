@@ -47,7 +47,7 @@ TEST_CASE("a run leaves a complete directory and true figures") {
   CHECK(metrics["odometry"]["ate"]["rmse_m"].get<double>() < 1e-6);
   CHECK(metrics["map"]["ate"]["rmse_m"].get<double>() < 1e-6);
   CHECK(metrics["coverage"].get<double>() == 1);
-  for (const char* key : {"templates", "experiences", "loops", "timing"}) {
+  for (const char* key : {"templates", "experiences", "loop_links", "loop_decisions", "timing"}) {
     CHECK(metrics.contains(key));
   }
   const auto provenance = readJson(tiny.out / "run.json");
@@ -56,7 +56,8 @@ TEST_CASE("a run leaves a complete directory and true figures") {
   CHECK(provenance["counters"]["frames"] == 30);
   CHECK(provenance["plugins"].size() == 5);
   CHECK(provenance["plugins"][1]["sha256"].get<std::string>().size() == 64);
-  CHECK(contains(finished.out, "30 processed, 0 dropped, 0 skipped, 0 without image, 0 lost"));
+  CHECK(contains(finished.out, "tracking  29 of 30 frames, 1 initialising, 0 lost\n"));
+  CHECK(contains(finished.out, "30 processed, 0 dropped, 0 skipped, 0 without image\n"));
 }
 
 TEST_CASE("a wrong speed shows in the figures") {

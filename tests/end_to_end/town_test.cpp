@@ -36,7 +36,7 @@ TEST_CASE("the demo drives its block and closes the loop") {
   INFO(done.err);
   REQUIRE(done.exit_code == 0);
   const auto metrics = readJson(fs::path(out) / "metrics.json");
-  CHECK(metrics.at("loops").get<int>() >= 1);
+  CHECK(metrics.at("loop_links").get<int>() >= 1);
   CHECK(metrics.at("map").at("ate").at("rmse_m").get<double>() < 1.5);
   CHECK(fs::exists(fs::path(out) / "map.svg"));
 }

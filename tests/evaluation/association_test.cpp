@@ -15,6 +15,9 @@ TEST_CASE("frames match by index, and coverage counts the truth") {
   const Matches matches = associateByFrame(truth, estimate).value();
   CHECK(matches.size() == 9);
   CHECK(matches.coverage() == Approx(0.9));
+  Matches lost = matches;
+  for (std::size_t i = 0; i < 3; ++i) lost.estimate[i].tracked = false;
+  CHECK(lost.coverage() == Approx(0.6));
   for (std::size_t i = 0; i < matches.size(); ++i) {
     CHECK(matches.truth[i].frame == matches.estimate[i].frame);
   }

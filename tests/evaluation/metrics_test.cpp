@@ -18,8 +18,7 @@ TEST_CASE("metrics.json has the promised keys with the right figures") {
   metrics.map = scoreTrajectory(truth, bent, Alignment::Se3);
   metrics.frames = 100;
   metrics.templates = 7;
-  metrics.experiences = 9;
-  metrics.loops = 2;
+  metrics.counts = {9, 12, 2, 1, 5};
   metrics.timing["odometry"] = stageTiming({1'000'000, 3'000'000});
   const auto json = toJson(metrics);
   CHECK(json["alignment"] == "se3");
@@ -43,7 +42,10 @@ TEST_CASE("metrics.json has the promised keys with the right figures") {
   CHECK(json["odometry"]["reason"].is_null());
   CHECK(json["templates"] == 7);
   CHECK(json["experiences"] == 9);
-  CHECK(json["loops"] == 2);
+  CHECK(json["links"] == 12);
+  CHECK(json["loop_links"] == 2);
+  CHECK(json["rejected_loop_links"] == 1);
+  CHECK(json["loop_decisions"] == 5);
   CHECK(json["timing"]["odometry"]["mean_ms"] == 2.0);
 }
 
@@ -83,6 +85,23 @@ TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
   CHECK(scaled.scores->scale == Approx(2));
   // Relative errors are measured with the scale applied.
   CHECK(scaled.scores->rpe_frame.translation_m.max < 1e-9);
+}
+
+TEST_CASE("accepted and rejected loop links are counted apart") {
+  MapGraph graph;
+  graph.experiences.resize(4);
+  graph.links.resize(6);
+  for (std::size_t i = 0; i < 6; ++i) {
+    graph.links[i].id = static_cast<std::int64_t>(i);
+    graph.links[i].kind = i < 3 ? LinkKind::Odometry : LinkKind::Loop;
+  }
+  graph.rejected = {5};
+  const MapCounts counts = countsOf(graph, 7);
+  CHECK(counts.experiences == 4);
+  CHECK(counts.links == 5);
+  CHECK(counts.loop_links == 2);
+  CHECK(counts.rejected_loop_links == 1);
+  CHECK(counts.loop_decisions == 7);
 }
 
 TEST_CASE("timing by hand") {

@@ -12,14 +12,14 @@ using namespace tolman::evaluation;
 namespace {
 
 TrajectoryMetrics scoresOf(const std::filesystem::path& folder, const std::string& estimate) {
-  const auto truth = readKitti(folder / "kitti_00_ground_truth.txt");
+  const auto truth = readTrajectory(folder / "kitti_00_ground_truth.txt");
   REQUIRE(truth.isOk());
   return scoreTrajectory(truth.value(), readTrajectory(folder / estimate).value(), Alignment::Se3);
 }
 
 }  // namespace
 
-TEST_CASE("ORB-SLAM2 stereo on KITTI 00: 1.303 m, 0.70 %, 0.25 deg/100 m") {
+TEST_CASE("ORB-SLAM2 stereo on KITTI 00: 1.303 m, 0.70 %, 0.25 deg/100 m", "[data]") {
   const auto folder = test::dataOrSkip("evo_reference");
   if (!folder) return;
   const TrajectoryMetrics metrics = scoresOf(*folder, "kitti_00_orb_slam2_stereo.txt");
@@ -33,7 +33,7 @@ TEST_CASE("ORB-SLAM2 stereo on KITTI 00: 1.303 m, 0.70 %, 0.25 deg/100 m") {
   CHECK(metrics.path_length_m == Approx(3724).epsilon(0.01));
 }
 
-TEST_CASE("S-PTAM on KITTI 00: 3.738 m") {
+TEST_CASE("S-PTAM on KITTI 00: 3.738 m", "[data]") {
   const auto folder = test::dataOrSkip("evo_reference");
   if (!folder) return;
   const TrajectoryMetrics metrics = scoresOf(*folder, "kitti_00_sptam.txt");

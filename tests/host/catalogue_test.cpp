@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/catalogue.hpp"
+#include "host/catalogue.hpp"
 
 #include <fstream>
 
@@ -7,7 +7,7 @@
 #include "support/data.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 using tolman::test::fixtureFile;
 using tolman::test::fixtureFolder;
 using tolman::test::refusalOf;
@@ -68,9 +68,10 @@ TEST_CASE("what is not found is said with places and the nearest name") {
   const auto typo = catalogue.find("stedy", Role::Odometry);
   CHECK(refusalOf(typo).message ==
         "no odometry plugin 'stedy' in " + fixtureFolder("steady").string());
-  CHECK(refusalOf(typo).remedy ==
-        "did you mean 'steady'? `tolman plugins list` shows what there is; --plugin-path adds a "
-        "folder");
+  CHECK(
+      refusalOf(typo).remedy ==
+      "did you mean 'steady'? `tolman plugins list` shows the plugins found; --plugin-path adds a "
+      "folder");
   CHECK(refusalOf(catalogue.find("steady", Role::Map)).id == "plugin/wrong-role");
   CHECK(refusalOf(Catalogue({}).find("x")).message ==
         "no plugin 'x' in any folder: the search path is empty");
@@ -82,5 +83,6 @@ TEST_CASE("a library of the wanted name that is broken is named with its fault")
   const Catalogue catalogue({folder.path()});
   const auto refusal = refusalOf(catalogue.find("mine", Role::Cells));
   CHECK(refusal.id == "plugin/not-found");
-  CHECK(refusal.message.find("looks like it, but: [plugin/not-elf]") != std::string::npos);
+  CHECK(refusal.message.find("may be it, but cannot be used: [plugin/not-elf]") !=
+        std::string::npos);
 }

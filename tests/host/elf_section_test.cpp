@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/elf_section.hpp"
+#include "host/elf_section.hpp"
 
 #include <fstream>
 #include <sstream>
@@ -9,7 +9,7 @@
 #include "tolman/context.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 using tolman::test::refusalOf;
 namespace fs = std::filesystem;
 

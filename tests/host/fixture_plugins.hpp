@@ -7,9 +7,9 @@
 #include <memory>
 #include <string>
 
-#include "plugins/catalogue.hpp"
-#include "plugins/instance.hpp"
-#include "plugins/library.hpp"
+#include "host/catalogue.hpp"
+#include "host/instance.hpp"
+#include "host/library.hpp"
 
 namespace tolman::test {
 
@@ -22,23 +22,22 @@ inline std::filesystem::path fixtureFile(const std::string& name) {
 }
 
 /// Reads, gates, opens and describes plugin `id` of fixture library `library`.
-inline plugins::OrRefusal<plugins::LoadedPlugin> load(const std::string& library,
-                                                      const std::string& id) {
-  auto manifests = plugins::readManifests(fixtureFile(library));
-  if (auto* refusal = std::get_if<plugins::Refusal>(&manifests)) return *refusal;
-  for (const auto& manifest : std::get<std::vector<plugins::Manifest>>(manifests)) {
+inline host::OrRefusal<host::LoadedPlugin> load(const std::string& library, const std::string& id) {
+  auto manifests = host::readManifests(fixtureFile(library));
+  if (auto* refusal = std::get_if<host::Refusal>(&manifests)) return *refusal;
+  for (const auto& manifest : std::get<std::vector<host::Manifest>>(manifests)) {
     if (manifest.id == id) {
-      return plugins::loadPlugin(manifest, plugins::HostIdentity::ofThisBuild());
+      return host::loadPlugin(manifest, host::HostIdentity::ofThisBuild());
     }
   }
   FAIL("no plugin " << id << " in " << library);
-  return plugins::Refusal{};
+  return host::Refusal{};
 }
 
 template <class T>
-const plugins::Refusal& refusalOf(const plugins::OrRefusal<T>& result) {
-  REQUIRE(std::holds_alternative<plugins::Refusal>(result));
-  return std::get<plugins::Refusal>(result);
+const host::Refusal& refusalOf(const host::OrRefusal<T>& result) {
+  REQUIRE(std::holds_alternative<host::Refusal>(result));
+  return std::get<host::Refusal>(result);
 }
 
 }  // namespace tolman::test

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/gate.hpp"
+#include "host/gate.hpp"
 
 #include "host/fixture_plugins.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 using tolman::test::load;
 using tolman::test::refusalOf;
 
@@ -49,7 +49,7 @@ TEST_CASE("the gate's refusals are golden") {
   SECTION("other flags") {
     manifest.fingerprint = "gcc align32 sanitizer-none";
     CHECK(checkGate(manifest, kHost)->text() ==
-          "[plugin/fingerprint] plugin 'p' (p.so) was built differently:\n"
+          "[plugin/fingerprint] plugin 'p' (p.so) has another build fingerprint:\n"
           "    plugin: gcc align32 sanitizer-none\n"
           "    host:   gcc align16 sanitizer-none\n"
           "  remedy: rebuild the plugin without -march, -mavx or -mavx2 (Eigen's alignment follows "

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/library.hpp"
+#include "host/library.hpp"
 
 #include "host/fixture_plugins.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 using tolman::test::load;
 using tolman::test::refusalOf;
 

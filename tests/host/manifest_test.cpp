@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plugins/manifest.hpp"
+#include "host/manifest.hpp"
 
 #include "fixtures/plugins/steady.hpp"
 #include "host/fixture_plugins.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 using tolman::test::refusalOf;
 
 namespace {
@@ -32,6 +32,18 @@ TEST_CASE("a manifest tells all that the gate needs") {
   CHECK(manifest.schema_hash == 255);
 }
 
+TEST_CASE("extras are listed since SDK 0.2") {
+  CHECK(std::get<Manifest>(parseManifest(kGood, "file.so")).extras.empty());
+  const auto extended =
+      parseManifest(with("\"summary\":\"s\"", R"("summary":"s","extras":"arrays,page")"), "f.so");
+  const Manifest& manifest = std::get<Manifest>(extended);
+  CHECK(manifest.extras == std::vector<std::string>{"arrays", "page"});
+  CHECK(manifest.hasExtra("page"));
+  CHECK_FALSE(manifest.hasExtra("state"));
+  const auto read = readManifests(test::fixtureFile("snapshot_log"));
+  CHECK(std::get<std::vector<Manifest>>(read).at(0).hasExtra("descriptions"));
+}
+
 TEST_CASE("one library may hold several plugins") {
   const auto result = readManifests(test::fixtureFile("misbehaving"));
   REQUIRE(std::holds_alternative<std::vector<Manifest>>(result));
@@ -45,18 +57,20 @@ TEST_CASE("the schema hash of the manifest is that of the declaration") {
   CHECK(manifests.at(0).schema_hash == schemaHash<fixture::Steady::Parameters>());
 }
 
-TEST_CASE("a manifest that cannot be understood says where it stumbles") {
+TEST_CASE("an illegal manifest is refused with the cause") {
   CHECK(refusalOf(readManifests(test::fixtureFile("bad_json"))).id == "plugin/bad-manifest");
   const auto message = [](const std::string& text) {
     return refusalOf(parseManifest(text, "file.so")).message;
   };
   CHECK(message(with("\"map\"", "\"chef\"")) ==
-        "file.so: the manifest cannot be understood: 'chef' is not a role");
+        "file.so: the manifest is not valid: 'chef' is not a role");
   CHECK(message(with("\"0.1\"", "\"0.x\"")) ==
-        "file.so: the manifest cannot be understood: 'x' is not a number");
+        "file.so: the manifest is not valid: 'x' is not a number");
   CHECK(message(with("\"x\"", "\"../x\"")) ==
-        "file.so: the manifest cannot be understood: '../x' is not an identifier");
+        "file.so: the manifest is not valid: '../x' is not an identifier");
   CHECK(message(with("\"id\"", "\"jd\"")).find("'id' not found") != std::string::npos);
-  CHECK(message("[]").find("cannot be understood") != std::string::npos);
-  CHECK(message(std::string(100000, '[')).find("cannot be understood") != std::string::npos);
+  const std::string escape = message(with("\"x\"", "\"\\u001b[2J\""));
+  CHECK(escape == "file.so: the manifest is not valid: '?[2J' is not an identifier");
+  CHECK(message("[]").find("is not valid") != std::string::npos);
+  CHECK(message(std::string(100000, '[')).find("is not valid") != std::string::npos);
 }

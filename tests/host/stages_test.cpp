@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Contracts at the plugin boundary, with plugins that break them.
-#include "plugins/stages.hpp"
+#include "host/stages.hpp"
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 #include "support/context.hpp"
 
 using namespace tolman;
-using namespace tolman::plugins;
+using namespace tolman::host;
 using tolman::test::load;
 
 namespace {
@@ -61,20 +61,21 @@ TEST_CASE("each broken contract has its own message with plugin, call and frame"
   CHECK(drive("fails_in_configure").code() == StatusCode::InvalidParameter);
   CHECK(drive("throws_in_track").message() ==
         "odometry (throws_in_track), track, frame 3: threw: track gives up");
-  CHECK(drive("throws_an_integer").message() ==
-        "odometry (throws_an_integer), track, frame 3: threw something that is no std::exception");
+  CHECK(
+      drive("throws_an_integer").message() ==
+      "odometry (throws_an_integer), track, frame 3: threw something that is not a std::exception");
   CHECK(drive("returns_nan").message() ==
-        "odometry (returns_nan), track, frame 3: the answer has NaN, infinity or an impossible "
+        "odometry (returns_nan), track, frame 3: the answer has NaN, infinity or an illegal "
         "value in 'T_previous_current'");
   CHECK(drive("goes_back_in_time").message() ==
-        "odometry (goes_back_in_time), track, frame 3: answered with time -700000000 ns, asked "
+        "odometry (goes_back_in_time), track, frame 3: answered with time -700000000 ns instead of "
         "300000000 ns; copy `stamp_ns` from the input");
   CHECK(drive("answers_another_frame").message() ==
         "odometry (answers_another_frame), track, frame 3: answered for frame 2; copy `frame` from "
         "the input");
   CHECK(drive("revises_the_future").message() ==
-        "odometry (revises_the_future), track, frame 3: revised frame 7, which is not one of the "
-        "past");
+        "odometry (revises_the_future), track, frame 3: revised frame 7, which is not a past "
+        "frame");
 }
 
 TEST_CASE("a finish that throws is contained") {
@@ -158,7 +159,7 @@ TEST_CASE("decisions of cells are checked before the map sees them") {
 TEST_CASE("arrays hold finite numbers and keep their shapes") {
   PuppetStage cells;
   CHECK(cells.show({{"a", {2}, {1, 2}}, {"b", {}, {1}}}).empty());
-  CHECK(cells.show({{"a", {2}, {1}}}) == "array 'a' has another size than its shape");
+  CHECK(cells.show({{"a", {2}, {1}}}) == "array 'a' has a size that differs from its shape");
   CHECK(cells.show({{"a", {2}, {1, std::nanf("")}}}) == "array 'a' has NaN or infinity");
   CHECK(cells.show({{"a", {1}, {1}}}) == "array 'a' changed its shape");
 }

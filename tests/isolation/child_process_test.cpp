@@ -39,14 +39,14 @@ bool isDead(pid_t pid) {
 
 }  // namespace
 
-TEST_CASE("how a process ended is told by signal or exit code") {
-  CHECK(endOf("exit 3").text() == "ended the process itself (exit code 3)");
+TEST_CASE("the end of a process is described by signal or exit code") {
+  CHECK(endOf("exit 3").text() == "exited with code 3");
   CHECK(endOf("kill -SEGV $$").text() == "died of SIGSEGV (Segmentation fault)");
   CHECK(signalName(SIGKILL) == "SIGKILL (Killed)");
   CHECK(signalName(999) == "signal 999");
 }
 
-TEST_CASE("descriptors are passed under their own numbers; others are not") {
+TEST_CASE("descriptors are passed with their numbers; others are closed") {
   const Pipe passed;
   const Pipe kept;
   const std::string to = std::to_string(passed.ends[1]);
@@ -60,7 +60,7 @@ TEST_CASE("descriptors are passed under their own numbers; others are not") {
   CHECK(child.end(milliseconds(10'000)).exit_code == 0);
 }
 
-TEST_CASE("who outstays its time is killed with all that it started") {
+TEST_CASE("after the timeout the process group is killed") {
   const Pipe pipe;
   ChildProcess child({"/bin/sh", "-c",
                       "trap '' TERM; sleep 600 & echo $! >&" + std::to_string(pipe.ends[1]) +

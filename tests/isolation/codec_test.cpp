@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every argument of every call survives the way; bytes that nobody wrote never do harm.
+// All arguments are decoded to what was encoded; damaged bytes are refused.
 #include "isolation/codec.hpp"
 
 #include <catch2/catch.hpp>
@@ -88,7 +88,7 @@ T fromBytes(const std::string& bytes) {
 
 /// Encoding is one to one, so equal bytes are equal values.
 template <class T>
-void checkSurvives() {
+void checkRoundTrip() {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     T value{};
     Filler(seed).fill(value);
@@ -99,7 +99,7 @@ void checkSurvives() {
 
 /// Cut anywhere it is refused; changed anywhere it is refused or is another value.
 template <class T>
-void checkHarmless() {
+void checkDamage() {
   RandomStream random(3);
   T value{};
   Filler(11).fill(value);
@@ -109,7 +109,7 @@ void checkHarmless() {
     return decoder.next<T>();
   };
   for (std::size_t size = 0; size < bytes.size(); ++size) {
-    CHECK_THROWS_AS(read(bytes.substr(0, size)), Malformed);
+    CHECK_THROWS_AS(read(bytes.substr(0, size)), MalformedMessage);
   }
   for (int i = 0; i < 3000; ++i) {
     std::string damaged = bytes;
@@ -118,26 +118,26 @@ void checkHarmless() {
     }
     try {
       (void)read(damaged);
-    } catch (const Malformed&) {
+    } catch (const MalformedMessage&) {
     }
   }
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("records and other arguments survive", "", Frame, Motion, MotionRevision,
-                   PlaceObservation, Decision, MapUpdate, MapGraph, CameraRig, SourceInfo, RunInfo,
-                   std::vector<Finding>, std::vector<NamedArray>, std::vector<MotionRevision>,
-                   LoadMessage, RefusalMessage) {
-  checkSurvives<TestType>();
+TEMPLATE_TEST_CASE("records and other arguments are decoded to what was encoded", "", Frame, Motion,
+                   MotionRevision, PlaceObservation, Decision, MapUpdate, MapGraph, CameraRig,
+                   SourceInfo, RunInfo, std::vector<Finding>, std::vector<NamedArray>,
+                   std::vector<MotionRevision>, LoadMessage, host::Refusal) {
+  checkRoundTrip<TestType>();
 }
 
-TEMPLATE_TEST_CASE("damaged messages are refused without harm", "", Frame, Motion, MapGraph,
-                   SourceInfo, std::vector<NamedArray>) {
-  checkHarmless<TestType>();
+TEMPLATE_TEST_CASE("damaged messages are refused", "", Frame, Motion, MapGraph, SourceInfo,
+                   std::vector<NamedArray>) {
+  checkDamage<TestType>();
 }
 
-TEST_CASE("pixels survive whatever the stride, and are packed") {
+TEST_CASE("pixels are packed, whatever the stride") {
   const std::array<std::uint8_t, 8> padded = {1, 2, 99, 99, 3, 4, 99, 99};
   const Image image(padded.data(), 2, 2, 4, PixelFormat::Gray8, nullptr);
   const Image back = fromBytes<Image>(bytesOf(image));
@@ -174,7 +174,7 @@ TEST_CASE("lists that claim to be longer than their message cost no memory") {
   std::string bytes(8, '\0');
   const std::uint64_t many = std::uint64_t{1} << 61U;
   std::memcpy(bytes.data(), &many, sizeof many);
-  CHECK_THROWS_AS(fromBytes<std::string>(bytes), Malformed);
-  CHECK_THROWS_AS(fromBytes<std::vector<double>>(bytes), Malformed);
-  CHECK_THROWS_AS(fromBytes<std::vector<NamedArray>>(bytes), Malformed);
+  CHECK_THROWS_AS(fromBytes<std::string>(bytes), MalformedMessage);
+  CHECK_THROWS_AS(fromBytes<std::vector<double>>(bytes), MalformedMessage);
+  CHECK_THROWS_AS(fromBytes<std::vector<NamedArray>>(bytes), MalformedMessage);
 }

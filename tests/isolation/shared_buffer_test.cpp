@@ -9,7 +9,7 @@
 
 using tolman::isolation::SharedBuffer;
 
-TEST_CASE("what was written stays while the memory grows") {
+TEST_CASE("growing keeps what was written") {
   SharedBuffer buffer("test");
   std::memcpy(buffer.reserve(6), "hello", 6);
   std::byte* grown = buffer.reserve(std::size_t{5} << 20U);
@@ -17,7 +17,7 @@ TEST_CASE("what was written stays while the memory grows") {
   grown[(std::size_t{5} << 20U) - 1] = std::byte{7};  // the last byte is there
 }
 
-TEST_CASE("another mapping of the same memory sees what is written, also after growing") {
+TEST_CASE("a second mapping of the memory reads what was written, also after growing") {
   SharedBuffer writer("test");
   SharedBuffer reader(::dup(writer.descriptor()));
   writer.reserve(10)[9] = std::byte{1};
@@ -27,14 +27,14 @@ TEST_CASE("another mapping of the same memory sees what is written, also after g
   CHECK(reader.view(kFar)[kFar - 1] == std::byte{2});
 }
 
-TEST_CASE("a size that the memory does not have is refused, not believed") {
+TEST_CASE("a size larger than the memory is refused") {
   SharedBuffer writer("test");
   writer.reserve(10);
   SharedBuffer reader(::dup(writer.descriptor()));
-  CHECK_THROWS_WITH(reader.view(std::size_t{1} << 40U), "a message longer than its memory");
+  CHECK_THROWS_WITH(reader.view(std::size_t{1} << 40U), "a message longer than the shared memory");
 }
 
-TEST_CASE("nobody can take the memory away from under a reader") {
+TEST_CASE("the memory cannot shrink") {
   SharedBuffer buffer("test");
   buffer.reserve(4096);
   CHECK(::ftruncate(buffer.descriptor(), 0) == -1);

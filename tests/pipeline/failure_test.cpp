@@ -16,16 +16,21 @@ auto failAt(std::int64_t bad) {
 
 }  // namespace
 
-TEST_CASE("stop: exactly the frames before the failure are told, for any stage and thread count") {
+TEST_CASE("stop: exactly the frames before the failure are published, for any stage and threads") {
+  const std::array stages = {
+      std::pair{&Hooks::odometry, Role::Odometry}, std::pair{&Hooks::place, Role::Place},
+      std::pair{&Hooks::cells, Role::Cells}, std::pair{&Hooks::map, Role::Map}};
   for (const int threads : {1, 2, 4}) {
-    for (auto stage : {&Hooks::odometry, &Hooks::place, &Hooks::cells, &Hooks::map}) {
+    for (const auto& [stage, role] : stages) {
       Hooks hooks;
       hooks.*stage = failAt(7);
       ToySystem system(hooks);
-      const auto outcome = system.run({}, threads);
-      CHECK(outcome.status.message().find("frame 7: broken") != std::string::npos);
+      const auto result = system.drive({}, threads);
+      REQUIRE(result.failure);
+      CHECK(result.failure->role == role);
+      CHECK(result.failure->status.message().find("frame 7: broken") != std::string::npos);
       CHECK(system.diary.entries.size() == 7);
-      CHECK(outcome.counters.frames == 7);
+      CHECK(result.counters.frames == 7);
       CHECK(hooks.finished == 4);
       REQUIRE(system.diary.events.size() == 1);
       CHECK(system.diary.events[0].level == LogLevel::Error);
@@ -38,8 +43,10 @@ TEST_CASE("a failing source ends the run after all frames that it gave") {
   Hooks hooks;
   hooks.source = failAt(5);
   ToySystem system(hooks);
-  const auto outcome = system.run({}, 2);
-  CHECK(outcome.status.message() == "source (toy), next, frame 5: broken");
+  const auto result = system.drive({}, 2);
+  REQUIRE(result.failure);
+  CHECK(result.failure->role == Role::Source);
+  CHECK(result.failure->status.message() == "source (toy), next, frame 5: broken");
   CHECK(system.diary.entries.size() == 5);
 }
 
@@ -47,12 +54,12 @@ TEST_CASE("skip: a predicted motion stands in, marked lost, and the run goes on"
   Hooks hooks;
   hooks.odometry = failAt(7);
   ToySystem system(hooks);
-  const auto outcome = system.run({}, 2, {.odometry = FailurePolicy::Skip});
-  CHECK(outcome.status.isOk());
-  CHECK(outcome.counters.frames == 30);
-  CHECK(outcome.counters.skipped == 1);
-  CHECK(outcome.counters.lost == 1);
-  CHECK_FALSE(outcome.counters.lost_at_end);
+  const auto result = system.drive({}, 2, {.odometry = FailurePolicy::Skip});
+  CHECK_FALSE(result.failure);
+  CHECK(result.counters.frames == 30);
+  CHECK(result.counters.skipped == 1);
+  CHECK(result.counters.lost == 1);
+  CHECK_FALSE(result.counters.lost_at_end);
   CHECK(system.diary.entries[7].lost);
   CHECK_FALSE(system.diary.entries[8].lost);
 }
@@ -62,12 +69,12 @@ TEST_CASE("skip: place, cells and map answer nothing new for the frame") {
     Hooks hooks;
     hooks.*stage = failAt(3);
     ToySystem system(hooks);
-    const auto outcome = system.run(
+    const auto result = system.drive(
         {}, 2,
         {FailurePolicy::Skip, FailurePolicy::Skip, FailurePolicy::Skip, FailurePolicy::Skip});
-    CHECK(outcome.status.isOk());
-    CHECK(outcome.counters.frames == 30);
-    CHECK(outcome.counters.skipped == 1);
+    CHECK_FALSE(result.failure);
+    CHECK(result.counters.frames == 30);
+    CHECK(result.counters.skipped == 1);
     CHECK(system.diary.events.at(0).message.find("frame skipped") != std::string::npos);
   }
 }
@@ -76,7 +83,9 @@ TEST_CASE("a listener that fails (a full disk) stops the run with its own status
   Hooks hooks;
   ToySystem system(hooks);
   system.diary.on_frame = failAt(4);
-  const auto outcome = system.run({}, 2);
-  CHECK(outcome.status.message() == "broken");
+  const auto result = system.drive({}, 2);
+  REQUIRE(result.failure);
+  CHECK(result.failure->role == Role::Observer);
+  CHECK(result.failure->status.message() == "broken");
   CHECK(system.diary.entries.size() == 5);
 }

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <vector>
 
-#include "pipeline/run.hpp"
+#include "pipeline/drive.hpp"
 #include "support/context.hpp"
 #include "tolman/plugin.hpp"
 
@@ -182,7 +182,7 @@ struct Flag : Cancellation {
 
 /// A guarded instance around an object that the test made.
 template <class Toy>
-std::unique_ptr<plugins::Instance> guardedToy(Hooks& hooks, const char* name) {
+std::unique_ptr<host::Instance> guardedToy(Hooks& hooks, const char* name) {
   static thread_local Hooks* current = nullptr;
   current = &hooks;
   static constexpr PluginDescriptor kDescriptor = {TOLMAN_SDK_MAJOR,
@@ -193,12 +193,12 @@ std::unique_ptr<plugins::Instance> guardedToy(Hooks& hooks, const char* name) {
                                                    &schemaOf<NoParameters>,
                                                    [] { return PluginObject{new Toy(*current)}; },
                                                    [](Plugin* plugin) { delete plugin; }};
-  plugins::LoadedPlugin loaded;
+  host::LoadedPlugin loaded;
   loaded.manifest.id = "toy";
   loaded.descriptor = &kDescriptor;
-  auto created = plugins::Instance::create(loaded, name);
-  REQUIRE(std::holds_alternative<std::unique_ptr<plugins::Instance>>(created));
-  return std::move(std::get<std::unique_ptr<plugins::Instance>>(created));
+  auto created = host::Instance::create(loaded, name);
+  REQUIRE(std::holds_alternative<std::unique_ptr<host::Instance>>(created));
+  return std::move(std::get<std::unique_ptr<host::Instance>>(created));
 }
 
 /// Five toys, wired up.
@@ -210,17 +210,17 @@ struct ToySystem {
         cells(guardedToy<ToyCells>(hooks, "cells")),
         map(guardedToy<ToyMap>(hooks, "map")) {}
 
-  pipeline::Outcome run(const config::PipelineSettings& settings, int threads,
-                        const pipeline::Policies& policies = {}) {
+  pipeline::DriveResult drive(const config::PipelineSettings& settings, int threads,
+                              const pipeline::Policies& policies = {}) {
     pipeline::Chain chain({source, odometry, place, cells, map}, policies, diary);
-    return pipeline::run(chain, settings, threads, flag);
+    return pipeline::drive(chain, settings, threads, flag);
   }
 
-  plugins::SourceStage source;
-  plugins::OdometryStage odometry;
-  plugins::PlaceStage place;
-  plugins::CellsStage cells;
-  plugins::MapStage map;
+  host::SourceStage source;
+  host::OdometryStage odometry;
+  host::PlaceStage place;
+  host::CellsStage cells;
+  host::MapStage map;
   Diary diary;
   Flag flag;
 };

@@ -108,10 +108,10 @@ TEST_CASE("a reader meets whole files only, however often they are replaced") {
 TEST_CASE("a descriptor is closed once, by its last owner") {
   int number = -1;
   {
-    Descriptor first(::open("/", O_RDONLY | O_DIRECTORY));
+    FileDescriptor first(::open("/", O_RDONLY | O_DIRECTORY));
     number = first.number();
-    Descriptor second(std::move(first));
-    Descriptor third(-1);
+    FileDescriptor second(std::move(first));
+    FileDescriptor third(-1);
     third = std::move(second);
     CHECK(third.number() == number);
     CHECK(::fcntl(number, F_GETFD) != -1);

@@ -30,7 +30,9 @@ void recordRun(const std::filesystem::path& folder, std::int64_t frames) {
 void recordEverything(const std::filesystem::path& folder) {
   auto recorder = Recorder::open(folder).value();
   REQUIRE(recorder->session({0, 0, "one", "made up"}).isOk());
-  REQUIRE(recorder->camera({}).isOk());
+  RunInfo run;
+  run.arrays = {{"hd.activity", ArrayKind::Activity, "", "", "", {}}};
+  REQUIRE(recorder->begin(run).isOk());
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
   const Frame frame = test::frameAt(3);
   PlaceObservation place;
@@ -45,7 +47,8 @@ void recordEverything(const std::filesystem::path& folder) {
   REQUIRE(recorder
               ->graph({1,
                        {test::experienceAt(0, 0, 0), test::experienceAt(1, 1, 1)},
-                       {test::linkBetween(0, 0, 1, 1)}})
+                       {test::linkBetween(0, 0, 1, 1)},
+                       {}})
               .isOk());
   REQUIRE(recorder->revisions({{1, {}, Matrix6d::Identity()}}).isOk());
   REQUIRE(recorder->finalPoses({{0, Eigen::Isometry3d::Identity()}}).isOk());

@@ -40,7 +40,7 @@ std::vector<Eigen::Matrix4d> readTum(const std::filesystem::path& file) {
 }
 
 /// A walk of random steps, five frames an experience, which the map has put elsewhere. Frame 12
-/// hangs on no experience.
+/// belongs to no experience.
 struct RandomWalk {
   static constexpr std::int64_t kFrames = 20;
   test::TemporaryFolder folder;
@@ -128,7 +128,7 @@ TEST_CASE("odometry files are the product of all steps, revised ones as revised 
   }
 }
 
-TEST_CASE("the map's trajectory hangs on the experiences, a frame without one on itself") {
+TEST_CASE("poses follow their experiences; a frame without experience keeps its own pose") {
   const RandomWalk walk;
   REQUIRE(exportRun(walk.folder.path(), walk.folder.path()).isOk());
   const auto poses = readTum(walk.folder.path() / "trajectory.tum");
@@ -217,9 +217,10 @@ TEST_CASE("an export that cannot be written, or of a damaged map, says why") {
   const test::TemporaryFolder folder;
   recordRun(folder.path(), 2);
   const auto absent = folder.path() / "absent";
-  CHECK(exportRun(folder.path(), absent).status().message() ==
-        (absent / "odometry.tum").string() +
-            ": its folder cannot be opened (No such file or directory)");
+  CHECK(
+      exportRun(folder.path(), absent).status().message() ==
+      (absent / "odometry.tum").string() +
+          ": its folder cannot be opened; check path and permissions (No such file or directory)");
   test::queryByHand(folder.path(), "UPDATE experience SET id = 5");
   CHECK(exportRun(folder.path(), folder.path()).status().message() ==
         (folder.path() / "run.sqlite").string() + ": experience 0 is missing");

@@ -95,7 +95,8 @@ MapGraph ring(std::int64_t size) {
 TEST_CASE("a g2o file: vertices, the fixed one, edges with 21 values") {
   const MapGraph graph{1,
                        {test::experienceAt(0, 0, 0), test::experienceAt(1, 2, 2)},
-                       {test::linkBetween(0, 0, 1, 2)}};
+                       {test::linkBetween(0, 0, 1, 2)},
+                       {}};
   CHECK(g2oText(graph) ==
         "VERTEX_SE3:QUAT 0 0 0 0 0 0 0 1\n"
         "VERTEX_SE3:QUAT 1 0 0 2 0 0 0 1\n"
@@ -158,7 +159,13 @@ TEST_CASE("the 21 values are the inverse covariance of g2o's own error") {
   }
 }
 
-TEST_CASE("a link that nobody trusts weighs nothing, a perfect one not infinitely much") {
+TEST_CASE("a rejected link is left out") {
+  MapGraph graph = ring(5);
+  graph.rejected = {4};
+  CHECK(readBack(g2oText(graph)).edges.size() == 4);
+}
+
+TEST_CASE("a link of weight 0 has no information, a perfect one not infinitely much") {
   Link link = test::linkBetween(0, 0, 1, 0);
   link.weight = 0;
   CHECK(g2oInformation(link).isZero());

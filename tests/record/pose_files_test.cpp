@@ -12,16 +12,16 @@ using namespace tolman::record;
 
 namespace {
 
-StampedPose poseAt(std::int64_t frame, std::int64_t stamp_ns, double z) {
-  StampedPose pose{frame, stamp_ns, Eigen::Isometry3d::Identity()};
+evaluation::TrajectoryPose poseAt(std::int64_t frame, std::int64_t stamp_ns, double z) {
+  evaluation::TrajectoryPose pose{frame, stamp_ns, Eigen::Isometry3d::Identity()};
   pose.T_world_camera.translation().z() = z;
   return pose;
 }
 
 /// Random poses of frames 0, 1 ... at odd times.
-std::vector<StampedPose> randomPoses(std::size_t count) {
+evaluation::Trajectory randomPoses(std::size_t count) {
   RandomStream random(63);
-  std::vector<StampedPose> poses;
+  evaluation::Trajectory poses;
   std::int64_t stamp_ns = 1'403'636'579'763'555'527;
   for (std::size_t i = 0; i < count; ++i) {
     stamp_ns += 1 + static_cast<std::int64_t>(random.below(2'000'000'000));
@@ -33,8 +33,8 @@ std::vector<StampedPose> randomPoses(std::size_t count) {
 }  // namespace
 
 TEST_CASE("a TUM file keeps stamps exactly") {
-  const std::vector<StampedPose> poses = {poseAt(0, 1403636579763555527, 0.1), poseAt(1, 5, -2),
-                                          poseAt(2, -1, 1e-7)};
+  const evaluation::Trajectory poses = {poseAt(0, 1403636579763555527, 0.1), poseAt(1, 5, -2),
+                                        poseAt(2, -1, 1e-7)};
   CHECK(tumText(poses) ==
         "1403636579.763555527 0 0 0.1 0 0 0 1\n"
         "0.000000005 0 0 -2 0 0 0 1\n"
@@ -61,16 +61,16 @@ TEST_CASE("quaternions are written with w >= 0") {
 }
 
 TEST_CASE("a KITTI file has one line a frame, also for frames that were dropped") {
-  const std::vector<StampedPose> poses = {poseAt(1, 0, 1), poseAt(3, 0, 3)};
+  const evaluation::Trajectory poses = {poseAt(1, 0, 1), poseAt(3, 0, 3)};
   CHECK(kittiText(poses).value() ==
         "1 0 0 0 0 1 0 0 0 0 1 0\n"  // frame 0: nothing known yet
         "1 0 0 0 0 1 0 0 0 0 1 1\n"
         "1 0 0 0 0 1 0 0 0 0 1 1\n"  // frame 2: as before
         "1 0 0 0 0 1 0 0 0 0 1 3\n");
-  const std::vector<StampedPose> damaged = {poseAt(0, 0, 0), poseAt(1LL << 60, 0, 0)};
+  const evaluation::Trajectory damaged = {poseAt(0, 0, 0), poseAt(1LL << 60, 0, 0)};
   CHECK(kittiText(damaged).status().message() ==
         "frame 1152921504606846976 comes where frame 1 was due; the record is damaged");
-  CHECK_FALSE(kittiText(std::vector<StampedPose>{poseAt(-1, 0, 0)}).isOk());
+  CHECK_FALSE(kittiText(evaluation::Trajectory{poseAt(-1, 0, 0)}).isOk());
 }
 
 TEST_CASE("the earliest time that there is can be written") {
@@ -79,7 +79,7 @@ TEST_CASE("the earliest time that there is can be written") {
 }
 
 TEST_CASE("a TUM file reads back: stamps and positions exactly, rotations to rounding") {
-  const std::vector<StampedPose> poses = randomPoses(200);
+  const evaluation::Trajectory poses = randomPoses(200);
   const auto lines = test::linesOf(tumText(poses));
   REQUIRE(lines.size() == poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {
@@ -96,7 +96,7 @@ TEST_CASE("a TUM file reads back: stamps and positions exactly, rotations to rou
 }
 
 TEST_CASE("a KITTI file reads back exactly: the upper three rows of each matrix") {
-  const std::vector<StampedPose> poses = randomPoses(200);
+  const evaluation::Trajectory poses = randomPoses(200);
   const auto lines = test::linesOf(kittiText(poses).value());
   REQUIRE(lines.size() == poses.size());
   for (std::size_t i = 0; i < poses.size(); ++i) {

@@ -77,7 +77,8 @@ TEST_CASE("a corrected map replaces what was known, and only that") {
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
   MapGraph graph{1,
                  {test::experienceAt(0, 0, 0), test::experienceAt(1, 2, 2)},
-                 {test::linkBetween(0, 0, 1, 2)}};
+                 {test::linkBetween(0, 0, 1, 2)},
+                 {}};
   REQUIRE(recorder->graph(graph).isOk());
   graph.experiences[1].T_world_experience.translation().z() = 2.5;
   graph.links[0].weight = 0.25;
@@ -90,13 +91,14 @@ TEST_CASE("a corrected map replaces what was known, and only that") {
   CHECK(read.links[0].weight == 0.25);
 }
 
-TEST_CASE("links that the map takes back leave the table") {
+TEST_CASE("links that the map removes leave the table") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
   MapGraph graph{1,
                  {test::experienceAt(0, 0, 0), test::experienceAt(1, 2, 2)},
-                 {test::linkBetween(0, 0, 1, 1), test::linkBetween(1, 1, 0, 2)}};
+                 {test::linkBetween(0, 0, 1, 1), test::linkBetween(1, 1, 0, 2)},
+                 {}};
   REQUIRE(recorder->graph(graph).isOk());
   graph.links.erase(graph.links.begin());
   graph.links[0].id = 0;
@@ -115,7 +117,7 @@ TEST_CASE("a row that breaks a rule fails its call alone") {
   const Status twice = test::recordFrame(*recorder, 0);
   CHECK(twice.message() ==
         (folder.path() / "run.sqlite").string() + ": UNIQUE constraint failed: frame.frame");
-  const MapGraph orphan{1, {test::experienceAt(0, 0, 0)}, {test::linkBetween(0, 0, 7, 0)}};
+  const MapGraph orphan{1, {test::experienceAt(0, 0, 0)}, {test::linkBetween(0, 0, 7, 0)}, {}};
   CHECK(recorder->graph(orphan).message() ==
         (folder.path() / "run.sqlite").string() + ": FOREIGN KEY constraint failed");
   CHECK_FALSE(recorder->snapshot(Snapshot{}).isOk());
@@ -128,7 +130,7 @@ TEST_CASE("a row that breaks a rule fails its call alone") {
   CHECK(test::recordFrame(*recorder, 1).isOk());  // frame 1 was rolled back with its motion
   REQUIRE(recorder->close().isOk());
   const auto reader = RunReader::open(folder.path()).value();
-  CHECK(reader->counters().value().frames == 2);
+  CHECK(reader->totals().value().frames == 2);
   CHECK(reader->graph().value().links.empty());
 }
 
@@ -146,7 +148,7 @@ TEST_CASE("timing, events and facts are kept; a closed recorder refuses") {
   const auto reader = RunReader::open(folder.path()).value();
   CHECK(reader->timing().value().at("odometry") == std::vector<std::int64_t>{5, 7});
   CHECK(reader->meta().value().at("name") == "two");
-  CHECK(reader->meta().value().at("schema_version") == "2");
+  CHECK(reader->meta().value().at("schema_version") == "3");
   // A closed run is one plain file.
   CHECK_FALSE(std::filesystem::exists(folder.path() / "run.sqlite-wal"));
 }
@@ -205,5 +207,5 @@ TEST_CASE("a full disk is a failure, not a crash, and stays one") {
   // What was committed before is still there.
   const auto reader = RunReader::open(folder.path());
   REQUIRE(reader.isOk());
-  CHECK(reader.value()->counters().value().frames > 100);
+  CHECK(reader.value()->totals().value().frames > 100);
 }

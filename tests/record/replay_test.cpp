@@ -140,8 +140,8 @@ TEST_CASE("a damaged row is a failure that names the file") {
   auto recorder = Recorder::open(folder.path()).value();
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
   REQUIRE(recorder->close().isOk());
-  Database(folder.path() / "run.sqlite", Database::Mode::Create)
-      .execute("UPDATE \"motion\" SET \"state\" = 'asleep' WHERE \"frame\" = 2");
+  openDatabase(folder.path() / "run.sqlite", Access::Create)
+      .exec("UPDATE \"motion\" SET \"state\" = 'asleep' WHERE \"frame\" = 2");
   const auto reader = RunReader::open(folder.path()).value();
   const auto replay = std::move(Replay::open(*reader, {}, false)).value();
   RecordedFrame frame;

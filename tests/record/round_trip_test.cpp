@@ -43,8 +43,8 @@ void checkSame(std::string_view name, const T& a, const T& b) {
 
 template <Record R>
 void checkRoundTrip(RandomStream& random) {
-  Database database(":memory:", Database::Mode::Create);
-  database.execute(createSql({R::kRecord, "", columnsOf<R>(), "", true}));
+  Database database = openDatabase(":memory:", Access::Create);
+  database.exec(createSql({R::kRecord, "", columnsOf<R>(), "", true}));
   std::vector<R> records;
   for (int i = 0; i < 20; ++i) records.push_back(test::randomRecord<R>(random));
   for (const R& record : records) {
@@ -113,7 +113,7 @@ TEST_CASE("an independent reader finds matrices where the page says") {
 }
 
 TEST_CASE("values that the schema forbids are refused on reading") {
-  Database database(":memory:", Database::Mode::Create);
+  Database database = openDatabase(":memory:", Access::Create);
   Statement word(database, "SELECT 'asleep'");
   REQUIRE(word.step());
   TrackingState state{};

@@ -54,11 +54,34 @@ TEST_CASE("odometry is composed from the last revisions") {
   CHECK(poses[3].stamp_ns == 1'300'000'000);
 }
 
+TEST_CASE("poses without tracking are marked; the last before a track is its origin") {
+  using enum TrackingState;
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  std::int64_t i = 0;
+  for (const TrackingState state : {Initialising, Initialising, Tracking, Lost, Lost, Tracking,
+                                    Initialising, Tracking, Initialising}) {
+    const Frame frame = test::frameAt(i);
+    Motion motion = test::motionAt(i++);
+    motion.state = state;
+    Snapshot snapshot;
+    snapshot.frame = &frame;
+    snapshot.motion = &motion;
+    REQUIRE(recorder->snapshot(snapshot).isOk());
+  }
+  REQUIRE(recorder->close().isOk());
+  std::string tracked;
+  for (const auto& pose : RunReader::open(folder.path()).value()->odometry().value()) {
+    tracked += pose.tracked ? '+' : '-';
+  }
+  CHECK(tracked == "-++--+++-");
+}
+
 TEST_CASE("the map's trajectory moves with its experiences") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
-  REQUIRE(recorder->graph({1, {test::experienceAt(0, 0, 10)}, {}}).isOk());
+  REQUIRE(recorder->graph({1, {test::experienceAt(0, 0, 10)}, {}, {}}).isOk());
   REQUIRE(recorder->close().isOk());
   const auto reader = RunReader::open(folder.path()).value();
   const auto poses = reader->map().value();
@@ -67,7 +90,7 @@ TEST_CASE("the map's trajectory moves with its experiences") {
   CHECK(reader->truth().value().empty());
 }
 
-TEST_CASE("trajectories and graph are composed once, and not disturbed by what comes later") {
+TEST_CASE("trajectories and graph are computed once, and do not change with later frames") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
   for (std::int64_t i = 0; i < 3; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
@@ -125,7 +148,7 @@ TEST_CASE("the truth is that of the frames that have one") {
   CHECK(truth[1].T_world_camera.translation().x() == 3);
 }
 
-TEST_CASE("counters count") {
+TEST_CASE("totals count frames, novel views and loop decisions") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
   for (std::int64_t i : {0, 1, 4}) {  // realtime: frames 2 and 3 were dropped
@@ -133,29 +156,20 @@ TEST_CASE("counters count") {
     PlaceObservation place;
     place.frame = i;
     place.recognition = i == 1 ? Recognition::Familiar : Recognition::Novel;
-    Motion motion = test::motionAt(i);
-    if (i == 4) motion.state = TrackingState::Lost;
+    Decision decision;
+    decision.frame = i;
+    if (i == 4) decision.action = Action::CloseLoop;
     Snapshot snapshot;
     snapshot.frame = &frame;
     snapshot.place = &place;
-    snapshot.motion = &motion;
+    snapshot.decision = &decision;
     REQUIRE(recorder->snapshot(snapshot).isOk());
   }
-  MapGraph graph{1,
-                 {test::experienceAt(0, 0, 0), test::experienceAt(1, 1, 1)},
-                 {test::linkBetween(0, 0, 1, 1), test::linkBetween(1, 1, 0, 4)}};
-  graph.links[1].kind = LinkKind::Loop;
-  REQUIRE(recorder->graph(graph).isOk());
   REQUIRE(recorder->commit().isOk());
-  const Counters counters = RunReader::open(folder.path()).value()->counters().value();
-  CHECK(counters.frames == 3);
-  CHECK(counters.lost == 1);
-  CHECK(counters.templates == 2);
-  CHECK(counters.experiences == 2);
-  CHECK(counters.links == 2);
-  CHECK(counters.loops == 1);
-  CHECK(counters.first_stamp_ns == 1'000'000'000);
-  CHECK(counters.last_stamp_ns == 1'400'000'000);
+  const RunTotals totals = RunReader::open(folder.path()).value()->totals().value();
+  CHECK(totals.frames == 3);
+  CHECK(totals.templates == 2);
+  CHECK(totals.loop_decisions == 1);
 }
 
 TEST_CASE("what is no run is refused by name") {
@@ -171,12 +185,61 @@ TEST_CASE("what is no run is refused by name") {
   CHECK(refusal(folder.path()) == "/run.sqlite: is no run database; it has no table `run`");
 }
 
-TEST_CASE("another schema version is refused") {
+TEST_CASE("the links that the map has rejected are marked, whatever their weight") {
   const test::TemporaryFolder folder;
-  recordFrames(folder.path(), 2);
-  test::queryByHand(folder.path(), "UPDATE run SET value = '99' WHERE key = 'schema_version'");
-  CHECK(refusal(folder.path()) ==
-        "/run.sqlite: has schema version 99, this program reads 2; use the version that wrote it");
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(test::recordFrame(*recorder, 0).isOk());
+  MapGraph graph{1, {test::experienceAt(0, 0, 0), test::experienceAt(1, 0, 1)}, {}, {}};
+  for (std::int64_t id = 0; id < 4; ++id) {
+    graph.links.push_back(test::linkBetween(id, 0, 1, 0));
+    graph.links.back().kind = id == 0 ? LinkKind::Odometry : LinkKind::Loop;
+    graph.links.back().weight = id == 3 ? 1 : 0.01;
+  }
+  graph.rejected = {1, 2};
+  REQUIRE(recorder->graph(graph).isOk());
+  graph.rejected = {1, 3};  // a verdict may change while the link stays the same
+  REQUIRE(recorder->graph(graph).isOk());
+  REQUIRE(recorder->close().isOk());
+  CHECK(RunReader::open(folder.path()).value()->graph().value().rejected == graph.rejected);
+}
+
+TEST_CASE("descriptions of arrays come back as they were") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  RunInfo run;
+  run.arrays = {{"grid.activity",
+                 ArrayKind::Activity,
+                 "Hz",
+                 "rates",
+                 "",
+                 {{"x", "m", 0.25, 0.5, 10, {}}, {"y", "m", 0, 0.1, 0, {"a \"b\"", ""}}}},
+                {"grid.bump", ArrayKind::Bump, "", "", "grid.activity", {}}};
+  REQUIRE(recorder->begin(run).isOk());
+  REQUIRE(recorder->close().isOk());
+  const auto infos = RunReader::open(folder.path()).value()->arrayInfos().value();
+  REQUIRE(infos.size() == 2);
+  CHECK(infos[0].unit == "Hz");
+  REQUIRE(infos[0].axes.size() == 2);
+  CHECK(infos[0].axes[0].period == 10);
+  CHECK(infos[0].axes[0].first == 0.25);
+  CHECK(infos[0].axes[1].step == 0.1);
+  CHECK(infos[0].axes[1].labels == run.arrays[0].axes[1].labels);
+  CHECK(infos[1].kind == ArrayKind::Bump);
+  CHECK(infos[1].population == "grid.activity");
+  test::queryByHand(folder.path(), "UPDATE array_info SET axes = '[{}]'");
+  CHECK(RunReader::open(folder.path()).value()->arrayInfos().status().code() ==
+        StatusCode::InvalidInput);
+}
+
+TEST_CASE("another schema version is refused") {
+  for (const std::string version : {"2", "99"}) {
+    const test::TemporaryFolder folder;
+    recordFrames(folder.path(), 2);
+    test::queryByHand(folder.path(),
+                      "UPDATE run SET value = '" + version + "' WHERE key = 'schema_version'");
+    CHECK(refusal(folder.path()) == "/run.sqlite: has schema version " + version +
+                                        ", this program reads 3; run again to record it anew");
+  }
 }
 
 TEST_CASE("a graph with holes is refused, not read past its end") {
@@ -208,7 +271,7 @@ TEST_CASE("a damaged database never crashes the reader") {
     (void)reader.value()->odometry().isOk();
     (void)reader.value()->map().isOk();
     (void)reader.value()->graph().isOk();
-    (void)reader.value()->counters().isOk();
+    (void)reader.value()->totals().isOk();
     (void)reader.value()->records<Frame>().isOk();
   }
   SUCCEED();

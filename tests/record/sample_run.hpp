@@ -81,7 +81,7 @@ inline Link linkBetween(std::int64_t id, std::int64_t from, std::int64_t to, std
 inline Status recordFrame(record::Recorder& recorder, std::int64_t index) {
   const Frame frame = frameAt(index);
   const Motion motion = motionAt(index);
-  const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}};
+  const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}, {}};
   MapUpdate update;
   update.frame = index;
   update.stamp_ns = frame.stamp_ns;

@@ -116,12 +116,12 @@ TEST_CASE("rows refer to what exists: foreign keys by table") {
 
 TEST_CASE("tables are strict: no text where a number belongs, no NULL where a value belongs") {
   const EmptyRun run;
-  Database database(run.folder.path() / "run.sqlite", Database::Mode::Create);
-  CHECK_THROWS_WITH(database.execute("INSERT INTO timing VALUES ('one', 'map', 1)"),
+  Database database = openDatabase(run.folder.path() / "run.sqlite", Access::Create);
+  CHECK_THROWS_WITH(database.exec("INSERT INTO timing VALUES ('one', 'map', 1)"),
                     "cannot store TEXT value in INTEGER column timing.frame");
-  CHECK_THROWS_WITH(database.execute("INSERT INTO timing VALUES (1, NULL, 1)"),
+  CHECK_THROWS_WITH(database.exec("INSERT INTO timing VALUES (1, NULL, 1)"),
                     "NOT NULL constraint failed: timing.stage");
-  database.execute("INSERT INTO timing VALUES (1, 'map', 1)");
+  database.exec("INSERT INTO timing VALUES (1, 'map', 1)");
 }
 
 TEST_CASE("names that are words of SQL are quoted") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs that go on from earlier ones, and maps in parts.
+// Runs that continue earlier ones, and maps in parts.
 #include "record/export.hpp"
 #include "record/graph_parts.hpp"
 #include "record/sample_run.hpp"
@@ -28,12 +28,11 @@ MapGraph chainOf(std::int64_t experiences) {
   return graph;
 }
 
-void join(MapGraph& graph, std::int64_t from, std::int64_t to, double weight = 1) {
+void join(MapGraph& graph, std::int64_t from, std::int64_t to) {
   Link link;
   link.id = static_cast<std::int64_t>(graph.links.size());
   link.from = from;
   link.to = to;
-  link.weight = weight;
   graph.links.push_back(link);
 }
 
@@ -63,7 +62,7 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
   CHECK(odometry[3].T_world_camera.translation().z() == 7);  // 1 m + 1 m + 5 m, revised
   CHECK(odometry[4].T_world_camera.translation().z() == 0);  // each session from its own start
   CHECK(odometry[6].T_world_camera.translation().z() == 2);
-  // The map's last word goes before what follows from experiences.
+  // Final poses take precedence over poses computed from experiences.
   CHECK(reader->map().value()[1].T_world_camera.translation().z() == 9);
   CHECK(reader->map().value()[5].T_world_camera.translation().z() == -2);
 
@@ -76,13 +75,14 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
             .find("has no session 2; the last is 1") != std::string::npos);
 }
 
-TEST_CASE("parts of a map hang together by loops that are believed, and by what was driven") {
+TEST_CASE("parts of a map are joined by all links that it has not rejected") {
   MapGraph graph = chainOf(6);
   join(graph, 0, 1);
   join(graph, 3, 2);
   join(graph, 4, 5);
-  join(graph, 5, 1, 0.01);  // given up
+  join(graph, 5, 1);
   graph.links.back().kind = LinkKind::Loop;
+  graph.rejected = {3};
   GraphParts parts = partsOf(graph);
   CHECK(parts.count == 3);
   CHECK(parts.of_experience == std::vector<std::int64_t>{0, 0, 1, 1, 2, 2});
@@ -90,7 +90,8 @@ TEST_CASE("parts of a map hang together by loops that are believed, and by what 
   parts = partsOf(graph);
   CHECK(parts.count == 2);
   CHECK(parts.of_experience == std::vector<std::int64_t>{0, 0, 1, 1, 0, 0});
-  join(graph, 3, 4, 0.01);  // driven, though a robust loss makes little of its length
+  join(graph, 3, 4);
+  graph.links.back().weight = 0.01;  // a small weight alone rejects nothing
   CHECK(partsOf(graph).count == 1);
   CHECK(partsOf(MapGraph{}).count == 0);
 }

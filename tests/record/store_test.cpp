@@ -13,11 +13,11 @@ namespace {
 
 /// All tables, and the frames 0 to 2.
 struct Tables {
-  Database database{":memory:", Database::Mode::Create};
+  Database database = openDatabase(":memory:", Access::Create);
   StoreWriter store{database};
 
   Tables() {
-    for (const Table& table : schema()) database.execute(createSql(table));
+    for (const Table& table : schema()) database.exec(createSql(table));
     for (std::int64_t i = 0; i < 3; ++i) store.insert(test::frameAt(i));
   }
   template <Record R>
@@ -95,12 +95,12 @@ TEST_CASE("a shape or a blob that cannot be is refused") {
     INFO(shape);
     Tables tables;
     tables.store.insertArrays(0, "cells", {{"a", {2, 3}, {1, 2, 3, 4, 5, 6}}});
-    tables.database.execute("UPDATE array SET shape = '" + std::string(shape) + "'");
+    tables.database.exec("UPDATE array SET shape = '" + std::string(shape) + "'");
     CHECK_THROWS_AS(readArrays(tables.database, 0, "cells"), BadRow);
   }
   Tables tables;
   tables.store.insertArrays(0, "cells", {{"a", {1}, {1}}});
-  tables.database.execute("UPDATE array SET \"values\" = x'010203'");
+  tables.database.exec("UPDATE array SET \"values\" = x'010203'");
   CHECK_THROWS_WITH(readArrays(tables.database, 0, "cells"),
-                    "an array has a broken number of bytes");
+                    "a matrix has 3 bytes, which do not fit");
 }

@@ -48,7 +48,7 @@ TEST_CASE("equal axes have one scale, and the frame shrinks to it") {
   AxesPlan plan{"", "x", "y", {0, 10}, {0, 5}, frame(0, 0, 300, 300)};
   plan.equal = true;
   const Axes axes(svg, plan);
-  CHECK(axes.pixelsX(1) == Approx(axes.pixelsY(1)));
+  CHECK((axes.at(1, 1) - axes.at(0, 0)).isApprox(axes.pixelsX(1) * Eigen::Vector2d(1, -1)));
   CHECK(axes.box().sizes().isApprox(Eigen::Vector2d(300, 150)));
 }
 

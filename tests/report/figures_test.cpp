@@ -2,6 +2,7 @@
 // The figures show the numbers of the record.
 #include "report/figures.hpp"
 
+#include <cmath>
 #include <regex>
 
 #include "report/sample_pages.hpp"
@@ -65,6 +66,40 @@ TEST_CASE("the activity of every unit is drawn at four moments") {
   CHECK(svg.find("frame 11, heading 0.0 deg") != std::string::npos);
 }
 
+TEST_CASE("records without descriptions keep the convention of their names") {
+  const test::TemporaryFolder folder;
+  auto recorder = record::Recorder::open(folder.path()).value();
+  REQUIRE(test::recordFrame(*recorder, 0).isOk());
+  REQUIRE(recorder->close().isOk());
+  Decision decision;
+  decision.frame = 0;
+  const auto reader = record::RunReader::open(folder.path()).value();
+  const CellHistory cells = readCells(*reader, {decision}).value();
+  REQUIRE(cells.ring.info.axes.size() == 1);
+  CHECK(axisAngle(cells.ring.info.axes[0], 1) == Approx(2 * M_PI / 3));
+  CHECK(cells.sheet.empty());
+  CHECK(cells.others.empty());
+}
+
+TEST_CASE("arrays that no figure knows are drawn as they are, and one by one") {
+  const RecordedRun sample;
+  const CellHistory cells =
+      readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
+  REQUIRE(cells.others.size() == 1);
+  const std::string svg = arrayFigure(cells.others);
+  CHECK(svg.find("noise (2)") != std::string::npos);
+  CHECK(count(svg, "<polyline") == 2);
+  PopulationHistory large = cells.others[0];
+  large.info = {"place", ArrayKind::Values, "Hz", "rates of places", "", {}};
+  large.shape = {2, 6};
+  for (auto& values : large.activity) values.assign(12, 1);
+  large.activity[3][5] = NAN;
+  const std::string heat_map = arrayFigure({large});
+  CHECK(heat_map.find("place (2 x 6, Hz): rates of places") != std::string::npos);
+  CHECK(count(heat_map, "<rect x") > 12 * 12 - 1);
+  CHECK(heat_map.find("nan") == std::string::npos);
+}
+
 TEST_CASE("rates of two opposite head direction units and one grid unit") {
   const RecordedRun sample;
   const CellHistory cells =
@@ -73,8 +108,8 @@ TEST_CASE("rates of two opposite head direction units and one grid unit") {
                                        drawnUnits(cells, sample.data.map, {}).value());
   CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
   CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
-  CHECK(svg.find("grid unit (1, 1): 1 field, 0.00 bits") != std::string::npos);
-  CHECK(svg.find("too narrow a way to tell of a square lattice") != std::string::npos);
+  CHECK(svg.find("grid unit (1, 1), phase (0, 0) m: 1 field, 0.00 bits") != std::string::npos);
+  CHECK(svg.find("the path is too narrow to measure a square lattice") != std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);
 }
 
@@ -87,6 +122,7 @@ TEST_CASE("a run that has nothing of a kind has no figure of it") {
   CHECK(errorFigure({}).empty());
   CHECK(templateFigure({}).empty());
   CHECK(activityFigure({}, {}).empty());
+  CHECK(arrayFigure({}).empty());
   CHECK(firingFigure({}, {}).empty());
   CHECK(timingFigure({}).empty());
 }

@@ -67,15 +67,21 @@ TEST_CASE("experiences are circles, loop links lines; the title cannot break the
   picture.graph.experiences.resize(3);
   for (std::int64_t i = 0; i < 3; ++i)
     picture.graph.experiences[static_cast<std::size_t>(i)].id = i;
-  picture.graph.links.resize(2);
-  picture.graph.links[0].from = picture.graph.links[1].from = 0;
-  picture.graph.links[0].to = picture.graph.links[1].to = 2;
-  picture.graph.links[1].kind = LinkKind::Loop;
+  picture.graph.links.resize(3);
+  for (std::int64_t i = 0; i < 3; ++i) {
+    Link& link = picture.graph.links[static_cast<std::size_t>(i)];
+    link.id = i;
+    link.from = 0;
+    link.to = 2;
+    link.kind = i == 0 ? LinkKind::Odometry : LinkKind::Loop;
+  }
+  picture.graph.rejected = {2};
   const std::string svg = report::svgText(picture);
   CHECK(count(svg, "<circle") == 3);
   CHECK(count(svg, "stroke-width=\"2\"/>") == 1);
   CHECK(svg.find("a&lt;b &amp; c") != std::string::npos);
   CHECK(svg.find("3 experiences") != std::string::npos);
+  CHECK(svg.find("1 loop link<") != std::string::npos);
 }
 
 TEST_CASE("panels of several runs have the same axes") {

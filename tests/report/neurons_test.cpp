@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "report/drawn_units.hpp"
+#include "report/sample_pages.hpp"
 #include "tolman/geometry.hpp"
 
 using namespace tolman;
@@ -35,7 +36,8 @@ evaluation::Trajectory lanes() {
 /// fires as it likes. Unit i of the ring fires towards i * 90 deg.
 struct Town {
   evaluation::Trajectory way = lanes();
-  CellHistory cells{{"hd.activity", {4}, {}, {}}, {"grid.activity", {2, 2}, {}, {}}};
+  CellHistory cells{
+      {test::ringInfo(4), {4}, {}, {}}, {test::sheetInfo(2, kSpacing), {2, 2}, {}, {}}, {}};
 
   Town() {
     for (const auto& pose : way) {
@@ -107,9 +109,11 @@ TEST_CASE("in the file units count from one and angles are degrees") {
   const auto json = toJson(measureNeurons(town.cells, town.way));
   REQUIRE(json["head_direction"].size() == 4);
   CHECK(json["head_direction"][3]["unit"] == 4);
+  CHECK(json["head_direction"][3]["nominal_deg"] == 270);
   CHECK(json["head_direction"][3]["tuning"].size() == 36);
   CHECK(json["head_direction"][2]["preferred_deg"].get<double>() == Approx(180).margin(6));
   CHECK(json["grid"][2]["unit"] == nlohmann::json({2, 1}));
+  CHECK(json["grid"][2]["nominal"] == nlohmann::json({12.5, 0.0}));
   CHECK(json["grid"][2]["periodicity"]["spacing_m"].get<double>() ==
         Approx(kSpacing).epsilon(0.03));
   CHECK(toJson(Neurons{}).is_null());
@@ -129,14 +133,14 @@ TEST_CASE("frames without a pose, or with one that has run away, are not walked"
   Town town;
   town.way.erase(town.way.begin());
   town.way[5].T_world_camera.translation().x() = 1e12;
-  const Walk walk(town.cells.ring, town.way);
+  const ActivityPath walk(town.cells.ring, town.way);
   CHECK(walk.samples(0).size() == town.cells.ring.frames.size() - 2);
   CHECK(walk.samples(99).empty());
 }
 
 TEST_CASE("a shift takes later rates to the same places") {
   const Town town;
-  const Walk walk(town.cells.sheet, town.way);
+  const ActivityPath walk(town.cells.sheet, town.way);
   const auto now = walk.samples(0);
   const auto shifted = walk.samples(0, 0.25);
   const std::size_t later = now.size() / 4;
@@ -153,6 +157,7 @@ TEST_CASE("a chosen unit is drawn, of the ring with its opposite") {
   CHECK(units.value()[0].name == "head direction unit 4 of 4, 270 deg");
   CHECK(units.value()[1].name == "head direction unit 2 of 4, 90 deg");
   CHECK(units.value()[2].name == "grid unit (2, 1)");
+  CHECK(units.value()[2].phase == "(12.5, 0) m");
   CHECK(units.value()[2].unit == 2);
 }
 

@@ -27,9 +27,9 @@ TEST_CASE("a page holds figures, errors, health, provenance and configuration of
   const auto page = makePage(folder.path(), {});
   REQUIRE(page.isOk());
   std::vector<std::string> names;
-  for (const Figure& figure : page.value().figures) names.push_back(figure.file);
-  CHECK(names ==
-        std::vector<std::string>{"map", "error", "templates", "activity", "firing", "timing"});
+  for (const PageFigure& figure : page.value().figures) names.push_back(figure.file);
+  CHECK(names == std::vector<std::string>{"map", "error", "templates", "activity", "arrays",
+                                          "firing", "timing"});
   const std::string text = html({page.value()});
   CHECK(contains(text, "<title>Tolman: sample</title>"));
   CHECK(contains(text, "<td>map</td><td>11.0</td><td>0.005</td>"));
@@ -52,7 +52,7 @@ TEST_CASE("a killed run, without run.json and configuration, has a page too") {
   test::recordRichRun(folder.path(), 5, "killed");
   const std::string text = html({makePage(folder.path(), {}).value()});
   CHECK(contains(text, "<td>frames</td><td>5</td>"));
-  CHECK_FALSE(contains(text, "was killed"));  // nobody knows without run.json
+  CHECK_FALSE(contains(text, "was killed"));  // unknown without run.json
   std::ofstream(folder.path() / "run.json") << R"({"status": "running"})";
   CHECK(contains(html({makePage(folder.path(), {}).value()}), "This run was killed."));
 }

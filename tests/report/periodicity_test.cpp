@@ -8,6 +8,7 @@
 #include <numbers>
 
 using namespace tolman::report;
+using tolman::evaluation::RateMap;
 
 namespace {
 

@@ -9,11 +9,32 @@
 
 namespace tolman::test {
 
+/// Unit i of `units` stands for i turns / units.
+inline ArrayInfo ringInfo(int units) {
+  ArrayAxis heading{"heading", "deg", 0, 360.0 / units, 360, {}};
+  return {"hd.activity", ArrayKind::Activity, "", "head direction", "", {heading}};
+}
+
+/// Units over one period of the plane, m.
+inline ArrayInfo sheetInfo(int side, double period) {
+  const double step = period / side;
+  return {"grid.activity",
+          ArrayKind::Activity,
+          "",
+          "grid",
+          "",
+          {{"x", "m", 0, step, period, {}}, {"y", "m", 0, step, period, {}}}};
+}
+
 /// Straight ahead at 1 m a frame; the truth is 1 cm farther at every odd frame. Every second view
-/// is novel. A ring of 4 units and a sheet of 2x2 fire.
+/// is novel. A ring of 4 units and a sheet of 2x2 fire; array `noise` has no
+/// description.
 inline void recordRichRun(const std::filesystem::path& folder, std::int64_t frames,
                           const std::string& name) {
   auto recorder = record::Recorder::open(folder).value();
+  RunInfo run;
+  run.arrays = {test::ringInfo(4), test::sheetInfo(2, 25)};
+  REQUIRE(recorder->begin(run).isOk());
   REQUIRE(recorder->meta("name", name).isOk());
   for (std::int64_t i = 0; i < frames; ++i) {
     Frame frame = frameAt(i);
@@ -34,9 +55,10 @@ inline void recordRichRun(const std::filesystem::path& folder, std::int64_t fram
     update.stamp_ns = frame.stamp_ns;
     update.experience = 0;
     update.T_experience_camera.translation().z() = static_cast<double>(i);
-    const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}};
+    const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}, {}};
     const std::vector<NamedArray> cells = {{"hd.activity", {4}, {1, 0, 0.5F, 0}},
-                                           {"grid.activity", {2, 2}, {1, 0, 0, 0.25F}}};
+                                           {"grid.activity", {2, 2}, {1, 0, 0, 0.25F}},
+                                           {"noise", {2}, {0, static_cast<float>(i)}}};
     Snapshot snapshot;
     snapshot.frame = &frame;
     snapshot.motion = &motion;

@@ -115,7 +115,7 @@ TEST_CASE("an impossible selection names the remedy") {
   CHECK(failure({.last = 9}, kUneven) ==
         "last is 9, but the data end at frame 4; choose a smaller one, or -1 for the end");
   CHECK(failure({.first = 3, .last = 1}, kUneven) ==
-        "last is 1, before first = 3; for the reverse order say order: backward");
+        "last is 1, before first = 3; for the reverse order use order: backward");
   CHECK(failure({.step = 0}, kUneven) == "first, last, step or passes is out of its range");
   CHECK(failure({}, {10, 20, 20}) ==
         "the stamp of frame 2 is not after that of the frame before; sort the data");

@@ -50,6 +50,15 @@ TEST_CASE("expSe3 is smooth through zero") {
   CHECK(logSe3(Eigen::Isometry3d::Identity()).norm() == 0);
 }
 
+TEST_CASE("the adjoint moves a small motion from the right of a pose to its left") {
+  Vector6d pose;
+  pose << 1, -2, 3, 0.4, -0.2, 0.7;
+  Vector6d motion;
+  motion << 0.1, 0.2, -0.3, 0.03, 0.02, -0.05;
+  const Eigen::Isometry3d T = expSe3(pose);
+  CHECK((T * expSe3(motion)).isApprox(expSe3(adjointSe3(T) * motion) * T, 1e-12));
+}
+
 TEST_CASE("camera axes and the plane convert as documented") {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.translation() << 2, 0.5, 10;  // right 2 m, down 0.5 m, forward 10 m

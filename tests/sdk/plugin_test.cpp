@@ -18,16 +18,24 @@ class Quiet : public Cells, public ArraySource {
   void arrays(std::vector<NamedArray>&) const override {}
 };
 
+/// With all extras but saved state.
+class Described : public Quiet, public ArrayDescriptions, public PageServer {
+ public:
+  Status describe(std::vector<ArrayInfo>&) const override { return Status::ok(); }
+  std::string url() const override { return ""; }
+};
+
 }  // namespace
 
 TOLMAN_PLUGIN(quiet, Quiet, "1.2.3", "Says \"nothing\" \\ at all.");
+TOLMAN_PLUGIN(described, Described, "1.0", "");
 
 TEST_CASE("the manifest is JSON, with quotes escaped") {
   const auto json = nlohmann::json::parse(std::string(tolman_manifest_quiet.data()));
   CHECK(json["id"] == "quiet");
   CHECK(json["role"] == "cells");
   CHECK(json["version"] == "1.2.3");
-  CHECK(json["sdk"] == "0.1");
+  CHECK(json["sdk"] == TOLMAN_SDK_VERSION);
   CHECK(json["fingerprint"] == TOLMAN_FINGERPRINT);
   CHECK(json["summary"] == "Says \"nothing\" \\ at all.");
 }
@@ -39,7 +47,20 @@ TEST_CASE("the entry function makes and destroys the plugin, and finds its extra
   REQUIRE(object.plugin != nullptr);
   CHECK(object.arrays != nullptr);
   CHECK(object.state == nullptr);
+  CHECK(object.descriptions == nullptr);
   descriptor->destroy(object.plugin);
+}
+
+TEST_CASE("the manifest names the extras that a class implements") {
+  const auto extras = [](const char* text) {
+    return nlohmann::json::parse(text)["extras"].get<std::string>();
+  };
+  CHECK(extras(tolman_manifest_quiet.data()) == "arrays");
+  CHECK(extras(tolman_manifest_described.data()) == "arrays,descriptions,page");
+  const PluginObject object = tolman_plugin_described()->create();
+  CHECK(object.descriptions != nullptr);
+  CHECK(object.page != nullptr);
+  tolman_plugin_described()->destroy(object.plugin);
 }
 
 TEST_CASE("a status says what it is; a result has a value or a status") {

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What records say of themselves.
+// What records compute from their own fields.
 #include "tolman/records.hpp"
 
 #include <catch2/catch.hpp>
-#include <limits>
 
 using namespace tolman;
 
-TEST_CASE("a loop can be given up, what was driven cannot") {
-  Link link;
-  CHECK(link.isBelieved());
-  link.weight = 0.01;
-  CHECK(link.isBelieved());
-  link.kind = LinkKind::Loop;
-  CHECK_FALSE(link.isBelieved());
-  link.weight = 0.1;
-  CHECK(link.isBelieved());
-  link.weight = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(link.isBelieved());
+TEST_CASE("a graph knows which loop links its map has rejected") {
+  MapGraph graph;
+  graph.links.resize(4);
+  for (std::int64_t id = 0; id < 4; ++id) graph.links[static_cast<std::size_t>(id)].id = id;
+  CHECK_FALSE(graph.isRejected(graph.links[1]));
+  graph.rejected = {1, 3};
+  CHECK_FALSE(graph.isRejected(graph.links[0]));
+  CHECK(graph.isRejected(graph.links[1]));
+  CHECK_FALSE(graph.isRejected(graph.links[2]));
+  CHECK(graph.isRejected(graph.links[3]));
 }

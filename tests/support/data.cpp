@@ -7,6 +7,11 @@
 
 namespace tolman::test {
 
+std::vector<std::string>& skips() {
+  static std::vector<std::string> names;
+  return names;
+}
+
 std::optional<std::filesystem::path> dataOrSkip(std::string_view name) {
   const char* set = std::getenv("TOLMAN_DATA");
   const std::filesystem::path root =
@@ -15,6 +20,7 @@ std::optional<std::filesystem::path> dataOrSkip(std::string_view name) {
   const auto path = root / name;
   if (std::filesystem::exists(path)) return std::filesystem::canonical(path);
   std::cerr << "SKIPPED: no data at " << path.string() << " (set TOLMAN_DATA)\n";
+  skips().push_back(path.string());
   return std::nullopt;
 }
 

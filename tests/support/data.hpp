@@ -4,11 +4,17 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace tolman::test {
 
-/// The folder or file `name` below $TOLMAN_DATA or ../shared/data; prints a skip when absent.
+/// The paths of absent data that tests of this program have asked for.
+std::vector<std::string>& skips();
+
+/// The folder or file `name` below $TOLMAN_DATA or ../shared/data. When it is absent the skip is
+/// printed and noted; a test case that asks has the tag [data].
 std::optional<std::filesystem::path> dataOrSkip(std::string_view name);
 
 /// A fresh empty folder below the system's temporary one, removed with the object.

@@ -2,80 +2,173 @@
 #include "activity.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace tolman::bayesian_attractor {
 namespace {
 
-/// Equation (1) along one axis at evenly spaced units, with its peak at 1.
-std::vector<float> axisActivity(double mean, double precision, double period, int units) {
-  std::vector<float> rates;
-  for (int unit = 0; unit < units; ++unit) {
-    const Phase<1> preferred(unit * period / units);
-    const double off = distance<1>(preferred, Phase<1>(mean), period);
-    rates.push_back(static_cast<float>(std::exp(-0.5 * precision * off * off)));
+constexpr double kTurn = 2 * std::numbers::pi;
+/// Units of the ring, as drawn in arXiv:2003.03091, and along each side of a module's sheet.
+constexpr int kRingUnits = 36;
+constexpr int kSheetUnits = 30;
+/// Head direction units in the rat fire above half their peak within 45 degrees of the preferred
+/// direction (Taube, Muller, Ranck 1990): concentration of a von Mises tuning curve, log 2 /
+/// (1 - cos 45 degrees).
+constexpr double kRingTuning = 2.3665;
+/// Standard deviation of a grid field in periods, as in the rat: fields are half as wide as far
+/// from each other (Hafting et al. 2005).
+constexpr double kFieldWidth = 0.11;
+/// Bumps with a smaller share are not drawn.
+constexpr double kLeastShare = 1e-3;
+
+struct WeightedBump {
+  const Bump* bump;
+  double share;
+};
+
+/// The integrator, whose energy is 0, and the hypotheses.
+std::vector<WeightedBump> weightedBumps(const BumpNetwork& network) {
+  const NetworkState& state = network.state();
+  std::vector<WeightedBump> bumps = {{&state.integrator, network.share(0)}};
+  for (const CalibrationBump& c : state.calibration) {
+    bumps.push_back({&c.bump, network.share(c.energy)});
+  }
+  return bumps;
+}
+
+NamedArray ringActivity(const std::vector<WeightedBump>& bumps) {
+  NamedArray array{"hd.activity", {kRingUnits}, std::vector<float>(kRingUnits)};
+  for (const auto& [bump, share] : bumps) {
+    if (share < kLeastShare) continue;
+    const double concentration = 1 / (1 / kRingTuning + bump->covariance(2, 2));
+    for (int unit = 0; unit < kRingUnits; ++unit) {
+      const double off = bump->centre.heading - unit * kTurn / kRingUnits;
+      array.values[static_cast<std::size_t>(unit)] +=
+          static_cast<float>(share * std::exp(concentration * (std::cos(off) - 1)));
+    }
+  }
+  return array;
+}
+
+/// Rates along one axis of a module.
+std::vector<double> axisActivity(double phase, double variance, double period) {
+  const double width = kFieldWidth * period;
+  std::vector<double> rates;
+  for (int unit = 0; unit < kSheetUnits; ++unit) {
+    const double off = std::remainder(phase - unit * period / kSheetUnits, period);
+    rates.push_back(std::exp(-0.5 * off * off / (width * width + variance)));
   }
   return rates;
 }
 
-template <int Axes>
-NamedArray bumpArray(std::string name, const PeriodicBump<Axes>& bump) {
-  NamedArray array{std::move(name), {Axes + 1}, {}};
-  for (int axis = 0; axis < Axes; ++axis) {
-    array.values.push_back(static_cast<float>(bump.mean(axis)));
+std::string moduleName(int module) {
+  return module == 0 ? "grid" : "grid" + std::to_string(module + 1);
+}
+
+NamedArray sheetActivity(const std::vector<WeightedBump>& bumps, int module, double period) {
+  NamedArray array{moduleName(module) + ".activity",
+                   {kSheetUnits, kSheetUnits},
+                   std::vector<float>(kSheetUnits * kSheetUnits)};
+  for (const auto& [bump, share] : bumps) {
+    if (share < kLeastShare) continue;
+    const Eigen::Vector2d phase = bump->centre.phases.col(module);
+    const auto columns = axisActivity(phase.x(), bump->covariance(0, 0), period);
+    const auto rows = axisActivity(phase.y(), bump->covariance(1, 1), period);
+    auto value = array.values.begin();
+    for (const double row : rows) {
+      for (const double column : columns) *value++ += static_cast<float>(share * row * column);
+    }
   }
-  array.values.push_back(static_cast<float>(bump.precision));
   return array;
 }
 
-template <int Axes>
-void appendBumps(const std::string& prefix, const AttractorNetwork<Axes>& network,
-                 std::vector<NamedArray>& arrays) {
-  arrays.push_back(bumpArray<Axes>(prefix + ".integrator", network.integrator()));
-  arrays.push_back(bumpArray<Axes>(prefix + ".calibration", network.calibration()));
-  arrays.push_back(bumpArray<Axes>(prefix + ".estimate", network.estimated()));
-  arrays.push_back(bumpArray<Axes>(prefix + ".injected", network.injected()));
+/// x, y and heading of the bump from the origin, m and rad.
+Eigen::Vector3d decoded(const BumpNetwork& network, const Bump& bump) {
+  Eigen::Vector3d pose = network.code().difference(network.code().origin(), bump.centre);
+  pose.z() = bump.centre.heading;
+  return pose;
+}
+
+NamedArray hypotheses(const BumpNetwork& network, const std::vector<WeightedBump>& bumps) {
+  constexpr std::size_t kColumns = 5;
+  NamedArray array{"hypotheses",
+                   {static_cast<std::int64_t>(kMostBumps) + 1, kColumns},
+                   std::vector<float>((kMostBumps + 1) * kColumns)};
+  auto value = array.values.begin();
+  for (const auto& [bump, share] : bumps) {
+    const Eigen::Vector3d pose = decoded(network, *bump);
+    const double variance = 0.5 * (bump->covariance(0, 0) + bump->covariance(1, 1));
+    const double readout = network.code().grid().sigma();
+    for (const double number :
+         {pose.z(), pose.x(), pose.y(), 1 / (variance + readout * readout), share}) {
+      *value++ = static_cast<float>(number);
+    }
+  }
+  return array;
+}
+
+ArrayAxis components(std::vector<std::string> labels) {
+  return {"component", "", 0, 1, 0, std::move(labels)};
 }
 
 }  // namespace
 
-std::vector<float> ringActivity(const PeriodicBump<1>& bump, double period, int units) {
-  return axisActivity(bump.mean(0), bump.precision, period, units);
-}
-
-std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units,
-                                 double width) {
-  const double variance = width * width * period * period;
-  const double precision = bump.precision / (1 + bump.precision * variance);
-  // Equation (7) is a product of its axes.
-  const std::vector<float> columns = axisActivity(bump.mean.x(), precision, period, units);
-  const std::vector<float> rows = axisActivity(bump.mean.y(), precision, period, units);
-  std::vector<float> rates;
-  rates.reserve(columns.size() * rows.size());
-  for (const float row : rows) {
-    for (const float column : columns) rates.push_back(row * column);
+void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays) {
+  const std::vector<WeightedBump> bumps = weightedBumps(network);
+  const GridCode& grid = network.code().grid();
+  arrays.push_back(ringActivity(bumps));
+  for (int module = 0; module < grid.modules(); ++module) {
+    arrays.push_back(sheetActivity(bumps, module, grid.period(module)));
   }
-  return rates;
+  arrays.push_back(hypotheses(network, bumps));
+  const Bump& integrator = network.state().integrator;
+  const Eigen::Vector3f pose = decoded(network, integrator).cast<float>();
+  const Eigen::Vector3f sigma = integrator.covariance.diagonal().cwiseSqrt().cast<float>();
+  arrays.push_back({"position.decoded", {3}, {pose.x(), pose.y(), pose.z()}});
+  arrays.push_back({"position.sigma", {3}, {sigma.x(), sigma.y(), sigma.z()}});
 }
 
-void appendArrays(const SpatialCells& cells, const Readout& readout,
-                  std::vector<NamedArray>& arrays) {
-  const HeadDirectionRing& ring = cells.ring();
+void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) {
+  const GridCode& grid = network.code().grid();
   arrays.push_back({"hd.activity",
-                    {readout.ring_units},
-                    ringActivity(ring.estimated(), ring.period(), readout.ring_units)});
-  appendBumps<1>("hd", ring, arrays);
-  const auto append = [&](const std::string& name, const GridTorus& module) {
-    arrays.push_back({name + ".activity",
-                      {readout.sheet_units, readout.sheet_units},
-                      torusActivity(module.estimated(), module.period(), readout.sheet_units,
-                                    readout.field_width)});
-    appendBumps<2>(name, module, arrays);
-  };
-  append("grid", cells.torus());
-  for (std::size_t i = 0; i < cells.further().size(); ++i) {
-    append("grid" + std::to_string(i + 2), cells.further()[i]);
+                    ArrayKind::Activity,
+                    "",
+                    "rates of head direction units, 1 at the most",
+                    "",
+                    {{"heading", "rad", 0, kTurn / kRingUnits, kTurn, {}}}});
+  for (int module = 0; module < grid.modules(); ++module) {
+    const double period = grid.period(module);
+    const auto axis = [&](const char* name) {
+      return ArrayAxis{name, "m", 0, period / kSheetUnits, period, {}};
+    };
+    arrays.push_back({moduleName(module) + ".activity",
+                      ArrayKind::Activity,
+                      "",
+                      "rates of the grid units of one module, 1 at the most",
+                      "",
+                      {axis("y"), axis("x")}});
   }
+  arrays.push_back({"hypotheses",
+                    ArrayKind::Bump,
+                    "",
+                    "the integrator, then the calibration bumps; energy: share of all of it",
+                    "",
+                    {{"hypothesis", "", 0, 1, 0, {}},
+                     components({"heading", "x", "y", "precision", "energy"})}});
+  arrays.push_back(
+      {"position.decoded",
+       ArrayKind::Values,
+       "m, rad",
+       "position of the integrator from the origin, read from all modules, and heading",
+       "",
+       {components({"x", "y", "heading"})}});
+  arrays.push_back({"position.sigma",
+                    ArrayKind::Values,
+                    "m, rad",
+                    "standard deviations of the integrator since the last calibration",
+                    "",
+                    {components({"x", "y", "heading"})}});
 }
 
 }  // namespace tolman::bayesian_attractor

@@ -1,32 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Firing rates of the single cells, for recorder and viewers. The network itself needs none.
+// Firing rates of single units, for recorder and viewers. The network itself needs none.
+//
+// A unit has a preferred phase. Its rate is what its tuning curve expects under the bumps of the
+// integrator and of the hypotheses, each weighted by its share of the energy; 1 at the most.
 #pragma once
 
 #include <vector>
 
-#include "spatial_cells.hpp"
+#include "bump_network.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::bayesian_attractor {
 
-/// Rates in [0, 1] of `units` head direction cells; cell i prefers i * 2 pi / units.
-std::vector<float> ringActivity(const PeriodicBump<1>& bump, double period, int units);
-
-/// Rates of units x units grid cells, row-major; the cell in row r and column c prefers
-/// x = c * period / units and y = r * period / units. A cell answers to places around its own, in a
-/// Gaussian of `width` periods; the rate is what it expects under the bump, 1 at the best.
-std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units,
-                                 double width = 0);
-
-/// Which single cells are read out.
-struct Readout {
-  int ring_units = 36;
-  int sheet_units = 30;    ///< along each side
-  double field_width = 0;  ///< periods
-};
-
-/// Appends hd.* and grid.*: activity, and the bumps as (mean, precision) or (x, y, precision).
-void appendArrays(const SpatialCells& cells, const Readout& readout,
-                  std::vector<NamedArray>& arrays);
+/// Appends
+/// - hd.activity: head direction units;
+/// - grid.activity, grid2.activity, ...: grid units of each module (rows y, columns x);
+/// - hypotheses: the integrator, then the calibration bumps, with their shares of the energy;
+/// - position.decoded: the integrator's position from the origin as all modules read it;
+/// - position.sigma: its standard deviations since the last calibration.
+void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays);
+void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays);
 
 }  // namespace tolman::bayesian_attractor

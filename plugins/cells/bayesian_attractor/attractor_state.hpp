@@ -1,24 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that the plugin knows: the two networks, the links of views, the experiences, the path.
+// Everything in the plugin that changes from frame to frame.
 #pragma once
 
+#include <map>
+
+#include "bump_network.hpp"
 #include "experience_log.hpp"
-#include "path_memory.hpp"
-#include "relocation.hpp"
-#include "spatial_cells.hpp"
-#include "view_evidence.hpp"
-#include "view_links.hpp"
 
 namespace tolman::bayesian_attractor {
 
+/// What one view template was linked to when it was made.
+struct ViewLink {
+  LearnedPattern learned;
+  double travel = 0;            ///< m, when it was learned
+  std::int64_t experience = 0;  ///< the experience that the robot was at
+  /// Where it stood in the frame of that experience, by path integration.
+  Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
+};
+
 struct AttractorState {
-  SpatialCells cells;
-  ViewLinks links;
+  BumpNetwork network;
   ExperienceLog log;
-  PathMemory path;
-  ViewEvidence evidence;
-  Relocation relocation;
-  bool initialising = false;  ///< odometry had no motion yet
+  std::map<std::int64_t, ViewLink> links = {};  ///< by template
+  bool initialising = true;                     ///< odometry had no motion yet
 };
 
 }  // namespace tolman::bayesian_attractor

@@ -12,7 +12,7 @@ void ExperienceLog::advance(const Eigen::Isometry3d& T_previous_current) {
 }
 
 bool ExperienceLog::wantsNew(bool view_is_novel) const {
-  if (current_ < 0 || woken_) return true;
+  if (current_ < 0 || new_part_) return true;
   const PlanarPose since = toPlanar(T_experience_current_);
   const double moved = std::hypot(since.x, since.y);
   if (view_is_novel && moved >= settings_.novel_spacing) return true;
@@ -20,7 +20,7 @@ bool ExperienceLog::wantsNew(bool view_is_novel) const {
 }
 
 bool ExperienceLog::allowsLoopTo(std::int64_t experience) const {
-  if (experience == current_ && !woken_) return false;
+  if (experience == current_ && !new_part_) return false;
   const double left = travel_when_left_.at(static_cast<std::size_t>(experience));
   return travel_ - left >= settings_.loop_minimum_travel &&
          travel_ - travel_at_loop_ >= settings_.loop_spacing;
@@ -28,17 +28,17 @@ bool ExperienceLog::allowsLoopTo(std::int64_t experience) const {
 
 void ExperienceLog::arriveAt(std::int64_t experience,
                              const Eigen::Isometry3d& T_experience_current) {
-  if (current_ >= 0 && !woken_) travel_when_left_[static_cast<std::size_t>(current_)] = travel_;
-  woken_ = false;
+  if (current_ >= 0 && !new_part_) travel_when_left_[static_cast<std::size_t>(current_)] = travel_;
+  new_part_ = false;
   current_ = experience;
   T_experience_current_ = T_experience_current;
 }
 
-void ExperienceLog::wakeUp() {
+void ExperienceLog::startPart() {
   if (current_ < 0) return;
   travel_when_left_[static_cast<std::size_t>(current_)] = travel_;
   travel_ += std::max(settings_.loop_minimum_travel, settings_.loop_spacing);
-  woken_ = true;
+  new_part_ = true;
 }
 
 std::int64_t ExperienceLog::create() {
@@ -55,7 +55,7 @@ void ExperienceLog::closeLoopTo(std::int64_t experience,
 }
 
 ExperienceLog::State ExperienceLog::state() const {
-  return {current_, T_experience_current_, travel_, travel_at_loop_, travel_when_left_, woken_};
+  return {current_, T_experience_current_, travel_, travel_at_loop_, travel_when_left_, new_part_};
 }
 
 void ExperienceLog::restore(const State& state) {
@@ -64,7 +64,7 @@ void ExperienceLog::restore(const State& state) {
   travel_ = state.travel;
   travel_at_loop_ = state.travel_at_loop;
   travel_when_left_ = state.travel_when_left;
-  woken_ = state.woken;
+  new_part_ = state.new_part;
 }
 
 }  // namespace tolman::bayesian_attractor

@@ -24,14 +24,14 @@ class ExperienceLog {
 
   void advance(const Eigen::Isometry3d& T_previous_current);
 
-  /// The first one (also after waking up), or the distance on the manifold (by path integration) is
+  /// The first one (also of a new part), or the distance on the manifold (by path integration) is
   /// above its threshold, or the view is novel.
   bool wantsNew(bool view_is_novel) const;
   /// Not to where the robot is or has just been, and not one after the other.
   bool allowsLoopTo(std::int64_t experience) const;
 
-  /// The robot is somewhere else, nobody knows where: maybe back at any experience of before.
-  void wakeUp();
+  /// The robot was carried to an unknown place: loops to all experiences are allowed.
+  void startPart();
 
   /// The robot is at the new experience. Returns its id.
   std::int64_t create();
@@ -47,7 +47,7 @@ class ExperienceLog {
     double travel = 0;
     double travel_at_loop = 0;
     std::vector<double> travel_when_left;
-    bool woken = false;
+    bool new_part = false;
   };
   State state() const;
   void restore(const State& state);
@@ -61,7 +61,7 @@ class ExperienceLog {
   double travel_ = 0;                     ///< m since the start
   double travel_at_loop_ = 0;             ///< when the last loop link was made
   std::vector<double> travel_when_left_;  ///< of each experience
-  bool woken_ = false;                    ///< and not at any experience since
+  bool new_part_ = false;                 ///< and not at any experience since
 };
 
 }  // namespace tolman::bayesian_attractor

@@ -6,5 +6,5 @@
 
 using tolman::bayesian_attractor::BayesianAttractor;
 
-TOLMAN_PLUGIN(bayesian_attractor, BayesianAttractor, "0.1.0",
-              "Head direction ring and grid torus as Bayesian attractor networks.");
+TOLMAN_PLUGIN(bayesian_attractor, BayesianAttractor, "0.2.0",
+              "Competing bumps of head direction and grid cells that decide loops.");

@@ -122,4 +122,31 @@ void PoseCells::arrays(std::vector<NamedArray>& arrays) const {
        {static_cast<float>(e.x), static_cast<float>(e.y), static_cast<float>(e.theta)}});
 }
 
+Status PoseCells::describe(std::vector<ArrayInfo>& arrays) const {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double period = parameters_.side * parameters_.cell_size;
+  const auto axis = [&](const char* name) {
+    return ArrayAxis{name, "m", 0, parameters_.cell_size, period, {}};
+  };
+  arrays.push_back({"hd.activity",
+                    ArrayKind::Activity,
+                    "",
+                    "sums of all cells of one heading, 1 at the most",
+                    "",
+                    {{"heading", "rad", 0, kTurn / parameters_.headings, kTurn, {}}}});
+  arrays.push_back({"grid.activity",
+                    ArrayKind::Activity,
+                    "",
+                    "sums of all cells of one position, 1 at the most",
+                    "",
+                    {axis("y"), axis("x")}});
+  arrays.push_back({"pose.estimate",
+                    ArrayKind::Values,
+                    "cells",
+                    "centre of the strongest activity",
+                    "",
+                    {{"component", "", 0, 1, 0, {"x", "y", "heading"}}}});
+  return Status::ok();
+}
+
 }  // namespace tolman::pose_cells

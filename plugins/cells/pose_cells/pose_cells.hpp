@@ -13,7 +13,7 @@
 
 namespace tolman::pose_cells {
 
-class PoseCells final : public Cells, public ArraySource {
+class PoseCells final : public Cells, public ArraySource, public ArrayDescriptions {
  public:
   using Parameters = PoseCellParameters;
 
@@ -24,6 +24,7 @@ class PoseCells final : public Cells, public ArraySource {
   /// hd.activity {headings} and grid.activity {side, side}: sums over the other axes, peak 1; and
   /// pose.estimate (x, y, theta in cells).
   void arrays(std::vector<NamedArray>& arrays) const override;
+  Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:
   struct State {

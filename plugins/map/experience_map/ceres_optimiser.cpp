@@ -76,7 +76,8 @@ class LinkCost final : public ceres::SizedCostFunction<3, 3, 3> {
   Eigen::Matrix3d whitening_;
 };
 
-/// rho(s) = c^2 s / (c^2 + s), eased by mu > 1 (Yang et al. 2020).
+/// rho(s) = mu c^2 s / (mu c^2 + s); mu = 1 is Geman-McClure, mu > 1 more convex (Yang et al.
+/// 2020).
 class GemanMcclureLoss final : public ceres::LossFunction {
  public:
   GemanMcclureLoss(double scale, double mu) : bound_(mu * scale * scale) {}
@@ -114,10 +115,10 @@ ceres::Solver::Options solverOptions(const OptimiserOptions& options) {
   return solver;
 }
 
-class Task {
+class CeresProblem {
  public:
-  Task(const OptimiserOptions& options, const std::vector<PlanarPose>& nodes,
-       const std::vector<PlanarLink>& links)
+  CeresProblem(const OptimiserOptions& options, const std::vector<PlanarPose>& nodes,
+               const std::vector<PlanarLink>& links)
       : options_(options), links_(links) {
     for (const PlanarPose& node : nodes) blocks_.push_back({node.x, node.y, node.theta});
     for (const PlanarLink& link : links) costs_.emplace_back(link);
@@ -141,13 +142,13 @@ class Task {
     return summary;
   }
 
-  /// The eased losses from which the sharp one is approached, widest first.
+  /// Falling values of mu for graduated non-convexity.
   std::vector<double> easing() const {
     double worst = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (links_[k].robust) worst = std::max(worst, chi(k));
     }
-    constexpr double kEase = 1.4;  // the authors' step
+    constexpr double kEase = 1.4;  // factor of mu, as in the paper by Yang et al.
     std::vector<double> mus;
     for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
       mus.push_back(mu);
@@ -155,7 +156,7 @@ class Task {
     return mus;
   }
 
-  void takeOver(std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links) const {
+  void copyResult(std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links) const {
     const auto loss = lossOf(options_, 1);
     for (std::size_t k = 0; k < links.size(); ++k) {
       std::array<double, 3> rho{1, 1, 0};
@@ -178,16 +179,17 @@ class Task {
 
 }  // namespace
 
-Result<Outcome> optimiseWithCeres(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                                  std::vector<PlanarLink>& links) {
-  Task task(options, nodes, links);
+Result<OptimiserOutcome> optimiseWithCeres(const OptimiserOptions& options,
+                                           std::vector<PlanarPose>& nodes,
+                                           std::vector<PlanarLink>& links) {
+  CeresProblem problem(options, nodes, links);
   if (options.annealed && options.loss == Loss::GemanMcclure) {
-    for (const double mu : task.easing()) (void)task.solve(mu);
+    for (const double mu : problem.easing()) (void)problem.solve(mu);
   }
-  const ceres::Solver::Summary summary = task.solve(1);
+  const ceres::Solver::Summary summary = problem.solve(1);
   if (!summary.IsSolutionUsable()) return Status::failed(summary.message);
-  task.takeOver(nodes, links);
-  return Outcome{summary.termination_type == ceres::CONVERGENCE, 2 * summary.final_cost};
+  problem.copyResult(nodes, links);
+  return OptimiserOutcome{summary.termination_type == ceres::CONVERGENCE, 2 * summary.final_cost};
 }
 
 }  // namespace tolman::experience_map

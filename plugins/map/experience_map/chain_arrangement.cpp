@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parts of the path that no motion joins: where loops put them against each other. Least squares
-// only refines; where a part lies as a whole is a choice between what single loops say.
+// Relative poses of the parts of a path with gaps. Least squares refines an arrangement of the
+// parts, but it needs a start near the minimum: each loop between two parts proposes one, and the
+// arrangement with the least energy is kept.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,39 +11,40 @@
 namespace tolman::experience_map {
 namespace {
 
-/// A loop that is so far off when two parts are laid together may still be right: the drift within
-/// the parts is not yet taken out.
+/// A loop with a smaller residual after two parts were aligned starts with full weight: the
+/// residual may come from drift within the parts, which is not yet corrected.
 constexpr double kNearTranslation = 20;  // m
 constexpr double kNearRotation = 0.5;    // rad
-constexpr double kDoubted = 1e-6;
+constexpr double kRejectedWeight = 1e-6;
 
 bool isNear(const PlanarLink& link, const std::vector<PlanarPose>& nodes) {
   const Eigen::Vector3d off = residualOf(link, nodes[link.from], nodes[link.to]);
   return off.head<2>().norm() < kNearTranslation && std::abs(off.z()) < kNearRotation;
 }
 
-/// The motion of the plane that carries `from` to `to`.
-PlanarPose carrying(const PlanarPose& from, const PlanarPose& to) {
+/// The motion of the plane that moves `from` to `to`.
+PlanarPose planarTransform(const PlanarPose& from, const PlanarPose& to) {
   return compose(to, between(from, PlanarPose{}));
 }
 
-/// How the end of a loop that lies in the later part must move to obey it.
-PlanarPose obeying(const PlanarLink& loop, const std::vector<PlanarPose>& nodes,
-                   bool visit_is_later) {
-  if (visit_is_later) return carrying(nodes[loop.to], compose(nodes[loop.from], loop.pose));
-  return carrying(nodes[loop.from], compose(nodes[loop.to], between(loop.pose, PlanarPose{})));
+/// The motion of the later part after which `loop` has no residual.
+PlanarPose partShift(const PlanarLink& loop, const std::vector<PlanarPose>& nodes,
+                     bool visit_is_later) {
+  if (visit_is_later) return planarTransform(nodes[loop.to], compose(nodes[loop.from], loop.pose));
+  return planarTransform(nodes[loop.from],
+                         compose(nodes[loop.to], between(loop.pose, PlanarPose{})));
 }
 
 }  // namespace
 
-void ExperienceChain::startPart(const MotionLog& log) {
+void ExperienceChain::startPart(const DeadReckoning& log) {
   Anchor& anchor = append(log);
   anchor.gap = true;
   anchor.way = {};
   begins_.push_back(static_cast<std::size_t>(current()));
 }
 
-std::size_t ExperienceChain::homeOf(const Anchor& visit) const {
+std::size_t ExperienceChain::originOf(const Anchor& visit) const {
   return of_experience_[static_cast<std::size_t>(visit.experience)];
 }
 
@@ -51,18 +53,18 @@ PathParts ExperienceChain::parts() const {
   if (parts.count() == 1) return parts;
   for (std::size_t i = 0; i < anchors_.size(); ++i) {
     const Anchor& anchor = anchors_[i];
-    const bool believed = anchor.visit && anchor.offset_weight >= parameters_.disbelief;
-    if (believed) parts.join(parts.of(i), parts.of(homeOf(anchor)));
+    const bool accepted = anchor.visit && anchor.offset_weight >= parameters_.min_loop_weight;
+    if (accepted) parts.join(parts.of(i), parts.of(originOf(anchor)));
   }
   return parts;
 }
 
-/// The last anchor is the first visit between two parts, `before` it not joined: the later one is
-/// laid onto the earlier, with all that hangs together with it.
-void ExperienceChain::layOver(const MotionLog& log, const PathParts& before) {
+/// The last anchor is a visit. If it is the first one between two parts (`before`: without it),
+/// moves the later part, with all parts joined to it, so that the visit's loop has no residual.
+void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& before) {
   const auto visit = static_cast<std::size_t>(current());
   const std::size_t here = before.first(before.of(visit));
-  const std::size_t there = before.first(before.of(homeOf(anchors_[visit])));
+  const std::size_t there = before.first(before.of(originOf(anchors_[visit])));
   if (here == there) return;
   const auto poseAt = [&](std::size_t i) {
     return compose(anchors_[i].correction, toPlanar(log[anchors_[i].slot].T_start_camera));
@@ -71,41 +73,40 @@ void ExperienceChain::layOver(const MotionLog& log, const PathParts& before) {
   const PlanarLink loop = loopLink(log, visit);
   nodes[loop.from] = poseAt(loop.from);
   nodes[loop.to] = poseAt(loop.to);
-  const PlanarPose shift = obeying(loop, nodes, here > there);
+  const PlanarPose shift = partShift(loop, nodes, here > there);
   for (std::size_t i = 0; i < anchors_.size(); ++i) {
     if (before.first(before.of(i)) != std::max(here, there)) continue;
     anchors_[i].correction = compose(shift, anchors_[i].correction);
   }
 }
 
-/// A loop between parts that is not believed proposes where the parts lie; the least energy
-/// decides.
-void ExperienceChain::rearrange(const PathParts& parts, const Sketch& start,
-                                OptimiserOptions options, std::size_t attempts, Sketch& best,
-                                Outcome& outcome) const {
+/// Tries the relative poses that rejected loops between parts propose; keeps the least energy.
+void ExperienceChain::rearrange(const PathParts& parts, const PlanarGraph& start,
+                                OptimiserOptions options, std::size_t attempts, PlanarGraph& best,
+                                OptimiserOutcome& outcome) const {
   if (parts.count() == 1) return;
   const std::vector<PlanarLink> judged = best.links;
   for (std::size_t k = judged.size(); k-- > anchors_.size() - 1 && attempts > 0;) {
     const std::size_t from = parts.of(judged[k].from);
     const std::size_t to = parts.of(judged[k].to);
-    if (from == to || judged[k].weight >= parameters_.disbelief) continue;
+    if (from == to || judged[k].weight >= parameters_.min_loop_weight) continue;
     --attempts;
-    Sketch other = start;
-    const PlanarPose shift = obeying(judged[k], other.nodes, to > from);
+    PlanarGraph other = start;
+    const PlanarPose shift = partShift(judged[k], other.nodes, to > from);
     for (std::size_t i = 0; i < other.nodes.size(); ++i) {
       if (parts.of(i) == std::max(from, to)) other.nodes[i] = compose(shift, other.nodes[i]);
     }
     for (PlanarLink& link : other.links) {
-      if (link.robust) link.weight = isNear(link, other.nodes) ? 1 : kDoubted;
+      if (link.robust) link.weight = isNear(link, other.nodes) ? 1 : kRejectedWeight;
     }
-    const Result<Outcome> found = optimise(options, other.nodes, other.links);
+    const Result<OptimiserOutcome> found = optimise(options, other.nodes, other.links);
     if (!found.isOk() || found.value().energy >= outcome.energy) continue;
     outcome = found.value();
     best = std::move(other);
   }
 }
 
-void ExperienceChain::restore(const MotionLog& log, State state) {
+void ExperienceChain::restore(const DeadReckoning& log, State state) {
   anchors_ = std::move(state.anchors);
   links_ = state.links;
   loops_ = state.loops;

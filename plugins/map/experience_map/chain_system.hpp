@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The linear system of one Gauss-Newton step on a chain with loops. Most nodes have neighbours on
-// the chain only: they are eliminated by hand, three numbers at a time, and what remains joins the
-// few nodes at which loops begin and end. Exact, and linear in the length of the chain.
+// The linear system of one Gauss-Newton step on a chain with loops. Most nodes are linked only to
+// their neighbours on the chain: they are eliminated one by one, in blocks of 3 x 3, and a sparse
+// Cholesky factorisation solves for the few nodes at which loops begin and end (knots). Exact, and
+// linear in the length of the chain.
 #pragma once
 
 #include <Eigen/SparseCholesky>

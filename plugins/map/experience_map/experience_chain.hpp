@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The experiences, strung on the robot's path. An anchor is a node of the pose graph: the start,
-// each new experience, and each visit of an old one. Odometry joins an anchor to the one before,
-// a loop joins a visit to its experience. So each motion is used once, and an assumed offset of a
-// visit cannot leak into the odometry after it.
+// The pose graph behind the experience map, as a chain along the robot's path. Its nodes, called
+// anchors, are the first frame, each frame that creates an experience, and each frame that visits
+// an earlier one. Odometry links each anchor to the previous one, and a loop links each visit to
+// the anchor that created its experience. Each motion is used in exactly one link, and the assumed
+// offset of a visit does not change the odometry after it. Lengths are metres, angles radians.
+//
+//   start -o- created 0 -o- created 1 -o- visit of 0 -o- created 2        -o-: odometry
+//                  \______________________/                               ___: loop
+//
+// graph() merges each visit with its experience, which gives the graph of experiences alone.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +16,7 @@
 #include <tolman/records.hpp>
 #include <vector>
 
-#include "motion_log.hpp"
+#include "dead_reckoning.hpp"
 #include "parameters.hpp"
 #include "path_parts.hpp"
 #include "planar_optimiser.hpp"
@@ -19,23 +25,23 @@
 namespace tolman::experience_map {
 
 struct Anchor {
-  std::size_t slot = 0;          ///< the frame that stands there, see MotionLog
-  std::int64_t experience = -1;  ///< made or visited here; -1 for a start without experience
+  std::size_t slot = 0;          ///< its frame, see DeadReckoning
+  std::int64_t experience = -1;  ///< created or visited here; -1 for neither
   std::int64_t template_id = -1;
-  UncertainPose way;  ///< from the anchor before, by odometry
+  UncertainPose way;  ///< odometry from the previous anchor
   double way_weight = 1;
-  bool gap = false;  ///< begins a part of the path; the way to it is unknown
+  bool gap = false;  ///< begins a part of the path; the motion to it is unknown
   bool visit = false;
   bool assumed = false;  ///< the offset was not measured
-  UncertainPose offset;  ///< of a visit: T_experience_anchor as first said
+  UncertainPose offset;  ///< of a visit: T_experience_anchor as given with the decision
   double offset_weight = 1;
-  bool taken_back = false;  ///< a visit that the map does not believe
-  PlanarPose correction;    ///< world = fromPlanar(correction) * dead reckoning, 3-D kept
+  bool rejected = false;  ///< a visit whose loop the final correction has rejected
+  PlanarPose correction;  ///< T_world = fromPlanar(correction) * T_start of dead reckoning
 };
 
-/// Where a frame is seen from an experience; for good, however the experience moves.
-struct Place {
-  std::int64_t experience = -1;  ///< -1: seen from the world
+/// Pose of a frame relative to an experience; stays valid when the experience is moved.
+struct ExperiencePose {
+  std::int64_t experience = -1;  ///< -1: relative to the world
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
 };
 
@@ -43,44 +49,46 @@ class ExperienceChain {
  public:
   explicit ExperienceChain(const Parameters& parameters = {}) : parameters_(parameters) {}
 
-  /// The anchor on which frames hang now.
+  /// Index of the last anchor.
   std::int64_t current() const { return static_cast<std::int64_t>(anchors_.size()) - 1; }
   std::int64_t experiences() const { return static_cast<std::int64_t>(of_experience_.size()); }
   std::int64_t links() const { return links_; }
   std::int64_t loops() const { return loops_; }
   const Anchor& operator[](std::int64_t i) const { return anchors_[static_cast<std::size_t>(i)]; }
 
-  /// The first frame of all; before everything else.
+  /// Adds the anchor of the first frame; called before everything else.
   void start() { anchors_.emplace_back(); }
-  /// The log's last frame is somewhere unknown: a new part of the path begins. Until a loop joins
-  /// it with an earlier part it is kept as if it began where that one ended.
-  void startPart(const MotionLog& log);
-  /// The log's last frame becomes the next experience.
-  void addExperience(const MotionLog& log, std::int64_t template_id);
-  /// The log's last frame visits an old experience, at a measured offset ...
-  void addVisit(const MotionLog& log, std::int64_t experience, const UncertainPose& measured);
-  /// ... or somewhere near it, only the heading being known.
-  void addVisit(const MotionLog& log, std::int64_t experience, double relative_yaw);
+  /// The last frame has an unknown pose: a new part of the path begins there. Until a loop joins it
+  /// with an earlier part, it starts at the end of the previous part.
+  void startPart(const DeadReckoning& log);
+  /// The last frame creates the next experience.
+  void addExperience(const DeadReckoning& log, std::int64_t template_id);
+  /// The last frame visits an earlier experience, at a measured offset ...
+  void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& measured);
+  /// ... or at an unknown offset of which only the heading is known.
+  void addVisit(const DeadReckoning& log, std::int64_t experience, double relative_yaw);
 
-  /// Takes up motions that changed from slot `first` on.
-  void refresh(const MotionLog& log, std::size_t first);
+  /// Recomputes odometry links whose motions have changed from slot `first` on.
+  void refresh(const DeadReckoning& log, std::size_t first);
   bool visited() const { return last_visit_ > 0; }
-  /// There are loops which the poses do not yet obey.
+  /// Whether loops or motions have changed since the last correction.
   bool pending() const { return pending_; }
-  /// Moves the anchors to the least energy. Leaves all alone when it fails.
-  Status correct(const MotionLog& log, int iterations, double tolerance);
-  /// The last word: weighs all loops afresh against each other, and takes the false ones back.
-  Status judge(const MotionLog& log, int iterations, double tolerance);
+  /// Moves the anchors to a minimum of the energy. On failure nothing changes.
+  Status correct(const DeadReckoning& log, int iterations, double tolerance);
+  /// The same from several starts (optimiseMultiStart); then rejects loops whose weight is below
+  /// min_loop_weight.
+  Status correctFinally(const DeadReckoning& log, int iterations, double tolerance);
 
-  Eigen::Isometry3d T_world_camera(const MotionLog& log, std::size_t slot) const;
-  Eigen::Isometry3d T_world_experience(const MotionLog& log, std::int64_t experience) const;
-  /// Hangs a frame on the last experience that it is believed to have been at.
-  Place place(const MotionLog& log, std::size_t slot) const;
-  /// The chain as a graph of experiences alone: visits are folded into the links. No link leads
-  /// over a gap but a loop, so the graph shows what is joined and what is not.
-  void graph(const MotionLog& log, MapGraph& graph) const;
+  Eigen::Isometry3d T_world_camera(const DeadReckoning& log, std::size_t slot) const;
+  Eigen::Isometry3d T_world_experience(const DeadReckoning& log, std::int64_t experience) const;
+  /// Relative to the experience of the last anchor whose loop is not rejected.
+  ExperiencePose experiencePose(const DeadReckoning& log, std::size_t slot) const;
+  /// The graph of experiences alone: each visit is merged with its experience. A rejected loop
+  /// keeps its link, but the odometry link after it starts at the anchor before the visit. Only
+  /// loop links cross gaps of the path.
+  void graph(const DeadReckoning& log, MapGraph& graph) const;
 
-  /// All that decides the future besides the log, for saving. Of anchors `way` is not needed.
+  /// The state to save, besides that of DeadReckoning. Anchor::way is recomputed.
   struct State {
     std::vector<Anchor> anchors;
     std::int64_t links = 0;
@@ -88,36 +96,36 @@ class ExperienceChain {
     bool pending = false;
   };
   State state() const { return {anchors_, links_, loops_, pending_}; }
-  /// A sound state, see saved_map.
-  void restore(const MotionLog& log, State state);
+  /// `state` must have passed the checks of saved_map.
+  void restore(const DeadReckoning& log, State state);
 
  private:
-  struct Sketch {
+  /// The problem of the optimiser.
+  struct PlanarGraph {
     std::vector<PlanarPose> reckoned;
     std::vector<PlanarPose> nodes;
-    std::vector<PlanarLink> links;  ///< all ways, then all loops
+    std::vector<PlanarLink> links;  ///< odometry links, then loop links
   };
-  Anchor& append(const MotionLog& log);
+  Anchor& append(const DeadReckoning& log);
   PathParts parts() const;
-  std::size_t homeOf(const Anchor& visit) const;
-  void layOver(const MotionLog& log, const PathParts& before);
-  Sketch sketch(const MotionLog& log) const;
-  void rearrange(const PathParts& parts, const Sketch& start, OptimiserOptions options,
-                 std::size_t attempts, Sketch& best, Outcome& outcome) const;
-  void addVisit(const MotionLog& log, std::int64_t experience, const UncertainPose& offset,
+  std::size_t originOf(const Anchor& visit) const;
+  void alignPart(const DeadReckoning& log, const PathParts& before);
+  PlanarGraph planarGraph(const DeadReckoning& log) const;
+  void rearrange(const PathParts& parts, const PlanarGraph& start, OptimiserOptions options,
+                 std::size_t attempts, PlanarGraph& best, OptimiserOutcome& outcome) const;
+  void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& offset,
                 bool assumed);
-  const Anchor& home(std::int64_t experience) const;
-  PlanarLink wayLink(const MotionLog& log, std::size_t i, const PathParts& parts) const;
-  PlanarLink loopLink(const MotionLog& log, std::size_t i) const;
-  enum class Care : std::uint8_t { Brief, Thorough };
-  Status optimiseAll(const MotionLog& log, OptimiserOptions options, Care care);
-  bool counts(const Anchor& anchor) const { return !anchor.visit || !anchor.taken_back; }
-  Link foldedLink(const MotionLog& log, std::size_t before, std::size_t i) const;
-  void apply(const Sketch& sketch);
+  const Anchor& origin(std::int64_t experience) const;
+  PlanarLink wayLink(const DeadReckoning& log, std::size_t i, const PathParts& parts) const;
+  PlanarLink loopLink(const DeadReckoning& log, std::size_t i) const;
+  enum class Effort : std::uint8_t { Online, Final };
+  Status optimiseAll(const DeadReckoning& log, OptimiserOptions options, Effort effort);
+  Link foldedLink(const DeadReckoning& log, std::size_t before, std::size_t i) const;
+  void apply(const PlanarGraph& graph);
 
   Parameters parameters_;
   std::vector<Anchor> anchors_;
-  std::vector<std::size_t> of_experience_;  ///< anchor where it was made
+  std::vector<std::size_t> of_experience_;  ///< anchor that created each experience
   std::vector<std::size_t> begins_ = {0};   ///< anchors at which parts of the path begin
   std::int64_t links_ = 0;
   std::int64_t loops_ = 0;

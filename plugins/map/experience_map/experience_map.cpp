@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order of one update: check everything, then revise, move, obey, correct, report.
 #include "experience_map.hpp"
 
 #include <string>
@@ -10,9 +9,9 @@
 namespace tolman::experience_map {
 namespace {
 
-// Relative change of the energy that ends a search.
-constexpr double kRoughly = 1e-6;
-constexpr double kFully = 1e-10;
+// Relative change of the energy that ends a correction.
+constexpr double kOnlineTolerance = 1e-6;
+constexpr double kFinalTolerance = 1e-10;
 
 }  // namespace
 
@@ -25,7 +24,7 @@ Status ExperienceMap::configure(const Context& context) {
 }
 
 Status ExperienceMap::reset() {
-  motions_ = MotionLog(parameters_);
+  motions_ = DeadReckoning(parameters_);
   chain_ = ExperienceChain(parameters_);
   version_ = 0;
   next_correction_ = 0;
@@ -38,7 +37,7 @@ Status ExperienceMap::update(const Motion& motion, const Decision& decision, Map
   if (motions_.size() == 0) chain_.start();
   motions_.append(motion, chain_.current());
   if (motions_[motions_.last()].gap) startPart();
-  obey(decision);
+  applyDecision(decision);
   if (correctionDue()) correct();
   report(update);
   return Status::ok();
@@ -82,20 +81,20 @@ void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {
 void ExperienceMap::startPart() {
   chain_.startPart(motions_);
   log_->info("frame " + std::to_string(motions_[motions_.last()].frame) +
-             ": how the robot came here is unknown; a new part of the map begins");
+             ": tracking restarted at an unknown pose; a new part of the map begins");
 }
 
-void ExperienceMap::obey(const Decision& decision) {
-  const bool at_home =
+void ExperienceMap::applyDecision(const Decision& decision) {
+  const bool already_there =
       decision.experience >= 0 && chain_[chain_.current()].experience == decision.experience;
   if (decision.action == Action::CreateExperience) {
     chain_.addExperience(motions_, decision.template_id);
   } else if (decision.action == Action::CloseLoop && decision.has_relative_pose) {
     chain_.addVisit(motions_, decision.experience,
                     {decision.T_experience_current, decision.covariance});
-  } else if (decision.action == Action::CloseLoop && !at_home) {
+  } else if (decision.action == Action::CloseLoop && !already_there) {
     chain_.addVisit(motions_, decision.experience, decision.relative_yaw);
-  }  // "near where it is already", said again, is no news
+  }  // a loop to the current experience without measured pose adds no information
   motions_.moveTo(motions_.last(), chain_.current());
 }
 
@@ -104,9 +103,9 @@ bool ExperienceMap::correctionDue() const {
 }
 
 void ExperienceMap::correct() {
-  noteCorrection(chain_.correct(motions_, parameters_.online_iterations, kRoughly));
-  // A correction costs time in proportion to the nodes. Waiting in proportion, too, bounds the cost
-  // of a frame however long the run.
+  noteCorrection(chain_.correct(motions_, parameters_.online_iterations, kOnlineTolerance));
+  // The time of a correction grows with the number of nodes. An interval that grows alike bounds
+  // the mean time per frame.
   const auto growth = parameters_.interval_growth * static_cast<double>(chain_.current());
   next_correction_ = motions_.last() + static_cast<std::size_t>(parameters_.interval) +
                      static_cast<std::size_t>(growth);
@@ -116,16 +115,16 @@ void ExperienceMap::noteCorrection(const Status& status) {
   if (status.isOk()) {
     ++version_;
   } else {
-    log_->warning("the map stays as it is, for the optimiser failed: " + status.message());
+    log_->warning("the map is not corrected, because the optimiser failed: " + status.message());
   }
 }
 
 void ExperienceMap::report(MapUpdate& update) const {
-  const LoggedFrame& logged = motions_[motions_.last()];
+  const ReckonedFrame& logged = motions_[motions_.last()];
   update.frame = logged.frame;
   update.stamp_ns = logged.stamp_ns;
   update.T_world_camera = chain_.T_world_camera(motions_, motions_.last());
-  const Place place = chain_.place(motions_, motions_.last());
+  const ExperiencePose place = chain_.experiencePose(motions_, motions_.last());
   update.experience = place.experience;
   update.T_experience_camera = place.T_experience_camera;
   update.version = version_;
@@ -167,7 +166,7 @@ Status ExperienceMap::load(std::istream& stream) {
 Status ExperienceMap::finish(const std::vector<MotionRevision>& revisions) {
   revise(revisions);
   if (!parameters_.optimise || !chain_.visited()) return Status::ok();
-  noteCorrection(chain_.judge(motions_, parameters_.final_iterations, kFully));
+  noteCorrection(chain_.correctFinally(motions_, parameters_.final_iterations, kFinalTolerance));
   return Status::ok();
 }
 

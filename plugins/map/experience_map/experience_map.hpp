@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map role: obeys decisions, takes up revisions, and decides when to correct.
+// Map `experience_map`: implements the role Map with the experience graph of arXiv 2003.03091,
+// section "Cognitive Map". Each update appends a motion, applies its revisions and the cells'
+// decision, and corrects the map after a loop was closed, at most once per `interval` frames.
+// finish() corrects it a last time and rejects false loops.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +11,8 @@
 #include <tolman/roles.hpp>
 #include <vector>
 
+#include "dead_reckoning.hpp"
 #include "experience_chain.hpp"
-#include "motion_log.hpp"
 #include "parameters.hpp"
 
 namespace tolman::experience_map {
@@ -32,7 +35,7 @@ class ExperienceMap final : public Map, public StateKeeper {
   Status check(const Motion& motion, const Decision& decision) const;
   void revise(const std::vector<MotionRevision>& revisions);
   void startPart();
-  void obey(const Decision& decision);
+  void applyDecision(const Decision& decision);
   void correct();
   void noteCorrection(const Status& status);
   bool correctionDue() const;
@@ -40,10 +43,11 @@ class ExperienceMap final : public Map, public StateKeeper {
 
   Parameters parameters_;
   Logger* log_ = nullptr;
-  MotionLog motions_;
+  DeadReckoning motions_;
   ExperienceChain chain_;
   std::int64_t version_ = 0;
-  std::size_t next_correction_ = 0;  ///< first slot at which correcting is allowed again
+  /// First frame, counted in the order of arrival, at which the map may be corrected again.
+  std::size_t next_correction_ = 0;
 };
 
 }  // namespace tolman::experience_map

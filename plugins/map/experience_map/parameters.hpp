@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of the experience map, with their defaults.
+// Parameters of the experience map.
 #pragma once
 
 #include <tolman/parameters.hpp>
@@ -19,7 +19,7 @@ struct Parameters {
   Loss loss = Loss::GemanMcclure;
   double huber_delta = 1.0;
   double geman_mcclure_scale = 4.0;
-  double disbelief = 0.1;
+  double min_loop_weight = 0.1;
   bool huber_odometry = false;
   double drift_translation = 0.01;
   double drift_rotation = 0.0005;
@@ -38,72 +38,76 @@ struct Parameters {
         parameter("optimise", &P::optimise).doc("Correct the map when loops close."),
         parameter("online_iterations", &P::online_iterations)
             .range(1, 100)
-            .doc("Most iterations of one correction while running."),
+            .doc("Maximal number of iterations of one correction while running."),
         parameter("final_iterations", &P::final_iterations)
             .range(1, 10000)
-            .doc("Most iterations of the correction after the last frame."),
+            .doc("Maximal number of iterations of the correction after the last frame."),
         parameter("interval", &P::interval)
             .range(1, 1e6)
             .unit("frames")
-            .doc("Least distance of two corrections while running."),
+            .doc("Minimal interval between two corrections while running."),
         parameter("interval_growth", &P::interval_growth)
             .range(0, 100)
             .unit("frames")
-            .doc("What each node adds to the interval, so that the cost of a frame stays bounded."),
+            .doc("Growth of the interval per node, so that the mean time per frame stays bounded."),
         parameter("solver", &P::solver)
-            .doc("Who solves the least squares: our own elimination, or Ceres as in the paper."),
-        parameter("loss", &P::loss).doc("How links lose trust; huber as in the paper."),
+            .doc("Solver of the least squares: block elimination along the chain, or Ceres as in "
+                 "the paper."),
+        parameter("loss", &P::loss).doc("Robust loss of loop links; huber as in the paper."),
         parameter("huber_delta", &P::huber_delta)
             .range(1e-6, 1e9)
-            .doc("Huber: residual, in standard deviations, from which a link loses trust."),
+            .doc("Huber: residual, in standard deviations, above which the loss is linear."),
         parameter("geman_mcclure_scale", &P::geman_mcclure_scale)
             .range(1e-3, 1e9)
-            .doc("Geman-McClure: residual, in standard deviations, at which trust is a quarter."),
-        parameter("disbelief", &P::disbelief)
+            .doc("Geman-McClure: residual, in standard deviations, at which the weight is a "
+                 "quarter."),
+        parameter("min_loop_weight", &P::min_loop_weight)
             .range(0, 1)
-            .doc("Loops with less weight than this after the last frame are taken back."),
+            .doc("Loop links whose weight is below this after the last frame are rejected. "
+                 "Formerly `disbelief`."),
         parameter("huber_odometry", &P::huber_odometry)
-            .doc("Whether odometry links may lose trust too, as in the paper."));
+            .doc("Whether Huber's loss applies to odometry links too, as in the paper."));
   }
 
   static constexpr auto trustParameters() {
     using P = Parameters;
-    return parameters(
-        parameter("drift_translation", &P::drift_translation)
-            .range(1e-9, 1)
-            .doc("Standard deviation of a link, m per m travelled, added to what odometry says."),
-        parameter("drift_rotation", &P::drift_rotation)
-            .range(1e-9, 1)
-            .unit("rad/m")
-            .doc("The same for its rotation."),
-        parameter("lost_sigma_translation", &P::lost_sigma_translation)
-            .range(0, 1e6)
-            .unit("m")
-            .doc("Standard deviation that a frame without measured motion adds."),
-        parameter("lost_sigma_rotation", &P::lost_sigma_rotation)
-            .range(0, 10)
-            .unit("rad")
-            .doc("The same for its rotation."),
-        parameter("assumed_sigma_translation", &P::assumed_sigma_translation)
-            .range(1e-6, 1e6)
-            .unit("m")
-            .doc(
-                "How far off an old experience the robot may be when a loop has no measured pose."),
-        parameter("assumed_sigma_rotation", &P::assumed_sigma_rotation)
-            .range(1e-6, 10)
-            .unit("rad")
-            .doc("The same for its heading."),
-        parameter("assumed_run", &P::assumed_run)
-            .range(1, 1e6)
-            .doc("How many successive loops without measured pose share one error of the offset."),
-        parameter("measured_sigma_translation", &P::measured_sigma_translation)
-            .range(1e-9, 1e6)
-            .unit("m")
-            .doc("Standard deviation added to the measured pose of a loop."),
-        parameter("measured_sigma_rotation", &P::measured_sigma_rotation)
-            .range(1e-9, 10)
-            .unit("rad")
-            .doc("The same for its rotation."));
+    return parameters(parameter("drift_translation", &P::drift_translation)
+                          .range(1e-9, 1)
+                          .doc("Standard deviation of a link, m per m travelled, added to the "
+                               "covariance of odometry."),
+                      parameter("drift_rotation", &P::drift_rotation)
+                          .range(1e-9, 1)
+                          .unit("rad/m")
+                          .doc("The same for its rotation."),
+                      parameter("lost_sigma_translation", &P::lost_sigma_translation)
+                          .range(0, 1e6)
+                          .unit("m")
+                          .doc("Standard deviation added by a frame without measured motion."),
+                      parameter("lost_sigma_rotation", &P::lost_sigma_rotation)
+                          .range(0, 10)
+                          .unit("rad")
+                          .doc("The same for its rotation."),
+                      parameter("assumed_sigma_translation", &P::assumed_sigma_translation)
+                          .range(1e-6, 1e6)
+                          .unit("m")
+                          .doc("Standard deviation of the offset from the experience when a loop "
+                               "has no measured pose."),
+                      parameter("assumed_sigma_rotation", &P::assumed_sigma_rotation)
+                          .range(1e-6, 10)
+                          .unit("rad")
+                          .doc("The same for its heading."),
+                      parameter("assumed_run", &P::assumed_run)
+                          .range(1, 1e6)
+                          .doc("Number of successive loops without measured pose whose offsets "
+                               "have a common error."),
+                      parameter("measured_sigma_translation", &P::measured_sigma_translation)
+                          .range(1e-9, 1e6)
+                          .unit("m")
+                          .doc("Standard deviation added to the measured pose of a loop."),
+                      parameter("measured_sigma_rotation", &P::measured_sigma_rotation)
+                          .range(1e-9, 10)
+                          .unit("rad")
+                          .doc("The same for its rotation."));
   }
 
  public:

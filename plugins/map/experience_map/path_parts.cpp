@@ -17,7 +17,7 @@ std::size_t PathParts::of(std::size_t anchor) const {
   return static_cast<std::size_t>(next - begins_.begin()) - 1;
 }
 
-/// Few parts, so all are looked at.
+/// Linear in the number of parts, of which there are few.
 void PathParts::join(std::size_t part, std::size_t other) {
   const auto [least, most] = std::minmax(first_[part], first_[other]);
   std::ranges::replace(first_, std::size_t{most}, std::size_t{least});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the robot's path between gaps (it was switched off, or carried away), and which of
-// them loops have joined.
+// The parts of the robot's path between gaps, where tracking restarted at an unknown pose, and
+// which of them are joined by loops.
 #pragma once
 
 #include <cstddef>

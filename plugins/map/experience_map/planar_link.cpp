@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Residual and derivatives of a planar link.
 #include "planar_link.hpp"
 
 #include <Eigen/LU>

@@ -12,20 +12,20 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr double kDoubt = 1e-6;    ///< the weight of a loop that is not believed
-constexpr double kBelieved = 0.5;  ///< no other minimum is worth a search if all have more
+constexpr double kRejectedWeight = 1e-6;  ///< initial weight of a loop that is left out
+constexpr double kAcceptedWeight = 0.5;   ///< with all weights above it, other starts are not tried
 
-class Search {
+class GaussNewton {
  public:
-  Search(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-         std::vector<PlanarLink>& links)
+  GaussNewton(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
+              std::vector<PlanarLink>& links)
       : options_(options), nodes_(nodes), links_(links), system_(nodes.size(), links) {
     for (const PlanarLink& link : links) information_.push_back(informationOf(link.covariance));
     chi_square_.resize(links.size());
     measure();
   }
 
-  /// From a convex loss to the sharp one. mu = 1 is Geman-McClure's own shape.
+  /// Graduated non-convexity: mu falls from a convex loss to 1, the Geman-McClure loss itself.
   Result<bool> anneal() {
     for (PlanarLink& link : links_) link.weight = 1;
     if (Status rough = descendRoughly(); !rough.isOk()) return rough;
@@ -33,7 +33,7 @@ class Search {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       if (links_[k].robust) worst = std::max(worst, chi_square_[k]);
     }
-    constexpr double kEase = 1.4;  // the authors' step
+    constexpr double kEase = 1.4;  // factor of mu, as in the paper by Yang et al.
     for (double mu = 2 * worst / (options_.delta * options_.delta); mu > 1; mu /= kEase) {
       reweigh(mu);
       if (Status taken = step(); !taken.isOk()) return taken;
@@ -41,7 +41,7 @@ class Search {
     return descend();
   }
 
-  /// Steps until the energy rests, or the iterations are spent.
+  /// Steps until the energy converges or the iterations are used up. Returns whether it converged.
   Result<bool> descend() {
     double before = energy();
     for (int iteration = 0; iteration < options_.iterations; ++iteration) {
@@ -52,14 +52,14 @@ class Search {
         reweigh(1);
         return true;
       }
-      if (isHopeless(iteration, before - after, after)) break;
+      if (cannotReachBound(iteration, before - after, after)) break;
       before = after;
     }
     reweigh(1);
     return false;
   }
 
-  /// Of the loss, whatever the weights are now.
+  /// sum of rho; does not depend on the weights.
   double energy() const {
     const double bound = options_.delta * options_.delta;
     double sum = 0;
@@ -77,7 +77,7 @@ class Search {
   }
 
  private:
-  /// Near enough to the least squares of all links, which only sets out the way of the annealing.
+  /// Approximate least squares over all links: the start of graduated non-convexity.
   Status descendRoughly() {
     constexpr int kSteps = 20;
     constexpr double kRest = 0.01;
@@ -91,7 +91,7 @@ class Search {
     return Status::ok();
   }
 
-  /// Of all links, for the nodes as they are.
+  /// Squared residuals of all links at the present nodes.
   void measure() {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const PlanarLink& link = links_[k];
@@ -100,10 +100,10 @@ class Search {
     }
   }
 
-  bool isHopeless(int iteration, double gain, double energy) const {
-    constexpr int kPatience = 10;  // weights need some steps to find their way
+  bool cannotReachBound(int iteration, double gain, double energy) const {
+    constexpr int kPatience = 10;  // iterations before the rate of decrease is meaningful
     const int left = options_.iterations - iteration - 1;
-    return iteration >= kPatience && energy - left * gain > options_.rival;
+    return iteration >= kPatience && energy - left * gain > options_.energy_bound;
   }
 
   void reweigh(double mu) {
@@ -120,14 +120,14 @@ class Search {
     }
   }
 
-  /// With the weights as they are.
+  /// Weighted sum of squared residuals.
   double leastSquares() const {
     double sum = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) sum += links_[k].weight * chi_square_[k];
     return sum;
   }
 
-  /// One step downhill with fixed weights.
+  /// One Levenberg-Marquardt step with fixed weights.
   Status step() {
     constexpr double kLeastDamping = 1e-4;
     constexpr double kMostDamping = 1e8;
@@ -147,7 +147,7 @@ class Search {
         return Status::ok();
       }
     }
-    nodes_ = start;  // at a minimum, as far as numbers can tell
+    nodes_ = start;  // at a minimum, up to rounding
     measure();
     if (before == 0 || system_.solve(0, step_)) return Status::ok();
     return Status::failed("the normal equations of the map are singular");
@@ -165,45 +165,47 @@ class Search {
 
 }  // namespace
 
-Result<Outcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                         std::vector<PlanarLink>& links) {
+Result<OptimiserOutcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
+                                  std::vector<PlanarLink>& links) {
   if (options.solver == Solver::Ceres) return optimiseWithCeres(options, nodes, links);
   std::vector<PlanarPose> improved = nodes;
   std::vector<PlanarLink> weighed = links;
-  Search search(options, improved, weighed);
+  GaussNewton descent(options, improved, weighed);
   const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
-  const Result<bool> converged = annealed ? search.anneal() : search.descend();
+  const Result<bool> converged = annealed ? descent.anneal() : descent.descend();
   if (!converged.isOk()) return converged.status();
-  const Outcome outcome = {converged.value(), search.energy()};
+  const OptimiserOutcome outcome = {converged.value(), descent.energy()};
   nodes = std::move(improved);
   links = std::move(weighed);
   return outcome;
 }
 
-Result<Outcome> judge(OptimiserOptions options, const std::vector<PlanarPose>& reckoned,
-                      std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links) {
+Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
+                                            const std::vector<PlanarPose>& reckoned,
+                                            std::vector<PlanarPose>& nodes,
+                                            std::vector<PlanarLink>& links) {
   const std::vector<PlanarPose> start = nodes;
-  const std::vector<PlanarLink> as_it_is = links;
-  Result<Outcome> best = optimise(options, nodes, links);
-  if (options.loss == Loss::Huber) return best;  // convex enough: one minimum
-  const bool all_believed =
-      std::ranges::all_of(links, [](const PlanarLink& link) { return link.weight > kBelieved; });
-  if (best.isOk() && best.value().converged && all_believed) return best;
-  const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> believed) {
-    if (best.isOk()) options.rival = best.value().energy;
-    const Result<Outcome> outcome = optimise(options, from, believed);
+  const std::vector<PlanarLink> initial_links = links;
+  Result<OptimiserOutcome> best = optimise(options, nodes, links);
+  if (options.loss == Loss::Huber) return best;  // convex: no other starts are needed
+  const bool all_accepted = std::ranges::all_of(
+      links, [](const PlanarLink& link) { return link.weight > kAcceptedWeight; });
+  if (best.isOk() && best.value().converged && all_accepted) return best;
+  const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> weighted) {
+    if (best.isOk()) options.energy_bound = best.value().energy;
+    const Result<OptimiserOutcome> outcome = optimise(options, from, weighted);
     if (!outcome.isOk()) return;
     if (best.isOk() && best.value().energy <= outcome.value().energy) return;
     best = outcome;
     nodes = std::move(from);
-    links = std::move(believed);
+    links = std::move(weighted);
   };
   options.annealed = true;
-  attempt(start, as_it_is);
+  attempt(start, initial_links);
   options.annealed = false;
-  std::vector<PlanarLink> doubted = as_it_is;
-  for (PlanarLink& link : doubted) link.weight = link.robust ? kDoubt : 1;
-  attempt(reckoned, std::move(doubted));
+  std::vector<PlanarLink> without_loops = initial_links;
+  for (PlanarLink& link : without_loops) link.weight = link.robust ? kRejectedWeight : 1;
+  attempt(reckoned, std::move(without_loops));
   return best;
 }
 

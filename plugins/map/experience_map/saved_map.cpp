@@ -34,7 +34,7 @@ bool isSound(const UncertainPose& pose) {
 
 bool isWeight(double weight) { return weight >= 0 && weight <= 1; }
 
-void put(StateWriter& writer, const LoggedFrame& frame) {
+void put(StateWriter& writer, const ReckonedFrame& frame) {
   writer.put(frame.frame);
   writer.put(frame.stamp_ns);
   writer.put(frame.anchor);
@@ -43,8 +43,8 @@ void put(StateWriter& writer, const LoggedFrame& frame) {
   put(writer, frame.motion);
 }
 
-LoggedFrame getFrame(StateReader& reader) {
-  LoggedFrame frame;
+ReckonedFrame getFrame(StateReader& reader) {
+  ReckonedFrame frame;
   frame.frame = reader.get<std::int64_t>();
   frame.stamp_ns = reader.get<std::int64_t>();
   frame.anchor = reader.get<std::int64_t>();
@@ -58,7 +58,7 @@ void put(StateWriter& writer, const Anchor& anchor) {
   writer.put(static_cast<std::int64_t>(anchor.slot));
   writer.put(anchor.experience);
   writer.put(anchor.template_id);
-  for (const bool flag : {anchor.gap, anchor.visit, anchor.assumed, anchor.taken_back}) {
+  for (const bool flag : {anchor.gap, anchor.visit, anchor.assumed, anchor.rejected}) {
     writer.put(std::int64_t{flag});
   }
   writer.put(anchor.way_weight);
@@ -74,7 +74,7 @@ Anchor getAnchor(StateReader& reader) {
   anchor.slot = static_cast<std::size_t>(reader.get<std::int64_t>());
   anchor.experience = reader.get<std::int64_t>();
   anchor.template_id = reader.get<std::int64_t>();
-  for (bool* flag : {&anchor.gap, &anchor.visit, &anchor.assumed, &anchor.taken_back}) {
+  for (bool* flag : {&anchor.gap, &anchor.visit, &anchor.assumed, &anchor.rejected}) {
     *flag = reader.get<std::int64_t>() != 0;
   }
   anchor.way_weight = reader.get<double>();
@@ -86,7 +86,7 @@ Anchor getAnchor(StateReader& reader) {
   return anchor;
 }
 
-/// `get` so many times as the file says, but never more often than it has bytes.
+/// A list with its size before it; a damaged size cannot exceed the bytes that are left.
 template <class T>
 std::vector<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   const auto count = reader.get<std::int64_t>();
@@ -95,9 +95,9 @@ std::vector<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   return list;
 }
 
-bool areSound(const std::vector<LoggedFrame>& frames, std::size_t anchors) {
+bool areSound(const std::vector<ReckonedFrame>& frames, std::size_t anchors) {
   for (std::size_t slot = 0; slot < frames.size(); ++slot) {
-    const LoggedFrame& frame = frames[slot];
+    const ReckonedFrame& frame = frames[slot];
     const bool later = slot == 0 || frame.frame > frames[slot - 1].frame;
     if (!later || frame.frame < 0 || frame.anchor < 0 || !isSound(frame.motion) ||
         frame.anchor >= static_cast<std::int64_t>(anchors)) {
@@ -107,9 +107,9 @@ bool areSound(const std::vector<LoggedFrame>& frames, std::size_t anchors) {
   return frames.empty() == (anchors == 0);
 }
 
-/// Anchors in the order of their frames; experiences are numbered as they are made, and visited
-/// only afterwards.
-bool areSound(const std::vector<Anchor>& anchors, const std::vector<LoggedFrame>& frames) {
+/// Checks that anchors are in the order of their frames, that experiences are numbered in the order
+/// of creation, and that visits follow the creation of their experience.
+bool areSound(const std::vector<Anchor>& anchors, const std::vector<ReckonedFrame>& frames) {
   std::int64_t made = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const Anchor& anchor = anchors[i];
@@ -152,7 +152,7 @@ Status loadMap(std::istream& stream, MapState& map) {
   StateReader& reader = opened.value();
   const auto version = reader.get<std::int64_t>();
   const auto next_correction = reader.get<std::int64_t>();
-  std::vector<LoggedFrame> frames = getList(reader, &getFrame);
+  std::vector<ReckonedFrame> frames = getList(reader, &getFrame);
   ExperienceChain::State chain;
   chain.anchors = getList(reader, &getAnchor);
   chain.links = reader.get<std::int64_t>();
@@ -161,7 +161,7 @@ Status loadMap(std::istream& stream, MapState& map) {
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
   if (version < 0 || next_correction < 0 || chain.links < 0 || chain.loops < 0 ||
       !areSound(frames, chain.anchors.size()) || !areSound(chain.anchors, frames)) {
-    return Status::invalidInput("the saved map is damaged: numbers that cannot be");
+    return Status::invalidInput("the saved map is damaged: a number is out of range");
   }
   map.motions.restore(std::move(frames));
   map.chain.restore(map.motions, std::move(chain));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map as bytes. What is read is believed only as far as it is sound: indices within bounds,
-// numbers finite, rotations rotations.
+// Saves and loads the state of the map. Loading checks that indices are within bounds, numbers
+// finite and rotations orthogonal.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 #include <iosfwd>
 #include <tolman/status.hpp>
 
+#include "dead_reckoning.hpp"
 #include "experience_chain.hpp"
-#include "motion_log.hpp"
 
 namespace tolman::experience_map {
 
 struct MapState {
-  MotionLog motions;
+  DeadReckoning motions;
   ExperienceChain chain;
   std::int64_t version = 0;
   std::size_t next_correction = 0;
@@ -22,7 +22,7 @@ struct MapState {
 
 Status saveMap(const MapState& map, std::ostream& stream);
 
-/// Fills a fresh map, and leaves it alone when the bytes are not sound.
+/// Fills `map`, which must be new. On failure nothing changes.
 Status loadMap(std::istream& stream, MapState& map);
 
 }  // namespace tolman::experience_map

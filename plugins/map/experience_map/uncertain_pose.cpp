@@ -4,21 +4,13 @@
 
 namespace tolman::experience_map {
 
-Matrix6d adjoint(const Eigen::Isometry3d& T) {
-  Matrix6d ad = Matrix6d::Zero();
-  ad.topLeftCorner<3, 3>() = T.linear();
-  ad.bottomRightCorner<3, 3>() = T.linear();
-  ad.topRightCorner<3, 3>() = skew(T.translation()) * T.linear();
-  return ad;
-}
-
 UncertainPose compose(const UncertainPose& a, const UncertainPose& b) {
-  const Matrix6d ad = adjoint(b.T.inverse());
+  const Matrix6d ad = adjointSe3(b.T.inverse());
   return {a.T * b.T, ad * a.covariance * ad.transpose() + b.covariance};
 }
 
 UncertainPose inverse(const UncertainPose& a) {
-  const Matrix6d ad = adjoint(a.T);
+  const Matrix6d ad = adjointSe3(a.T);
   return {a.T.inverse(), ad * a.covariance * ad.transpose()};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A relative pose with its 6x6 covariance, T = T_estimate * expSe3(noise), and how the covariance
-// travels along chains of poses and down to the plane.
+// A relative pose with its 6x6 covariance, T = T_estimate * expSe3(noise), and the propagation of
+// the covariance through composition, inversion and projection to the plane, to first order.
 #pragma once
 
 #include <tolman/geometry.hpp>
@@ -9,17 +9,13 @@ namespace tolman::experience_map {
 
 struct UncertainPose {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  Matrix6d covariance =
-      Matrix6d::Zero();  ///< m and rad, in the tangent space of the arriving frame
+  Matrix6d covariance = Matrix6d::Zero();  ///< m and rad, in the tangent space of the second frame
 };
 
-/// Adjoint of SE(3), translation before rotation: T * expSe3(n) == expSe3(adjoint(T) * n) * T.
-Matrix6d adjoint(const Eigen::Isometry3d& T);
-
-/// a followed by b, their noises independent; to first order.
+/// a followed by b, with independent noises.
 UncertainPose compose(const UncertainPose& a, const UncertainPose& b);
 
-/// The way back.
+/// The inverse motion.
 UncertainPose inverse(const UncertainPose& a);
 
 /// Diagonal covariance of standard deviations in m and rad.

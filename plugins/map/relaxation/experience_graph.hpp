@@ -10,7 +10,7 @@
 
 namespace tolman::relaxation {
 
-/// How `to` lies as seen from `from`: so far, in that direction, facing that way.
+/// Pose of `to` relative to `from` in polar form.
 struct PolarLink {
   std::int64_t from = -1;
   std::int64_t to = -1;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Odometry since the last experience, links when the cells decide, relaxation after each.
 #include "relaxation_map.hpp"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ Status RelaxationMap::configure(const Context& context) {
 
 Status RelaxationMap::reset() {
   experiences_ = {};
-  made_.clear();
+  creations_.clear();
   frames_.clear();
   current_ = -1;
   accumulated_ = {};
@@ -52,12 +51,12 @@ Status RelaxationMap::update(const Motion& motion, const Decision& decision, Map
   if (!frames_.empty()) {
     accumulated_ = compose(accumulated_, tolman::toPlanar(motion.T_previous_current));
   }
-  obey(motion, decision);
+  applyDecision(motion, decision);
   frames_.push_back({motion.frame, current_, accumulated_});
   update.frame = motion.frame;
-  update.stamp_ns = motion.stamp_ns;  // data time, never the clock's
+  update.stamp_ns = motion.stamp_ns;
   update.experience = current_;
-  update.T_world_camera = fromPlanar(placeOf(frames_.back()));
+  update.T_world_camera = fromPlanar(poseInWorld(frames_.back()));
   update.T_experience_camera = current_ < 0 ? update.T_world_camera : fromPlanar(accumulated_);
   update.version = version_;
   update.experiences = experiences_.size();
@@ -70,23 +69,23 @@ void RelaxationMap::arriveAt(std::int64_t experience, const PlanarPose& offset,
                              std::int64_t stamp_ns) {
   current_ = experience;
   accumulated_ = offset;
-  left_ns_ = stamp_ns;  // or the time of one link would grow with the run
+  left_ns_ = stamp_ns;  // start of the next link's duration
 }
 
-void RelaxationMap::obey(const Motion& motion, const Decision& decision) {
+void RelaxationMap::applyDecision(const Motion& motion, const Decision& decision) {
   if (decision.action == Action::Stay) return;
   const double seconds = 1e-9 * static_cast<double>(motion.stamp_ns - left_ns_);
   if (decision.action == Action::CreateExperience) {
     const PlanarPose here =
         current_ < 0 ? accumulated_ : compose(experiences_[current_], accumulated_);
     const std::int64_t made = experiences_.add(here);
-    made_.push_back({motion.frame, decision.template_id});
+    creations_.push_back({motion.frame, decision.template_id});
     if (current_ >= 0) {
       experiences_.link(current_, made, accumulated_, seconds, motion.frame, false);
     }
     arriveAt(made, {}, motion.stamp_ns);
   } else {
-    // The robot is put onto the old experience, turned against it: an offset cannot be told.
+    // The robot's position becomes that of the old experience; only the heading is measured.
     PlanarPose link = accumulated_;
     link.theta = wrapAngle(link.theta - decision.relative_yaw);
     if (experiences_.link(current_, decision.experience, link, seconds, motion.frame, true)) {
@@ -98,18 +97,18 @@ void RelaxationMap::obey(const Motion& motion, const Decision& decision) {
   ++version_;
 }
 
-/// Relaxation moves every experience; the world is where the first one stands.
+/// Relaxation moves every experience; the first frame is the origin of the world.
 PlanarPose RelaxationMap::inWorld(const PlanarPose& pose) const {
   if (experiences_.size() == 0) return pose;
   const PlacedFrame& first = frames_.front();
   const PlanarPose start =
-      first.experience < 0 ? PlanarPose{} : compose(experiences_[0], first.seen_from_experience);
+      first.experience < 0 ? PlanarPose{} : compose(experiences_[0], first.relative_to_experience);
   return between(start, pose);
 }
 
-PlanarPose RelaxationMap::placeOf(const PlacedFrame& placed) const {
-  if (placed.experience < 0) return placed.seen_from_experience;
-  return inWorld(compose(experiences_[placed.experience], placed.seen_from_experience));
+PlanarPose RelaxationMap::poseInWorld(const PlacedFrame& placed) const {
+  if (placed.experience < 0) return placed.relative_to_experience;
+  return inWorld(compose(experiences_[placed.experience], placed.relative_to_experience));
 }
 
 Status RelaxationMap::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const {
@@ -117,7 +116,7 @@ Status RelaxationMap::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_came
   if (found == frames_.end() || found->frame != frame) {
     return Status::invalidParameter("the map has not seen frame " + std::to_string(frame));
   }
-  T_world_camera = fromPlanar(placeOf(*found));
+  T_world_camera = fromPlanar(poseInWorld(*found));
   return Status::ok();
 }
 
@@ -125,9 +124,9 @@ Status RelaxationMap::graph(MapGraph& graph) const {
   graph = {};
   graph.version = version_;
   for (std::int64_t id = 0; id < experiences_.size(); ++id) {
-    const Made& made = made_[static_cast<std::size_t>(id)];
+    const Creation& creation = creations_[static_cast<std::size_t>(id)];
     graph.experiences.push_back(
-        {id, made.frame, made.template_id, fromPlanar(inWorld(experiences_[id]))});
+        {id, creation.frame, creation.template_id, fromPlanar(inWorld(experiences_[id]))});
   }
   for (const PolarLink& polar : experiences_.links()) {
     Link link;
@@ -137,14 +136,14 @@ Status RelaxationMap::graph(MapGraph& graph) const {
     link.kind = polar.loop ? LinkKind::Loop : LinkKind::Odometry;
     link.frame = polar.frame;
     link.T_from_to = fromPlanar(toPlanar(polar));
-    link.covariance = Matrix6d::Identity();  // all links are worth the same
+    link.covariance = Matrix6d::Identity();  // all links have equal weight
     link.duration = polar.loop ? 0 : polar.seconds;
     graph.links.push_back(link);
   }
   return Status::ok();
 }
 
-/// RatSLAM knows no revisions, and has relaxed already.
+/// RatSLAM has no revisions, and every decision has relaxed the map already.
 Status RelaxationMap::finish(const std::vector<MotionRevision>& /*revisions*/) {
   return Status::ok();
 }

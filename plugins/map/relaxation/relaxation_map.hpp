@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Map `relaxation`: RatSLAM's experience map behind the role.
+// Map `relaxation`: RatSLAM's experience map (Milford and Wyeth 2008). Odometry is accumulated
+// since the last experience; each decision adds a link and relaxes the graph. All links are of
+// equal weight and no loop is ever rejected. Lengths are metres, angles radians.
 #pragma once
 
 #include <cstdint>
@@ -40,24 +42,24 @@ class RelaxationMap final : public Map {
   struct PlacedFrame {
     std::int64_t frame = -1;
     std::int64_t experience = -1;
-    PlanarPose seen_from_experience;
+    PlanarPose relative_to_experience;
   };
-  struct Made {
+  struct Creation {
     std::int64_t frame = -1;
     std::int64_t template_id = -1;
   };
   Status check(const Motion& motion, const Decision& decision) const;
-  void obey(const Motion& motion, const Decision& decision);
+  void applyDecision(const Motion& motion, const Decision& decision);
   void arriveAt(std::int64_t experience, const PlanarPose& offset, std::int64_t stamp_ns);
   PlanarPose inWorld(const PlanarPose& pose) const;
-  PlanarPose placeOf(const PlacedFrame& placed) const;
+  PlanarPose poseInWorld(const PlacedFrame& placed) const;
 
   Parameters parameters_;
   ExperienceGraph experiences_;
-  std::vector<Made> made_;
+  std::vector<Creation> creations_;
   std::vector<PlacedFrame> frames_;
   std::int64_t current_ = -1;
-  PlanarPose accumulated_;  ///< since the current experience, seen from it
+  PlanarPose accumulated_;  ///< motion since the current experience
   std::int64_t left_ns_ = 0;
   std::int64_t loops_ = 0;
   std::int64_t version_ = 0;

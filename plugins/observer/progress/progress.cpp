@@ -23,13 +23,13 @@ int terminalWidth() {
 
 }  // namespace
 
-Progress::Progress() : Progress(std::cerr, terminalWidth) {}
+Progress::Progress() : Progress(std::cerr, isatty(STDERR_FILENO) == 1, terminalWidth) {}
 
-Progress::Progress(std::ostream& out, std::function<int()> width)
-    : out_(out), width_(std::move(width)) {}
+Progress::Progress(std::ostream& out, bool interactive, std::function<int()> width)
+    : out_(out), width_(std::move(width)), interactive_(interactive) {}
 
 Progress::~Progress() {
-  if (drawn_ > 0) out_ << '\n' << std::flush;  // a failed run: its message gets a line of its own
+  if (drawn_ > 0) out_ << '\n' << std::flush;  // after a failure: its message starts a new line
 }
 
 Status Progress::configure(const Context& context) {
@@ -37,8 +37,6 @@ Status Progress::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
   clock_ = &context.clock;
-  interactive_ = context.interactive;
-  quiet_ = context.quiet;
   const char* no_colour = std::getenv("NO_COLOR");  // no-color.org: set and not empty
   colour_ = interactive_ && (no_colour == nullptr || *no_colour == '\0');
   return reset();
@@ -59,7 +57,7 @@ Status Progress::begin(const RunInfo& run) {
   begin_ns_ = shown_ns_ = clock_->steadyNs();
   shown_frames_ = 0;
   first_frame_ = -1;
-  if (interactive_) redraw(barLine(state_, width_()));
+  if (interactive_ && !parameters_.quiet) redraw(barLine(state_, width_()));
   return Status::ok();
 }
 
@@ -67,8 +65,8 @@ Status Progress::observe(const Snapshot& snapshot) {
   count(snapshot);
   const std::int64_t now = clock_->steadyNs();
   state_.seconds = static_cast<double>(now - begin_ns_) * kSecondsPerNs;
-  constexpr std::int64_t kRedrawNs = 100'000'000;  // faster than that nobody reads
-  if (quiet_) return Status::ok();
+  constexpr std::int64_t kRedrawNs = 100'000'000;  // ten times a second
+  if (parameters_.quiet) return Status::ok();
   const bool due = interactive_ ? now - shown_ns_ >= kRedrawNs : isLineDue();
   if (!due) return Status::ok();
   if (interactive_) {
@@ -84,10 +82,11 @@ Status Progress::observe(const Snapshot& snapshot) {
 Status Progress::finish(const MapGraph& graph) {
   state_.seconds = static_cast<double>(clock_->steadyNs() - begin_ns_) * kSecondsPerNs;
   state_.experiences = static_cast<std::int64_t>(graph.experiences.size());
-  state_.loops = std::count_if(graph.links.begin(), graph.links.end(),
-                               [](const Link& link) { return link.kind == LinkKind::Loop; });
+  state_.loop_links = std::count_if(graph.links.begin(), graph.links.end(), [&](const Link& link) {
+    return link.kind == LinkKind::Loop && !graph.isRejected(link);
+  });
   if (drawn_ > 0) redraw("");
-  if (quiet_) return Status::ok();
+  if (parameters_.quiet) return Status::ok();
   out_ << summaryLine(state_) << '\n' << std::flush;
   return Status::ok();
 }
@@ -101,9 +100,9 @@ void Progress::count(const Snapshot& snapshot) {
   if (snapshot.place != nullptr) {
     state_.templates = std::max(state_.templates, snapshot.place->template_id + 1);
   }
-  if (snapshot.map != nullptr) {
-    state_.experiences = snapshot.map->experiences;
-    state_.loops = snapshot.map->loops;
+  if (snapshot.map != nullptr) state_.experiences = snapshot.map->experiences;
+  if (snapshot.decision != nullptr && snapshot.decision->action == Action::CloseLoop) {
+    ++state_.loop_decisions;
   }
 }
 
@@ -111,7 +110,7 @@ bool Progress::isLineDue() const {
   const double silent = state_.seconds - static_cast<double>(shown_ns_ - begin_ns_) * kSecondsPerNs;
   if (parameters_.every_seconds > 0 && silent >= parameters_.every_seconds) return true;
   if (parameters_.every_percent <= 0 || state_.total <= 0) return false;
-  // Round percentages: a line when a multiple of every_percent was passed since the last one.
+  // A line when a multiple of every_percent was passed since the last one.
   const auto multiple = [this](std::int64_t frames) {
     return std::int64_t(100.0 * static_cast<double>(frames) /
                         (static_cast<double>(state_.total) * parameters_.every_percent));
@@ -120,7 +119,7 @@ bool Progress::isLineDue() const {
 }
 
 void Progress::redraw(const std::string& line) {
-  // Blanks instead of a control code wipe the rest, so that any terminal will do.
+  // Blanks erase the rest of the old line; unlike control codes they work on every terminal.
   const std::size_t before = std::min(drawn_, static_cast<std::size_t>(std::max(width_() - 1, 0)));
   const std::string wipe(before > line.size() ? before - line.size() : 0, ' ');
   out_ << '\r' << (colour_ ? coloured(line) : line) << wipe;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Observer `progress`: one redrawn line on a terminal, a line now and then elsewhere.
+// Observer `progress`: one redrawn line on a terminal, otherwise a line at intervals.
 #pragma once
 
 #include <cstdint>
@@ -17,24 +17,26 @@ class Progress final : public Observer {
   struct Parameters {
     double every_percent = 10;
     double every_seconds = 5;
+    bool quiet = false;
 
     static constexpr auto declaration() {
       return parameters(
           parameter("every_percent", &Parameters::every_percent)
               .range(0, 100)
               .unit("%")
-              .doc("Without a terminal: a line each time so much more is done; 0 for never."),
+              .doc("Without a terminal: a line each time this share is done; 0 for never."),
           parameter("every_seconds", &Parameters::every_seconds)
               .range(0, 86400)
               .unit("s")
-              .doc("Without a terminal: a line after so long without one; 0 for never."));
+              .doc("Without a terminal: longest time without a line; 0 for no limit."),
+          parameter("quiet", &Parameters::quiet).doc("Show nothing; --quiet sets it."));
     }
   };
 
   /// Writes to stderr, as wide as its terminal is.
   Progress();
-  /// For tests. `out` must outlive the object; `width` is asked before each drawing.
-  Progress(std::ostream& out, std::function<int()> width);
+  /// For tests. `out` must outlive the object; `width` is called before each drawing.
+  Progress(std::ostream& out, bool interactive, std::function<int()> width);
   ~Progress() override;
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -54,8 +56,7 @@ class Progress final : public Observer {
   std::function<int()> width_;
   Parameters parameters_;
   const Clock* clock_ = nullptr;
-  bool interactive_ = false;
-  bool quiet_ = false;
+  bool interactive_;  ///< `out_` is a terminal
   bool colour_ = false;
 
   ProgressState state_;
@@ -63,7 +64,7 @@ class Progress final : public Observer {
   std::int64_t shown_ns_ = 0;      ///< when something was last shown
   std::int64_t shown_frames_ = 0;  ///< and at which count
   std::int64_t first_frame_ = -1;  ///< of this session; -1 before it
-  std::size_t drawn_ = 0;          ///< characters of the line that stands on the terminal
+  std::size_t drawn_ = 0;          ///< characters of the line on the terminal
 };
 
 }  // namespace tolman::progress

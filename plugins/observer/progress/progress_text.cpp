@@ -63,7 +63,7 @@ std::vector<std::string> barParts(const ProgressState& s) {
   if (hasTimeLeft(s)) parts.push_back(timeLeft(s));
   parts.push_back(count(s.templates, "template"));
   parts.push_back(count(s.experiences, "experience"));
-  parts.push_back(count(s.loops, "loop"));
+  parts.push_back(count(s.loop_decisions, "loop decision"));
   return parts;
 }
 
@@ -76,8 +76,7 @@ std::string bar(const ProgressState& s, std::size_t cells) {
 }
 
 std::string counts(const ProgressState& s) {
-  return count(s.templates, "template") + ", " + count(s.experiences, "experience") + ", " +
-         count(s.loops, "loop");
+  return count(s.templates, "template") + ", " + count(s.experiences, "experience") + ", ";
 }
 
 }  // namespace
@@ -111,12 +110,12 @@ std::string plainLine(const ProgressState& state) {
   }
   text += ", " + speed(state);
   if (hasTimeLeft(state)) text += ", " + timeLeft(state);
-  return text + ", " + counts(state);
+  return text + ", " + counts(state) + count(state.loop_decisions, "loop decision");
 }
 
 std::string summaryLine(const ProgressState& state) {
   return count(state.frames, "frame") + " in " + duration(state.seconds) + ", " + speed(state) +
-         ", " + counts(state);
+         ", " + counts(state) + count(state.loop_links, "loop link");
 }
 
 }  // namespace tolman::progress

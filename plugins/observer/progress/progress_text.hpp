@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the progress display says: pure functions from counts to text.
+// The texts of the progress display, from counts.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,8 @@ struct ProgressState {
   double seconds = 0;       ///< since the run began
   std::int64_t templates = 0;
   std::int64_t experiences = 0;
-  std::int64_t loops = 0;
+  std::int64_t loop_decisions = 0;  ///< while the run is going
+  std::int64_t loop_links = 0;      ///< of the final map
 };
 
 /// One line for a terminal of `width` columns, at most width - 1 of them used: what does not fit is
@@ -27,7 +28,8 @@ std::string coloured(std::string bar_line);
 /// One line for a log: "frame 20 of 51 (39 %), 9.8 frames/s, 0:03 left, 12 templates, ...".
 std::string plainLine(const ProgressState& state);
 
-/// The last line: "51 frames in 0:05, 9.8 frames/s, 12 templates, 8 experiences, 1 loop".
+/// The last line: "51 frames in 0:05, 9.8 frames/s, 12 templates, 8 experiences, 1 loop
+/// link".
 std::string summaryLine(const ProgressState& state);
 
 }  // namespace tolman::progress

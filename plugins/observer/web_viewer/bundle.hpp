@@ -14,7 +14,7 @@ struct BundleFile {
 
 std::span<const BundleFile> bundle();
 
-/// By the name's ending; what is not known is application/octet-stream.
+/// By the ending of the name; application/octet-stream for unknown endings.
 std::string_view mediaType(std::string_view path);
 
 }  // namespace tolman::web_viewer

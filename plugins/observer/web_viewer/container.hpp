@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one form of all binary bodies: a length, a JSON header that lists arrays, and the arrays.
+// The binary form of all messages: length of the header (uint32), JSON header that lists the
+// arrays, arrays aligned to 8 bytes; little-endian.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +13,22 @@
 
 namespace tolman::web_viewer {
 
-enum class Element : std::uint8_t { U8, I32, F32, F64 };
+enum class ElementType : std::uint8_t { U8, I32, F32, F64 };
 
-/// A named array of a container. The bytes are shared, so that one encoding serves many messages.
+/// A named array of a container. The bytes are shared between messages.
 struct PackedArray {
   std::string name;
-  Element element = Element::U8;
+  ElementType element = ElementType::U8;
   std::vector<std::size_t> shape;
   std::shared_ptr<const std::string> bytes;
 };
 
 template <class T>
-constexpr Element elementOf() {
-  if constexpr (std::is_same_v<T, std::uint8_t>) return Element::U8;
-  if constexpr (std::is_same_v<T, std::int32_t>) return Element::I32;
-  if constexpr (std::is_same_v<T, float>) return Element::F32;
-  if constexpr (std::is_same_v<T, double>) return Element::F64;
+constexpr ElementType elementOf() {
+  if constexpr (std::is_same_v<T, std::uint8_t>) return ElementType::U8;
+  if constexpr (std::is_same_v<T, std::int32_t>) return ElementType::I32;
+  if constexpr (std::is_same_v<T, float>) return ElementType::F32;
+  if constexpr (std::is_same_v<T, double>) return ElementType::F64;
 }
 
 /// Copies `values`, row-major.
@@ -39,10 +40,10 @@ PackedArray pack(std::string name, std::vector<std::size_t> shape, std::span<con
   return {std::move(name), elementOf<T>(), std::move(shape), std::move(copy)};
 }
 
-/// `header` gets the member "arrays"; it is an object.
+/// `header` is an object; the member "arrays" is added to it.
 std::string encodeContainer(nlohmann::json header, const std::vector<PackedArray>& arrays);
 
-/// JSON of what may hold bytes that are no UTF-8: those are replaced.
+/// JSON text; invalid UTF-8 is replaced.
 std::string jsonText(const nlohmann::json& json);
 
 }  // namespace tolman::web_viewer

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The newest events, numbered, so that each client hears every one once.
+// The newest events, numbered, so that each client gets every event once.
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ class EventLog {
   /// The newest from number `next` on, at most `count`.
   std::vector<RunEvent> since(std::size_t next, std::size_t count) const {
     const std::size_t missed = end_ - std::min(next, end_);
-    const std::size_t told = std::min({missed, count, events_.size()});
-    return {events_.end() - static_cast<std::ptrdiff_t>(told), events_.end()};
+    const std::size_t sent = std::min({missed, count, events_.size()});
+    return {events_.end() - static_cast<std::ptrdiff_t>(sent), events_.end()};
   }
 
  private:

@@ -10,81 +10,34 @@
 namespace tolman::web_viewer {
 namespace {
 
-// Points of an older frame lie elsewhere by now.
+// Points of older frames are not sent: they no longer fit the present image.
 constexpr std::int64_t kRecentFrames = 10;
-// A message that no browser wants to take ten times a second.
-constexpr Eigen::Index kMostPoints = 20'000;
-constexpr std::size_t kMostCells = 1U << 20U;  // numbers in all arrays
-constexpr std::size_t kMostText = 1000;        // bytes of what an event says
+// Limits of a message: about 5 MB, ten times a second on the loopback interface.
+constexpr Eigen::Index kMaxPoints = 20'000;
+constexpr std::size_t kMaxCells = 1U << 20U;  // values in all arrays
+constexpr std::size_t kMaxText = 1000;        // bytes of an event's message
 
-void addMotion(const Motion& motion, nlohmann::json& header) {
-  header["state"] = enumName(motion.state);
-  header["v"] = motion.v;
-  header["omega"] = motion.omega;
-  header["tracked"] = motion.tracked;
-  header["is_keyframe"] = motion.is_keyframe;
-}
-
-void addPlace(const PlaceObservation& place, nlohmann::json& header) {
-  header["recognition"] = enumName(place.recognition);
-  header["template_id"] = place.template_id;
-  header["score"] = place.score;
-}
-
-void addDecision(const Decision& decision, nlohmann::json& header) {
-  header["action"] = enumName(decision.action);
-  header["experience"] = decision.experience;
-  header["heading"] = decision.heading;
-  header["confidence"] = decision.confidence;
-}
-
-nlohmann::json timesJson(const StageTimes& times_ns) {
-  nlohmann::json times = nlohmann::json::object();
-  for (std::size_t role = 0; role < times_ns.size(); ++role) {
-    if (times_ns[role] > 0) times[std::string(kRoleNames[role])] = 1e-6 * double(times_ns[role]);
-  }
-  return times;
-}
-
-nlohmann::json headerOf(const Sighting& s) {
-  nlohmann::json header = {{"type", "frame"},
-                           {"frame", s.frame},
-                           {"stamp_s", static_cast<double>(s.stamp_ns) * 1e-9},
-                           {"points_frame", s.has_motion ? s.motion.points_frame : -1},
-                           {"times_ms", timesJson(s.times_ns)}};
-  if (s.has_motion) addMotion(s.motion, header);
-  if (s.has_place) addPlace(s.place, header);
-  if (s.has_decision) addDecision(s.decision, header);
-  if (s.has_map) {
-    header["map"] = {{"version", s.map.version},
-                     {"experiences", s.map.experiences},
-                     {"links", s.map.links},
-                     {"loops", s.map.loops}};
-  }
-  return header;
-}
-
-void addPoints(const Sighting& s, std::vector<PackedArray>& arrays) {
-  const Motion& motion = s.motion;
-  const bool recent = motion.points_frame >= 0 && s.frame - motion.points_frame <= kRecentFrames;
-  if (!s.has_motion || !recent || motion.points.cols() == 0) return;
-  const auto count = static_cast<std::size_t>(std::min(motion.points.cols(), kMostPoints));
+void addPoints(const FrameCopy& copy, std::vector<PackedArray>& arrays) {
+  const bool recent = copy.points_frame >= 0 && copy.frame - copy.points_frame <= kRecentFrames;
+  if (!recent || copy.points.cols() == 0) return;
+  const auto count = static_cast<std::size_t>(std::min(copy.points.cols(), kMaxPoints));
   // Column-major 4 x n is row-major n x 4.
-  arrays.push_back(pack<float>("points", {count, 4}, {motion.points.data(), 4 * count}));
+  arrays.push_back(pack<float>("points", {count, 4}, {copy.points.data(), 4 * count}));
 }
 
 void addCells(const std::vector<NamedArray>& cells, std::vector<PackedArray>& arrays) {
   std::size_t total = 0;
   for (const NamedArray& array : cells) {
     total += array.values.size();
-    if (total > kMostCells) return;
+    if (total > kMaxCells) return;
     arrays.push_back(
         pack<float>("cells." + array.name, {array.shape.begin(), array.shape.end()}, array.values));
   }
 }
 
-/// At most `width` wide, by a whole factor: means over whole pixels cost a tenth of the others.
-/// What is left over at the right and at the bottom, less than one pixel of the result, is cut off.
+/// At most `width` wide, reduced by an integer factor: means over whole pixels cost a tenth of
+/// other interpolations. The remainder at the right and the bottom, less than a pixel of the
+/// result, is cut off.
 cv::Mat shrunk(const cv::Mat& pixels, int width) {
   const int factor = std::min((pixels.cols + width - 1) / width, pixels.rows);
   if (factor <= 1) return pixels;
@@ -97,41 +50,36 @@ cv::Mat shrunk(const cv::Mat& pixels, int width) {
 
 }  // namespace
 
-std::string jpeg(const Image& image, const Picture& picture) {
+std::string jpeg(const Image& image, const JpegOptions& options) {
   if (image.empty()) return {};
-  const cv::Mat pixels = shrunk(asMat(image), picture.width);
+  const cv::Mat pixels = shrunk(asMat(image), options.width);
   std::vector<std::uint8_t> bytes;
-  cv::imencode(".jpg", pixels, bytes, {cv::IMWRITE_JPEG_QUALITY, picture.quality});
+  cv::imencode(".jpg", pixels, bytes, {cv::IMWRITE_JPEG_QUALITY, options.quality});
   return {bytes.begin(), bytes.end()};
 }
 
-EncodedFrame encodeFrame(const Sighting& sighting, const Picture& picture) {
-  EncodedFrame encoded{sighting.frame, headerOf(sighting), {}};
-  if (const std::string image = jpeg(sighting.left, picture); !image.empty()) {
+EncodedFrame encodeFrame(const FrameCopy& copy, const JpegOptions& options) {
+  EncodedFrame encoded;
+  encoded.header.frame = copy.frame;
+  encoded.header.points_frame = copy.points_frame;
+  if (const std::string image = jpeg(copy.left, options); !image.empty()) {
     encoded.arrays.push_back(
-        {"image", Element::U8, {image.size()}, std::make_shared<const std::string>(image)});
+        {"image", ElementType::U8, {image.size()}, std::make_shared<const std::string>(image)});
   }
-  addPoints(sighting, encoded.arrays);
-  addCells(sighting.cells, encoded.arrays);
+  addPoints(copy, encoded.arrays);
+  addCells(copy.cells, encoded.arrays);
   return encoded;
 }
 
-nlohmann::json eventsJson(const std::vector<RunEvent>& events) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const RunEvent& event : events) {
-    list.push_back({{"frame", event.frame},
-                    {"level", enumName(event.level)},
-                    {"source", event.source},
-                    {"message", event.message.substr(0, kMostText)}});
-  }
-  return list;
+std::vector<RunEvent> shortened(std::vector<RunEvent> events) {
+  for (RunEvent& event : events) event.message.resize(std::min(event.message.size(), kMaxText));
+  return events;
 }
 
 std::string storedMessage(const EncodedFrame& frame, const std::vector<RunEvent>& events) {
-  nlohmann::json header = frame.header;
-  header["stored"] = true;
-  header["events"] = eventsJson(events);
-  return encodeContainer(std::move(header), frame.arrays);
+  FrameHeader header = frame.header;
+  header.events = shortened(events);
+  return encodeContainer(headerJson(header), frame.arrays);
 }
 
 }  // namespace tolman::web_viewer

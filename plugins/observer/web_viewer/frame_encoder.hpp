@@ -1,34 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sighting as a message: JPEG, points, neural arrays, and the few numbers of the header.
+// Encodes a frame as a message: header, JPEG image, points, and arrays of the cells.
 #pragma once
 
-#include <memory>
-
 #include "container.hpp"
-#include "sighting.hpp"
+#include "frame_copy.hpp"
+#include "wire_records.hpp"
 
 namespace tolman::web_viewer {
 
-/// Encoded once, sent to many.
+/// Encoded once, sent to many clients.
 struct EncodedFrame {
-  std::int64_t frame = -1;
-  nlohmann::json header;            ///< without what differs from client to client
-  std::vector<PackedArray> arrays;  ///< image, points, cells.*
+  FrameHeader header;               ///< without the fields that differ between clients
+  std::vector<PackedArray> arrays;  ///< image, points, cells.NAME
 };
 
-struct Picture {
+struct JpegOptions {
   int width = 640;   ///< px at most
-  int quality = 70;  ///< of JPEG
+  int quality = 70;  ///< in percent
 };
 
-/// Empty where the image is.
-std::string jpeg(const Image& image, const Picture& picture);
+/// A JPEG file; empty for an empty image.
+std::string jpeg(const Image& image, const JpegOptions& options);
 
-EncodedFrame encodeFrame(const Sighting& sighting, const Picture& picture);
+EncodedFrame encodeFrame(const FrameCopy& copy, const JpegOptions& options);
 
-nlohmann::json eventsJson(const std::vector<RunEvent>& events);
+/// Events with messages of limited length.
+std::vector<RunEvent> shortened(std::vector<RunEvent> events);
 
-/// As it is kept for those who come later: without rows, dropped and clients.
+/// The message of /api/frame: without rows.
 std::string storedMessage(const EncodedFrame& frame, const std::vector<RunEvent>& events);
 
 }  // namespace tolman::web_viewer

@@ -7,66 +7,65 @@
 namespace tolman::web_viewer {
 namespace {
 
-constexpr std::size_t kMostEvents = 100;
-constexpr std::size_t kMostViews = 16;  // each holds an image of full size
-constexpr std::size_t kMostRows = 65536;
-constexpr std::size_t kWakeAtViews = 8;
-constexpr std::size_t kWakeAtRows = 1024;
+constexpr std::size_t kMaxEvents = 100;
+constexpr std::size_t kMaxImages = 16;  // each is an image of full size
+constexpr std::size_t kWakeAtImages = 8;
+constexpr std::size_t kMaxValues = 1U << 21U;     // of rows: 16 MiB, about 50,000 rows
+constexpr std::size_t kWakeAtValues = 1U << 15U;  // of rows: 256 KiB
 
 }  // namespace
 
 bool Handover::put(const Snapshot& snapshot) {
-  const HistoryRow row = rows_.next(snapshot);
   std::unique_lock lock(mutex_);
   taken_.wait(lock, [&] {
-    const bool room = waiting_rows_.size() < kMostRows && !(every_frame_ && fresh_frame_);
+    const bool room = rows_.size() < kMaxValues && !(every_frame_ && fresh_frame_);
     return closed_ || room;
   });
   if (closed_) return false;
-  waiting_rows_.push_back(row);
-  newest_.take(snapshot);
+  row_maker_.append(snapshot, rows_);
+  newest_.assign(snapshot);
   fresh_frame_ = true;
   if (snapshot.events != nullptr) putEvents(*snapshot.events);
-  putView(snapshot);
+  putTemplateImage(snapshot);
   if (snapshot.graph != nullptr) {
-    graph_.take(*snapshot.graph, snapshot.frame->frame);
+    graph_.assign(*snapshot.graph, snapshot.frame->frame);
     fresh_graph_ = true;
   }
-  return every_frame_ || waiting_rows_.size() >= kWakeAtRows || views_.size() >= kWakeAtViews;
+  return every_frame_ || rows_.size() >= kWakeAtValues || template_images_.size() >= kWakeAtImages;
 }
 
 void Handover::putEvents(const std::vector<RunEvent>& events) {
-  const std::size_t taken = std::min(events.size(), kMostEvents);
+  const std::size_t taken = std::min(events.size(), kMaxEvents);
   events_.insert(events_.end(), events.end() - static_cast<std::ptrdiff_t>(taken), events.end());
-  if (events_.size() <= kMostEvents) return;
-  events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(kMostEvents));
+  if (events_.size() <= kMaxEvents) return;
+  events_.erase(events_.begin(), events_.end() - static_cast<std::ptrdiff_t>(kMaxEvents));
 }
 
-void Handover::putView(const Snapshot& snapshot) {
+void Handover::putTemplateImage(const Snapshot& snapshot) {
   if (snapshot.place == nullptr || snapshot.place->recognition != Recognition::Novel) return;
-  if (snapshot.frame->left.empty() || views_.size() >= kMostViews) return;
-  views_.push_back({snapshot.place->template_id, snapshot.frame->left});
+  if (snapshot.frame->left.empty() || template_images_.size() >= kMaxImages) return;
+  template_images_.push_back({snapshot.place->template_id, snapshot.frame->left});
 }
 
 void Handover::putGraph(const MapGraph& graph) {
   const std::lock_guard lock(mutex_);
-  graph_.take(graph, -1);
+  graph_.assign(graph, -1);
   fresh_graph_ = true;
 }
 
-void Handover::take(Delivery& delivery, bool frame, bool graph) {
-  delivery.rows.clear();
-  delivery.events.clear();
-  delivery.views.clear();
+void Handover::take(PendingData& pending, bool frame, bool graph) {
+  pending.rows.clear();
+  pending.events.clear();
+  pending.template_images.clear();
   {
     const std::lock_guard lock(mutex_);
-    std::swap(delivery.rows, waiting_rows_);
-    std::swap(delivery.events, events_);
-    std::swap(delivery.views, views_);
-    delivery.has_frame = frame && std::exchange(fresh_frame_, false);
-    delivery.has_graph = graph && std::exchange(fresh_graph_, false);
-    if (delivery.has_frame) std::swap(delivery.newest, newest_);
-    if (delivery.has_graph) std::swap(delivery.graph, graph_);
+    std::swap(pending.rows, rows_);
+    std::swap(pending.events, events_);
+    std::swap(pending.template_images, template_images_);
+    pending.has_frame = frame && std::exchange(fresh_frame_, false);
+    pending.has_graph = graph && std::exchange(fresh_graph_, false);
+    if (pending.has_frame) std::swap(pending.newest, newest_);
+    if (pending.has_graph) std::swap(pending.graph, graph_);
   }
   taken_.notify_all();
 }

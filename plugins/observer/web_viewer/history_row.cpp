@@ -2,6 +2,7 @@
 #include "history_row.hpp"
 
 #include <limits>
+#include <type_traits>
 
 namespace tolman::web_viewer {
 namespace {
@@ -9,88 +10,107 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSecondsPerNs = 1e-9;
 constexpr double kMsPerNs = 1e-6;
-constexpr std::size_t kShownStages = 5;  // all but the observers
+constexpr std::size_t kTimedStages = 5;  // all roles but the observers
 
-/// Fills a row from left to right, a group at a time; the missing groups stay unknown.
-class RowWriter {
- public:
-  explicit RowWriter(HistoryRow& row) : row_(row) { row_.fill(kUnknown); }
-  template <class... Numbers>
-  void put(Numbers... numbers) {
-    ((row_.at(next_++) = static_cast<double>(numbers)), ...);
-  }
-  void put(const Eigen::Vector3d& p) { put(p.x(), p.y(), p.z()); }
-  void skip(std::size_t columns) { next_ += columns; }
+using Choices = std::span<const std::string_view>;
 
- private:
-  HistoryRow& row_;
-  std::size_t next_ = 0;
+/// Frame index and time are equal in all records of a frame; "frame" and "time" are columns once.
+bool isJoinKey(std::string_view field) { return field == "frame" || field == "stamp_ns"; }
+
+/// Calls visit(record name, Field, choices, value) for each scalar field. The fields of a missing
+/// record are visited, too: their values are NaN.
+template <Record R, class Visit>
+void visitScalars(const R* record, const Visit& visit) {
+  static const R kMissing;
+  visitFields(record != nullptr ? *record : kMissing, [&](const Field& field, const auto& member) {
+    using Member = std::remove_cvref_t<decltype(member)>;
+    if constexpr (std::is_arithmetic_v<Member> || NamedEnum<Member>) {
+      if (isJoinKey(field.name)) return;
+      Choices choices;
+      if constexpr (NamedEnum<Member>) choices = enumNames(member);
+      visit(R::kRecord, field, choices, record != nullptr ? static_cast<double>(member) : kUnknown);
+    }
+  });
+}
+
+template <class Visit>
+void visitPosition(const char* name, const std::optional<Eigen::Isometry3d>& T_world_camera,
+                   const Visit& visit) {
+  const Eigen::Vector3d p = T_world_camera ? Eigen::Vector3d(T_world_camera->translation())
+                                           : Eigen::Vector3d::Constant(kUnknown);
+  visit(name, Field{"x", "m", "position, to the right at the first frame"}, Choices(), p.x());
+  visit(name, Field{"y", "m", "position, downwards at the first frame"}, Choices(), p.y());
+  visit(name, Field{"z", "m", "position, forward at the first frame"}, Choices(), p.z());
+}
+
+/// The poses of a frame in the world of the run; absent where they are not known.
+struct RowPoses {
+  std::optional<Eigen::Isometry3d> odometry;
+  std::optional<Eigen::Isometry3d> map;
+  std::optional<Eigen::Isometry3d> truth;
 };
 
-void putMotion(RowWriter& row, const Motion* motion, const Eigen::Isometry3d& T_world_camera) {
-  if (motion == nullptr) return row.skip(8);
-  row.put(motion->state, motion->v, motion->omega, motion->tracked, motion->is_keyframe);
-  row.put(Eigen::Vector3d(T_world_camera.translation()));
+/// The one list of columns: visits each with its value, always in the same order.
+template <class Visit>
+void visitColumns(const Snapshot& snapshot, const RowPoses& poses, const Visit& visit) {
+  const Frame& frame = *snapshot.frame;
+  visit("frame", Field{"frame", "", "index in the run"}, Choices(),
+        static_cast<double>(frame.frame));
+  visit("frame", Field{"time", "s", "data time of the exposure"}, Choices(),
+        static_cast<double>(frame.stamp_ns) * kSecondsPerNs);
+  visitScalars(snapshot.frame, visit);
+  visitScalars(snapshot.motion, visit);
+  visitScalars(snapshot.place, visit);
+  visitScalars(snapshot.decision, visit);
+  visitScalars(snapshot.map, visit);
+  visitPosition("odometry", poses.odometry, visit);
+  visitPosition("map", poses.map, visit);
+  visitPosition("truth", poses.truth, visit);
+  for (std::size_t stage = 0; stage < kTimedStages; ++stage) {
+    const std::int64_t ns = snapshot.stage_times_ns[stage];
+    visit("duration", Field{kRoleNames[stage], "ms", "wall time of the stage"}, Choices(),
+          ns > 0 ? static_cast<double>(ns) * kMsPerNs : kUnknown);
+  }
 }
 
-void putPlace(RowWriter& row, const PlaceObservation* place) {
-  if (place == nullptr) return row.skip(3);
-  const bool seen = place->recognition != Recognition::None;
-  row.put(place->recognition, place->template_id, seen ? place->score : kUnknown);
-}
-
-void putDecision(RowWriter& row, const Decision* decision) {
-  if (decision == nullptr) return row.skip(4);
-  row.put(decision->action, decision->experience, decision->heading, decision->confidence);
-}
-
-void putCounts(RowWriter& row, const MapUpdate* map) {
-  if (map == nullptr) return row.skip(4);
-  row.put(map->experiences, map->links, map->loops, map->version);
+std::vector<RowColumn> listColumns() {
+  const Frame frame;
+  Snapshot snapshot;
+  snapshot.frame = &frame;
+  std::vector<RowColumn> columns;
+  visitColumns(snapshot, {},
+               [&](std::string_view record, const Field& field, Choices choices, double) {
+                 columns.push_back({std::string(record) + "." + std::string(field.name),
+                                    std::string(field.unit), std::string(field.doc), choices});
+               });
+  return columns;
 }
 
 }  // namespace
 
-const std::array<RowColumn, kColumns> kRowColumns = {{
-    {"frame", ""},         {"stamp_s", "s"},    {"tracking", ""},    {"v", "m/s"},
-    {"omega", "rad/s"},    {"tracked", ""},     {"keyframe", ""},    {"odo_x", "m"},
-    {"odo_y", "m"},        {"odo_z", "m"},      {"map_x", "m"},      {"map_y", "m"},
-    {"map_z", "m"},        {"truth_x", "m"},    {"truth_y", "m"},    {"truth_z", "m"},
-    {"recognition", ""},   {"template_id", ""}, {"score", ""},       {"action", ""},
-    {"experience", ""},    {"heading", "rad"},  {"confidence", ""},  {"experiences", ""},
-    {"links", ""},         {"loops", ""},       {"map_version", ""}, {"source_ms", "ms"},
-    {"odometry_ms", "ms"}, {"place_ms", "ms"},  {"cells_ms", "ms"},  {"map_ms", "ms"},
-}};
+const std::vector<RowColumn>& rowColumns() {
+  static const std::vector<RowColumn> kColumns = listColumns();
+  return kColumns;
+}
 
-HistoryRow RowMaker::next(const Snapshot& snapshot) {
+void RowMaker::append(const Snapshot& snapshot, std::vector<double>& values) {
   const Frame& frame = *snapshot.frame;
-  if (snapshot.motion != nullptr && begun_) {
-    T_world_camera_ = normalised(T_world_camera_ * snapshot.motion->T_previous_current);
+  RowPoses poses;
+  if (snapshot.motion != nullptr) {
+    if (begun_) {
+      T_world_camera_ = normalised(T_world_camera_ * snapshot.motion->T_previous_current);
+    }
+    begun_ = true;
+    poses.odometry = T_world_camera_;
   }
-  begun_ = begun_ || snapshot.motion != nullptr;
-  HistoryRow values;
-  RowWriter row(values);
-  row.put(frame.frame, static_cast<double>(frame.stamp_ns) * kSecondsPerNs);
-  putMotion(row, snapshot.motion, T_world_camera_);
-  if (snapshot.map != nullptr) {
-    row.put(Eigen::Vector3d(snapshot.map->T_world_camera.translation()));
-  } else {
-    row.skip(3);
-  }
+  if (snapshot.map != nullptr) poses.map = snapshot.map->T_world_camera;
   if (frame.has_truth) {
     if (!T_world_truth_) T_world_truth_ = T_world_camera_ * frame.T_world_camera_truth.inverse();
-    row.put(Eigen::Vector3d((*T_world_truth_ * frame.T_world_camera_truth).translation()));
-  } else {
-    row.skip(3);
+    poses.truth = *T_world_truth_ * frame.T_world_camera_truth;
   }
-  putPlace(row, snapshot.place);
-  putDecision(row, snapshot.decision);
-  putCounts(row, snapshot.map);
-  for (std::size_t stage = 0; stage < kShownStages; ++stage) {
-    const std::int64_t ns = snapshot.stage_times_ns[stage];
-    row.put(ns > 0 ? static_cast<double>(ns) * kMsPerNs : kUnknown);
-  }
-  return values;
+  visitColumns(snapshot, poses, [&](std::string_view, const Field&, Choices, double value) {
+    values.push_back(value);
+  });
 }
 
 }  // namespace tolman::web_viewer

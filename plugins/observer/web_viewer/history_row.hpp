@@ -1,36 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One row of numbers a frame: what the page's graphs are drawn from.
+// One row of numbers per frame, from which the page draws its graphs.
+//
+// The columns are the scalar fields of the records (Frame, Motion, PlaceObservation, Decision,
+// MapUpdate), as their fields() list them, and a few derived values: positions and times. They are
+// named "record.field", e.g. "motion.v". Booleans are 0 or 1; enumerations are their index.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "tolman/roles.hpp"
 
 namespace tolman::web_viewer {
 
+/// Name, unit and meaning of a column.
 struct RowColumn {
-  std::string_view name;
-  std::string_view unit;
+  static constexpr const char* kRecord = "column";
+  std::string name;
+  std::string unit;
+  std::string doc;
+  std::span<const std::string_view> choices;  ///< names of an enumeration's values; else empty
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(name, "", "record and field, e.g. motion.v");
+    TOLMAN_FIELD(unit, "", "unit of the value, empty for none");
+    TOLMAN_FIELD(doc, "", "meaning");
+  }
 };
 
-inline constexpr std::size_t kColumns = 32;
-extern const std::array<RowColumn, kColumns> kRowColumns;
+/// All columns in the order of the values of a row.
+const std::vector<RowColumn>& rowColumns();
 
-/// NaN where a value is not known.
-using HistoryRow = std::array<double, kColumns>;
-
-/// Makes rows of the snapshots of one run, in order: chains the odometry, and moves the truth into
-/// the same world, that of the camera at frame 0.
+/// Makes the rows of one run, in order of frames. Chains the odometry from the first frame on, and
+/// transforms the true poses into the same world frame: the camera at the first frame with truth.
 class RowMaker {
  public:
-  HistoryRow next(const Snapshot& snapshot);
+  /// Appends one value per column to `values`; NaN where the value is not known.
+  void append(const Snapshot& snapshot, std::vector<double>& values);
 
  private:
   Eigen::Isometry3d T_world_camera_ = Eigen::Isometry3d::Identity();
-  std::optional<Eigen::Isometry3d>
-      T_world_truth_;  ///< from the world of the truth to that of the run
+  std::optional<Eigen::Isometry3d> T_world_truth_;  ///< world frame of the truth to that of the run
   bool begun_ = false;
 };
 

@@ -5,4 +5,4 @@
 #include "web_viewer.hpp"
 
 TOLMAN_PLUGIN(web_viewer, tolman::web_viewer::WebViewer, "0.1.0",
-              "Shows the run in a browser, live and as far back as you like.");
+              "Shows a run in a browser, live and back in time.");

@@ -19,7 +19,7 @@ bool isPort(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Without the port and the brackets of IPv6; empty for what is no host.
+/// The host without port and brackets of IPv6; empty when malformed.
 std::string nameOf(std::string_view host) {
   std::string_view name = host;
   std::string_view rest;
@@ -37,7 +37,7 @@ std::string nameOf(std::string_view host) {
   return lower(name);
 }
 
-/// ::ffff:1.2.3.4 is 1.2.3.4.
+/// Turns ::ffff:1.2.3.4 into 1.2.3.4.
 boost::asio::ip::address plain(const boost::asio::ip::address& address) {
   if (address.is_v6() && address.to_v6().is_v4_mapped()) {
     return boost::asio::ip::make_address_v4(boost::asio::ip::v4_mapped, address.to_v6());

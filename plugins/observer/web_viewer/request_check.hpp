@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Who may ask: against pages of other sites that make a browser talk to this server.
+// Checks of request headers, against web sites that make a browser send requests to this server
+// (DNS rebinding, cross-site requests).
 #pragma once
 
 #include <boost/asio/ip/address.hpp>
@@ -7,12 +8,12 @@
 
 namespace tolman::web_viewer {
 
-/// Whether a Host header names this server: localhost, a loopback address, or the very address that
-/// the connection came to. A name that somebody's DNS points here (rebinding) is none of them. The
-/// port is free, for tunnels.
+/// Whether a Host header names this server: localhost, a loopback address, or the address that the
+/// connection was made to. Other host names are refused, since any site's DNS can resolve to this
+/// machine. The port is not compared, so that tunnels work.
 bool isOwnHost(std::string_view host, const boost::asio::ip::address& local);
 
-/// Whether an Origin header is that of the page that `host` serves.
+/// Whether an Origin header names the page that `host` serves.
 bool isOwnOrigin(std::string_view origin, std::string_view host);
 
 }  // namespace tolman::web_viewer

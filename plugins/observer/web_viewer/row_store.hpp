@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All rows of a run, on disk: none is ever lost, and memory stays flat.
+// All history rows of a run, in a temporary file: none is ever dropped, and memory stays constant.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "container.hpp"
 #include "history_row.hpp"
 #include "temporary_file.hpp"
 
@@ -12,23 +13,29 @@ namespace tolman::web_viewer {
 
 class RowStore {
  public:
-  void append(const std::vector<HistoryRow>& rows) {
-    const auto bytes = std::as_bytes(std::span(rows));
-    file_.write(size_ * sizeof(HistoryRow),
-                {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    size_ += rows.size();
+  /// `values`: whole rows, one after the other.
+  void append(const std::vector<double>& values) {
+    const auto bytes = std::as_bytes(std::span(values));
+    file_.write(size_ * rowBytes(), {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    size_ += values.size() / rowColumns().size();
   }
   std::size_t size() const { return size_; }
 
-  /// The bytes of at most `count` rows from `first` on; fewer at the end, none beyond it.
-  std::string read(std::size_t first, std::size_t count) const {
+  /// At most `count` rows from `first` on, as the array "rows"; fewer at the end, none beyond it.
+  PackedArray read(std::size_t first, std::size_t count) const {
     first = std::min(first, size_);
-    std::string bytes(std::min(count, size_ - first) * sizeof(HistoryRow), '\0');
-    file_.read(first * sizeof(HistoryRow), bytes);
-    return bytes;
+    count = std::min(count, size_ - first);
+    std::string bytes(count * rowBytes(), '\0');
+    file_.read(first * rowBytes(), bytes);
+    return {"rows",
+            ElementType::F64,
+            {count, rowColumns().size()},
+            std::make_shared<const std::string>(std::move(bytes))};
   }
 
  private:
+  static std::size_t rowBytes() { return rowColumns().size() * sizeof(double); }
+
   TemporaryFile file_;
   std::size_t size_ = 0;
 };

@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "http_connection.hpp"
 #include "live_client.hpp"
-#include "session.hpp"
 
 namespace tolman::web_viewer {
 namespace {
@@ -13,30 +13,31 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using namespace std::chrono_literals;
 
-// Connections that only ask for pages and data, beside the live ones.
-constexpr std::size_t kMostVisitors = 64;
+// HTTP connections in addition to the live clients.
+constexpr std::size_t kMaxHttpConnections = 64;
 
-std::string placeText(const Place& place, int port) {
-  return "port " + std::to_string(port) + " of " + place.bind;
+std::string portText(const ListenAddress& address, int port) {
+  return "port " + std::to_string(port) + " of " + address.bind;
 }
 
 }  // namespace
 
-Status Server::open(const Place& place) {
+Status Server::open(const ListenAddress& address) {
   boost::system::error_code error;
-  address_ = asio::ip::make_address(place.bind == "localhost" ? "127.0.0.1" : place.bind, error);
+  address_ =
+      asio::ip::make_address(address.bind == "localhost" ? "127.0.0.1" : address.bind, error);
   if (error) {
     return Status::invalidParameter(
-        "bind: '" + place.bind +
-        "' is no address; give 127.0.0.1 for this machine alone, 0.0.0.0 for all networks");
+        "bind: '" + address.bind +
+        "' is not an IP address; give 127.0.0.1 for this machine alone, 0.0.0.0 for all networks");
   }
   bool taken = false;
-  Status status = listen(place, place.port, taken);
-  if (taken && place.or_any) status = listen(place, 0, taken);
+  Status status = listen(address, address.port, taken);
+  if (taken && address.or_any) status = listen(address, 0, taken);
   return status;
 }
 
-Status Server::listen(const Place& place, int port, bool& taken) {
+Status Server::listen(const ListenAddress& address, int port, bool& taken) {
   boost::system::error_code error;
   const tcp::endpoint endpoint(address_, static_cast<std::uint16_t>(port));
   acceptor_.close(error);
@@ -46,15 +47,15 @@ Status Server::listen(const Place& place, int port, bool& taken) {
   if (!error) acceptor_.listen(asio::socket_base::max_listen_connections, error);
   taken = error == asio::error::address_in_use;
   if (taken) {
-    return Status::invalidParameter(placeText(place, port) +
+    return Status::invalidParameter(portText(address, port) +
                                     " is in use by another program; give another 'port', or 0 for "
-                                    "any that is free");
+                                    "any free port");
   }
   if (error == std::errc::address_not_available) {
-    return Status::invalidParameter("bind: " + place.bind + " is no address of this machine");
+    return Status::invalidParameter("bind: " + address.bind + " is not an address of this machine");
   }
   if (error) {
-    return Status::invalidParameter(placeText(place, port) + " cannot be served (" +
+    return Status::invalidParameter(portText(address, port) + " cannot be served (" +
                                     error.message() + "); give another 'port' or 'bind'");
   }
   port_ = acceptor_.local_endpoint().port();
@@ -70,39 +71,39 @@ std::string Server::url() const {
 void Server::accept() {
   acceptor_.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
     if (error == asio::error::operation_aborted || !acceptor_.is_open()) return;
-    if (error) {  // out of file descriptors: a moment later there may be some
+    if (error) {  // e.g. out of file descriptors: try again later
       pause_.expires_after(100ms);
       pause_.async_wait([this](const boost::system::error_code& stopped) {
         if (!stopped) accept();
       });
       return;
     }
-    if (hall_->connections < hall_->most_clients + kMostVisitors) {
+    if (state_->connections < state_->most_clients + kMaxHttpConnections) {
       boost::system::error_code ignored;
       socket.set_option(tcp::no_delay(true), ignored);
-      std::make_shared<Session>(std::move(socket), hall_)->start();
+      std::make_shared<HttpConnection>(std::move(socket), state_)->start();
     }
     accept();
   });
 }
 
-void Server::tellFrame() {
-  for (LiveClient* client : std::set(hall_->clients)) client->newFrame();
+void Server::publishFrame() {
+  for (LiveClient* client : std::set(state_->clients)) client->newFrame();
 }
 
-void Server::tellGraph() {
-  for (LiveClient* client : std::set(hall_->clients)) client->newGraph();
+void Server::publishGraph() {
+  for (LiveClient* client : std::set(state_->clients)) client->newGraph();
 }
 
-void Server::tellEnd() {
-  for (LiveClient* client : std::set(hall_->clients)) client->runEnded();
+void Server::publishEnd() {
+  for (LiveClient* client : std::set(state_->clients)) client->runEnded();
 }
 
-bool Server::isDeserted() {
-  for (LiveClient* client : std::set(hall_->clients)) {
-    if (client->isStalled(200ms)) client->drop();
+bool Server::dropStalledClients() {
+  for (LiveClient* client : std::set(state_->clients)) {
+    if (client->isStalled(200ms)) client->disconnect();
   }
-  return hall_->clients.empty();
+  return state_->clients.empty();
 }
 
 void Server::close() {

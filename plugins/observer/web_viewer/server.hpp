@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The listening socket, and word to all who watch. All but the constructor belongs to the viewer's
-// thread.
+// The listening socket, and what is sent to all live clients. All functions but the constructor
+// and open() are called in the viewer's thread.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -9,44 +9,45 @@
 #include <memory>
 #include <string>
 
-#include "hall.hpp"
+#include "server_state.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::web_viewer {
 
-struct Place {
+struct ListenAddress {
   std::string bind;
   int port = 0;
-  bool or_any = false;  ///< a port that is taken is replaced by a free one
+  bool or_any = false;  ///< use any free port when this one is in use
 };
 
 class Server {
  public:
-  Server(boost::asio::io_context& io, std::shared_ptr<Hall> hall)
-      : acceptor_(io), pause_(io), hall_(std::move(hall)) {}
+  Server(boost::asio::io_context& io, std::shared_ptr<ServerState> state)
+      : acceptor_(io), pause_(io), state_(std::move(state)) {}
 
-  /// Listens; a failure says what to change.
-  Status open(const Place& place);
+  /// Listens. The message of a failure names the parameter to change.
+  Status open(const ListenAddress& address);
   int port() const { return port_; }
-  /// For a browser.
+  /// URL of the page.
   std::string url() const;
   bool isLoopback() const { return address_.is_loopback(); }
 
+  /// Accepts connections until close().
   void accept();
-  void tellFrame();
-  void tellGraph();
-  void tellEnd();
-  /// Ends those that have not taken a message for a while; true when nobody is left.
-  bool isDeserted();
-  /// Takes no more connections.
+  void publishFrame();
+  void publishGraph();
+  void publishEnd();
+  /// Disconnects clients that do not read; true when no client is left.
+  bool dropStalledClients();
+  /// Accepts no more connections.
   void close();
 
  private:
-  Status listen(const Place& place, int port, bool& taken);
+  Status listen(const ListenAddress& address, int port, bool& taken);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::steady_timer pause_;
-  std::shared_ptr<Hall> hall_;
+  std::shared_ptr<ServerState> state_;
   boost::asio::ip::address address_;
   int port_ = 0;
 };

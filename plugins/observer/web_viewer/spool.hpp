@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Encoded messages by number, on disk and within a limit: when it is reached, every second one
-// goes.
+// Encoded messages by number, in a temporary file of limited size. When it is full, every second
+// message is dropped.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +17,10 @@ class Spool {
   /// `capacity` in bytes on the disk.
   explicit Spool(std::uint64_t capacity) : capacity_(capacity) {}
 
-  /// Keeps `message` under `number`; replaces what was there. Of a full spool every second message
-  /// is dropped first, so that the oldest are the thinnest. False when it finds no room at all.
+  /// Stores `message` under `number`, replacing an older one. A full spool first drops every second
+  /// message, so that old messages become sparse. False when there is no room at all.
   bool store(std::int64_t number, const std::string& message);
 
-  bool contains(std::int64_t number) const { return extents_.contains(number); }
   std::optional<std::string> at(std::int64_t number) const;
   /// The number of the newest message up to `number`.
   std::optional<std::int64_t> atOrBefore(std::int64_t number) const;
@@ -32,7 +31,7 @@ class Spool {
  private:
   struct Extent {
     std::uint64_t offset;
-    std::uint64_t size;  ///< of the message; it takes whole blocks
+    std::uint64_t size;  ///< of the message in bytes; it occupies whole blocks
   };
   using Extents = std::map<std::int64_t, Extent>;
   Extents::iterator drop(Extents::iterator extent);
@@ -42,7 +41,7 @@ class Spool {
   std::uint64_t capacity_;
   std::uint64_t used_ = 0;
   std::uint64_t end_ = 0;
-  bool full_ = false;  ///< the file system cannot take blocks back
+  bool full_ = false;  ///< the file system cannot free blocks
   Extents extents_;
 };
 

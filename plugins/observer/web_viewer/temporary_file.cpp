@@ -24,7 +24,7 @@ TemporaryFile::TemporaryFile() {
   if (descriptor_ >= 0) return;
   std::string name = folder + "/tolman-viewer-XXXXXX";  // no O_TMPFILE on this file system
   descriptor_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (descriptor_ < 0) fail(("no temporary file in " + folder).c_str());
+  if (descriptor_ < 0) fail(("cannot create a temporary file in " + folder).c_str());
   ::unlink(name.c_str());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file without a name: what is on it needs no memory, and is gone with the process.
+// A file without a name; the system deletes it when the process ends.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tolman::web_viewer {
 
-/// All functions throw std::system_error when the disk refuses.
+/// All functions throw std::system_error on failure.
 class TemporaryFile {
  public:
   /// In the system's folder for temporary files ($TMPDIR).
@@ -19,7 +19,7 @@ class TemporaryFile {
 
   void write(std::uint64_t offset, std::span<const char> bytes);
   void read(std::uint64_t offset, std::span<char> bytes) const;
-  /// Gives the blocks back to the disk; false where the file system cannot.
+  /// Frees the blocks; false when the file system cannot.
   bool release(std::uint64_t offset, std::uint64_t size);
 
  private:

@@ -12,8 +12,8 @@ using namespace std::chrono_literals;
 
 constexpr auto kGraphPeriod = 250ms;
 constexpr auto kEndingPeriod = 5ms;
-constexpr auto kFarewell = 500ms;  // for clients to take what is left
-constexpr int kMostFailures = 5;   // that are told
+constexpr auto kCloseTimeout = 500ms;  // for clients to receive the last messages
+constexpr int kMaxFailures = 5;        // in the log
 
 }  // namespace
 
@@ -21,9 +21,10 @@ ViewerThread::ViewerThread(const ViewerOptions& options, Logger& log)
     : options_(options),
       log_(log),
       handover_(options.rate <= 0),
-      hall_(std::make_shared<Hall>(options.picture, options.spool_bytes, options.clients)),
+      state_(std::make_shared<ServerState>(options.jpeg_options, options.spool_bytes,
+                                           options.clients)),
       timer_(io_),
-      server_(io_, hall_),
+      server_(io_, state_),
       frame_period_(options.rate > 0 ? std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(1 / options.rate))
                                      : Clock::duration(0)) {}
@@ -35,7 +36,7 @@ ViewerThread::~ViewerThread() {
 }
 
 Status ViewerThread::start() {
-  Status status = server_.open(options_.place);
+  Status status = server_.open(options_.address);
   if (!status.isOk()) return status;
   server_.accept();
   tick();
@@ -43,45 +44,45 @@ Status ViewerThread::start() {
   return status;
 }
 
-/// Nothing that one connection or one frame does may end the others.
+/// An exception of one connection or frame is logged and does not end the others.
 void ViewerThread::work() {
   for (;;) {
     try {
       io_.run();
       return;
     } catch (const std::exception& error) {
-      if (failures_++ < kMostFailures) log_.warning(std::string("viewer: ") + error.what());
+      if (failures_++ < kMaxFailures) log_.warning(std::string("viewer: ") + error.what());
     }
   }
 }
 
 void ViewerThread::tick() {
-  const Clock::duration often = ending_ ? kEndingPeriod : kGraphPeriod;
-  timer_.expires_after(frame_period_ > 0s ? std::min(frame_period_, often) : often);
+  const Clock::duration longest = ending_ ? kEndingPeriod : kGraphPeriod;
+  timer_.expires_after(frame_period_ > 0s ? std::min(frame_period_, longest) : longest);
   timer_.async_wait([this](const boost::system::error_code& error) {
     if (error) return;
     tick();
     take(false);
-    if (ending_) deserted_ = server_.isDeserted();
+    if (ending_) no_clients_ = server_.dropStalledClients();
   });
 }
 
 void ViewerThread::take(bool everything) {
   woken_ = false;
   const Clock::time_point now = Clock::now();
-  // Timers come late rather than early; half a millisecond keeps the rate what it is called.
+  // Timers fire late rather than early; half a millisecond of tolerance keeps the mean rate.
   const bool frame = everything || now + 500us >= next_frame_;
   const bool graph = everything || now >= next_graph_;
-  handover_.take(delivery_, frame, graph);
-  if (delivery_.has_frame) next_frame_ = now + frame_period_;
-  if (delivery_.has_graph) next_graph_ = now + kGraphPeriod;
-  hall_->gallery.take(delivery_);
-  if (delivery_.has_graph) server_.tellGraph();
-  if (delivery_.has_frame) server_.tellFrame();
+  handover_.take(pending_, frame, graph);
+  if (pending_.has_frame) next_frame_ = now + frame_period_;
+  if (pending_.has_graph) next_graph_ = now + kGraphPeriod;
+  state_->store.add(pending_);
+  if (pending_.has_graph) server_.publishGraph();
+  if (pending_.has_frame) server_.publishFrame();
 }
 
 void ViewerThread::begin(const RunInfo& run) {
-  asio::post(io_, [this, run] { hall_->gallery.begin(run); });
+  asio::post(io_, [this, run] { state_->store.begin(run); });
 }
 
 void ViewerThread::observe(const Snapshot& snapshot) {
@@ -91,9 +92,9 @@ void ViewerThread::observe(const Snapshot& snapshot) {
 
 void ViewerThread::end(const char* state, bool keeps_open) {
   take(true);
-  hall_->keeps_open = keeps_open;
-  hall_->gallery.end(state);
-  server_.tellEnd();
+  state_->keeps_open = keeps_open;
+  state_->store.end(state);
+  server_.publishEnd();
   if (keeps_open) return;
   server_.close();
   ending_ = true;
@@ -109,8 +110,8 @@ void ViewerThread::finish(const MapGraph* graph, const char* state,
     while (stays()) std::this_thread::sleep_for(50ms);
   }
   asio::post(io_, [this, state] { end(state, false); });
-  const Clock::time_point patience = Clock::now() + kFarewell;
-  while (!deserted_ && Clock::now() < patience) std::this_thread::sleep_for(2ms);
+  const Clock::time_point patience = Clock::now() + kCloseTimeout;
+  while (!no_clients_ && Clock::now() < patience) std::this_thread::sleep_for(2ms);
 }
 
 }  // namespace tolman::web_viewer

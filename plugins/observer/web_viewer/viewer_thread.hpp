@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The viewer's own thread: encodes, keeps and sends what the run hands over.
+// The viewer's thread: encodes, stores and sends the data of the run.
 #pragma once
 
 #include <atomic>
@@ -16,18 +16,18 @@
 namespace tolman::web_viewer {
 
 struct ViewerOptions {
-  Place place;
+  ListenAddress address;
   std::size_t clients = 8;
-  double rate = 10;  ///< frame messages a second; 0 for every frame
-  Picture picture;
+  double rate = 10;  ///< frame messages per second; 0 for every frame
+  JpegOptions jpeg_options;
   std::uint64_t spool_bytes = 0;
 };
 
 class ViewerThread {
  public:
-  /// `log` hears of trouble; it must outlive the object.
+  /// `log` must outlive the object.
   ViewerThread(const ViewerOptions& options, Logger& log);
-  /// Ends at once.
+  /// Stops at once; finish() sends the remaining data first.
   ~ViewerThread();
   ViewerThread(const ViewerThread&) = delete;
   ViewerThread& operator=(const ViewerThread&) = delete;
@@ -40,7 +40,8 @@ class ViewerThread {
 
   void begin(const RunInfo& run);
   void observe(const Snapshot& snapshot);
-  /// Sends all that is left and the end. Those who read get a moment for it.
+  /// Sends the remaining data and the end message, and waits half a second at most for clients to
+  /// receive them. Serves on while `stays` returns true.
   void finish(const MapGraph* graph, const char* state, const std::function<bool()>& stays);
 
  private:
@@ -53,16 +54,16 @@ class ViewerThread {
   ViewerOptions options_;
   Logger& log_;
   Handover handover_;
-  std::shared_ptr<Hall> hall_;
-  boost::asio::io_context io_;  ///< destroyed before what its handlers refer to
+  std::shared_ptr<ServerState> state_;
+  boost::asio::io_context io_;  ///< destroyed before the objects that its handlers refer to
   boost::asio::steady_timer timer_;
   Server server_;
-  Delivery delivery_;
+  PendingData pending_;
   Clock::duration frame_period_;
   Clock::time_point next_frame_;
   Clock::time_point next_graph_;
   std::atomic<bool> woken_ = false;
-  std::atomic<bool> deserted_ = false;
+  std::atomic<bool> no_clients_ = false;
   bool ending_ = false;
   int failures_ = 0;
   std::thread thread_;

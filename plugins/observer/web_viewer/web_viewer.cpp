@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "web_viewer.hpp"
 
+#include <unistd.h>
+
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -13,10 +15,10 @@ namespace {
 
 ViewerOptions optionsOf(const WebViewer::Parameters& p) {
   ViewerOptions options;
-  options.place = {p.bind, p.port, p.port == WebViewer::Parameters().port};
+  options.address = {p.bind, p.port, p.port == WebViewer::Parameters().port};
   options.clients = static_cast<std::size_t>(p.clients);
   options.rate = p.rate;
-  options.picture = {p.image_width, p.jpeg_quality};
+  options.jpeg_options = {p.image_width, p.jpeg_quality};
   options.spool_bytes = static_cast<std::uint64_t>(p.spool_mib) << 20U;
   return options;
 }
@@ -25,7 +27,7 @@ ViewerOptions optionsOf(const WebViewer::Parameters& p) {
 
 WebViewer::WebViewer() = default;
 
-/// A run that fails or is cut short: who watches is told.
+/// Without finish() before, the run has failed: clients get its end as "interrupted".
 WebViewer::~WebViewer() {
   if (viewer_) viewer_->finish(nullptr, "interrupted", {});
 }
@@ -37,21 +39,20 @@ Status WebViewer::configure(const Context& context) {
   log_ = &context.log;
   artefacts_ = &context.artefacts;
   cancellation_ = &context.cancellation;
-  interactive_ = context.interactive;
-  quiet_ = context.quiet;
+  prints_ = !parameters_.quiet && isatty(STDERR_FILENO) == 1;
   return reset();
 }
 
 Status WebViewer::reset() {
   if (viewer_) viewer_->finish(nullptr, "interrupted", {});
-  viewer_.reset();  // before a new one wants the port
+  viewer_.reset();  // frees the port for the new one
   auto viewer = std::make_unique<ViewerThread>(optionsOf(parameters_), *log_);
   const Status status = viewer->start();
   if (!status.isOk()) return status;
   viewer_ = std::move(viewer);
   if (viewer_->port() != parameters_.port && parameters_.port != 0) {
-    log_->info("port " + std::to_string(parameters_.port) + " is in use, port " +
-               std::to_string(viewer_->port()) + " serves instead");
+    log_->info("port " + std::to_string(parameters_.port) + " is in use, using port " +
+               std::to_string(viewer_->port()));
   }
   if (!viewer_->isLoopback()) {
     log_->warning("the viewer listens on " + parameters_.bind +
@@ -59,6 +60,8 @@ Status WebViewer::reset() {
   }
   return status;
 }
+
+std::string WebViewer::url() const { return viewer_ ? viewer_->url() : std::string(); }
 
 Status WebViewer::begin(const RunInfo& run) {
   if (!viewer_) return Status::failed("the viewer has ended; call reset() before another run");
@@ -73,7 +76,7 @@ void WebViewer::announce() {
   const std::string text = json.dump(2) + "\n";
   const Status written = artefacts_->write("viewer.json", std::as_bytes(std::span(text)));
   if (!written.isOk()) log_->debug("viewer.json: " + written.message());
-  if (interactive_ && !quiet_) std::cerr << "\rwatch at " << viewer_->url() << '\n' << std::flush;
+  if (prints_) std::cerr << "\rwatch at " << viewer_->url() << '\n' << std::flush;
 }
 
 Status WebViewer::observe(const Snapshot& snapshot) {
@@ -84,9 +87,9 @@ Status WebViewer::observe(const Snapshot& snapshot) {
 Status WebViewer::finish(const MapGraph& graph) {
   if (!viewer_) return Status::ok();
   const char* state = cancellation_->requested() ? "interrupted" : "finished";
-  const bool stay = parameters_.stay && !quiet_;
-  if (stay && interactive_ && !cancellation_->requested()) {
-    std::cerr << "\rthe run has ended; " << viewer_->url() << " serves on until Ctrl-C\n";
+  const bool stay = parameters_.stay && !parameters_.quiet;
+  if (stay && prints_ && !cancellation_->requested()) {
+    std::cerr << "\rthe run has ended; " << viewer_->url() << " is served until Ctrl-C\n";
   }
   viewer_->finish(&graph, state, [&] { return stay && !cancellation_->requested(); });
   viewer_.reset();

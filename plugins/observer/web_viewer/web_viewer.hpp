@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Observer `web_viewer`: the run in a browser.
+// Observer `web_viewer`: serves a page on which a run can be watched in a browser.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::web_viewer {
 
 class ViewerThread;
 
-class WebViewer final : public Observer {
+class WebViewer final : public Observer, public PageServer {
  public:
   struct Parameters {
     int port = 8080;
@@ -22,40 +23,43 @@ class WebViewer final : public Observer {
     int jpeg_quality = 70;
     int spool_mib = 512;
     bool stay = false;
+    bool quiet = false;
 
     static constexpr auto declaration() {
       return parameters(
           parameter("port", &Parameters::port)
               .range(0, 65535)
-              .doc("TCP port of the page; 0 for any free one. Where the default is taken, a free "
-                   "one is used."),
+              .doc("TCP port of the page; 0 for any free port. When the default is in use, a free "
+                   "port is used instead."),
           parameter("bind", &Parameters::bind)
-              .doc("Address to listen on: 127.0.0.1 for this machine alone, 0.0.0.0 for all "
+              .doc("IP address to listen on: 127.0.0.1 for this machine alone, 0.0.0.0 for all "
                    "networks. There is no password."),
           parameter("clients", &Parameters::clients)
               .range(1, 64)
-              .doc("Most pages that watch at once."),
+              .doc("Maximum number of pages that are connected at the same time."),
           parameter("rate", &Parameters::rate)
               .range(0, 1000)
               .unit("1/s")
-              .doc("Frames a second that are shown and kept, by wall time; 0 for every frame, for "
-                   "which the run waits. The graphs have all frames always."),
+              .doc("Frames per second of wall time whose images and arrays are shown and stored. 0 "
+                   "for every frame; the run then waits for the viewer. Numbers of all frames are "
+                   "always sent."),
           parameter("image_width", &Parameters::image_width)
               .range(16, 4096)
               .unit("px")
-              .doc("Wider images are made smaller, by a whole factor."),
+              .doc("Wider images are reduced by an integer factor."),
           parameter("jpeg_quality", &Parameters::jpeg_quality)
               .range(1, 100)
-              .doc("Quality of the images."),
+              .doc("JPEG quality of the images."),
           parameter("spool_mib", &Parameters::spool_mib)
               .range(1, 65536)
               .unit("MiB")
-              .doc("Room on disk, in a temporary file, for frames to scrub back to; when it is "
-                   "full, every second one is dropped."),
+              .doc("Size of the temporary file that holds past frames. When it is full, every "
+                   "second stored frame is dropped."),
           parameter("stay", &Parameters::stay)
-              .doc(
-                  "Go on serving after the last frame, until Ctrl-C; not with --quiet, when nobody "
-                  "would be told that the run waits."));
+              .doc("Serve on after the last frame, until Ctrl-C. Ignored with `quiet`, since "
+                   "nothing would show that the run waits."),
+          parameter("quiet", &Parameters::quiet)
+              .doc("Print nothing on the terminal; set by --quiet. The log has the address."));
     }
   };
 
@@ -69,6 +73,7 @@ class WebViewer final : public Observer {
   Status begin(const RunInfo& run) override;
   Status observe(const Snapshot& snapshot) override;
   Status finish(const MapGraph& graph) override;
+  std::string url() const override;
 
  private:
   void announce();
@@ -77,8 +82,7 @@ class WebViewer final : public Observer {
   Logger* log_ = nullptr;
   ArtefactWriter* artefacts_ = nullptr;
   const Cancellation* cancellation_ = nullptr;
-  bool interactive_ = false;
-  bool quiet_ = false;
+  bool prints_ = false;  ///< a person watches the terminal and did not ask for silence
   std::unique_ptr<ViewerThread> viewer_;
 };
 

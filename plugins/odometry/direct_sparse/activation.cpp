@@ -27,7 +27,7 @@ Landing land(const PairGeometry& pair, const GradientImage& image, float u, floa
   return {image.contains(x, y, kPatternRadius + 1), x, y};
 }
 
-constexpr int kGone = 1000;  // failures of a candidate that is not looked at again
+constexpr int kGone = 1000;  // failures: marks a candidate for removal
 
 enum class Readiness { Ready, Wait, Hopeless };
 
@@ -110,7 +110,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
       gradient -= settings.lambda * stereo.focal_baseline * sums.xr;
       point.stereo = ResidualState::Good;
     }
-    // The right camera alone will do for what no other keyframe could see.
+    // A point that projects into no other keyframe needs only its residual in the right image.
     const bool right_only = seen == 0 && keyframe.has_right;
     if (right_only && settings.lambda == 0) return point;  // its match is all there is
     const bool enough = good > 0 || (right_only && point.stereo == ResidualState::Good);

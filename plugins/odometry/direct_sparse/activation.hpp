@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From candidates to points of the window: even spacing in the newest keyframe, and an inverse
-// depth on which all keyframes agree (algorithms: 5.6).
+// Activation of candidate points (Engel et al., PAMI 2018, section 3.2): chooses candidates that
+// are evenly spaced in the newest keyframe and refines their inverse depth (1/m) over all
+// keyframes.
 #pragma once
 
 #include <optional>
@@ -10,11 +11,11 @@
 
 namespace tolman::direct_sparse {
 
-/// Cells of the newest image that are taken.
+/// Grid over the newest image that keeps points a minimum spacing (px) apart.
 class Occupancy {
  public:
   void reset(int width, int height, float spacing);
-  /// True and taken from now on, unless something lies within the spacing.
+  /// Occupies (u, v) and returns true, unless another point lies within the spacing.
   bool claim(float u, float v);
 
  private:
@@ -28,21 +29,21 @@ class Occupancy {
   std::vector<Cell> cells_;
 };
 
-/// Inverse depth by Gauss-Newton over all keyframes; none if too few agree.
+/// Gauss-Newton on the inverse depth over all keyframes; none without enough good residuals.
 std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings& settings,
                                      const Window& window, int host,
                                      const std::vector<PairGeometry>& pairs,
                                      const ImmaturePoint& candidate);
 
-/// Chooses and activates; keeps what it needs from keyframe to keyframe.
+/// Holds the spacing and buffers from keyframe to keyframe.
 class Activator {
  public:
   void reset() {
     spacing_ = 0;
     last_count_ = 0;
   }
-  /// Aims at `wanted` points in the window. Every point of the window gets a residual to the newest
-  /// keyframe before.
+  /// Adds a residual to the newest keyframe to every point of the window, then activates candidates
+  /// up to about `wanted` points in the window.
   void activate(const CameraRig& rig, const SystemSettings& settings, int wanted, Window& window);
 
  private:

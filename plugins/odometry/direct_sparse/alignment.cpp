@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t kLanes = ReferenceLevel::kGroup;
 constexpr std::size_t kGroupsPerChunk = 128;  // fixed, for the same sums with any thread count
-constexpr float kCutoff = 20;                 // grey levels
-constexpr std::array<int, Pyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
+// Grey levels; larger residuals are outliers (the value of the published program of Engel et al.).
+constexpr float kCutoff = 20;
+constexpr std::array<int, ImagePyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
 
 /// T_current_reference and the camera of one level, in float.
 struct LevelView {
@@ -26,12 +27,12 @@ struct LevelView {
   float gain, offset;
 };
 
-constexpr double kLargestFlow = 0.06;  // of width + height
+constexpr double kLargestFlow = 0.06;  // of width + height; 97 px on KITTI
 
-/// Counts which parts of the image have samples.
-class Cells {
+/// Grid over the image that records which parts have samples.
+class CoverageGrid {
  public:
-  explicit Cells(const CameraRig& rig) : rig_(rig) {}
+  explicit CoverageGrid(const CameraRig& rig) : rig_(rig) {}
   void add(const Eigen::Vector3d& ray) {
     const Eigen::Vector2d pixel = rig_.pinhole.project(ray);
     const double column = pixel.x() / rig_.width * kColumns;
@@ -181,7 +182,7 @@ TOLMAN_WIDE_LANES void Aligner::sumChunk(const CameraRig& rig, const ReferenceLe
 
 void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
                        int l, const AlignmentState& state, float cutoff, Sought sought,
-                       Normal& normal) {
+                       NormalEquations& normal) {
   const std::size_t groups = level.groups();
   chunks_.resize((groups + kGroupsPerChunk - 1) / kGroupsPerChunk);
   tbb::parallel_for(std::size_t{0}, chunks_.size(), [&](std::size_t i) {
@@ -208,7 +209,7 @@ void Aligner::evaluate(const CameraRig& rig, const ReferenceLevel& level, const 
 }
 
 void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
-                         int l, AlignmentState& state, Normal& normal) {
+                         int l, AlignmentState& state, NormalEquations& normal) {
   float cutoff = kCutoff;
   evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
   while (normal.inliers < 0.4 * normal.in_view && cutoff < 6 * kCutoff) {
@@ -216,7 +217,7 @@ void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, cons
     evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
   }
   double lambda = 0.01;
-  Normal next;
+  NormalEquations next;
   for (int i = 0; i < kIterations[static_cast<std::size_t>(l)]; ++i) {
     Eigen::Matrix<double, 8, 8> damped = normal.H;
     damped.diagonal() *= 1 + lambda;
@@ -247,11 +248,11 @@ void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, cons
 }
 
 AlignmentResult Aligner::align(const CameraRig& rig, const AlignmentReference& reference,
-                               const Pyramid& image, const AlignmentState& guess, int coarsest,
+                               const ImagePyramid& image, const AlignmentState& guess, int coarsest,
                                int finest) {
   AlignmentResult result;
   result.state = guess;
-  Normal normal;
+  NormalEquations normal;
   for (int l = std::min(coarsest, reference.levels() - 1); l >= finest; --l) {
     alignLevel(rig, reference.level(l), image.level(l), l, result.state, normal);
   }
@@ -275,8 +276,8 @@ void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
     const double dv = rig.pinhole.fy * (moved.y() / moved.z() - ray.y());
     return std::min(du * du + dv * dv, cap * cap);
   };
-  Cells before(rig);
-  Cells now(rig);
+  CoverageGrid before(rig);
+  CoverageGrid now(rig);
   double flow = 0;
   double translation_flow = 0;
   double count = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tracking: the pose of a frame against the newest keyframe by direct image alignment, coarse to
-// fine, with affine brightness (paper, tracking; algorithms: 5.4).
+// Tracking (Engel et al., PAMI 2018, section 3.1): the pose of a frame relative to the newest
+// keyframe by direct image alignment, coarse to fine, with affine brightness. Lengths m, angles
+// rad.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,13 +20,13 @@ struct AlignmentState {
 
 struct AlignmentResult {
   AlignmentState state;
-  double rms = 0;              ///< grey levels, of the samples in view, cut off ones included
+  double rms = 0;              ///< grey levels, of all samples in view, large residuals truncated
   double inlier_fraction = 0;  ///< of the samples in view
   double in_view = 0;          ///< fraction of all samples
   int samples = 0;             ///< inliers at the finest level
   Eigen::Matrix<double, 8, 8> information = Eigen::Matrix<double, 8, 8>::Zero();
-  double flow = 0;              ///< px, root mean square against the reference
-  double translation_flow = 0;  ///< px, as if the camera had not turned
+  double flow = 0;              ///< px, root mean square image motion since the reference
+  double translation_flow = 0;  ///< px, the same without rotation
   double coverage = 1;          ///< part of the reference's image area that still has samples
 };
 
@@ -37,11 +38,11 @@ class Aligner {
 
   /// Levels from `coarsest` down to `finest`, starting at `guess`.
   AlignmentResult align(const CameraRig& rig, const AlignmentReference& reference,
-                        const Pyramid& image, const AlignmentState& guess, int coarsest,
+                        const ImagePyramid& image, const AlignmentState& guess, int coarsest,
                         int finest);
 
  private:
-  struct Normal {
+  struct NormalEquations {
     Eigen::Matrix<double, 8, 8> H;
     Vector8d b;
     double energy = 0;  ///< mean over the samples in view
@@ -52,9 +53,9 @@ class Aligner {
   /// Derivatives hardly change within a level, so H is needed once; the gradient always is.
   enum class Sought : std::uint8_t { GradientAndH, Gradient };
   void evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
-                const AlignmentState& state, float cutoff, Sought sought, Normal& normal);
+                const AlignmentState& state, float cutoff, Sought sought, NormalEquations& normal);
   void alignLevel(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
-                  AlignmentState& state, Normal& normal);
+                  AlignmentState& state, NormalEquations& normal);
 
   using Sums = std::array<float, kSums>;
   static void sumChunk(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image,
@@ -63,8 +64,8 @@ class Aligner {
   std::vector<Sums> chunks_;
 };
 
-/// Fills flow and coverage. Flow is in pixels of level 0; large ones are capped, or a few near
-/// points would speak for the scene.
+/// Fills flow and coverage. Flow is in pixels of level 0; that of a point is limited to
+/// kLargestFlow, so that a few near points do not dominate the mean.
 void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
                  AlignmentResult& result);
 

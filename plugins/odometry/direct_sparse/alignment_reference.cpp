@@ -103,7 +103,7 @@ void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& imag
 
 void AlignmentReference::build(const CameraRig& rig, const Window& window) {
   project(rig, window);
-  const Pyramid& pyramid = window.newest().left;
+  const ImagePyramid& pyramid = window.newest().left;
   levels_ = pyramid.levels();
   frame_ = window.newest().frame;
   tbb::parallel_for(0, levels_, [&](int l) { sampleLevel(rig, pyramid.level(l), l); });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What tracking needs of the newest keyframe: every active point as samples on each pyramid level,
-// with derivatives that stay the same for all frames (inverse composition; Baker and Matthews,
-// IJCV 2004).
+// Reference for tracking: all active points projected into the newest keyframe, as samples on each
+// pyramid level with derivatives that are the same for all frames (inverse composition; Baker and
+// Matthews, IJCV 2004).
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct ReferenceLevel {
   std::size_t count = 0;                       ///< without padding
 
   std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
-  /// Empty, with memory for so many samples.
+  /// Removes all samples and reserves memory for `most`.
   void makeRoom(std::size_t most);
   void pad();
 };
@@ -46,10 +46,10 @@ class AlignmentReference {
   void project(const CameraRig& rig, const Window& window);
   void sampleLevel(const CameraRig& rig, const GrayLevel& image, int l);
 
-  std::array<ReferenceLevel, Pyramid::kMostLevels> samples_;
+  std::array<ReferenceLevel, ImagePyramid::kMostLevels> samples_;
   std::vector<Projected> projected_;
   /// By level: pixels that have a sample.
-  std::array<std::vector<unsigned char>, Pyramid::kMostLevels> taken_;
+  std::array<std::vector<unsigned char>, ImagePyramid::kMostLevels> taken_;
   int levels_ = 0;
   std::int64_t frame_ = -1;
 };

@@ -9,7 +9,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
-/// Root mean squares over the frames, of the step's parts.
+/// Root mean squares of the parts of a step over the keyframes.
 struct StepSize {
   double metres = 0;
   double radians = 0;
@@ -23,7 +23,7 @@ StepSize apply(Window& window, const SystemVector& step) {
     Keyframe& keyframe = window.keyframe(slot);
     const Vector8d part = step.segment<kFrameVariables>(kFrameVariables * slot);
     keyframe.change += part;
-    // Nothing holds on to its first estimate yet, so the best one is the present one.
+    // No prior is linearised at its first estimate yet, so the estimate may move.
     if (!keyframe.has_prior) keyframe.relinearise();
     size.metres += part.head<3>().squaredNorm();
     size.radians += part.segment<3>(3).squaredNorm();

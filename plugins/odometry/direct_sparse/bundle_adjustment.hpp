@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Windowed photometric bundle adjustment (paper, joint optimisation): Gauss-Newton over poses,
-// brightness, inverse depths and the disparity offset.
+// Windowed photometric bundle adjustment (Engel et al., PAMI 2018, section 2.3; Wang et al., ICCV
+// 2017): Gauss-Newton over poses (m, rad), affine brightness, inverse depths (1/m) and
+// the disparity offset (px).
 #pragma once
 
 #include "linear_system.hpp"
@@ -17,16 +18,16 @@ struct AdjustmentResult {
   int iterations = 0;
   double energy = 0;  ///< before the last step
   int residuals = 0;
-  double metres = 0;   ///< farthest that a keyframe went from where it was, as the oldest sees it
-  double radians = 0;  ///< and the most that one turned
+  double metres = 0;   ///< largest translation of a keyframe relative to the oldest one
+  double radians = 0;  ///< largest rotation of a keyframe relative to the oldest one
 };
 
-/// `system` is working memory. Residual states and informations of the points are up to date with
-/// the state before the last, small step.
+/// `system` is working memory. Afterwards residual states and point informations belong to the
+/// linearisation point of the last step.
 AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& settings,
                               Window& window, LinearSystem& system);
 
-/// Gives up residuals that ended as outliers or outside, and points without any residual left.
+/// Removes residuals that are outliers or outside, and points that have no residual left.
 void dropOutliers(Window& window);
 
 }  // namespace tolman::direct_sparse

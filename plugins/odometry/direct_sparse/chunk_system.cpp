@@ -44,7 +44,7 @@ ResidualState ChunkSystem::judge(const PixelSums& sums, float threshold) {
   const float root = std::min(std::sqrt(sums.energy), 127.0F);
   ++histogram[static_cast<std::size_t>(root)];
   energy += std::min(sums.energy, threshold);
-  // Without gradient there is nothing to say; with too much energy it says something wrong.
+  // Without gradient the residual has no information; with a high energy it is wrong.
   if (sums.energy > threshold || sums.xx + sums.yy < kLeastGradient) return ResidualState::Outlier;
   ++residuals;
   return ResidualState::Good;
@@ -80,14 +80,45 @@ TOLMAN_WIDE_LANES void ChunkSystem::addTemporal(int target, const PairGeometry& 
   const float qd = s.xy * J.u_by_depth + s.yy * J.v_by_depth;
   terms.information += pd * J.u_by_depth + qd * J.v_by_depth;
   terms.gradient += s.xr * J.u_by_depth + s.yr * J.v_by_depth;
+  couple(target, pair, by_depth, terms);
+  ++terms.good;
+}
+
+TOLMAN_WIDE_LANES void ChunkSystem::addSighting(int target, const PairGeometry& pair,
+                                                const PixelSums& s, const Sighting& sighting,
+                                                float focal_baseline, float lambda,
+                                                PointTerms& terms) {
+  const float xx = lambda * s.xx;
+  const float xr = lambda * s.xr;
+  const Eight by_twist = -focal_baseline * loadEight(sighting.by_twist.data());
+  const float by_depth = -focal_baseline * sighting.by_depth;
+  const auto slot = static_cast<std::size_t>(target);
+  RelativeBlock& block = relative_[slot];
+  for (std::size_t i = 2; i < 5; ++i) {  // only forward motion, pitch and yaw change the depth
+    add(by_twist[i] * xx * by_twist, block[i].data());
+    block[i][8] += by_twist[i] * xr;
+    block[i][9] += by_twist[i] * xx;
+  }
+  targets_ |= 1U << slot;
+  terms.information += by_depth * by_depth * xx;
+  terms.gradient += by_depth * xr;
+  terms.coupling[kOffsetIndex] += by_depth * xx;
+  offset_information += xx;
+  offset_gradient += xr;
+  couple(target, pair, by_depth * xx * by_twist, terms);
+}
+
+/// Adds the coupling of a depth with a relative twist and brightness to those of both keyframes.
+TOLMAN_INLINE void ChunkSystem::couple(int target, const PairGeometry& pair, const Eight& by_depth,
+                                       PointTerms& terms) const {
   Eight by_host{};
   for (std::size_t k = 0; k < kFrameVariables; ++k) {
     by_host += by_depth[k] * loadEight(pair.relative_by_host.data() + kFrameVariables * k);
   }
+  const auto slot = static_cast<std::size_t>(target);
   add(by_depth, terms.coupling.data() + kFrameVariables * slot);
   add(by_host, terms.coupling.data() + kFrameVariables * static_cast<std::size_t>(host_));
   terms.slots |= (1U << slot) | (1U << static_cast<unsigned>(host_));
-  ++terms.good;
 }
 
 void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline, float lambda,

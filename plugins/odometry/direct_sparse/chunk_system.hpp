@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Normal equations of some points of one host, summed in float: the hot loop of the window.
+// Normal equations of a chunk of points of one host keyframe, summed in float: the inner loop of
+// the bundle adjustment.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <span>
 
+#include "eight.hpp"
 #include "photometric_residual.hpp"
 #include "window.hpp"
 
@@ -24,7 +26,7 @@ struct PointTerms {
   int good = 0;             ///< residuals in the sums
 };
 
-/// Points of one host are added one after the other; a chunk is small enough that floats do.
+/// Accumulates the points of one host. A chunk is small enough for sums in float.
 class ChunkSystem {
  public:
   void clear(int host);
@@ -36,16 +38,21 @@ class ChunkSystem {
                    const CentreJacobian& J, PointTerms& terms);
   /// `sums` of stereoSums, `coupling` is the paper's lambda.
   void addStereo(const PixelSums& sums, float focal_baseline, float lambda, PointTerms& terms);
+  /// The right image of the target instead of the host's.
+  void addSighting(int target, const PairGeometry& pair, const PixelSums& sums,
+                   const Sighting& sighting, float focal_baseline, float lambda, PointTerms& terms);
   /// After the points' residuals: their Schur complement.
   void eliminate(std::span<PointTerms> points);
 
-  /// Sum over points: relative variables (rows 0 to 7: twist, a, b; column 8: gradient).
+  /// Sum over points: relative variables (rows 0 to 7: twist, a, b; column 8: gradient;
+  /// column 9: coupling with the disparity offset).
   using RelativeBlock = std::array<std::array<float, 12>, 8>;
   const RelativeBlock& relative(int target) const {
     return relative_[static_cast<std::size_t>(target)];
   }
   bool hasTarget(int target) const { return (targets_ >> static_cast<unsigned>(target)) & 1U; }
-  /// What elimination takes away, blocks (i, j) with slot(i) <= slot(j) only, and the offset row.
+  /// The Schur complement to subtract, blocks (i, j) with slot(i) <= slot(j) only, and the offset
+  /// row.
   const std::array<std::array<float, kPadded>, kPadded>& schur() const { return schur_; }
   float schurGradient(std::size_t variable) const;
   float offset_information = 0;
@@ -55,6 +62,7 @@ class ChunkSystem {
   std::array<int, 128> histogram{};  ///< of square roots of pattern energies, outliers too
 
  private:
+  void couple(int target, const PairGeometry& pair, const Eight& by_depth, PointTerms& terms) const;
   using FourPoints = std::array<const PointTerms*, 4>;  // each sum is loaded once for four points
   void eliminateFour(const FourPoints& points);
 

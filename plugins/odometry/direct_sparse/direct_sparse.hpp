@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin: from frames to motions, keyframes and revisions.
+// Direct sparse odometry for a rectified stereo pair (Wang et al., ICCV 2017) or a single camera
+// (Engel et al., PAMI 2018): tracks each frame, adds keyframes and reports motions and revisions in
+// m and rad. With one camera the scale is arbitrary.
 #pragma once
 
 #include <optional>
@@ -10,7 +12,6 @@
 #include "parameters.hpp"
 #include "tolman/roles.hpp"
 #include "tracker.hpp"
-#include "trajectory.hpp"
 
 namespace tolman::direct_sparse {
 
@@ -24,33 +25,45 @@ class DirectSparse : public Odometry {
   Status track(const Frame& frame, Motion& motion) override;
   Status finish(std::vector<MotionRevision>& revisions) override;
 
-  /// What the disparities are believed to be off by, px.
+  /// Estimated offset of all disparities, px.
   double disparityOffset() const { return mapper_.window().offset.value(); }
 
  private:
   Status checkRig() const;
   Status checkFrame(const Frame& frame) const;
-  /// Builds current_ (and right_ where the image shows something); false when it shows nothing.
-  bool look(const Frame& frame);
+  /// Builds current_; false when the image is missing or has no contrast.
+  bool buildLeft(const Frame& frame);
 
   void answer(bool visible, const Frame& frame, Motion& motion);
-  /// A frame and the depths that it shows, in turns: neither is known before the other.
+  /// Single camera: alternates between tracking the frame and estimating depths from it.
   std::optional<AlignmentResult> trackDraft(Expectation expectation);
   Eigen::Isometry3d poseOf(const AlignmentResult& tracked) const;
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
-  /// While the scene is a draft, nothing is known of the motion; it is revised later.
+  /// Reports Initialising while depths are only assumed; the motion is revised later.
   void answerDraft(Motion& motion);
-  /// The frame rides on this keyframe.
+  /// Reports a predicted motion as Lost, relative to this keyframe.
   void answerPredicted(const Keyframe& keyframe, Motion& motion);
   void restart(const Frame& frame, Motion& motion);
   Expectation expect(double dt) const;
   bool wantsKeyframe(const AlignmentResult& tracked) const;
-  /// False when the window that came out is not to be believed; then only restart() may follow.
+  /// False when the adjusted window is implausible; then restart() must follow.
   bool makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
                     const Affine& affine, Motion& motion);
-  /// The window has come apart: lost, and a new one starts from this frame.
+  /// Reports Lost and starts a new window at this frame.
   void abandonWindow(const Frame& frame, Motion& motion);
-  void lookRight(const Frame& frame);
+  /// Builds right_; empty when the image is missing or has no contrast.
+  void buildRight(const Frame& frame);
+  /// The function from the frame index of a keyframe to its pose that the history needs.
+  auto findKeyframe() const {
+    return [this](std::int64_t frame) -> std::optional<Eigen::Isometry3d> {
+      const Keyframe* keyframe = mapper_.window().find(frame);
+      if (keyframe == nullptr) return std::nullopt;
+      return keyframe->T_world_camera();
+    };
+  }
+  /// Adds the motion's frame to the history, relative to this keyframe; returns its motion.
+  Eigen::Isometry3d remember(const Eigen::Isometry3d& T_world_camera, const Keyframe& keyframe,
+                             const Motion& motion);
   Matrix6d motionCovariance(const AlignmentResult& tracked,
                             const Eigen::Isometry3d& T_previous_current);
   void publishPoints(Motion& motion) const;
@@ -60,12 +73,12 @@ class DirectSparse : public Odometry {
   CameraRig rig_;
   Logger* log_ = nullptr;
 
-  // All that decides the future, beside the above.
+  // State that reset() clears.
   Mapper mapper_;
   Tracker tracker_;
-  Trajectory trajectory_;
-  Pyramid current_;
-  Pyramid right_;
+  MotionHistory<> history_;
+  ImagePyramid current_;
+  ImagePyramid right_;
   Affine brightness_;                            ///< of the last measured frame
   Affine reference_brightness_;                  ///< against the reference
   Vector6d velocity_ = Vector6d::Zero();         ///< twist per second, of the last measured motion
@@ -75,9 +88,9 @@ class DirectSparse : public Odometry {
   std::int64_t last_stamp_ns_ = -1;  ///< -1 before the first frame
   std::int64_t first_lost_ = -1;     ///< frame index; -1 while tracking
   int lost_frames_ = 0;
-  int draft_frames_ = 0;  ///< that were tracked against a drafted scene
-  bool known_ = false;    ///< some scene was no draft
-  int unrecognised_ = 0;  ///< frames in a row that show something, but not the reference
+  int draft_frames_ = 0;       ///< frames tracked against the assumed depths of the start
+  bool had_keyframe_ = false;  ///< a keyframe with measured depths has existed
+  int unrecognised_ = 0;       ///< frames in a row with contrast that could not be tracked
 };
 
 }  // namespace tolman::direct_sparse

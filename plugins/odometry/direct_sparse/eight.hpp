@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Eight floats at once, for functions that are TOLMAN_WIDE_LANES: one register of AVX2, two of
 // SSE2. Whether such values pass between functions in registers depends on the processor that the
-// caller is made for: so only pass them to functions that become part of the caller.
+// caller is compiled for, so only pass them to functions that are inlined into the caller.
 #pragma once
 
 #include <cstdint>

@@ -146,7 +146,7 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
       {pair.shift[0], pair.shift[1], pair.shift[2]}};
   const float reach = 2 * point.sigma;
   const float low = point.has_depth ? std::max(point.inverse_depth - reach, 1e-5F) : 1e-5F;
-  // Nothing is looked for that the frame would see five times nearer than the host.
+  // Depths at which the frame would be five times nearer to the point than the host are skipped.
   constexpr float kNearest = 0.2F;
   const float ahead_limit = line.shift.z() < 0
                                 ? (kNearest * line.start.z() - line.start.z()) / line.shift.z()
@@ -183,7 +183,7 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
     ++point.failures;
     return;
   }
-  // What the line's direction error and the noise make of the position (algorithms: 5.5).
+  // Position error along the line, from the direction error of the line and from image noise.
   const float error = std::min(0.2F + 0.2F * gradients / fit.information, 10.0F);
   const float measured = line.inverseDepth(p);
   const float ahead = line.inverseDepth(p + error * along);

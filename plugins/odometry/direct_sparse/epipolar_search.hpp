@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Refines immature points with a frame that is no keyframe: search along the epipolar line and a
-// Gaussian update of the inverse depth (paper, frame management; algorithms: 5.6).
+// Refines the inverse depth (1/m) of immature points with a frame that is no keyframe (Engel et
+// al., PAMI 2018, section 3.2): search along the epipolar line, then a Gaussian update.
 #pragma once
 
 #include "keyframe.hpp"
@@ -9,7 +9,7 @@
 namespace tolman::direct_sparse {
 
 struct EpipolarSettings {
-  float largest_inverse_depth = 2;  ///< 1/m, where nothing is known yet
+  float largest_inverse_depth = 2;  ///< 1/m, for points without depth
   float longest = 60;               ///< px, of a search
 };
 

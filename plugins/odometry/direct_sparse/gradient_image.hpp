@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grey value and gradient of each pixel side by side, so that one bilinear fetch gives all three.
+// Grey value and gradient of each pixel, interleaved, so that one bilinear interpolation gives all
+// three.
 #pragma once
 
 #include <cstdint>

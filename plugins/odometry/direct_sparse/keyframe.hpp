@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the window keeps of a keyframe: images, points, pose and brightness.
+// A keyframe of the window: images, points, pose and affine brightness. Poses are T_camera_world, m
+// and rad; inverse depths are in 1/m.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +16,8 @@
 
 namespace tolman::direct_sparse {
 
-/// Places for keyframes in the window, also the places of their variables in the linear system.
+/// Slots for keyframes in the window; a slot is also the position of its variables in the linear
+/// system.
 inline constexpr int kSlots = 8;
 
 using Vector8d = Eigen::Matrix<double, 8, 1>;
@@ -27,7 +29,7 @@ struct Affine {
 };
 
 enum class ResidualState : std::uint8_t {
-  Absent,  ///< never looked for, or given up
+  Absent,  ///< never evaluated, or removed
   Good,
   Outlier,  ///< the images disagree
   Outside,  ///< projects out of the image
@@ -51,14 +53,14 @@ struct Point {
   int seen_good = 0;  ///< how many residuals were good so far
 };
 
-/// A selected pixel that waits for a depth good enough to become a Point.
+/// A selected pixel whose depth is not yet accurate enough to become a Point.
 struct ImmaturePoint {
   float u = 0;
   float v = 0;
   float inverse_depth = 0;  ///< 1/m
   float sigma = 0;          ///< 1/m
   float quality = 0;        ///< second best match over best match
-  float last_interval = 0;  ///< px that the last search had to cover
+  float last_interval = 0;  ///< px, length of the last search
   int failures = 0;
   bool has_depth = false;  ///< else any inverse depth is possible
   Pattern pattern;
@@ -66,8 +68,8 @@ struct ImmaturePoint {
 
 struct Keyframe {
   std::int64_t frame = -1;
-  Pyramid left;
-  Pyramid right;
+  ImagePyramid left;
+  ImagePyramid right;
   GradientImage gradients;  ///< of left, level 0
   bool has_right = false;
   float right_gain = 1;    ///< right image = gain * left image + offset
@@ -77,7 +79,7 @@ struct Keyframe {
   Eigen::Isometry3d T0_camera_world = Eigen::Isometry3d::Identity();
   Affine affine0;
   Vector8d change = Vector8d::Zero();
-  bool has_prior = false;  ///< marginalised terms hold on to it: T0 must not move any more
+  bool has_prior = false;  ///< the prior is linearised at T0, which must not change any more
 
   std::vector<Point> points;
   std::vector<ImmaturePoint> immature;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory for images that are read here and there: in pages of 2 MiB, where the system has them, the
-// processor needs not look up the place of a page for every point.
+// Memory for images with random access, in pages of 2 MiB where the system supports them: fewer
+// misses of the address translation cache.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace tolman::direct_sparse {
 
-/// Allocator for std::vector. Large pages are only asked for: without them nothing but time
-/// changes.
+/// Allocator for std::vector. Large pages are a request to the system: without them results are the
+/// same.
 template <class T>
 struct LargePages {
   using value_type = T;

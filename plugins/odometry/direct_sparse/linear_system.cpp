@@ -13,16 +13,16 @@ namespace tolman::direct_sparse {
 namespace {
 
 constexpr int kChunk = 128;        // points; fixed, for the same sums with any number of threads
-constexpr std::size_t kAhead = 3;  // points whose pixels are on their way while one is evaluated
+constexpr std::size_t kAhead = 3;  // how many points ahead pixels are prefetched
 
 std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
 
-using RelativeSum = Eigen::Matrix<double, 8, 9>;
+using RelativeSum = Eigen::Matrix<double, 8, 10>;
 
 RelativeSum symmetric(const ChunkSystem::RelativeBlock& block) {
   RelativeSum sum;
   for (int r = 0; r < 8; ++r) {
-    for (int c = 0; c < 9; ++c) {
+    for (int c = 0; c < 10; ++c) {
       const bool lower = c < r;
       sum(r, c) = lower ? block[index(c)][index(r)] : block[index(r)][index(c)];
     }
@@ -44,6 +44,23 @@ void mapToAbsolute(int host, int target, const PairGeometry& pair, const Relativ
   H.block<8, 8>(t, h) += across.transpose();
   b.segment<8>(t) += g;
   b.segment<8>(h) += M.transpose() * g;
+  const Vector8d offset = sum.col(9);
+  const Vector8d across_offset = M.transpose() * offset;
+  H.block<8, 1>(t, kOffsetIndex) += offset;
+  H.block<8, 1>(h, kOffsetIndex) += across_offset;
+  H.block<1, 8>(kOffsetIndex, t) += offset.transpose();
+  H.block<1, 8>(kOffsetIndex, h) += across_offset.transpose();
+}
+
+/// The newest keyframe with a right image that sees the point of another host; -1 without one.
+int lastTarget(const Window& window, int host, const Point& point) {
+  const std::vector<int>& order = window.order();
+  for (auto slot = order.rbegin(); slot != order.rend(); ++slot) {
+    if (*slot == host) continue;
+    const bool sees = point.temporal[index(*slot)] == ResidualState::Good;
+    if (sees && window.keyframe(*slot).has_right) return *slot;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -105,6 +122,7 @@ void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& set
     if (target != chunk.range.host) addTarget(rig, window, chunk, target, system, terms);
   }
   if (settings.lambda > 0) addRight(settings, window, chunk, system, terms);
+  if (settings.lambda > 0) addSightings(rig, settings, window, chunk, system, terms);
   system.eliminate(terms);
 }
 
@@ -148,6 +166,32 @@ void LinearSystem::addRight(const SystemSettings& settings, Window& window, cons
     point.stereo = inside ? system.judge(sums, window.energy_threshold) : ResidualState::Outside;
     if (point.stereo != ResidualState::Good) continue;
     system.addStereo(sums, stereo.focal_baseline, settings.lambda, terms[k]);
+  }
+}
+
+void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& settings,
+                                const Window& window, const Chunk& chunk, ChunkSystem& system,
+                                std::span<PointTerms> terms) const {
+  const int host = chunk.range.host;
+  const Point* points = window.keyframe(host).points.data() + chunk.range.begin;
+  PixelSums sums;
+  for (std::size_t k = 0; k < terms.size(); ++k) {
+    const int target = lastTarget(window, host, points[k]);
+    if (target < 0) continue;
+    const Keyframe& keyframe = window.keyframe(target);
+    const PairGeometry& pair = pairs_[index(host * kSlots + target)];
+    const auto sighting = sight(rig.pinhole, pair, keyframe.gradients, points[k]);
+    if (!sighting) continue;
+    Point seen;
+    seen.u = static_cast<float>(sighting->u);
+    seen.v = static_cast<float>(sighting->v);
+    seen.inverse_depth = sighting->inverse_depth;
+    seen.pattern = patternAt(keyframe.gradients, sighting->u, sighting->v);
+    const StereoGeometry& stereo = stereos_[index(target)];
+    if (!stereoSums(stereo, keyframe.right.level(0), seen, sums)) continue;
+    if (system.judge(sums, window.energy_threshold) != ResidualState::Good) continue;
+    system.addSighting(target, pair, sums, *sighting, stereo.focal_baseline, settings.lambda,
+                       terms[k]);
   }
 }
 
@@ -247,7 +291,7 @@ SystemVector changes(const Window& window) {
   return x;
 }
 
-SystemVector growth(const Window& window) {
+SystemVector scaleDirection(const Window& window) {
   SystemVector direction = SystemVector::Zero();
   const Eigen::Isometry3d T_world_oldest = window.keyframe(window.order().front()).T_world_camera();
   for (const int slot : window.order()) {
@@ -262,7 +306,7 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
                    Scale scale) {
   SystemMatrix whole = H + window.prior.H;
   SystemVector rhs = -(b + window.prior.b + window.prior.H * changes(window));
-  // Where the window as a whole is nobody can see: its oldest keyframe stays.
+  // The pose of the whole window is not observable: the oldest keyframe is fixed.
   const int held = window.empty() ? kVariables : kFrameVariables * window.order().front();
   for (int i = 0; i < kVariables; ++i) {
     const bool is_held = i >= held && i < held + kFrameVariables;
@@ -276,8 +320,8 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
   whole = units.asDiagonal() * whole * units.asDiagonal();
   whole.diagonal().array() += kLeastDamping;
   if (scale == Scale::Free && window.size() > 1) {
-    // Nobody sees it, but rounding would move it: by factors, after a few steps.
-    const SystemVector direction = units.cwiseProduct(growth(window)).stableNormalized();
+    // The scale is not observable; without this, rounding errors change it by factors.
+    const SystemVector direction = units.cwiseProduct(scaleDirection(window)).stableNormalized();
     whole += direction * direction.transpose();
   }
   const Eigen::LDLT<SystemMatrix> factors(whole);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's linear system: all residuals of given points, inverse depths eliminated.
+// The linear system of the window: all residuals of given points, with the inverse depths
+// eliminated (Engel et al., PAMI 2018, section 2.3).
 #pragma once
 
 #include <span>
@@ -40,12 +41,13 @@ class LinearSystem {
   const SystemVector& b() const { return b_; }
   double energy() const { return energy_; }
   int residuals() const { return residuals_; }
-  /// The change of each inverse depth that goes with `step`; applied to the points.
-  /// Returns the mean relative size.
+  /// Back-substitution: adds to each inverse depth the change that belongs to `step`. Returns the
+  /// mean relative change.
   double applyToDepths(Window& window, const SystemVector& step) const;
-  /// H_dd and counts into the points.
+  /// Writes H_dd and residual counts to the points.
   void storeInformation(Window& window) const;
-  /// Pattern energy that tells outliers, from the 70th percentile of the last residuals.
+  /// Pattern energy above which a residual is an outlier, from the 70th percentile of the last
+  /// residuals.
   float outlierThreshold() const;
   /// Couplings of point `i` (in the order of the ranges).
   const PointTerms& terms(std::size_t i) const { return terms_[i]; }
@@ -62,6 +64,9 @@ class LinearSystem {
                  ChunkSystem& system, std::span<PointTerms> terms) const;
   void addRight(const SystemSettings& settings, Window& window, const Chunk& chunk,
                 ChunkSystem& system, std::span<PointTerms> terms) const;
+  /// Each point in the right image of the newest keyframe that sees it.
+  void addSightings(const CameraRig& rig, const SystemSettings& settings, const Window& window,
+                    const Chunk& chunk, ChunkSystem& system, std::span<PointTerms> terms) const;
   void sumUp(const Window& window);
 
   std::vector<Chunk> chunks_;
@@ -75,17 +80,16 @@ class LinearSystem {
   int residuals_ = 0;
 };
 
-/// Whether anything says how large the scene is.
+/// Whether the residuals determine the scale of the scene.
 enum class Scale : std::uint8_t { Known, Free };
 
 /// H, b plus the window's prior at the present change, solved; unused variables and those of the
-/// oldest keyframe, which holds the gauge, stay 0. A free scale stays, too.
+/// oldest keyframe, which fixes the gauge, stay 0. The step does not change a free scale.
 SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVector& b,
                    Scale scale = Scale::Known);
 
-/// The change of all poses that makes the window larger, seen from its oldest keyframe; of
-/// length 1.
-SystemVector growth(const Window& window);
+/// Unit vector: the change of all poses that scales the window about its oldest keyframe.
+SystemVector scaleDirection(const Window& window);
 
 /// Present changes of all variables from their first estimates.
 SystemVector changes(const Window& window);

@@ -14,7 +14,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
-/// Variance of grey levels that turns a standard deviation into the energy's units.
+/// Variance of grey levels (standard deviation 4) that converts a standard deviation to an energy.
 constexpr double kGreyVariance = 16;
 
 }  // namespace
@@ -39,7 +39,7 @@ void Mapper::holdOffset() {
 }
 
 Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                         const Affine& affine, Pyramid& left) {
+                         const Affine& affine, ImagePyramid& left) {
   Keyframe& keyframe = window_.add();
   keyframe.frame = frame;
   keyframe.T0_camera_world = T_world_camera.inverse();
@@ -52,7 +52,7 @@ Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_ca
 }
 
 std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                                const Affine& affine, Pyramid& left, Pyramid& right) {
+                                const Affine& affine, ImagePyramid& left, ImagePyramid& right) {
   if (draft_) window_.newest().points.clear();
   draft_ = false;
   Keyframe& keyframe = insert(frame, T_world_camera, affine, left);
@@ -75,7 +75,7 @@ AdjustmentSettings Mapper::adjustmentFor(const Keyframe& keyframe) const {
 }
 
 void Mapper::draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                           double camera_height, Pyramid& left) {
+                           double camera_height, ImagePyramid& left) {
   Keyframe& keyframe = insert(frame, T_world_camera, Affine(), left);
   draftDepths(rig_, camera_height, keyframe);
   draftPoints(keyframe);
@@ -110,7 +110,7 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   const auto offset = static_cast<float>(window_.offset.value());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
-    // What is ambiguous along the row mostly is so along other lines, too.
+    // A point that is ambiguous along the row is mostly ambiguous along other lines as well.
     if (!matches_[i]) continue;
     ImmaturePoint& point = keyframe.immature[i];
     point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);
@@ -158,11 +158,11 @@ void Mapper::shrink() {
   marginalisePoints(rig_, settings_.adjustment.system, leaving, settings_.marginal_weight, window_,
                     system_);
   for (const int slot : leaving) marginaliseKeyframe(slot, window_);
-  forgetGauge(window_);
+  projectOutGauge(window_);
 }
 
 void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,
-                     const Pyramid& left) {
+                     const ImagePyramid& left) {
   observer_.T0_camera_world = T_world_camera.inverse();
   observer_.affine0 = affine;
   EpipolarSettings settings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's life: a keyframe comes in, candidates become points, the window is adjusted, old
-// points and keyframes are marginalised; frames in between refine candidates.
+// Maintains the window: adds keyframes, activates candidates, runs the bundle adjustment and
+// marginalises old points and keyframes; other frames refine the depths of candidates.
 #pragma once
 
 #include <cstdint>
@@ -31,28 +31,29 @@ class Mapper {
   Window& window() { return window_; }
   const Window& window() const { return window_; }
 
-  /// Takes the pyramids (swaps its own old ones in). `right` may be empty: a covered camera.
-  /// The oldest keyframe of the window holds the gauge. Returns the points in the window.
+  /// Takes the pyramids and leaves old ones in their place. `right` may be empty (covered camera).
+  /// The oldest keyframe of the window fixes the gauge. Returns the number of points in the window.
   std::size_t addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                          const Affine& affine, Pyramid& left, Pyramid& right);
-  /// The first keyframe of a single camera, with a drafted scene of this camera height. The next
-  /// addKeyframe() replaces the draft by the depths that observe() has found.
+                          const Affine& affine, ImagePyramid& left, ImagePyramid& right);
+  /// The first keyframe of a single camera, with assumed depths for this camera height (m). The
+  /// next addKeyframe() replaces them by the depths that observe() has found.
   void draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                     double camera_height, Pyramid& left);
+                     double camera_height, ImagePyramid& left);
   bool isDraft() const { return draft_; }
-  /// How the window was adjusted to the last keyframe.
+  /// Result of the bundle adjustment at the last keyframe.
   const AdjustmentResult& adjustment() const { return adjustment_; }
   /// Refines the candidates of all keyframes with a frame of known pose.
-  void observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine, const Pyramid& left);
+  void observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,
+               const ImagePyramid& left);
 
  private:
   Keyframe& insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
-                   const Affine& affine, Pyramid& left);
+                   const Affine& affine, ImagePyramid& left);
   void holdOffset();
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
   void balanceRight(Keyframe& keyframe, const StereoSearch& search) const;
-  /// A young window of a single camera is far from its optimum: it gets more steps.
+  /// More steps for a single camera whose window is not full yet: it is far from its optimum.
   AdjustmentSettings adjustmentFor(const Keyframe& keyframe) const;
   void shrink();
 

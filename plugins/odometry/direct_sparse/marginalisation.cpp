@@ -149,7 +149,7 @@ void marginaliseKeyframe(int slot, Window& window) {
   window.remove(slot);
 }
 
-void forgetGauge(Window& window) {
+void projectOutGauge(Window& window) {
   constexpr int n = kFrameVariables;
   const auto with_prior = [&](int slot) { return window.keyframe(slot).has_prior; };
   const auto first = std::find_if(window.order().begin(), window.order().end(), with_prior);
@@ -157,7 +157,7 @@ void forgetGauge(Window& window) {
   SystemMatrix& H = window.prior.H;
   SystemVector& b = window.prior.b;
   const int anchor = n * *first;
-  // The others say all that is relative; the anchor's part follows, such that H N = 0, N' b = 0.
+  // The blocks of the other keyframes stay; that of the anchor follows from H N = 0 and N' b = 0.
   Eigen::Matrix<double, kVariables, n> column = Eigen::Matrix<double, kVariables, n>::Zero();
   Eigen::Matrix<double, n, 1> gradient = Eigen::Matrix<double, n, 1>::Zero();
   for (const int slot : window.order()) {

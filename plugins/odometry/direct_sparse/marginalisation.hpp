@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points and keyframes that leave the window and stay behind as a quadratic energy.
+// Marginalisation of points and keyframes that leave the window into a quadratic prior (Engel et
+// al., PAMI 2018, sections 2.3 and 3.1).
 #pragma once
 
 #include <vector>
@@ -8,13 +9,13 @@
 
 namespace tolman::direct_sparse {
 
-/// Which keyframes are to leave: those that have hardly any points left or another brightness, and
-/// where there are still more than `most`, the one that adds least to an even spread (algorithms:
-/// 5.7). The two newest stay.
+/// Keyframes to remove (Engel et al., section 3.1): those with less than 5 % of their points or
+/// another brightness, and, if more than `most` remain, the one with the largest distance score
+/// (larger when it is close to others and far from the newest). The two newest stay.
 std::vector<int> chooseLeaving(const Window& window, int most);
 
-/// Turns points hosted by leaving keyframes, and points that the two latest keyframes do not see,
-/// into terms of the window's prior, linearised at the first estimates; bad ones are dropped.
+/// Adds points of leaving keyframes, and points that the two newest keyframes do not see, to the
+/// prior, linearised at the first estimates; points with little information are dropped.
 void marginalisePoints(const CameraRig& rig, const SystemSettings& settings,
                        const std::vector<int>& leaving, double weight, Window& window,
                        LinearSystem& system);
@@ -22,9 +23,9 @@ void marginalisePoints(const CameraRig& rig, const SystemSettings& settings,
 /// Eliminates the variables of the slot from the prior and removes the keyframe.
 void marginaliseKeyframe(int slot, Window& window);
 
-/// Takes from the prior what it says of the window as a whole: where it is, how bright it is. That
-/// is nothing but rounding of floats, but it adds up over a long drive, and once it outweighs what
-/// is left of the start, the window is free to jump.
-void forgetGauge(Window& window);
+/// Projects the gauge null space (pose and brightness of the whole window) out of the prior. The
+/// prior has no information there except accumulated rounding errors of float, which would let the
+/// window jump after a long drive.
+void projectOutGauge(Window& window);
 
 }  // namespace tolman::direct_sparse

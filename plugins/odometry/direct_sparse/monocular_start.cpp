@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A street as first guess.
+// Inverse depths of ground and walls.
 #include "monocular_start.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The first keyframe of a single camera: a drafted scene to track against until the motion has
-// shown the depths.
+// Start of a single camera: assumed depths (1/m) for the first keyframe, against which frames are
+// tracked until their motion has determined the real ones.
 #pragma once
 
 #include "keyframe.hpp"
@@ -8,9 +8,9 @@
 
 namespace tolman::direct_sparse {
 
-/// Gives each candidate the inverse depth that it would have in a street: ground below, walls at
-/// the sides, both in units of `height`, the camera's height above the ground. The shape only has
-/// to be near enough for tracking; its deviation says how little is known.
+/// Assigns each candidate its inverse depth in a street of ground and two side walls, in units of
+/// `height`, the height of the camera above the ground (m). The shape need only be close enough for
+/// tracking; the standard deviation is half the inverse depth.
 void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe);
 
 /// Points at the present depths of all candidates, for tracking; they carry no residuals.

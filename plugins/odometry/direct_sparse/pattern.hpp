@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The eight pixels that stand for a point, and the weights of their residuals (algorithms: 5.2,
-// 5.3).
+// The residual pattern of a point, eight pixels, and the weights of its residuals (Engel et al.,
+// PAMI 2018, section 2.2, figure 4 and equation 7). The constants are those of the paper.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ inline constexpr std::array<int, kPatternSize> kPatternV = {-2, -1, -1, 0, 0, 0,
 inline constexpr float kHuber = 9;                 // grey levels
 inline constexpr float kGradientConstant2 = 2500;  // c^2 of the gradient weight
 
-/// Weight omega of the paper: pixels of strong gradient suffer most from errors of geometry.
+/// Weight omega (equation 7): less weight for strong gradients, where geometric errors matter most.
 inline float gradientWeight(float squared_gradient) {
   return kGradientConstant2 / (kGradientConstant2 + squared_gradient);
 }

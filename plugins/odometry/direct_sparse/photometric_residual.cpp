@@ -213,6 +213,31 @@ TOLMAN_WIDE_LANES bool stereoSums(const StereoGeometry& stereo, const GrayLevel&
   return true;
 }
 
+std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
+                              const GradientImage& target, const Point& point) {
+  const auto& m = pair.warp;
+  const float d = point.inverse_depth;
+  const float z = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
+  if (!(z > kSmallestDepth)) return std::nullopt;
+  const float u = (m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d) / z;
+  const float v = (m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d) / z;
+  if (!target.contains(u, v, kPatternRadius + 2)) return std::nullopt;
+  const Eigen::Vector3f ray(
+      (point.u - static_cast<float>(camera.cx)) / static_cast<float>(camera.fx),
+      (point.v - static_cast<float>(camera.cy)) / static_cast<float>(camera.fy), 1.0F);
+  const Eigen::Vector3f turned = pair.R0 * ray;
+  const Eigen::Vector3f p = turned + pair.t0 * d;
+  const float scale = 1.0F / p.z();
+  const float e = d * scale;  // inverse depth in the target at the first estimate
+  Sighting sighting;
+  sighting.u = static_cast<int>(u + 0.5F);
+  sighting.v = static_cast<int>(v + 0.5F);
+  sighting.inverse_depth = d / z;
+  sighting.by_twist = {0, 0, -e * e, -e * p.y() * scale, e * p.x() * scale, 0};
+  sighting.by_depth = turned.z() * scale * scale;
+  return sighting;
+}
+
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point) {
   const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
   if (!right.contains(u, point.v, kPatternRadius + 1)) return;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One point seen in another keyframe, or in the right image of its own: residuals of the eight
-// pattern pixels, and their sums for the normal equations (paper, temporal and static terms).
+// Residuals (grey levels) of the eight pattern pixels of a point in another keyframe (Engel et al.,
+// PAMI 2018, equation 4) or in the right image of its own (Wang et al., ICCV 2017, static term),
+// and their weighted sums for the normal equations.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 
 #include "keyframe.hpp"
 #include "tolman/camera.hpp"
@@ -67,8 +69,22 @@ struct StereoGeometry {
 bool stereoSums(const StereoGeometry& stereo, const GrayLevel& right, const Point& point,
                 PixelSums& sums);
 
-/// Asks for the pixels that temporalSums() will read. They lie anywhere in an image that is larger
-/// than the caches; so ask some points ahead.
+/// A point where another keyframe sees it, with the derivatives of its inverse depth there.
+struct Sighting {
+  int u = 0;  ///< nearest pixel
+  int v = 0;
+  float inverse_depth = 0;                      ///< 1/m, in the target
+  alignas(32) std::array<float, 8> by_twist{};  ///< six, and two zeros
+  float by_depth = 0;                           ///< by the inverse depth in the host
+};
+
+/// The nearest pixel of the target, or none outside. The host's pattern is not compared with the
+/// target's right image: it is another view. The target's own pattern is.
+std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
+                              const GradientImage& target, const Point& point);
+
+/// Prefetches the pixels that temporalSums() will read. The image is larger than the caches, so
+/// call this some points ahead.
 void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point);
 /// The same for stereoSums().
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point);

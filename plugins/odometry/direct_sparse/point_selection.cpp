@@ -18,7 +18,7 @@ constexpr int kCap = 48;           // grey levels / px; stronger ones are all al
 constexpr float kAboveMedian = 7;  // grey levels / px
 constexpr int kDirections = 16;
 
-/// A direction for a cell: all directions of gradient shall be there, not the strongest alone.
+/// A pseudo-random direction per cell, so that gradients of all directions are selected.
 std::array<float, 2> direction(int u, int v) {
   const auto hash =
       static_cast<std::uint32_t>(u) * 73856093U ^ static_cast<std::uint32_t>(v) * 19349663U;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Candidate points: pixels with a gradient above what is usual around them (paper, frame
-// management; algorithms: 5.2).
+// Selects candidate points (Engel et al., PAMI 2018, section 3.2): pixels whose gradient exceeds
+// the median of their 32 x 32 block by a margin, evenly distributed.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Pixel {
   int v = 0;
 };
 
-/// Keeps its buffers from keyframe to keyframe, and the cell size that gave about the wanted count.
+/// Holds buffers and the adapted cell size from keyframe to keyframe.
 class PointSelector {
  public:
   void reset() { cell_ = 0; }

@@ -40,7 +40,7 @@ void GrayLevel::resize(int new_width, int new_height) {
   pixels.assign(size + kPadding, 0);
 }
 
-void Pyramid::build(const Image& image, int most) {
+void ImagePyramid::build(const Image& image, int most) {
   constexpr int kSmallestSide = 16;
   GrayLevel& base = images_[0];
   base.resize(image.width(), image.height());

@@ -50,7 +50,7 @@ inline float toLevel(float pixel, int level) {
   return (pixel + 0.5F) / static_cast<float>(1 << level) - 0.5F;
 }
 
-class Pyramid {
+class ImagePyramid {
  public:
   static constexpr int kMostLevels = 6;
 

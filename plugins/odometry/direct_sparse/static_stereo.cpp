@@ -20,11 +20,11 @@ constexpr int kWidth = 8;  // px of the patch; columns -4 ... 3 around the pixel
 constexpr int kHeight = 5;
 constexpr int kRadius = 3;  // of the patch of the refinement
 
-using Patch = std::array<std::uint8_t, kWidth*(kHeight + 1)>;  // the sixth row stays zero
+using StereoPatch = std::array<std::uint8_t, kWidth*(kHeight + 1)>;  // the sixth row stays zero
 
 /// The patch around (u, v), its brightness changed to that of the other image.
-Patch patchAround(const GrayLevel& image, int u, int v, float gain, float offset) {
-  Patch patch{};
+StereoPatch patchAround(const GrayLevel& image, int u, int v, float gain, float offset) {
+  StereoPatch patch{};
   for (int y = 0; y < kHeight; ++y) {
     const std::uint8_t* row = image.row(v + y - kHeight / 2) + u - kWidth / 2;
     for (int x = 0; x < kWidth; ++x) {
@@ -44,7 +44,7 @@ __m128i twoRows(const std::uint8_t* a, const std::uint8_t* b) {
   return _mm_unpacklo_epi64(low, high);
 }
 
-int difference(const Patch& patch, const GrayLevel& image, int u, int v) {
+int difference(const StereoPatch& patch, const GrayLevel& image, int u, int v) {
   const std::uint8_t* p = image.row(v - kHeight / 2) + u - kWidth / 2;
   const std::ptrdiff_t w = image.width;
   const auto* mine = reinterpret_cast<const __m128i*>(patch.data());
@@ -56,7 +56,7 @@ int difference(const Patch& patch, const GrayLevel& image, int u, int v) {
   return _mm_cvtsi128_si32(sum) + _mm_cvtsi128_si32(_mm_unpackhi_epi64(sum, sum));
 }
 #else
-int difference(const Patch& patch, const GrayLevel& image, int u, int v) {
+int difference(const StereoPatch& patch, const GrayLevel& image, int u, int v) {
   int sum = 0;
   for (int y = 0; y < kHeight; ++y) {
     const std::uint8_t* row = image.row(v + y - kHeight / 2) + u - kWidth / 2;
@@ -74,7 +74,8 @@ struct RowMinimum {
   int second = std::numeric_limits<int>::max();  ///< more than 2 px away from the best
 };
 
-RowMinimum searchRow(const Patch& patch, const GrayLevel& image, int u_begin, int u_end, int v) {
+RowMinimum searchRow(const StereoPatch& patch, const GrayLevel& image, int u_begin, int u_end,
+                     int v) {
   RowMinimum found;
   std::array<int, kMostDisparities + 8> costs;  // NOLINT: written before it is read
   for (int u = u_begin; u < u_end; ++u) {
@@ -101,7 +102,7 @@ float cubic(const std::uint8_t* p, float f) {
   return b + 0.5F * f * (c - a + f * (2 * a - 5 * b + 4 * c - d + f * (3 * (b - c) + d - a)));
 }
 
-struct Shift {
+struct StereoStep {
   float step = 0;  ///< px, to add to the right pixel
   float information = 0;
   float rms = 0;  ///< grey levels, means removed
@@ -109,8 +110,8 @@ struct Shift {
 
 /// One Gauss-Newton step of the right pixel with the patch's own brightness offset; the derivative
 /// is that of the left image, which does not change with the fraction.
-Shift shiftOf(const GrayLevel& left, const GrayLevel& right, int u, int v, float u_right,
-              float gain) {
+StereoStep shiftOf(const GrayLevel& left, const GrayLevel& right, int u, int v, float u_right,
+                   float gain) {
   const int x = static_cast<int>(u_right);
   const float f = u_right - static_cast<float>(x);
   float sg = 0, sr = 0, sgg = 0, sgr = 0, srr = 0;
@@ -140,7 +141,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
   constexpr float kLeastInformation = 300;  // a step of 18 grey levels in one pixel
   constexpr float kLargestRms = 14;         // grey levels
   auto u_right = static_cast<float>(u_found);
-  Shift shift;
+  StereoStep shift;
   for (int i = 0; i < 6; ++i) {
     if (!right.contains(u_right, static_cast<float>(v), kMargin - 2)) return std::nullopt;
     if (u_right < kMargin || u_right > static_cast<float>(right.width) - kMargin - 1) {
@@ -156,7 +157,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
   }
   StereoMatch match;
   match.disparity = static_cast<float>(u) - u_right;
-  // Noise of the grey levels, and what the patch's depth may differ from the pixel's.
+  // Variance from grey level noise, and from the difference in depth between patch and pixel.
   match.sigma = 0.05F + std::max(shift.rms, 2.0F) / std::sqrt(shift.information);
   return match;
 }
@@ -170,7 +171,7 @@ std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& r
   constexpr int kBehind = 2;       // px below zero disparity, for the refinement of far points
   const int lowest = kStereoBorder;
   const int highest = right.width - kStereoBorder;
-  const Patch patch = patchAround(left, u, v, search.gain, search.offset);
+  const StereoPatch patch = patchAround(left, u, v, search.gain, search.offset);
   const int begin = std::max(lowest, u - search.max_disparity);
   const int end = std::min(highest, u + kBehind + 1);
   const RowMinimum forth = searchRow(patch, right, begin, end, v);
@@ -180,7 +181,7 @@ std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& r
   if (forth.best == std::numeric_limits<int>::max() || quality < kLeastRatio) return std::nullopt;
 
   const float inverse_gain = 1.0F / std::max(search.gain, 0.05F);
-  const Patch back_patch =
+  const StereoPatch back_patch =
       patchAround(right, forth.u, v, inverse_gain, -search.offset * inverse_gain);
   const RowMinimum back = searchRow(back_patch, left, std::max(lowest, forth.u - kBehind),
                                     std::min(highest, forth.u + search.max_disparity + 1), v);

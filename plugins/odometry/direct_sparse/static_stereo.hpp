@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Static stereo: the same pixel in the right image, searched along its row (paper, tracking and
-// frame management; algorithms: 5.5).
+// Static stereo (Wang et al., ICCV 2017): disparity (px) of a pixel of the left image
+// by a search along its row in the right image.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,7 @@ struct StereoSearch {
 };
 
 struct StereoMatch {
-  float disparity = 0;  ///< px, may be slightly below zero for far points
+  float disparity = 0;  ///< px, slightly negative for far points is possible
   float sigma = 0;      ///< px
   float quality = 0;    ///< second best cost over best cost
 };
@@ -27,7 +27,7 @@ struct StereoMatch {
 inline constexpr int kStereoBorder = 5;
 
 /// Sums of absolute differences over 8x5 pixels for each disparity, checked from right to left, and
-/// refined to a part of a pixel. Empty where the match is weak, ambiguous or one-sided.
+/// refined to sub-pixel accuracy. Empty where the match is weak, ambiguous or one-sided.
 std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& right, int u, int v,
                                        const StereoSearch& search);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds a frame: the expected motion first, then others, and judges whether the best is true.
+// Tracks a frame against the reference: tries the expected motion first, then other hypotheses, and
+// accepts or rejects the best alignment.
 #pragma once
 
 #include <cstdint>
@@ -10,31 +11,31 @@
 
 namespace tolman::direct_sparse {
 
-/// What is known before the images are looked at.
+/// Prediction for a frame, before its image is used.
 struct Expectation {
   Eigen::Isometry3d T_reference_previous = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_previous_current = Eigen::Isometry3d::Identity();
-  bool has_velocity = false;  ///< else the motion above says nothing
+  bool has_velocity = false;  ///< false: T_previous_current is not known
   Affine brightness;
 };
 
 class Tracker {
  public:
-  /// How well the images must agree: as in a known scene, or in one that is guessed itself.
+  /// Required share of inliers: for measured depths, or for assumed ones (see monocular_start.hpp).
   enum class Demand : std::uint8_t { Certain, Guess };
 
   void reset();
   /// A new keyframe is the reference; false when it has too few points to track from.
   bool setReference(const CameraRig& rig, const Window& window);
-  /// The frame's pose, or none: lost. `image` must have the reference's size.
-  std::optional<AlignmentResult> track(const CameraRig& rig, const Pyramid& image,
+  /// Pose of the frame, or none if no alignment is accepted. `image` has the size of the reference.
+  std::optional<AlignmentResult> track(const CameraRig& rig, const ImagePyramid& image,
                                        const Expectation& expectation,
                                        Demand demand = Demand::Certain);
   /// RMS of the first frame after the reference; 0 before.
   double firstRms() const { return first_rms_; }
 
  private:
-  AlignmentResult bestOf(const CameraRig& rig, const Pyramid& image,
+  AlignmentResult bestOf(const CameraRig& rig, const ImagePyramid& image,
                          const Expectation& expectation);
 
   AlignmentReference reference_;

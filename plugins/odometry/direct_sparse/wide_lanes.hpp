@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hot loops that exist twice: for any x86-64, and for processors with registers of eight floats.
+// Marks inner loops that are compiled twice: for any x86-64, and for processors with AVX2.
 #pragma once
 
-/// In front of a function: the compiler makes a second one for AVX2, the loader takes what the
-/// processor can run. Both do the same operations on the same numbers (AVX2 is without fused
-/// multiply-add), so the results are the same bytes everywhere.
+/// Before a function: the compiler generates a second version for AVX2, and the loader chooses.
+/// Both do the same operations on the same numbers (no fused multiply-add), so results are the same
+/// bytes.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOLMAN_WIDE_LANES __attribute__((target_clones("avx2", "default")))
@@ -12,6 +12,6 @@
 #define TOLMAN_WIDE_LANES
 #endif
 
-/// For what such a function calls in its loop: becomes part of both.
+/// For functions that such a loop calls: inlined into both versions.
 #define TOLMAN_INLINE inline __attribute__((always_inline))
 #define TOLMAN_INLINE_LAMBDA __attribute__((always_inline))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The active window: keyframes in fixed slots, and what marginalised ones left behind.
+// The active window: keyframes in fixed slots, and the prior from marginalisation.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,8 @@
 
 namespace tolman::direct_sparse {
 
-/// Variables of the linear system: eight a slot (pose, a, b), then the disparity offset.
+/// Variables of the linear system: eight per slot (6 for the pose, affine brightness a and b), then
+/// the disparity offset.
 inline constexpr int kFrameVariables = 8;
 inline constexpr int kOffsetIndex = kSlots * kFrameVariables;
 inline constexpr int kVariables = kOffsetIndex + 1;
@@ -26,16 +27,17 @@ struct Prior {
   SystemVector b = SystemVector::Zero();
 };
 
-/// All disparities of the right camera may be off by one amount, from rectification. It is the one
-/// intrinsic value that the window estimates; an error of it would be an error of scale.
+/// Error of the rectification that all disparities share. It is the only calibration parameter that
+/// the window estimates. A wrong offset makes all depths wrong, and so the scale of the motion.
 struct DisparityOffset {
-  double first = 0;   ///< px
-  double change = 0;  ///< px
+  double first = 0;   ///< px, first estimate, at which Jacobians are evaluated
+  double change = 0;  ///< px, estimated change from `first`
   double value() const { return first + change; }
 };
 
 class Window {
  public:
+  /// Squared grey levels, summed over a pattern: 12 grey levels at each pixel.
   static constexpr float kFirstThreshold = 12 * 12 * kPatternSize;
 
   void clear();
@@ -50,15 +52,16 @@ class Window {
   int newestSlot() const { return order_.back(); }
   const Keyframe* find(std::int64_t frame) const;
 
-  /// A free slot becomes the newest keyframe, its buffers emptied but not freed. There must be one.
+  /// Makes a free slot the newest keyframe; its buffers are emptied, not freed. The caller makes
+  /// sure that a slot is free.
   Keyframe& add();
-  /// Frees the slot; whoever calls this has marginalised its variables.
+  /// Frees the slot. The caller has marginalised its variables.
   void remove(int slot);
   std::size_t pointCount() const;
 
   Prior prior;
   DisparityOffset offset;
-  float energy_threshold = kFirstThreshold;  ///< pattern energy above which a residual is wrong
+  float energy_threshold = kFirstThreshold;  ///< above this pattern energy: an outlier
 
  private:
   std::array<Keyframe, kSlots> keyframes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// New corners, spread evenly over the image.
+// Detects new corners, distributed evenly over the image (Shi and Tomasi, CVPR 1994).
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,8 +8,8 @@
 namespace tolman::feature_stereo {
 
 struct CornerSettings {
-  int count = 500;         ///< cells of the grid, about
-  double quality = 0.003;  ///< weakest, as a part of the strongest response
+  int count = 500;         ///< approximate number of grid cells
+  double quality = 0.003;  ///< smallest response relative to the strongest one
   int border = 12;         ///< px without corners along each edge
 };
 

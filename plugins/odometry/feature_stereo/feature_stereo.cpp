@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One frame after the other: track, estimate, keep keyframes, answer.
+// The steps of one frame: tracking, pose, keyframe, report.
 #include "feature_stereo.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace tolman::feature_stereo {
 namespace {
 
-/// CV_8UC1, or empty for an image that shows nothing: missing, dark, saturated, covered.
+/// CV_8UC1, or empty for an image without contrast: missing, dark, saturated, covered.
 cv::Mat usableGray(const Image& image) {
   cv::Mat gray = asMat(image);
   if (gray.empty()) return {};
@@ -25,17 +25,6 @@ cv::Mat usableGray(const Image& image) {
 
 StereoPixel toStereoPixel(const cv::Point2f& pixel, float disparity, double offset = 0) {
   return {pixel.x, pixel.y, std::isnan(disparity) ? 0.0 : disparity - offset};
-}
-
-/// Of a predicted motion: a tenth of a metre and some of the way, a degree or two, more with each
-/// frame without sight.
-Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) {
-  const double metres = lost_frames * (0.1 + 0.3 * motion.translation().norm());
-  const double radians = lost_frames * 0.03;
-  Vector6d variances;
-  variances << Eigen::Vector3d::Constant(metres * metres),
-      Eigen::Vector3d::Constant(radians * radians);
-  return variances.asDiagonal();
 }
 
 }  // namespace
@@ -70,8 +59,8 @@ void FeatureStereo::useSettings() {
 Status FeatureStereo::reset() {
   random_ = RandomStream(seed_);
   window_ = Window();
-  trajectory_.clear();
-  reference_ = Pyramid();
+  history_.clear();
+  reference_ = FlowPyramid();
   tracks_.clear();
   T_world_reference_.setIdentity();
   velocity_.setZero();
@@ -116,7 +105,8 @@ Status FeatureStereo::track(const Frame& frame, Motion& motion) {
   const cv::Mat right = usableGray(frame.right);
   std::optional<StereoPyramids> images;
   if (!left.empty() && !right.empty()) {
-    images = StereoPyramids{Pyramid(left, track_settings_), Pyramid(right, track_settings_)};
+    images =
+        StereoPyramids{FlowPyramid(left, track_settings_), FlowPyramid(right, track_settings_)};
   }
   answer(images, motion);
   setPlanarVelocity(motion, motion.dt);
@@ -124,8 +114,8 @@ Status FeatureStereo::track(const Frame& frame, Motion& motion) {
 }
 
 void FeatureStereo::answer(const std::optional<StereoPyramids>& images, Motion& motion) {
-  const bool started = !trajectory_.empty();
-  constexpr int kLongestGap = 100;  // frames; after that the view back is not looked for
+  const bool started = !history_.empty();
+  constexpr int kLongestGap = 100;  // frames; afterwards the last tracked view is not searched for
   if (started && images && lost_frames_ <= kLongestGap) {
     if (auto tracked = trackAny(*images, predictPose(motion.dt))) {
       answerMeasured(*images, std::move(*tracked), motion);
@@ -141,20 +131,26 @@ void FeatureStereo::answer(const std::optional<StereoPyramids>& images, Motion& 
 }
 
 Status FeatureStereo::finish(std::vector<MotionRevision>& revisions) {
-  std::vector<MotionRevision> owed = trajectory_.finish();
+  std::vector<MotionRevision> owed = history_.finish();
   revisions.insert(revisions.end(), owed.begin(), owed.end());
   return Status::ok();
 }
 
 Eigen::Isometry3d FeatureStereo::predictPose(double dt) const {
-  return trajectory_.lastPose() * expSe3(velocity_ * dt);
+  return history_.lastPose() * expSe3(velocity_ * dt);
+}
+
+Eigen::Isometry3d FeatureStereo::remember(const Eigen::Isometry3d& T_world_camera,
+                                          const Keyframe& keyframe, const Motion& motion) {
+  return history_.add(motion.frame, T_world_camera, keyframe.frame,
+                      keyframe.T_world_camera.inverse(), motion.covariance);
 }
 
 std::optional<FeatureStereo::Tracked> FeatureStereo::trackAny(const StereoPyramids& images,
                                                               const Eigen::Isometry3d& predicted) {
   std::optional<Tracked> best = trackFrom(images, predicted);
   if (best && 2 * best->tracks.size() >= best->offered) return best;
-  // The camera did not go on as before: it may have stopped or turned round.
+  // The velocity has changed: the camera may have stopped or turned round.
   std::optional<Tracked> still = trackFrom(images, T_world_reference_);
   const bool better = still && (!best || still->tracks.size() > best->tracks.size());
   return better ? still : best;
@@ -184,15 +180,15 @@ std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyram
   }
   const std::vector<float> matched =
       matchStereo(images.left, images.right, pixels, guesses, stereo_settings_);
-  std::vector<Sighting> sightings;
+  std::vector<PointMatch> matches;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     tracks[i].pixel = pixels[i];
     tracks[i].disparity = matched[i];
     const Landmark& landmark = *window_.find(tracks[i].landmark);
-    sightings.push_back({landmark.point, landmark.covariance,
-                         toStereoPixel(pixels[i], matched[i], offset), !std::isnan(matched[i])});
+    matches.push_back({landmark.point, landmark.covariance,
+                       toStereoPixel(pixels[i], matched[i], offset), !std::isnan(matched[i])});
   }
-  auto pose = estimatePose(rig_, sightings, guess, pnp_settings_, random_);
+  auto pose = estimatePose(rig_, matches, guess, pnp_settings_, random_);
   if (!pose) return std::nullopt;
   Tracked tracked{*pose, {}, tracks_.size()};
   for (std::size_t i = 0; i < tracks.size(); ++i) {
@@ -201,7 +197,7 @@ std::optional<FeatureStereo::Tracked> FeatureStereo::trackFrom(const StereoPyram
   return tracked;
 }
 
-std::vector<FeatureStereo::Candidate> FeatureStereo::findCandidates(
+std::vector<FeatureStereo::StereoCorner> FeatureStereo::findCandidates(
     const StereoPyramids& images, const std::vector<Track>& tracks) const {
   std::vector<cv::Point2f> occupied;
   for (const Track& track : tracks) occupied.push_back(track.pixel);
@@ -210,7 +206,7 @@ std::vector<FeatureStereo::Candidate> FeatureStereo::findCandidates(
   const std::vector<float> guesses(corners.size(), kNoDisparity);
   const std::vector<float> disparities =
       matchStereo(images.left, images.right, corners, guesses, stereo_settings_);
-  std::vector<Candidate> candidates;
+  std::vector<StereoCorner> candidates;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     if (!std::isnan(disparities[i])) candidates.push_back({corners[i], disparities[i]});
   }
@@ -229,7 +225,7 @@ bool FeatureStereo::wantsKeyframe() const {
 }
 
 Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
-                                              const std::vector<Candidate>& candidates) {
+                                              const std::vector<StereoCorner>& candidates) {
   window_.addKeyframe(keyframe);
   for (Track& track : tracks_) {
     track.keyframe_pixel = track.pixel;
@@ -240,7 +236,7 @@ Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
     if (!seen.has_disparity && predicted) seen.pixel.z() = predicted->z();
     landmark.observations.push_back(seen);
   }
-  for (const Candidate& candidate : candidates) {
+  for (const StereoCorner& candidate : candidates) {
     const StereoPixel pixel =
         toStereoPixel(candidate.pixel, candidate.disparity, window_.disparityOffset());
     Landmark landmark;
@@ -261,22 +257,21 @@ Eigen::Isometry3d FeatureStereo::makeKeyframe(const Keyframe& keyframe,
 void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& tracked,
                                    Motion& motion) {
   Eigen::Isometry3d T_world_camera = tracked.pose.T_world_camera;
-  if (first_lost_ >= 0) trajectory_.bridge(first_lost_, T_world_camera);
+  if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera);
   tracks_ = std::move(tracked.tracks);
   motion.tracked = tracked.pose.inliers;
   motion.is_keyframe = wantsKeyframe();
   if (motion.is_keyframe) {
     T_world_camera = makeKeyframe({motion.frame, T_world_camera}, findCandidates(images, tracks_));
-    trajectory_.follow(window_);
-    motion.revisions = trajectory_.retire(window_);
+    history_.followKeyframes(findKeyframe());
+    motion.revisions = history_.removeOld(findKeyframe());
     publishPoints(motion);
   }
-  const std::vector<MotionRevision> changed = trajectory_.revisions();
+  const std::vector<MotionRevision> changed = history_.largeRevisions();
   motion.revisions.insert(motion.revisions.end(), changed.begin(), changed.end());
   motion.state = TrackingState::Tracking;
   motion.covariance = tracked.pose.covariance;
-  motion.T_previous_current =
-      trajectory_.add(motion.frame, T_world_camera, window_.keyframes().back(), motion.covariance);
+  motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
   if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
   reference_ = images.left;
   T_world_reference_ = T_world_camera;
@@ -288,28 +283,27 @@ void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& track
 void FeatureStereo::answerPredicted(Motion& motion) {
   if (first_lost_ < 0) {
     first_lost_ = motion.frame;
-    log_->warning("tracking lost; going on as before until the images are good again");
+    log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
   const Eigen::Isometry3d T_world_camera = predictPose(motion.dt);
   motion.state = TrackingState::Lost;
   motion.covariance = predictionCovariance(expSe3(velocity_ * motion.dt), lost_frames_);
-  motion.T_previous_current =
-      trajectory_.add(motion.frame, T_world_camera, window_.keyframes().back(), motion.covariance);
+  motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
 }
 
 void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
-  const std::vector<Candidate> candidates = findCandidates(images, {});
+  const std::vector<StereoCorner> candidates = findCandidates(images, {});
   if (static_cast<int>(candidates.size()) < parameters_.min_inliers) return;
-  const Keyframe keyframe{
-      motion.frame, trajectory_.empty() ? Eigen::Isometry3d::Identity() : trajectory_.lastPose()};
+  const Keyframe keyframe{motion.frame,
+                          history_.empty() ? Eigen::Isometry3d::Identity() : history_.lastPose()};
   window_.clear();
   tracks_.clear();
   makeKeyframe(keyframe, candidates);
-  if (trajectory_.empty()) {
-    trajectory_.add(motion.frame, keyframe.T_world_camera, keyframe, motion.covariance);
+  if (history_.empty()) {
+    remember(keyframe.T_world_camera, keyframe, motion);
   }
-  motion.revisions = trajectory_.retire(window_);
+  motion.revisions = history_.removeOld(findKeyframe());
   motion.is_keyframe = true;
   publishPoints(motion);
   reference_ = images.left;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin: from stereo frames to motions, keyframes and revisions.
+// Feature-based stereo odometry: tracks corners with Lucas-Kanade, estimates the pose by RANSAC
+// over P3P, refines a window of keyframes, and reports motions and revisions in m and rad.
 #pragma once
 
 #include <optional>
@@ -12,7 +13,6 @@
 #include "stereo_matching.hpp"
 #include "tolman/roles.hpp"
 #include "tracking.hpp"
-#include "trajectory.hpp"
 #include "window.hpp"
 #include "window_refinement.hpp"
 
@@ -27,51 +27,63 @@ class FeatureStereo final : public Odometry {
   Status track(const Frame& frame, Motion& motion) override;
   Status finish(std::vector<MotionRevision>& revisions) override;
 
-  /// What the disparities are believed to be off by, px.
+  /// Estimated offset of all disparities, px.
   double disparityOffset() const { return window_.disparityOffset(); }
 
  private:
-  /// A landmark that is being followed.
+  /// A landmark that is tracked from frame to frame.
   struct Track {
     std::int64_t landmark = -1;
     cv::Point2f pixel;           ///< in the last frame that was tracked
     cv::Point2f keyframe_pixel;  ///< in the last keyframe that saw it
     float disparity = kNoDisparity;
   };
-  /// A corner with a disparity that is no landmark yet.
-  struct Candidate {
+  /// A corner with a disparity that is not a landmark yet.
+  struct StereoCorner {
     cv::Point2f pixel;
     float disparity = kNoDisparity;
   };
   struct StereoPyramids {
-    Pyramid left;
-    Pyramid right;
+    FlowPyramid left;
+    FlowPyramid right;
   };
   struct Tracked {
     PoseEstimate pose;
     std::vector<Track> tracks;  ///< those that agree with the pose
-    std::size_t offered = 0;    ///< how many were looked for
+    std::size_t offered = 0;    ///< how many were searched for
   };
 
   Status checkRig() const;
   Status checkFrame(const Frame& frame) const;
   void useSettings();
-  /// The pose when the camera goes on as before.
+  /// Pose under constant velocity.
   Eigen::Isometry3d predictPose(double dt) const;
   std::optional<Tracked> trackFrom(const StereoPyramids& images, const Eigen::Isometry3d& guess);
   std::optional<Tracked> trackAny(const StereoPyramids& images, const Eigen::Isometry3d& predicted);
-  std::vector<Candidate> findCandidates(const StereoPyramids& images,
-                                        const std::vector<Track>& tracks) const;
+  std::vector<StereoCorner> findCandidates(const StereoPyramids& images,
+                                           const std::vector<Track>& tracks) const;
   bool wantsKeyframe() const;
-  /// A keyframe here; returns its refined pose.
+  /// Adds a keyframe; returns its refined pose.
   Eigen::Isometry3d makeKeyframe(const Keyframe& keyframe,
-                                 const std::vector<Candidate>& candidates);
+                                 const std::vector<StereoCorner>& candidates);
   void publishPoints(Motion& motion);
+  /// The function from the frame index of a keyframe to its pose that the history needs.
+  auto findKeyframe() const {
+    return [this](std::int64_t frame) -> std::optional<Eigen::Isometry3d> {
+      for (const Keyframe& keyframe : window_.keyframes()) {
+        if (keyframe.frame == frame) return keyframe.T_world_camera;
+      }
+      return std::nullopt;
+    };
+  }
+  /// Adds the motion's frame to the history, relative to this keyframe; returns its motion.
+  Eigen::Isometry3d remember(const Eigen::Isometry3d& T_world_camera, const Keyframe& keyframe,
+                             const Motion& motion);
 
   void answer(const std::optional<StereoPyramids>& images, Motion& motion);
   void answerMeasured(const StereoPyramids& images, Tracked&& tracked, Motion& motion);
   void answerPredicted(Motion& motion);
-  /// A new window here, where the camera is believed to be.
+  /// Starts a new window at the predicted pose.
   void restart(const StereoPyramids& images, Motion& motion);
 
   Parameters parameters_;
@@ -84,18 +96,18 @@ class FeatureStereo final : public Odometry {
   Logger* log_ = nullptr;
   std::uint64_t seed_ = 0;
 
-  // All that decides the future, beside the above.
+  // State that reset() clears.
   RandomStream random_{0};
   Window window_;
-  Trajectory trajectory_;
-  Pyramid reference_;          ///< left image of the last frame that was tracked
+  MotionHistory<> history_;
+  FlowPyramid reference_;      ///< left image of the last frame that was tracked
   std::vector<Track> tracks_;  ///< in that image
   Eigen::Isometry3d T_world_reference_ = Eigen::Isometry3d::Identity();
   Vector6d velocity_ = Vector6d::Zero();  ///< twist per second, of the last measured motion
   std::int64_t last_stamp_ns_ = -1;       ///< -1 before the first frame
   std::int64_t first_lost_ = -1;          ///< frame index; -1 while tracking
   int lost_frames_ = 0;
-  std::size_t keyframe_tracks_ = 0;  ///< how many the last keyframe began with
+  std::size_t keyframe_tracks_ = 0;  ///< number of tracks at the last keyframe
 };
 
 }  // namespace tolman::feature_stereo

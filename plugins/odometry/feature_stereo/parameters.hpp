@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user can set about feature_stereo.
+// Parameters of feature_stereo.
 #pragma once
 
 #include <tuple>
@@ -33,10 +33,10 @@ struct Parameters {
     return tolman::parameters(
         parameter("corners", &P::corners)
             .range(50, 5000)
-            .doc("How many corners are followed; each owns a cell of a grid over the image."),
+            .doc("Number of corners that are tracked, one per cell of a grid over the image."),
         parameter("corner_quality", &P::corner_quality)
             .range(1e-6, 1)
-            .doc("Weakest corner, as a part of the strongest one of the image."),
+            .doc("Smallest corner response, relative to the strongest one of the image."),
         parameter("track_window", &P::track_window)
             .range(7, 61)
             .unit("px")
@@ -47,11 +47,11 @@ struct Parameters {
         parameter("track_consistency", &P::track_consistency)
             .range(0.05, 10)
             .unit("px")
-            .doc("Largest miss of a corner tracked to the new image and back."),
+            .doc("Largest forward-backward error of a corner tracked to the new image."),
         parameter("stereo_consistency", &P::stereo_consistency)
             .range(0.05, 10)
             .unit("px")
-            .doc("Largest miss of a corner matched to the right image and back."),
+            .doc("Largest forward-backward error of a corner matched to the right image."),
         parameter("nearest", &P::nearest)
             .range(0.01, 1000)
             .unit("m")
@@ -75,10 +75,10 @@ struct Parameters {
     return tolman::parameters(
         parameter("ransac_iterations", &P::ransac_iterations)
             .range(1, 10000)
-            .doc("Most samples of three points that are tried for a pose."),
+            .doc("Maximum number of RANSAC samples of three points."),
         parameter("min_inliers", &P::min_inliers)
             .range(6, 1000)
-            .doc("Fewest points that must agree on a pose; below, tracking is lost."),
+            .doc("Fewest inliers of a pose; with fewer, tracking is lost."),
         parameter("window", &P::window)
             .range(2, 30)
             .unit("keyframes")
@@ -86,17 +86,19 @@ struct Parameters {
         parameter("keyframe_flow", &P::keyframe_flow)
             .range(0.5, 1000)
             .unit("px")
-            .doc("Median image motion since the last keyframe that calls for the next one."),
+            .doc("Median image motion since the last keyframe at which a new one is made."),
         parameter("keyframe_survival", &P::keyframe_survival)
             .range(0.05, 1)
-            .doc("A keyframe is made when fewer than this part of the corners is left."),
+            .doc("A keyframe is made when less than this share of the corners is left."),
         parameter("refinement_iterations", &P::refinement_iterations)
             .range(0, 100)
             .doc("Steps of the window refinement at a keyframe; 0 switches it off."),
         parameter("offset_sigma", &P::offset_sigma)
             .range(0, 5)
             .unit("px")
-            .doc("How far all disparities may be off together; estimated; 0 trusts the source."));
+            .doc("Standard deviation of an offset that all disparities share, which is estimated; "
+                 "0: no "
+                 "offset."));
   }
 
   static constexpr auto declaration() {

@@ -17,21 +17,21 @@ constexpr double kNoInformation = 1e9;  // px^2, variance of a disparity that wa
 
 struct Hypothesis {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  double cost = 0;  ///< truncated squares: tells good from better where inlier counts tie
+  double cost = 0;  ///< sum of truncated squares
 };
 
 /// Poses and weights of one call.
 class PoseProblem {
  public:
-  PoseProblem(const CameraRig& rig, const std::vector<Sighting>& sightings,
+  PoseProblem(const CameraRig& rig, const std::vector<PointMatch>& matches,
               const PnpSettings& settings)
-      : rig_(rig), sightings_(sightings), settings_(settings), weights_(sightings.size()) {}
+      : rig_(rig), matches_(matches), settings_(settings), weights_(matches.size()) {}
 
-  /// Weights each sighting by the inverse of its covariance as seen from T: the pixel noise and the
+  /// Weights each match by the inverse of its covariance as seen from T: the pixel noise and the
   /// uncertainty of the point, which is what makes far and new points count less.
   void weigh(const Eigen::Isometry3d& T_world_camera) {
-    for (std::size_t i = 0; i < sightings_.size(); ++i) {
-      const Sighting& s = sightings_[i];
+    for (std::size_t i = 0; i < matches_.size(); ++i) {
+      const PointMatch& s = matches_[i];
       ProjectionJacobians J;
       const auto predicted = project(rig_, T_world_camera, s.point, &J);
       Eigen::Vector3d variances =
@@ -45,7 +45,7 @@ class PoseProblem {
 
   /// Squared Mahalanobis distance; infinite for a point behind the camera.
   double distance(std::size_t i, const Eigen::Isometry3d& T_world_camera) const {
-    const auto predicted = project(rig_, T_world_camera, sightings_[i].point);
+    const auto predicted = project(rig_, T_world_camera, matches_[i].point);
     if (!predicted) return std::numeric_limits<double>::infinity();
     const StereoPixel error = residual(i, *predicted);
     return error.dot(weights_[i] * error);
@@ -53,7 +53,7 @@ class PoseProblem {
 
   double cost(const Eigen::Isometry3d& T_world_camera) const {
     double sum = 0;
-    for (std::size_t i = 0; i < sightings_.size(); ++i) {
+    for (std::size_t i = 0; i < matches_.size(); ++i) {
       sum += std::min(distance(i, T_world_camera), kGate);
     }
     return sum;
@@ -63,9 +63,9 @@ class PoseProblem {
   bool step(Eigen::Isometry3d& T_world_camera, Matrix6d& information) const {
     information.setZero();
     Vector6d gradient = Vector6d::Zero();
-    for (std::size_t i = 0; i < sightings_.size(); ++i) {
+    for (std::size_t i = 0; i < matches_.size(); ++i) {
       ProjectionJacobians J;
-      const auto predicted = project(rig_, T_world_camera, sightings_[i].point, &J);
+      const auto predicted = project(rig_, T_world_camera, matches_[i].point, &J);
       if (!predicted) continue;
       const StereoPixel error = residual(i, *predicted);
       const double squared = error.dot(weights_[i] * error);
@@ -87,36 +87,36 @@ class PoseProblem {
   static constexpr double kCauchy = 5.7;  // (2.385)^2: 95 % efficient for normal errors
 
   StereoPixel residual(std::size_t i, const StereoPixel& predicted) const {
-    StereoPixel error = sightings_[i].pixel - predicted;
-    if (!sightings_[i].has_disparity) error.z() = 0;
+    StereoPixel error = matches_[i].pixel - predicted;
+    if (!matches_[i].has_disparity) error.z() = 0;
     return error;
   }
 
   const CameraRig& rig_;
-  const std::vector<Sighting>& sightings_;
+  const std::vector<PointMatch>& matches_;
   const PnpSettings& settings_;
   std::vector<Eigen::Matrix3d> weights_;
 };
 
-/// Sightings whose depth is known well enough to hold up a triangle.
-std::vector<std::size_t> triangulated(const std::vector<Sighting>& sightings) {
+/// Matches whose depth is accurate enough for P3P.
+std::vector<std::size_t> triangulated(const std::vector<PointMatch>& matches) {
   constexpr double kRelative = 0.1;
   std::vector<std::size_t> known;
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
-    const double sigma = std::sqrt(sightings[i].point_covariance(2, 2));
-    if (sightings[i].point.coordinates.z() > std::max(1e-6, sigma / kRelative)) known.push_back(i);
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    const double sigma = std::sqrt(matches[i].point_covariance(2, 2));
+    if (matches[i].point.coordinates.z() > std::max(1e-6, sigma / kRelative)) known.push_back(i);
   }
   return known;
 }
 
-/// The up to four cameras that see three points so. Points are handed over in the axes of `guess`,
-/// where their coordinates are small.
+/// The up to four poses that solve P3P. Points are given in the axes of `guess`, where their
+/// coordinates are small.
 std::vector<Eigen::Isometry3d> solveThree(const CameraRig& rig,
-                                          const std::array<const Sighting*, 3>& three,
+                                          const std::array<const PointMatch*, 3>& three,
                                           const Eigen::Isometry3d& guess) {
   std::vector<cv::Point3d> points;
   std::vector<cv::Point2d> rays;
-  for (const Sighting* s : three) {
+  for (const PointMatch* s : three) {
     const Eigen::Vector3d p = scaledCameraPoint(guess, s->point) / s->point.coordinates.z();
     const Eigen::Vector3d ray = rig.pinhole.ray(s->pixel.head<2>());
     points.emplace_back(p.x(), p.y(), p.z());
@@ -136,25 +136,25 @@ std::vector<Eigen::Isometry3d> solveThree(const CameraRig& rig,
   return poses;
 }
 
-/// Samples needed to meet one without outlier, with 99.9 % confidence.
+/// RANSAC samples needed for one without outlier, with 99.9 % confidence.
 double samplesNeeded(double cost, std::size_t count) {
   const double inliers = std::max(0.01, 1 - cost / (kGate * double(count)));
   return std::log(1e-3) / std::log(std::max(1e-9, 1 - inliers * inliers * inliers));
 }
 
-Hypothesis bestSample(const CameraRig& rig, const std::vector<Sighting>& sightings,
+Hypothesis bestSample(const CameraRig& rig, const std::vector<PointMatch>& matches,
                       const PoseProblem& problem, const Eigen::Isometry3d& guess, int iterations,
                       RandomStream& random) {
   Hypothesis best{guess, problem.cost(guess)};
-  const std::vector<std::size_t> known = triangulated(sightings);
+  const std::vector<std::size_t> known = triangulated(matches);
   if (known.size() < 3) return best;
-  for (int k = 0; k < iterations && k < samplesNeeded(best.cost, sightings.size()); ++k) {
+  for (int k = 0; k < iterations && k < samplesNeeded(best.cost, matches.size()); ++k) {
     const std::size_t a = random.below(known.size());
     const std::size_t b = random.below(known.size());
     const std::size_t c = random.below(known.size());
     if (a == b || b == c || a == c) continue;
-    const std::array<const Sighting*, 3> three = {&sightings[known[a]], &sightings[known[b]],
-                                                  &sightings[known[c]]};
+    const std::array<const PointMatch*, 3> three = {&matches[known[a]], &matches[known[b]],
+                                                    &matches[known[c]]};
     for (const Eigen::Isometry3d& pose : solveThree(rig, three, guess)) {
       const double cost = problem.cost(pose);
       if (cost < best.cost) best = {pose, cost};
@@ -166,15 +166,15 @@ Hypothesis bestSample(const CameraRig& rig, const std::vector<Sighting>& sightin
 }  // namespace
 
 std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
-                                         const std::vector<Sighting>& sightings,
+                                         const std::vector<PointMatch>& matches,
                                          const Eigen::Isometry3d& guess,
                                          const PnpSettings& settings, RandomStream& random) {
-  if (static_cast<int>(sightings.size()) < settings.min_inliers) return std::nullopt;
-  PoseProblem problem(rig, sightings, settings);
+  if (static_cast<int>(matches.size()) < settings.min_inliers) return std::nullopt;
+  PoseProblem problem(rig, matches, settings);
   problem.weigh(guess);
   PoseEstimate estimate;
   estimate.T_world_camera =
-      bestSample(rig, sightings, problem, guess, settings.iterations, random).T_world_camera;
+      bestSample(rig, matches, problem, guess, settings.iterations, random).T_world_camera;
   constexpr int kSteps = 8;
   Matrix6d information = Matrix6d::Zero();
   for (int k = 0; k < kSteps; ++k) {
@@ -182,7 +182,7 @@ std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
     if (!problem.step(estimate.T_world_camera, information)) return std::nullopt;
   }
   double squares = 0;
-  for (std::size_t i = 0; i < sightings.size(); ++i) {
+  for (std::size_t i = 0; i < matches.size(); ++i) {
     const double squared = problem.distance(i, estimate.T_world_camera);
     estimate.inlier.push_back(squared < kGate);
     if (!estimate.inlier.back()) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera's pose from points and where they are seen: three-point samples, then least squares.
+// Camera pose from 3D-2D matches (m, rad): RANSAC over P3P (Ke and Roumeliotis, CVPR 2017), then
+// robust Gauss-Newton steps.
 #pragma once
 
 #include <optional>
@@ -16,25 +17,25 @@ struct PnpSettings {
   int min_inliers = 20;
 };
 
-/// A point and its sighting in the image whose pose is wanted.
-struct Sighting {
+/// A point and its pixel in the image whose pose is estimated.
+struct PointMatch {
   InverseDepthPoint point;
   Eigen::Matrix3d point_covariance = Eigen::Matrix3d::Zero();  ///< of its coordinates
   StereoPixel pixel = StereoPixel::Zero();
-  bool has_disparity = false;  ///< else pixel.z() means nothing
+  bool has_disparity = false;  ///< false: pixel.z() is undefined
 };
 
 struct PoseEstimate {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();  ///< from the normal equations
-  std::vector<bool> inlier;                ///< for each sighting
+  std::vector<bool> inlier;                ///< for each match
   int inliers = 0;
 };
 
-/// The pose that most sightings agree on. `guess` is the first hypothesis and breaks no tie; the
+/// The pose that most matches agree on. `guess` is the first hypothesis and breaks no tie; the
 /// samples come from `random` alone. Nothing when fewer than min_inliers agree.
 std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
-                                         const std::vector<Sighting>& sightings,
+                                         const std::vector<PointMatch>& matches,
                                          const Eigen::Isometry3d& guess,
                                          const PnpSettings& settings, RandomStream& random);
 

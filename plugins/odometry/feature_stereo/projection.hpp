@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points in inverse depth, and where the rectified stereo pair sees them.
+// Landmarks in inverse depth and their projection into a rectified stereo pair.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,11 +17,10 @@ namespace tolman::feature_stereo {
 /// (u_left, v, u_right) have not.
 using StereoPixel = Eigen::Vector3d;
 
-/// How exact a StereoPixel is. Near points change their looks more from image to image and between
-/// the cameras than far ones, so that their errors grow with the disparity d:
-/// sigma(d) = sigma(0) sqrt(1 + (d / doubling)^2). On real road scenes one `doubling` fits the
-/// track and the disparity alike; a constant sigma would let the worst measurements decide the
-/// scale.
+/// Accuracy of a StereoPixel. The appearance of near points changes more between images than that
+/// of far ones, so their errors grow with the disparity d: sigma(d) = sigma(0) sqrt(1 +
+/// (d/doubling)^2). On road scenes (KITTI) one `doubling` fits tracks and disparities; with a
+/// constant sigma the least accurate measurements would determine the scale.
 struct PixelNoise {
   double track = 0.25;      ///< px, of u and of v, for far points
   double disparity = 0.15;  ///< px, for far points
@@ -52,7 +51,7 @@ struct ProjectionJacobians {
 Eigen::Vector3d scaledCameraPoint(const Eigen::Isometry3d& T_world_camera,
                                   const InverseDepthPoint& point);
 
-/// Nothing for a point that is not in front of the camera. `jacobians` may be null.
+/// Empty for a point that is not in front of the camera. `jacobians` may be null.
 std::optional<StereoPixel> project(const CameraRig& rig, const Eigen::Isometry3d& T_world_camera,
                                    const InverseDepthPoint& point,
                                    ProjectionJacobians* jacobians = nullptr);

@@ -13,10 +13,10 @@ namespace {
 constexpr int kRadius = 4;
 constexpr int kSide = 2 * kRadius + 1;
 constexpr int kArea = kSide * kSide;
-using Patch = std::array<int, kArea>;
+using RowPatch = std::array<int, kArea>;
 
-Patch cut(const cv::Mat& image, cv::Point centre) {
-  Patch patch{};
+RowPatch cut(const cv::Mat& image, cv::Point centre) {
+  RowPatch patch{};
   int sum = 0;
   for (int y = 0; y < kSide; ++y) {
     const uchar* row = image.ptr<uchar>(centre.y + y - kRadius) + centre.x - kRadius;
@@ -30,7 +30,7 @@ Patch cut(const cv::Mat& image, cv::Point centre) {
   return patch;
 }
 
-int difference(const Patch& a, const Patch& b) {
+int difference(const RowPatch& a, const RowPatch& b) {
   int sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
   return sum;
@@ -51,7 +51,7 @@ bool isUnique(const std::vector<int>& costs, std::size_t best) {
 float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int max_disparity) {
   const cv::Rect inside(kRadius, kRadius, left.cols - 2 * kRadius, left.rows - 2 * kRadius);
   if (!inside.contains(corner)) return kNoDisparity;
-  const Patch patch = cut(left, corner);
+  const RowPatch patch = cut(left, corner);
   std::vector<int> costs;
   for (int d = 0; d <= max_disparity && corner.x - d >= kRadius; ++d) {
     costs.push_back(difference(patch, cut(right, {corner.x - d, corner.y})));
@@ -63,7 +63,7 @@ float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int
   return static_cast<float>(best);
 }
 
-std::vector<float> matchStereo(const Pyramid& left, const Pyramid& right,
+std::vector<float> matchStereo(const FlowPyramid& left, const FlowPyramid& right,
                                const std::vector<cv::Point2f>& corners,
                                const std::vector<float>& guesses, const StereoSettings& settings) {
   const int level = std::min(1, std::min(left.levels(), right.levels()) - 1);

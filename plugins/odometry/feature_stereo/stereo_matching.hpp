@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Disparities of corners: a search along the row, then sub-pixel tracking, checked by going back.
+// Disparities (px) of corners: a search along the row, then sub-pixel Lucas-Kanade, with a
+// left-right check.
 #pragma once
 
 #include <limits>
@@ -13,8 +14,8 @@ namespace tolman::feature_stereo {
 struct StereoSettings {
   TrackSettings track;         ///< `levels` is how far a guess may be refined
   double max_disparity = 150;  ///< px
-  double min_disparity = -1;   ///< px; noise makes the far ones negative, and to drop these alone
-                               ///< would bring all far points nearer
+  double min_disparity = -1;   ///< px; noise makes some far disparities negative, and dropping only
+                               ///< these would bias far points towards the camera
   double epipolar = 1;         ///< px, largest difference of rows
 };
 
@@ -23,7 +24,7 @@ constexpr float kNoDisparity = std::numeric_limits<float>::quiet_NaN();
 
 /// The disparity u_left - u_right of each corner, or kNoDisparity. `guesses` is as long as
 /// `corners`; a corner without a guess is searched for along its row.
-std::vector<float> matchStereo(const Pyramid& left, const Pyramid& right,
+std::vector<float> matchStereo(const FlowPyramid& left, const FlowPyramid& right,
                                const std::vector<cv::Point2f>& corners,
                                const std::vector<float>& guesses, const StereoSettings& settings);
 

@@ -7,7 +7,7 @@
 namespace tolman::feature_stereo {
 namespace {
 
-std::vector<uchar> flow(const Pyramid& from_image, const Pyramid& to_image,
+std::vector<uchar> flow(const FlowPyramid& from_image, const FlowPyramid& to_image,
                         const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
                         const TrackSettings& settings) {
   std::vector<uchar> found;
@@ -29,13 +29,13 @@ bool inside(const cv::Point2f& point, const cv::Size& size) {
 
 }  // namespace
 
-Pyramid::Pyramid(const cv::Mat& gray, const TrackSettings& settings) {
+FlowPyramid::FlowPyramid(const cv::Mat& gray, const TrackSettings& settings) {
   cv::buildOpticalFlowPyramid(gray, images_, {settings.window, settings.window},
                               settings.levels - 1, true, cv::BORDER_REFLECT_101,
                               cv::BORDER_CONSTANT, false);
 }
 
-std::vector<bool> trackCorners(const Pyramid& from_image, const Pyramid& to_image,
+std::vector<bool> trackCorners(const FlowPyramid& from_image, const FlowPyramid& to_image,
                                const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
                                const TrackSettings& settings) {
   std::vector<bool> good(from.size(), false);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Following corners from one image to another (pyramidal Lucas-Kanade), checked by going back.
+// Tracks corners from one image to another by pyramidal Lucas-Kanade, with a forward-backward
+// check.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -10,15 +11,15 @@ namespace tolman::feature_stereo {
 struct TrackSettings {
   int window = 17;           ///< px, side of the patch
   int levels = 4;            ///< of the pyramid
-  double consistency = 0.7;  ///< px, largest miss there and back
+  double consistency = 0.7;  ///< px, largest forward-backward error
 };
 
-/// An image with its smaller copies and derivatives, made once for many trackings.
-class Pyramid {
+/// Image pyramid with derivatives, computed once per image.
+class FlowPyramid {
  public:
-  Pyramid() = default;
+  FlowPyramid() = default;
   /// `gray` is CV_8UC1; it is copied.
-  Pyramid(const cv::Mat& gray, const TrackSettings& settings);
+  FlowPyramid(const cv::Mat& gray, const TrackSettings& settings);
 
   bool empty() const { return images_.empty(); }
   cv::Size size() const { return images_.front().size(); }
@@ -32,9 +33,9 @@ class Pyramid {
 };
 
 /// Where the corners `from` of one image are in another. `to` holds guesses and is overwritten.
-/// The answer tells which corners came back to within `consistency` of where they started.
+/// True for corners whose backward track ends within `consistency` of their start.
 /// `levels` may be fewer than the pyramid has when the guesses are good.
-std::vector<bool> trackCorners(const Pyramid& from_image, const Pyramid& to_image,
+std::vector<bool> trackCorners(const FlowPyramid& from_image, const FlowPyramid& to_image,
                                const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
                                const TrackSettings& settings);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The active window: the last keyframes, and the landmarks that they saw.
+// The active window: the last keyframes and the landmarks that they observed.
 #pragma once
 
 #include <cstdint>
@@ -31,12 +31,12 @@ struct Keyframe {
 
 class Window {
  public:
-  /// Forgets keyframes and landmarks, not what was learnt of the cameras.
+  /// Removes keyframes and landmarks; keeps the disparity offset.
   void clear();
   void addKeyframe(const Keyframe& keyframe) { keyframes_.push_back(keyframe); }
-  /// Forgets the oldest keyframe, its observations, and landmarks that nobody else saw.
+  /// Removes the oldest keyframe, its observations, and landmarks without other observations.
   void dropOldest();
-  /// Forgets landmarks without observations; the caller has removed some.
+  /// Removes landmarks without observations.
   void dropUnseen();
 
   /// A new landmark, seen by the latest keyframe; returns its id.
@@ -47,13 +47,13 @@ class Window {
   const std::deque<Keyframe>& keyframes() const { return keyframes_; }
   std::map<std::int64_t, Landmark>& landmarks() { return landmarks_; }
   const std::map<std::int64_t, Landmark>& landmarks() const { return landmarks_; }
-  /// Measured minus true disparity, px: what the pair's rectification is off by.
+  /// Measured minus true disparity, px, an error of the rectification.
   double disparityOffset() const { return disparity_offset_; }
   void setDisparityOffset(double offset) { disparity_offset_ = offset; }
 
  private:
   std::deque<Keyframe> keyframes_;              ///< oldest first
-  std::map<std::int64_t, Landmark> landmarks_;  ///< by id: an order that no address decides
+  std::map<std::int64_t, Landmark> landmarks_;  ///< by id, so that the order is deterministic
   std::int64_t next_id_ = 0;
   double disparity_offset_ = 0;
 };

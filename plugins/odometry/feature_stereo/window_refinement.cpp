@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The least squares problem of the window, its solution, and what to believe of it.
+// The least squares problem of the window, its solution, and the removal of outliers.
 #include "window_refinement.hpp"
 
 #include <ceres/ceres.h>
@@ -33,7 +33,7 @@ struct Blocks {
       poses.push_back(toBlock(keyframe.T_world_camera));
     }
     for (auto& [id, landmark] : window.landmarks()) {
-      if (landmark.observations.size() < 2) continue;  // says nothing about poses
+      if (landmark.observations.size() < 2) continue;  // does not constrain poses
       landmarks.push_back(&landmark);
       points.push_back(landmark.point.coordinates);
     }
@@ -88,9 +88,9 @@ void solve(const CameraRig& rig, const RefinementSettings& settings, const Windo
   ceres::Solve(options, &problem, &summary);
 }
 
-/// Removes what does not fit and adds up the information of the rest.
-void judge(const CameraRig& rig, const RefinementSettings& settings, const Window& window,
-           Landmark& landmark) {
+/// Removes outlying observations and computes the covariance from the others.
+void removeOutliers(const CameraRig& rig, const RefinementSettings& settings, const Window& window,
+                    Landmark& landmark) {
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
   std::erase_if(landmark.observations, [&](const Observation& seen) {
     ProjectionJacobians J;
@@ -206,7 +206,7 @@ void refineWindow(const CameraRig& rig, const RefinementSettings& settings, Wind
   }
   for (std::size_t i = 0; i < blocks.points.size(); ++i) {
     blocks.landmarks[i]->point.coordinates = blocks.points[i];
-    judge(rig, settings, window, *blocks.landmarks[i]);
+    removeOutliers(rig, settings, window, *blocks.landmarks[i]);
   }
   window.dropUnseen();
 }

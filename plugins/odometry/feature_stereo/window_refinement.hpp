@@ -12,8 +12,8 @@ namespace tolman::feature_stereo {
 struct RefinementSettings {
   PixelNoise noise;
   int iterations = 6;
-  double offset_sigma = 0.2;   ///< px, of the disparity offset before anything is known
-  double offset_drift = 0.01;  ///< px, how far it may go with one keyframe
+  double offset_sigma = 0.2;   ///< px, prior standard deviation of the disparity offset
+  double offset_drift = 0.01;  ///< px, standard deviation of its change per keyframe
 };
 
 /// Stereo reprojection error of one observation, in standard deviations. Blocks: pose, coordinates
@@ -36,8 +36,8 @@ class StereoReprojection final : public ceres::SizedCostFunction<3, 7, 3, 1> {
   Eigen::Vector3d weights_;  ///< 1 / sigma; 0 for a disparity that was not measured
 };
 
-/// Holds the disparity offset near zero and near what it was: while the camera stands nothing else
-/// tells it from a change of scale.
+/// Prior of the disparity offset: near zero and near its last value. While the camera stands, no
+/// observation distinguishes the offset from a change of scale.
 class OffsetPrior final : public ceres::SizedCostFunction<2, 1> {
  public:
   OffsetPrior(double before, const RefinementSettings& settings)
@@ -66,10 +66,9 @@ using PoseBlock = Eigen::Matrix<double, 7, 1>;
 PoseBlock toBlock(const Eigen::Isometry3d& T);
 Eigen::Isometry3d fromBlock(const double* block);
 
-/// Moves keyframes (but the oldest, which holds the world still) and landmarks to where the
-/// observations fit best, with the disparity offset among the unknowns, then removes observations
-/// that do not fit and updates the landmarks' covariances. Single-threaded and free of addresses:
-/// the same window gives the same bits.
+/// Minimises the reprojection errors over keyframe poses (the oldest is fixed), landmarks and the
+/// disparity offset, then removes outlying observations and updates the covariances of landmarks.
+/// Single-threaded, with blocks in a fixed order: the same window gives the same bits.
 void refineWindow(const CameraRig& rig, const RefinementSettings& settings, Window& window);
 
 }  // namespace tolman::feature_stereo

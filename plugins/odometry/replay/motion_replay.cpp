@@ -21,7 +21,7 @@ Status MotionReplay::reset() {
   return Status::ok();
 }
 
-PlanarPose MotionReplay::worsened(const PlanarPose& step) {
+PlanarPose MotionReplay::disturbed(const PlanarPose& step) {
   const Parameters& p = parameters_;
   const double distance = std::hypot(step.x, step.y);
   const double stretch = 1 + p.bias_distance + p.noise_distance * random_.normal();
@@ -42,7 +42,7 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   }
   const std::vector<float>& v = recorded->values;
   const PlanarPose step =
-      worsened({static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
+      disturbed({static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
   const bool lost = random_.uniform() < parameters_.lost;
   const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
   last_stamp_ns_ = frame.stamp_ns;
@@ -51,9 +51,9 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   if (!lost) last_step_ = step;
   motion.T_previous_current = fromPlanar(last_step_);
   const double distance = std::hypot(last_step_.x, last_step_.y);
-  const double doubt = lost ? 10 : 1;
-  const double along = doubt * (parameters_.sigma_distance * distance + 1e-3);
-  const double turn = doubt * (parameters_.sigma_heading * std::sqrt(distance) + 1e-4);
+  const double factor = lost ? 10 : 1;  // of the standard deviations
+  const double along = factor * (parameters_.sigma_distance * distance + 1e-3);
+  const double turn = factor * (parameters_.sigma_heading * std::sqrt(distance) + 1e-4);
   motion.covariance.diagonal() << along * along, along * along, along * along, turn * turn,
       turn * turn, turn * turn;
   motion.tracked = lost ? 0 : 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Odometry `motion_replay`: gives the motion that the source recorded, worse on demand.
+// Odometry `motion_replay`: the planar motion that the source recorded (sensor motion.planar: x, y
+// in m, theta in rad), with optional noise, bias and losses.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 
 namespace tolman::motion_replay {
 
-struct ReplayParameters {
+struct MotionReplayParameters {
   double sigma_distance = 0.02;
   double sigma_heading = 0.002;
   double noise_distance = 0;
@@ -19,7 +20,7 @@ struct ReplayParameters {
   std::int64_t carried_at = -1;
 
   static constexpr auto declaration() {
-    using P = ReplayParameters;
+    using P = MotionReplayParameters;
     return parameters(
         parameter("sigma_distance", &P::sigma_distance)
             .range(1e-6, 10)
@@ -41,21 +42,21 @@ struct ReplayParameters {
         parameter("bias_heading", &P::bias_heading)
             .range(-1, 1)
             .unit("rad/m")
-            .doc("Turn added for each metre driven."),
+            .doc("Turn that is added per metre driven."),
         parameter("lost", &P::lost)
             .range(0, 1)
-            .doc("Share of frames whose motion is lost and predicted from the one before."),
+            .doc("Share of frames whose motion is not measured but predicted from the frame "
+                 "before."),
         parameter("carried_at", &P::carried_at)
             .range(-1, 1e9)
             .unit("frame")
-            .doc(
-                "At this frame odometry begins anew, as if the robot had been carried; -1 never."));
+            .doc("Frame at which tracking restarts at an unknown pose; -1: never."));
   }
 };
 
 class MotionReplay final : public Odometry {
  public:
-  using Parameters = ReplayParameters;
+  using Parameters = MotionReplayParameters;
 
   Status configure(const Context& context) override;
   Status reset() override;
@@ -63,7 +64,7 @@ class MotionReplay final : public Odometry {
   Status finish(std::vector<MotionRevision>& revisions) override;
 
  private:
-  PlanarPose worsened(const PlanarPose& step);
+  PlanarPose disturbed(const PlanarPose& step);
 
   Parameters parameters_;
   std::uint64_t seed_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user can set about scanline.
+// Parameters of scanline.
 #pragma once
 
 #include "tolman/parameters.hpp"
@@ -33,45 +33,45 @@ struct Parameters {
             .doc("Horizontal field of view of the whole image, for cameras without calibration."),
         parameter("turn_x_min", &P::turn_x_min)
             .range(0, 1)
-            .doc("Left edge of the part of the image that shows turns, as a fraction."),
-        parameter("turn_x_max", &P::turn_x_max).range(0, 1).doc("Its right edge."),
+            .doc("Left edge of the image region used for turns, as a fraction of the width."),
+        parameter("turn_x_max", &P::turn_x_max).range(0, 1).doc("Right edge of that region."),
         parameter("turn_y_min", &P::turn_y_min)
             .range(0, 1)
-            .doc("Its upper edge; the part should show what is far away."),
-        parameter("turn_y_max", &P::turn_y_max).range(0, 1).doc("Its lower edge."),
+            .doc("Upper edge of that region; it should show distant objects."),
+        parameter("turn_y_max", &P::turn_y_max).range(0, 1).doc("Lower edge of that region."),
         parameter("largest_turn", &P::largest_turn)
             .range(0.1, 180)
             .unit("deg")
-            .doc("Largest turn between two frames that is looked for."),
+            .doc("Largest turn between two frames that is searched for."),
         parameter("speed_x_min", &P::speed_x_min)
             .range(0, 1)
-            .doc("Left edge of the part of the image that shows speed, as a fraction."),
-        parameter("speed_x_max", &P::speed_x_max).range(0, 1).doc("Its right edge."),
+            .doc("Left edge of the image region used for speed, as a fraction of the width."),
+        parameter("speed_x_max", &P::speed_x_max).range(0, 1).doc("Right edge of that region."),
         parameter("speed_y_min", &P::speed_y_min)
             .range(0, 1)
-            .doc("Its upper edge; the part should show what is near."),
-        parameter("speed_y_max", &P::speed_y_max).range(0, 1).doc("Its lower edge."),
+            .doc("Upper edge of that region; it should show near objects."),
+        parameter("speed_y_max", &P::speed_y_max).range(0, 1).doc("Lower edge of that region."),
         parameter("metres_per_difference", &P::metres_per_difference)
             .range(1e-6, 1e6)
             .unit("m")
-            .doc("Way for a mean difference of 1 between two profiles: the scale of everything."),
+            .doc("Distance for a mean difference of 1 between two profiles; sets the scale."),
         parameter("still", &P::still)
             .range(0, 1)
-            .doc("Mean difference that noise makes; up to it the camera stands."),
+            .doc("Mean difference caused by noise; below it the camera stands."),
         parameter("largest_speed", &P::largest_speed)
             .range(1e-3, 1e4)
             .unit("m/s")
-            .doc("Faster is taken for a sudden change of the scene, and cut off."),
+            .doc("Largest plausible speed; larger values are limited to it."),
         parameter("weakest_contrast", &P::weakest_contrast)
             .range(0, 1)
-            .doc("Standard deviation of a profile below which it shows nothing."),
+            .doc("Smallest standard deviation of a usable profile."),
         parameter("sigma_turn", &P::sigma_turn)
             .range(1e-3, 90)
             .unit("deg")
-            .doc("Standard deviation of a turn between two frames, at the least."),
+            .doc("Smallest standard deviation of a turn between two frames."),
         parameter("sigma_distance", &P::sigma_distance)
             .range(0.01, 10)
-            .doc("Standard deviation of the way between two frames, as a part of it."));
+            .doc("Standard deviation of the distance between two frames, relative to it."));
   }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanline: the mean brightness of each column of a part of an image, over the bearing.
+// Intensity profile of an image region: mean brightness of each column, resampled over the bearing
+// (Milford and Wyeth 2008).
 #pragma once
 
 #include <vector>
@@ -20,9 +21,9 @@ struct Region {
 /// Samples at equal steps of bearing, left to right, in [0, 1].
 using Profile = std::vector<float>;
 
-/// From image columns to samples at equal steps of bearing. There a turn of the camera shifts the
-/// whole profile by one amount; in the columns of a pinhole camera it shifts the edges further than
-/// the centre.
+/// Resamples image columns at equal steps of bearing, so that a turn of the camera shifts the whole
+/// profile by the same amount. In the columns of a pinhole camera, the edges shift more than the
+/// centre.
 class ProfileMaker {
  public:
   /// As many samples as the region has columns. A camera that is not calibrated is taken to see
@@ -43,7 +44,7 @@ class ProfileMaker {
   std::vector<double> columns_;  ///< of each sample, from first_column_ on
 };
 
-/// Standard deviation: a flat profile shows no motion.
+/// Standard deviation of a profile; without contrast no motion can be measured.
 double contrastOf(const Profile& profile);
 
 }  // namespace tolman::scanline

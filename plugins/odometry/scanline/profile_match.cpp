@@ -15,7 +15,7 @@ double meanOf(std::span<const float> values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Mean absolute difference, means taken off, when the scene moved right by `shift`.
+/// Mean absolute difference after subtracting the means, when the scene moved right by `shift`.
 double differenceAt(const Profile& earlier, const Profile& later, int shift) {
   const std::size_t overlap = earlier.size() - static_cast<std::size_t>(std::abs(shift));
   const auto a = std::span(earlier).subspan(shift < 0 ? std::size_t(-shift) : 0, overlap);
@@ -26,7 +26,8 @@ double differenceAt(const Profile& earlier, const Profile& later, int shift) {
   return sum / static_cast<double>(overlap);
 }
 
-/// Where the tip of a V with equal slopes lies, through the costs at -1, 0 and 1; 0 is the least.
+/// Apex of a V with equal slopes through the costs at -1, 0 and 1, of which that at 0 is the
+/// smallest.
 double tipOfV(double before, double least, double after) {
   const double rise = std::max(before, after) - least;
   return rise > 0 ? 0.5 * (before - after) / rise : 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How two profiles differ: the shift that makes them most alike, and what is left then.
+// Compares two profiles: the shift with the smallest mean absolute difference, and that difference
+// (Milford and Wyeth 2008).
 #pragma once
 
 #include "profile.hpp"
@@ -7,8 +8,8 @@
 namespace tolman::scanline {
 
 struct ProfileMatch {
-  /// How far the scene moved to the right from the earlier to the later profile, in samples,
-  /// interpolated between whole ones.
+  /// Shift of the scene to the right from the earlier to the later profile, in samples,
+  /// interpolated.
   double moved_right = 0;
   double difference = 0;  ///< mean absolute difference at the best whole shift
   /// Half the width, in samples, of the range of shifts that are nearly as good.
@@ -17,8 +18,8 @@ struct ProfileMatch {
 };
 
 /// Tries all shifts up to `largest_shift` to both sides; of equals the smaller shift counts. The
-/// mean of each overlap is taken off first, so a change of exposure is no difference. Profiles of
-/// one length; at least half of it must overlap, which limits the shift.
+/// mean of each overlap is subtracted first, so a change of exposure has no effect. The profiles
+/// have the same length; at least half of it must overlap, which limits the shift.
 ProfileMatch matchProfiles(const Profile& earlier, const Profile& later, int largest_shift);
 
 }  // namespace tolman::scanline

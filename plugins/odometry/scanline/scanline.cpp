@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One frame after the other: scan, compare with the last scan, answer.
+// The steps of one frame: profiles, comparison with the last ones, report.
 #include "scanline.hpp"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ Status Scanline::track(const Frame& frame, Motion& motion) {
   since_reference_ += motion.dt;
   std::optional<Scan> now = scan(image);
   if (!reference_) {
-    // Nothing to compare with: no speed is better than a wrong one.
+    // Nothing to compare with: no speed is reported.
     motion.state = TrackingState::Initialising;
     if (motion.dt > 0) motion.covariance = covarianceOf(10, 1);
   } else if (now) {
@@ -116,13 +116,13 @@ void Scanline::answerMeasured(const Scan& now, Motion& motion) {
   };
   const ProfileMatch turned = matchProfiles(reference_->turn, now.turn, shifts(*turn_maker_));
   const ProfileMatch moved = matchProfiles(reference_->speed, now.speed, shifts(*speed_maker_));
-  // Who turns left sees the scene go right.
+  // When the camera turns left, the scene moves right in the image.
   const double turn = turned.moved_right * step;
   const double way = moved.difference > p.still ? p.metres_per_difference * moved.difference : 0;
   const double distance = std::min(way, p.largest_speed * since_reference_);
   const PlanarPose since_reference = arc(distance, turn);
   motion.state = TrackingState::Tracking;
-  // While lost, predictions were handed out; what is left of the way is this frame's.
+  // While lost, predicted motions were reported; this frame gets the rest of the measured motion.
   motion.T_previous_current = fromPlanar(between(predicted_, since_reference));
   const double doubt = std::hypot(p.sigma_turn * kDegree, 0.5 * turned.uncertainty * step);
   const double least = p.still * p.metres_per_difference;

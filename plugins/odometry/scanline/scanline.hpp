@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin: from consecutive scanlines to planar motion.
+// Scanline odometry (Milford and Wyeth 2008; Ball et al. 2013): planar motion from the shift and
+// the difference of two consecutive intensity profiles. Turns in rad, distances in arbitrary units.
 #pragma once
 
 #include <optional>
@@ -37,8 +38,8 @@ class Scanline final : public Odometry {
   std::optional<ProfileMaker> turn_maker_;
   std::optional<ProfileMaker> speed_maker_;
 
-  // All that decides the future, beside the above.
-  std::optional<Scan> reference_;  ///< of the last frame that showed something
+  // State that reset() clears.
+  std::optional<Scan> reference_;  ///< of the last frame with contrast
   double v_ = 0;                   ///< m/s, as last measured
   double omega_ = 0;               ///< rad/s
   PlanarPose predicted_;           ///< motion since the reference, while lost

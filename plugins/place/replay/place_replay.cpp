@@ -37,22 +37,22 @@ Status PlaceReplay::reset() {
   views_.clear();
   templates_ = 0;
   drive_.reset();
-  last_look_.reset();
-  owed_.reset();
+  last_compared_.reset();
+  pending_.reset();
   return Status::ok();
 }
 
-/// Candidates are told by numbers of frames, and those of two drives are different places.
-void PlaceReplay::forgetOtherDrives(const Frame& frame) {
+void PlaceReplay::removeViewsOfOtherDrive(const Frame& frame) {
   const NamedArray* drive = sensor(frame, "motion.drive");
   if (drive == nullptr || drive->values.empty()) return;
   const float here = drive->values[0];
   if (drive_ && *drive_ != here) {
-    log_->warning("this is another drive than the " + std::to_string(views_.size()) +
-                  " saved views are of: no candidate leads to them, they are forgotten");
+    log_->warning("the " + std::to_string(views_.size()) +
+                  " saved views belong to another drive, on which frame numbers mean other places; "
+                  "they are removed");
     views_.clear();
-    last_look_.reset();
-    owed_.reset();
+    last_compared_.reset();
+    pending_.reset();
   }
   drive_ = here;
 }
@@ -60,13 +60,13 @@ void PlaceReplay::forgetOtherDrives(const Frame& frame) {
 void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                                PlaceObservation& observation) {
   // A frame driven over again (pingpong) keeps its first template.
-  views_.try_emplace(source_index, View{templates_, in_template});
+  views_.try_emplace(source_index, ReplayedView{templates_, in_template});
   observation.recognition = Recognition::Novel;
   observation.template_id = templates_++;
 }
 
-void PlaceReplay::claim(const View& view, const PlanarPose& here_in_earlier,
-                        PlaceObservation& observation) const {
+void PlaceReplay::reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
+                              PlaceObservation& observation) const {
   const PlanarPose here = compose(view.in_template, here_in_earlier);
   observation.recognition = Recognition::Familiar;
   observation.template_id = view.template_id;
@@ -79,15 +79,15 @@ void PlaceReplay::claim(const View& view, const PlanarPose& here_in_earlier,
   observation.covariance.diagonal() << p, p, p, h, h, h;
 }
 
-/// Looks count from the last one, so that they fall into step with those that the source knows of.
-bool PlaceReplay::isLook(const Frame& frame) {
+/// Counts from the last compared frame, so that the regular ones align with those that are known.
+bool PlaceReplay::isCompared(const Frame& frame) {
   const NamedArray* looked = sensor(frame, "place.looked");
   const NamedArray* alike = sensor(frame, "place.candidate");
   const bool known = (looked != nullptr && !looked->values.empty() && looked->values[0] > 0) ||
                      (alike != nullptr && !alike->values.empty());
   const bool due =
-      !last_look_ || std::abs(frame.source_index - *last_look_) >= parameters_.view_step;
-  if (known || due) last_look_ = frame.source_index;
+      !last_compared_ || std::abs(frame.source_index - *last_compared_) >= parameters_.view_step;
+  if (known || due) last_compared_ = frame.source_index;
   return known || due;
 }
 
@@ -100,21 +100,21 @@ bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
     const auto view = views_.find(std::llround(number(0)));
     if (view == views_.end()) continue;
     if (parameters_.kept < 1 && random_.uniform() >= parameters_.kept) continue;
-    // The edge leads from here to the earlier frame; we want ourselves seen from the template.
-    claim(view->second, between({number(1), number(2), number(3)}, {}), observation);
+    // The edge leads from here to the earlier frame; the observation is in the template's frame.
+    reportMatch(view->second, between({number(1), number(2), number(3)}, {}), observation);
     return true;
   }
   return false;
 }
 
-/// A look-alike that is not in the data: any old view, as if it stood just here.
-bool PlaceReplay::invent(const Frame& frame, PlaceObservation& observation) {
+bool PlaceReplay::reportFalseMatch(const Frame& frame, PlaceObservation& observation) {
   if (!(parameters_.invented > 0) || random_.uniform() >= parameters_.invented) return false;
   const auto young = views_.lower_bound(frame.source_index - parameters_.invented_age);
   const auto old = std::distance(views_.begin(), young);
   if (old == 0) return false;
   const auto pick = random_.below(static_cast<std::uint64_t>(old));
-  claim(std::next(views_.begin(), static_cast<std::ptrdiff_t>(pick))->second, {}, observation);
+  reportMatch(std::next(views_.begin(), static_cast<std::ptrdiff_t>(pick))->second, {},
+              observation);
   return true;
 }
 
@@ -122,23 +122,23 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
                             PlaceObservation& observation) {
   observation.frame = frame.frame;
   observation.stamp_ns = frame.stamp_ns;
-  forgetOtherDrives(frame);
-  // A frame that nothing is known to lead to is no step after the view that is still owed.
-  if (motion && motion->state == TrackingState::Initialising) owed_.reset();
-  const bool look = isLook(frame);
-  if (recognise(frame, observation) || invent(frame, observation)) {
-    owed_ = frame.source_index;
+  removeViewsOfOtherDrive(frame);
+  // After a restart at an unknown pose the motion from the pending view is not known.
+  if (motion && motion->state == TrackingState::Initialising) pending_.reset();
+  const bool look = isCompared(frame);
+  if (recognise(frame, observation) || reportFalseMatch(frame, observation)) {
+    pending_ = frame.source_index;
     return Status::ok();
   }
   if (look) {
-    owed_.reset();
+    pending_.reset();
     makeTemplate(frame.source_index, {}, observation);
     return Status::ok();
   }
-  if (owed_ && motion) {
-    // Made a frame late: the recognised view lies one motion behind.
-    makeTemplate(*owed_, between(toPlanar(motion->T_previous_current), {}), observation);
-    owed_.reset();
+  if (pending_ && motion) {
+    // The pending view is that of the frame before: one motion behind.
+    makeTemplate(*pending_, between(toPlanar(motion->T_previous_current), {}), observation);
+    pending_.reset();
   }
   return Status::ok();
 }
@@ -148,8 +148,8 @@ Status PlaceReplay::save(std::ostream& stream) const {
   for (const std::uint64_t word : std::bit_cast<RandomWords>(random_)) writer.put(word);
   writer.put(templates_);
   writer.put(drive_.value_or(kUnknownDrive));
-  writer.put(last_look_.value_or(kNothing));
-  writer.put(owed_.value_or(kNothing));
+  writer.put(last_compared_.value_or(kNothing));
+  writer.put(pending_.value_or(kNothing));
   writer.put(static_cast<std::int64_t>(views_.size()));
   for (const auto& [source_index, view] : views_) {
     writer.put(source_index);
@@ -177,14 +177,14 @@ Status PlaceReplay::read(StateReader& reader) {
   templates_ = reader.get<std::int64_t>();
   if (const auto drive = reader.get<float>(); drive != kUnknownDrive) drive_ = drive;
   const auto last_look = reader.get<std::int64_t>();
-  if (last_look != kNothing) last_look_ = last_look;
+  if (last_look != kNothing) last_compared_ = last_look;
   const auto owed = reader.get<std::int64_t>();
-  if (owed != kNothing) owed_ = owed;
+  if (owed != kNothing) pending_ = owed;
   bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; });
   const auto count = reader.get<std::int64_t>();
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
     const auto source_index = reader.get<std::int64_t>();
-    View& view = views_[source_index];
+    ReplayedView& view = views_[source_index];
     view.template_id = reader.get<std::int64_t>();
     PlanarPose& pose = view.in_template;
     for (double* number : {&pose.x, &pose.y, &pose.theta}) *number = reader.get<double>();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Place `place_replay`: recorded loop candidates as views of templates.
+// Place `place_replay`: turns recorded loop candidates (sensor place.candidate) into template
+// observations; poses in m and rad.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace tolman::place_replay {
 
-struct ReplayParameters {
+struct PlaceReplayParameters {
   int view_step = 5;
   bool relative_pose = false;
   double sigma_position = 1.0;
@@ -22,15 +23,15 @@ struct ReplayParameters {
   int invented_age = 100;
 
   static constexpr auto declaration() {
-    using P = ReplayParameters;
+    using P = PlaceReplayParameters;
     return parameters(
         parameter("view_step", &P::view_step)
             .range(1, 1000)
             .unit("frames")
-            .doc("Frames of the data set from a look of the detector to its next one; where "
-                 "candidates begin or end it looked anyway."),
+            .doc("Frames of the data set between two views that the detector compared; the ends of "
+                 "candidates are always such views."),
         parameter("relative_pose", &P::relative_pose)
-            .doc("Give the candidate's offset as a measured pose."),
+            .doc("Report the candidate's offset as a measured relative pose."),
         parameter("sigma_position", &P::sigma_position)
             .range(1e-3, 100)
             .unit("m")
@@ -41,24 +42,26 @@ struct ReplayParameters {
             .doc("Reported standard deviation of its heading."),
         parameter("kept", &P::kept)
             .range(0, 1)
-            .doc("Share of the recorded candidates that are handed on."),
+            .doc("Share of the recorded candidates that are reported."),
         parameter("invented", &P::invented)
             .range(0, 1)
-            .doc("Share of the other frames at which any old view is claimed."),
+            .doc("Share of the other frames at which a false match with an old view is reported."),
         parameter("invented_age", &P::invented_age)
             .range(1, 1e9)
             .unit("frames")
-            .doc("How old such a view is at least."));
+            .doc("Smallest age of the view of a false match."));
   }
 };
 
-/// A candidate "frame i looks like frame j" is the template of j seen again at i. The detector
-/// looks every few frames and where the source says so (`place.looked`). Each view that is not
-/// recognised makes a template; one that is makes its own with the next frame, so that it can be
-/// recognised, too.
+/// A candidate "frame i resembles frame j" becomes an observation of the template of j at frame i.
+/// The recorded detector compared a frame every `view_step` frames and wherever the source marks
+/// one
+/// (`place.looked`). Such a frame without candidate makes a template. One with a candidate makes
+/// its own template at the next frame, since one frame gives one observation, so that later frames
+/// can match it as well.
 class PlaceReplay final : public Place, public StateKeeper {
  public:
-  using Parameters = ReplayParameters;
+  using Parameters = PlaceReplayParameters;
 
   Status configure(const Context& context) override;
   Status reset() override;
@@ -69,19 +72,23 @@ class PlaceReplay final : public Place, public StateKeeper {
   Status load(std::istream& stream) override;
 
  private:
-  /// Where the view of a frame of the data set is kept.
-  struct View {
+  /// The template of a frame of the data set.
+  struct ReplayedView {
     std::int64_t template_id = -1;
-    PlanarPose in_template;  ///< where the frame was, seen from where the template was made
+    PlanarPose in_template;  ///< pose of the frame relative to the template
   };
-  void forgetOtherDrives(const Frame& frame);
+  /// Candidates are numbers of frames, which mean other places on another drive: removes the views
+  /// when `motion.drive` changes.
+  void removeViewsOfOtherDrive(const Frame& frame);
   void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                     PlaceObservation& observation);
-  bool isLook(const Frame& frame);
+  /// Whether the recorded detector compared this frame.
+  bool isCompared(const Frame& frame);
   bool recognise(const Frame& frame, PlaceObservation& observation);
-  bool invent(const Frame& frame, PlaceObservation& observation);
-  void claim(const View& view, const PlanarPose& here_in_earlier,
-             PlaceObservation& observation) const;
+  /// Reports a false match: some old view, with the pose of its frame.
+  bool reportFalseMatch(const Frame& frame, PlaceObservation& observation);
+  void reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
+                   PlaceObservation& observation) const;
 
   Status read(StateReader& reader);
 
@@ -89,11 +96,12 @@ class PlaceReplay final : public Place, public StateKeeper {
   std::uint64_t seed_ = 0;
   Logger* log_ = nullptr;
   RandomStream random_{0};
-  std::map<std::int64_t, View> views_;  ///< by source index
+  std::map<std::int64_t, ReplayedView> views_;  ///< by source index
   std::int64_t templates_ = 0;
-  std::optional<float> drive_;             ///< whose frames the views are, as motion.drive says
-  std::optional<std::int64_t> last_look_;  ///< source index
-  std::optional<std::int64_t> owed_;       ///< source index of a recognised view without a template
+  std::optional<float> drive_;                 ///< motion.drive of the views
+  std::optional<std::int64_t> last_compared_;  ///< source index
+  std::optional<std::int64_t>
+      pending_;  ///< source index of a recognised view that has no template yet
 };
 
 }  // namespace tolman::place_replay

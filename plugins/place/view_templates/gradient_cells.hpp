@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that hold how strongly edges run in each of eight directions: what stays of a view when
-// light and contrast change (histograms of gradients; Dalal and Triggs 2005).
+// Histograms of oriented gradients (Dalal and Triggs, CVPR 2005): the strength of edges in eight
+// directions for each cell of a view. They change little with light and contrast.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace tolman::view_templates {
 
-/// Directions of an edge, over half a turn: light to dark counts as dark to light.
+/// Directions of an edge over 180 degrees: the sign of the gradient does not count.
 inline constexpr int kDirections = 8;
-/// Samples along each side of a cell, from which its gradients come.
+/// Samples along each side of a cell, from which its gradients are computed.
 inline constexpr int kSamplesPerCell = 8;
 
 /// Part of an image, px.

@@ -19,9 +19,9 @@ cv::Mat grayOf(const Image& image) {
 }  // namespace
 
 const Corners& LandmarkMemory::cornersOf(const Frame& frame) {
-  if (!looked_) seen_ = findCorners(grayOf(frame.left), corners_);
-  looked_ = true;
-  return seen_;
+  if (!has_corners_) frame_corners_ = findCorners(grayOf(frame.left), corners_);
+  has_corners_ = true;
+  return frame_corners_;
 }
 
 void LandmarkMemory::add(const Frame& frame) {
@@ -32,7 +32,7 @@ void LandmarkMemory::add(const Frame& frame) {
   templates_.push_back(std::move(landmarks));
 }
 
-bool LandmarkMemory::knows(std::int64_t id) const {
+bool LandmarkMemory::hasEnough(std::int64_t id) const {
   return static_cast<int>(templates_[static_cast<std::size_t>(id)].points.size()) >= least_;
 }
 
@@ -57,7 +57,7 @@ void LandmarkMemory::save(StateWriter& writer) const {
 bool LandmarkMemory::load(StateReader& reader) {
   constexpr std::size_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
   templates_.clear();
-  looked_ = false;
+  has_corners_ = false;
   const auto count = reader.get<std::uint64_t>();
   if (count > reader.remaining() / sizeof(std::uint64_t)) return false;
   for (std::uint64_t t = 0; t < count; ++t) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The landmarks of all templates, and the question whether a view shows those of one.
+// Stores the landmarks of all templates and measures the pose of a frame relative to a template.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,16 @@ class LandmarkMemory {
   LandmarkMemory(const CameraRig& rig, int corners, int least_agreeing)
       : rig_(rig), corners_(corners), least_(least_agreeing) {}
 
-  /// Whether the cameras can measure any.
+  /// Whether the rig can measure landmarks.
   bool hasStereo() const { return rig_.isStereo() && rig_.calibrated; }
-  /// A new frame comes: what was seen in the last one no longer counts.
-  void beginFrame() { looked_ = false; }
-  /// Landmarks of the next template.
+  /// Invalidates the corners of the previous frame.
+  void beginFrame() { has_corners_ = false; }
+  /// Stores the landmarks of the next template.
   void add(const Frame& frame);
   std::size_t size() const { return templates_.size(); }
-  /// Whether template `id` has enough of them to be recognised.
-  bool knows(std::int64_t id) const;
-  /// Where the camera is, seen from where template `id` was made; none: the view shows another
-  /// place.
+  /// Whether template `id` has enough landmarks to be recognised by them.
+  bool hasEnough(std::int64_t id) const;
+  /// Pose of the camera relative to template `id`; none when too few landmarks agree.
   std::optional<MeasuredPose> locate(const Frame& frame, std::int64_t id);
 
   void save(StateWriter& writer) const;
@@ -42,8 +41,8 @@ class LandmarkMemory {
   int corners_;
   int least_;
   std::vector<Landmarks> templates_;
-  Corners seen_;         ///< in the present frame
-  bool looked_ = false;  ///< whether seen_ is up to date
+  Corners frame_corners_;     ///< of the current frame
+  bool has_corners_ = false;  ///< whether frame_corners_ is up to date
 };
 
 }  // namespace tolman::view_templates

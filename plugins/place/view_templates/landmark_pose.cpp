@@ -8,20 +8,20 @@
 namespace tolman::view_templates {
 namespace {
 
-constexpr double kSigma = 1.0;   // px, of a corner found again
+constexpr double kSigma = 1.0;   // px, standard deviation of a matched corner
 constexpr double kInlier = 3.0;  // px
 using Jacobian = Eigen::Matrix<double, 2, 6>;
 
 cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
 
-/// Samples of three points; the numbers are drawn from a fixed seed inside OpenCV.
-std::optional<Eigen::Isometry3d> consensus(const std::vector<Sighting>& sightings,
+/// RANSAC over P3P. OpenCV seeds its random numbers with a constant, so the result is reproducible.
+std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& matches,
                                            const Pinhole& pinhole) {
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
-  for (const Sighting& sighting : sightings) {
-    points.push_back(sighting.point);
-    pixels.push_back(sighting.pixel);
+  for (const LandmarkMatch& match : matches) {
+    points.push_back(match.point);
+    pixels.push_back(match.pixel);
   }
   cv::Vec3d rotation;
   cv::Vec3d translation;
@@ -35,23 +35,22 @@ std::optional<Eigen::Isometry3d> consensus(const std::vector<Sighting>& sighting
   return T_current_template.inverse();
 }
 
-/// The normal equations of all sightings that a pose explains.
-struct Normal {
+/// Gauss-Newton normal equations of the reprojection errors of all inliers.
+struct PoseEquations {
   Matrix6d H = Matrix6d::Zero();
   Vector6d b = Vector6d::Zero();
   int inliers = 0;
 };
 
-Normal normalOf(const std::vector<Sighting>& sightings, const Pinhole& K,
-                const Eigen::Isometry3d& T_template_current) {
-  Normal normal;
+PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const Pinhole& K,
+                              const Eigen::Isometry3d& T_template_current) {
+  PoseEquations normal;
   const Eigen::Isometry3d T_current_template = T_template_current.inverse();
-  for (const Sighting& sighting : sightings) {
+  for (const LandmarkMatch& match : matches) {
     const Eigen::Vector3d p =
-        T_current_template * Eigen::Vector3d(sighting.point.x, sighting.point.y, sighting.point.z);
+        T_current_template * Eigen::Vector3d(match.point.x, match.point.y, match.point.z);
     if (p.z() < 0.1) continue;
-    const Eigen::Vector2d error =
-        Eigen::Vector2d(sighting.pixel.x, sighting.pixel.y) - K.project(p);
+    const Eigen::Vector2d error = Eigen::Vector2d(match.pixel.x, match.pixel.y) - K.project(p);
     if (error.norm() > kInlier) continue;
     Eigen::Matrix<double, 2, 3> projection;
     projection << K.fx / p.z(), 0, -K.fx * p.x() / (p.z() * p.z()), 0, K.fy / p.z(),
@@ -69,35 +68,35 @@ Normal normalOf(const std::vector<Sighting>& sightings, const Pinhole& K,
 
 }  // namespace
 
-std::vector<Sighting> findAgain(const Landmarks& landmarks, const Corners& corners) {
-  std::vector<Sighting> sightings;
-  if (landmarks.points.empty() || corners.pixels.size() < 2) return sightings;
+std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& corners) {
+  std::vector<LandmarkMatch> matches;
+  if (landmarks.points.empty() || corners.pixels.size() < 2) return matches;
   constexpr float kFarthest = 64;  // of 256 bits
-  constexpr float kRival = 0.8F;
+  constexpr float kRival = 0.8F;   // ratio test (Lowe, IJCV 2004)
   std::vector<std::vector<cv::DMatch>> nearest;
   cv::BFMatcher(cv::NORM_HAMMING)
       .knnMatch(landmarks.descriptions, corners.descriptions, nearest, 2);
   for (const std::vector<cv::DMatch>& two : nearest) {
     if (two[0].distance > kFarthest || two[0].distance > kRival * two[1].distance) continue;
-    sightings.push_back({landmarks.points[static_cast<std::size_t>(two[0].queryIdx)],
-                         corners.pixels[static_cast<std::size_t>(two[0].trainIdx)]});
+    matches.push_back({landmarks.points[static_cast<std::size_t>(two[0].queryIdx)],
+                       corners.pixels[static_cast<std::size_t>(two[0].trainIdx)]});
   }
-  return sightings;
+  return matches;
 }
 
-std::optional<MeasuredPose> poseOf(const std::vector<Sighting>& sightings, const Pinhole& pinhole,
-                                   int least) {
-  if (static_cast<int>(sightings.size()) < least) return std::nullopt;
-  const std::optional<Eigen::Isometry3d> start = consensus(sightings, pinhole);
+std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
+                                   const Pinhole& pinhole, int least) {
+  if (static_cast<int>(matches.size()) < least) return std::nullopt;
+  const std::optional<Eigen::Isometry3d> start = consensus(matches, pinhole);
   if (!start) return std::nullopt;
   MeasuredPose measured;
   measured.T_template_current = *start;
-  Normal normal = normalOf(sightings, pinhole, *start);
+  PoseEquations normal = poseEquationsOf(matches, pinhole, *start);
   constexpr int kSteps = 5;
   for (int step = 0; step < kSteps && normal.inliers >= least; ++step) {
     measured.T_template_current =
         normalised(measured.T_template_current * expSe3(Vector6d(normal.H.ldlt().solve(normal.b))));
-    normal = normalOf(sightings, pinhole, measured.T_template_current);
+    normal = poseEquationsOf(matches, pinhole, measured.T_template_current);
   }
   if (normal.inliers < least) return std::nullopt;
   measured.inliers = normal.inliers;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the camera is now, seen from where a template was made: landmarks found again, a pose that
-// enough of them agree on, and its covariance.
+// Pose of the camera relative to the frame of a template, m and rad: landmarks are matched by their
+// ORB descriptors, a pose is found by RANSAC over P3P and refined by Gauss-Newton over its inliers.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,9 @@
 
 namespace tolman::view_templates {
 
-/// A landmark of the template and where it is seen now.
-struct Sighting {
+/// A landmark of the template, in its frame (m), and the pixel of the current image that it
+/// matches.
+struct LandmarkMatch {
   cv::Point3f point;
   cv::Point2f pixel;
 };
@@ -23,11 +24,11 @@ struct MeasuredPose {
   int inliers = 0;
 };
 
-/// Each landmark with the corner that is described most alike, unless a second one is nearly so.
-std::vector<Sighting> findAgain(const Landmarks& landmarks, const Corners& corners);
+/// Matches each landmark to the corner with the nearest descriptor; ambiguous matches are left out.
+std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& corners);
 
-/// None when fewer than `least` sightings agree.
-std::optional<MeasuredPose> poseOf(const std::vector<Sighting>& sightings, const Pinhole& pinhole,
-                                   int least);
+/// None when fewer than `least` matches agree.
+std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
+                                   const Pinhole& pinhole, int least);
 
 }  // namespace tolman::view_templates

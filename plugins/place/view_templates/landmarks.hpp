@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a template remembers of a stereo pair beside its looks: corners with their place in space
-// and a description by which they are found again (ORB; Rublee et al. 2011).
+// Landmarks of a template: corners of a stereo pair with their position (m, camera frame of the
+// template) and their ORB descriptor (Rublee et al. 2011).
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -17,21 +17,21 @@ struct Corners {
 };
 inline constexpr int kDescriptionBytes = 32;
 
-/// A place's landmarks, in the frame of its left camera; m.
+/// Landmarks in the frame of the left camera, m.
 struct Landmarks {
   std::vector<cv::Point3f> points;
   cv::Mat descriptions;  ///< as those of Corners
 };
 
-/// At most `count` corners of a grey image, the same each time.
+/// At most `count` corners of a grey image; deterministic.
 Corners findCorners(const cv::Mat& gray, int count);
 
-/// Those corners of the left image that the right one shows as well.
+/// The corners of the left image that are found in the right one, with their depth.
 Landmarks findLandmarks(const cv::Mat& left, const cv::Mat& right, const CameraRig& rig,
                         const Corners& corners);
 
-/// Disparity of a pixel of the left image, to a part of a pixel; negative where the right image
-/// shows nothing like it, or two places as good.
+/// Sub-pixel disparity of a pixel of the left image (px), at most `largest`; negative where no
+/// match is good or two are equally good.
 double disparityAt(const cv::Mat& left, const cv::Mat& right, const cv::Point2f& pixel,
                    double largest);
 

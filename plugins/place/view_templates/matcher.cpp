@@ -9,8 +9,8 @@
 namespace tolman::view_templates {
 namespace {
 
-/// Written so that the compiler makes it 8 cells wide with SSE2: the larger minus the smaller stays
-/// in 16 bits, which a plain abs() does not.
+/// Vectorises to 8 cells with SSE2, because the larger minus the smaller cell fits 16 bits; the
+/// argument of abs() would not.
 std::int32_t rowDifference(const FixedCell* a, const FixedCell* b, int count) {
   std::int32_t sum = 0;
   for (int i = 0; i < count; ++i) {
@@ -23,7 +23,7 @@ std::int32_t rowDifference(const FixedCell* a, const FixedCell* b, int count) {
   return sum;
 }
 
-/// OpenRatSLAM's margin on the quick reject.
+/// Tolerance of the rejection by the mean, as in OpenRatSLAM.
 constexpr double kMeanMargin = 0.005;
 
 }  // namespace
@@ -42,7 +42,7 @@ Matcher::Matcher(const MatchSettings& settings, int columns, int rows)
     throw std::invalid_argument("the shifts leave nothing to compare");
 }
 
-void Matcher::setQuery(const View& view) {
+void Matcher::setQuery(const LocalView& view) {
   const int copies = query_stride_ / columns_;
   auto cell = query_.begin();
   for (int r = 0; r < rows_ * settings_.layers; ++r) {
@@ -53,14 +53,15 @@ void Matcher::setQuery(const View& view) {
   }
 }
 
-Matcher::Shift Matcher::shiftAt(int index) const {
+Matcher::TemplateShift Matcher::shiftAt(int index) const {
   const int offset = index % shifts_ * settings_.step;
   const int down = index / shifts_ - settings_.vertical_shift;
   if (settings_.panoramic) return {offset, 0, down};
   return {settings_.shift, offset, down};
 }
 
-std::int64_t Matcher::difference(const FixedCell* stored, Shift shift, std::int64_t limit) const {
+std::int64_t Matcher::difference(const FixedCell* stored, TemplateShift shift,
+                                 std::int64_t limit) const {
   std::int64_t sum = 0;
   for (int layer = 0; layer < settings_.layers; ++layer) {
     const int row = layer * rows_ + first_row_;
@@ -75,8 +76,8 @@ std::int64_t Matcher::difference(const FixedCell* stored, Shift shift, std::int6
   return sum;
 }
 
-/// Absolute differences rise like a V on both sides of the true shift: the tip of a V with equal
-/// slopes through the three costs around the best.
+/// Sub-cell shift. Sums of absolute differences rise linearly on both sides of the true shift: the
+/// apex of a V with equal slopes through the three costs around the best.
 double Matcher::interpolated(const FixedCell* stored, int best) const {
   constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
   const int level = best - best % shifts_;  // the first index of the same vertical shift
@@ -94,7 +95,7 @@ double Matcher::interpolated(const FixedCell* stored, int best) const {
   return rise > 0 ? 0.5 * (c1 - c2) / rise : 0.0;
 }
 
-Match Matcher::nearest(const View& view, const TemplateBank& bank) {
+Match Matcher::nearest(const LocalView& view, const TemplateBank& bank) {
   setQuery(view);
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
   Match match;
@@ -114,7 +115,7 @@ Match Matcher::nearest(const View& view, const TemplateBank& bank) {
   if (match.id < 0) return match;
   const double compared = compared_columns_ * compared_rows_ * settings_.layers;
   match.distance = static_cast<double>(least) / (kOne * compared);
-  const Shift shift = shiftAt(best);
+  const TemplateShift shift = shiftAt(best);
   match.moved_right = shift.view_column - shift.template_column +
                       interpolated(bank.cells(match.id).data(), best) * settings_.step *
                           (settings_.panoramic ? 1 : -1);

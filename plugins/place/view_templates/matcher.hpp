@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest stored template of a view: exhaustive sum of absolute differences over horizontal
-// shifts, with a quick reject by the mean and rows abandoned early.
+// Finds the stored template nearest to a view: sum of absolute differences over all horizontal (and
+// vertical) shifts, as OpenRatSLAM (Ball et al. 2013). Templates whose mean differs too much are
+// skipped, and a sum stops once it exceeds the smallest so far.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +16,16 @@ struct MatchSettings {
   int shift = 5;             ///< largest horizontal shift, cells; not used by panoramas
   int step = 1;              ///< between the shifts that are tried, cells
   double threshold = 0.085;  ///< largest mean absolute difference of a match
-  bool panoramic = false;    ///< the view closes on itself: all cyclic shifts
+  bool panoramic = false;    ///< 360 degree view: all cyclic shifts are tried
   int vertical_shift = 0;    ///< largest vertical shift, cells; all between are tried
-  int layers = 1;            ///< so many views of the same size lie one below the other
+  int layers = 1;            ///< number of blocks of rows that a view consists of
 };
 
 struct Match {
   std::int64_t id = -1;  ///< nearest template; -1 when every one was rejected by its mean
   double distance = 1;   ///< mean absolute difference of the compared cells
-  /// How far the scene moved to the right in the image since the template was made, in cells.
-  /// Interpolated between the shifts that were tried.
+  /// Shift of the scene to the right since the template was made, in cells, interpolated between
+  /// the tried shifts.
   double moved_right = 0;
 };
 
@@ -34,20 +35,20 @@ class Matcher {
   Matcher(const MatchSettings& settings, int columns, int rows);
 
   /// Ties go to the older template, then to the shift that was tried first.
-  Match nearest(const View& view, const TemplateBank& bank);
+  Match nearest(const LocalView& view, const TemplateBank& bank);
 
  private:
   /// One tried shift: the first compared column of view and of template, and how many rows lower
   /// the template is read.
-  struct Shift {
+  struct TemplateShift {
     int view_column;
     int template_column;
     int down;
   };
 
-  void setQuery(const View& view);
-  Shift shiftAt(int index) const;
-  std::int64_t difference(const FixedCell* stored, Shift shift, std::int64_t limit) const;
+  void setQuery(const LocalView& view);
+  TemplateShift shiftAt(int index) const;
+  std::int64_t difference(const FixedCell* stored, TemplateShift shift, std::int64_t limit) const;
   double interpolated(const FixedCell* stored, int best) const;
 
   MatchSettings settings_;

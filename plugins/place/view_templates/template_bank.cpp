@@ -9,7 +9,7 @@ namespace tolman::view_templates {
 
 FixedCell toFixed(float cell) { return static_cast<FixedCell>(std::lround(cell * kOne)); }
 
-std::int64_t TemplateBank::add(const View& view) {
+std::int64_t TemplateBank::add(const LocalView& view) {
   if (view.cells.size() != cellsPerTemplate()) throw std::invalid_argument("view of another size");
   for (const float cell : view.cells) cells_.push_back(toFixed(cell));
   means_.push_back(view.mean);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stored templates, structure of arrays: all cells in one contiguous buffer of fixed-point
-// numbers, all means in another. Grows by amortised doubling, nothing else allocates.
+// Stores the templates as a structure of arrays: all cells in one contiguous buffer of fixed-point
+// numbers, all means in another. Memory grows by amortised doubling.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class TemplateBank {
   TemplateBank(int columns, int rows) : columns_(columns), rows_(rows) {}
 
   /// Stores a view; its id is the number of templates before it.
-  std::int64_t add(const View& view);
+  std::int64_t add(const LocalView& view);
   std::int64_t size() const { return static_cast<std::int64_t>(means_.size()); }
   int columns() const { return columns_; }
   int rows() const { return rows_; }

@@ -98,7 +98,7 @@ void normalisePatches(int columns, int radius, double minimum_std, const std::ve
 }
 
 Result<Crop> ViewMaker::cropOf(int image_width, int image_height) const {
-  const ViewSettings& s = settings_;
+  const LocalViewSettings& s = settings_;
   const int x0 = pixelOf(s.crop_x_min, image_width);
   const int y0 = pixelOf(s.crop_y_min, image_height);
   const Crop crop{x0, y0, pixelOf(s.crop_x_max, image_width) - x0,
@@ -117,8 +117,8 @@ Status ViewMaker::checkSize(int image_width, int image_height) const {
   return cropOf(image_width, image_height).status();
 }
 
-Status ViewMaker::make(const Image& image, View& view) {
-  const ViewSettings& s = settings_;
+Status ViewMaker::make(const Image& image, LocalView& view) {
+  const LocalViewSettings& s = settings_;
   const Result<Crop> crop = cropOf(image.width(), image.height());
   if (!crop.isOk()) return crop.status();
   if (s.kind == CellKind::Gradients) {
@@ -133,8 +133,8 @@ Status ViewMaker::make(const Image& image, View& view) {
   return Status::ok();
 }
 
-void ViewMaker::makeGrey(const Image& image, const Crop& crop, View& view) {
-  const ViewSettings& s = settings_;
+void ViewMaker::makeGrey(const Image& image, const Crop& crop, LocalView& view) {
+  const LocalViewSettings& s = settings_;
   // The remainder on the right and below is ignored.
   const int width = crop.width / s.columns;
   const int height = crop.height / s.rows;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From an image to a view: crop, then block averages with normalisation (algorithms of
-// OpenRatSLAM), or directions of edges.
+// Computes a local view from an image: crop, then block averages with normalisation (as
+// OpenRatSLAM, Ball et al. 2013), or histograms of oriented gradients.
 #pragma once
 
 #include <array>
@@ -24,17 +24,17 @@ inline constexpr std::array<std::string_view, 2> kCellKindNames = {"grey", "grad
 constexpr std::span<const std::string_view> enumNames(CellKind) { return kCellKindNames; }
 constexpr int layersOf(CellKind kind) { return kind == CellKind::Gradients ? kDirections : 1; }
 
-/// What the camera sees, as hundreds of numbers in [0, 1]; row-major.
-struct View {
+/// A local view: some hundred cells in [0, 1], row-major.
+struct LocalView {
   std::vector<float> cells;
   double mean = 0;           ///< of all cells
   double cell_width_px = 0;  ///< image columns that one cell stands for
 };
 
-struct ViewSettings {
+struct LocalViewSettings {
   int columns = 60;
   int rows = 10;
-  /// The part of the image that is looked at, as fractions of its width and height.
+  /// The part of the image that is used, as fractions of its width and height.
   double crop_x_min = 0;
   double crop_x_max = 1;
   double crop_y_min = 0;
@@ -47,18 +47,18 @@ struct ViewSettings {
 
 class ViewMaker {
  public:
-  explicit ViewMaker(const ViewSettings& settings) : settings_(settings) {}
+  explicit ViewMaker(const LocalViewSettings& settings) : settings_(settings) {}
 
   /// Overwrites `view`. InvalidParameter when the crop has fewer pixels than cells.
-  Status make(const Image& image, View& view);
+  Status make(const Image& image, LocalView& view);
   /// The same failure, before there is an image.
   Status checkSize(int image_width, int image_height) const;
 
  private:
   Result<Crop> cropOf(int image_width, int image_height) const;
-  void makeGrey(const Image& image, const Crop& crop, View& view);
+  void makeGrey(const Image& image, const Crop& crop, LocalView& view);
 
-  ViewSettings settings_;
+  LocalViewSettings settings_;
   std::vector<float> scratch_;
 };
 

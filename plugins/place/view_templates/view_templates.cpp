@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kMagic = "TLMVIEWS";
 constexpr std::uint64_t kStateVersion = 2;
 
-ViewSettings viewSettings(const ViewTemplates::Parameters& p) {
+LocalViewSettings viewSettings(const ViewTemplates::Parameters& p) {
   return {p.columns,    p.rows,          p.crop_x_min,   p.crop_x_max,        p.crop_y_min,
           p.crop_y_max, p.normalisation, p.patch_radius, p.patch_minimum_std, p.cells};
 }
@@ -50,7 +50,7 @@ Status ViewTemplates::configure(const Context& context) {
   if (Status status = reset(); !status.isOk()) return status;
   if (landmarks_ && !landmarks_->hasStereo()) {
     context.log.warning(
-        "landmarks need a calibrated stereo pair; views are told apart by their looks alone: set "
+        "landmarks need a calibrated stereo pair; views are recognised by appearance alone: set "
         "landmarks to 0 and lower the threshold");
   }
   return rig_.width > 0 ? maker_->checkSize(rig_.width, rig_.height) : Status::ok();
@@ -67,7 +67,7 @@ Status ViewTemplates::reset() {
   if (p.landmarks > 0) {
     landmarks_ = std::make_unique<LandmarkMemory>(rig_, p.landmarks, p.landmarks_agreeing);
   }
-  view_ = View{};
+  view_ = LocalView{};
   last_template_ = -1;
   return Status::ok();
 }
@@ -94,9 +94,9 @@ bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation)
   const Match match = matcher_->nearest(view_, *bank_);
   observation.score = match.distance;
   if (match.id < 0 || match.distance > parameters_.threshold) return false;
-  if (landmarks_ && landmarks_->knows(match.id)) {
+  if (landmarks_ && landmarks_->hasEnough(match.id)) {
     const std::optional<MeasuredPose> measured = landmarks_->locate(frame, match.id);
-    if (!measured) return false;  // a look-alike
+    if (!measured) return false;  // another place of similar appearance
     observation.has_relative_pose = true;
     observation.T_template_current = measured->T_template_current;
     observation.covariance = measured->covariance;
@@ -131,8 +131,8 @@ void ViewTemplates::arrays(std::vector<NamedArray>& arrays) const {
   arrays.push_back({"view.template", shape, std::move(stored)});
 }
 
-/// All that decides how a view becomes a template: stored templates are worthless to another.
-std::vector<double> ViewTemplates::recipe() const {
+/// The parameters that stored templates depend on: they cannot be used with other values.
+std::vector<double> ViewTemplates::templateParameters() const {
   const Parameters& p = parameters_;
   return {static_cast<double>(p.columns),
           static_cast<double>(p.rows),
@@ -147,9 +147,23 @@ std::vector<double> ViewTemplates::recipe() const {
           static_cast<double>(p.landmarks)};
 }
 
+Status ViewTemplates::describe(std::vector<ArrayInfo>& arrays) const {
+  for (const char* name : {"view.current", "view.template"}) {
+    ArrayInfo view;
+    view.name = name;
+    view.doc = std::string(name) == "view.current" ? "cells of the current view"
+                                                   : "cells of the template of the last answer";
+    view.axes.resize(2);
+    view.axes[0].name = "row";
+    view.axes[1].name = "column";
+    arrays.push_back(std::move(view));
+  }
+  return Status::ok();
+}
+
 Status ViewTemplates::save(std::ostream& stream) const {
   StateWriter writer;
-  writer.putAll<double>(recipe());
+  writer.putAll<double>(templateParameters());
   writer.put(last_template_);
   writer.put(bank_->size());
   writer.putAll(bank_->allMeans());
@@ -163,9 +177,9 @@ Status ViewTemplates::load(std::istream& stream) {
   Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
   if (!opened.isOk()) return opened.status();
   StateReader& reader = opened.value();
-  std::vector<double> saved_recipe(recipe().size());
-  reader.getAll<double>(saved_recipe);
-  if (saved_recipe != recipe()) {
+  std::vector<double> saved_parameters(templateParameters().size());
+  reader.getAll<double>(saved_parameters);
+  if (saved_parameters != templateParameters()) {
     return Status::invalidInput(
         "the saved templates were made with other parameters (columns, rows, cells, crop, "
         "normalisation)");

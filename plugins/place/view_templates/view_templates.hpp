@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Local view cells: each novel view becomes a template, each familiar one activates its template.
+// Local view cells (Milford and Wyeth 2008; Ball et al. 2013): each novel view becomes a template,
+// each familiar one activates its template. Scores are mean absolute differences of cells in [0,
+// 1].
 #pragma once
 
 #include <memory>
@@ -14,7 +16,10 @@
 
 namespace tolman::view_templates {
 
-class ViewTemplates final : public Place, public ArraySource, public StateKeeper {
+class ViewTemplates final : public Place,
+                            public ArraySource,
+                            public ArrayDescriptions,
+                            public StateKeeper {
  public:
   struct Parameters {
     int columns = 60;
@@ -43,7 +48,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
           parameter("columns", &P::columns).range(1, 512).unit("cells").doc("Template width."),
           parameter("rows", &P::rows).range(1, 512).unit("cells").doc("Template height."),
           parameter("cells", &P::cells)
-              .doc("What a cell holds: grey, or gradients (how strongly edges run in 8 "
+              .doc("Content of a cell: grey (mean grey level) or gradients (strength of edges in 8 "
                    "directions)."),
           parameter("crop_x_min", &P::crop_x_min)
               .range(0, 1)
@@ -68,7 +73,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
           parameter("vertical_shift", &P::vertical_shift)
               .range(0, 255)
               .unit("cells")
-              .doc("Largest vertical shift that is tried; for cameras that nod."),
+              .doc("Largest vertical shift that is tried; for cameras that pitch."),
           parameter("normalisation", &P::normalisation)
               .range(0, 1)
               .doc("Mean that every view is scaled to; 0 turns it off."),
@@ -80,17 +85,19 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
               .range(0, 1)
               .doc("Windows with less contrast than this become 0.5."),
           parameter("panoramic", &P::panoramic)
-              .doc("The images are full turns: all cyclic shifts are tried."),
+              .doc("The images cover 360 degrees: all cyclic shifts are tried."),
           parameter("field_of_view", &P::field_of_view)
               .range(1, 179)
               .unit("deg")
               .doc("Horizontal field of view of the whole image, for cameras without calibration."),
           parameter("landmarks", &P::landmarks)
               .range(0, 5000)
-              .doc("Corners of a stereo pair by which a template checks and measures; 0: none."),
+              .doc("Corners of a stereo pair that a template keeps to verify matches and measure "
+                   "poses; 0 "
+                   "turns this off."),
           parameter("landmarks_agreeing", &P::landmarks_agreeing)
               .range(6, 1000)
-              .doc("Fewest that must agree on a pose; a view without them is novel."));
+              .doc("Fewest landmarks that must agree on a pose; with fewer, the view is novel."));
     }
   };
 
@@ -98,9 +105,10 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   Status reset() override;
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
 
-  /// "view.current" and "view.template" (the one of the last answer), rows x columns in [0, 1];
-  /// of gradients one such block for each direction, below each other.
+  /// "view.current" and "view.template" (that of the last observation), rows x columns in [0, 1];
+  /// with gradients, one such block for each direction, one below the other.
   void arrays(std::vector<NamedArray>& arrays) const override;
+  Status describe(std::vector<ArrayInfo>& arrays) const override;
 
   Status save(std::ostream& stream) const override;
   Status load(std::istream& stream) override;
@@ -109,7 +117,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   int storedRows() const { return parameters_.rows * layersOf(parameters_.cells); }
   bool recognise(const Frame& frame, PlaceObservation& observation);
   double relativeYaw(const Match& match, int image_width) const;
-  std::vector<double> recipe() const;
+  std::vector<double> templateParameters() const;
 
   Parameters parameters_;
   CameraRig rig_;
@@ -117,7 +125,7 @@ class ViewTemplates final : public Place, public ArraySource, public StateKeeper
   std::unique_ptr<Matcher> matcher_;
   std::unique_ptr<TemplateBank> bank_;
   std::unique_ptr<LandmarkMemory> landmarks_;  ///< null without landmarks
-  View view_;
+  LocalView view_;
   std::int64_t last_template_ = -1;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The turn that explains a horizontal shift of the scene: what OpenRatSLAM throws away.
+// Yaw (rad) from a horizontal image shift. OpenRatSLAM does not use the shift of ordinary cameras.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ inline double focalOfFieldOfView(double field_of_view, int width) {
 }
 
 /// Yaw (rad, positive to the left) of a pinhole camera whose scene moved `right_px` to the right:
-/// who turns left sees the scene go right.
+/// when the camera turns left, the scene moves right in the image.
 inline double yawOfPinholeShift(double right_px, double focal_px) {
   return std::atan(right_px / focal_px);
 }

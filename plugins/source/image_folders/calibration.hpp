@@ -11,7 +11,7 @@
 
 namespace tolman::image_folders {
 
-/// What the file says of one camera or one pair.
+/// Calibration of one camera or one stereo pair.
 struct Calibration {
   Pinhole pinhole;
   double baseline = 0;  ///< m; 0 for a single camera

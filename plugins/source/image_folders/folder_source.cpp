@@ -54,17 +54,15 @@ Status FolderSource::next(Frame& frame) {
   return Status::ok();
 }
 
-Result<Image> FolderSource::readImage(const std::filesystem::path& file) const {
-  return parameters_.yardstick ? readUnchecked(file, parameters_.colour)
-                               : readImageFile(file, parameters_.colour, dataset_.size());
-}
-
 Status FolderSource::readImages(std::size_t index, Frame& frame) const {
-  Result<Image> left = readImage(dataset_.left[index]);
+  const auto read = [this](const std::filesystem::path& file) {
+    return readImageFile(file, parameters_.colour, dataset_.size());
+  };
+  Result<Image> left = read(dataset_.left[index]);
   if (!left.isOk()) return left.status();
   frame.left = std::move(left).value();
   if (dataset_.right.empty()) return Status::ok();
-  Result<Image> right = readImage(dataset_.right[index]);
+  Result<Image> right = read(dataset_.right[index]);
   if (!right.isOk()) return right.status();
   frame.right = std::move(right).value();
   return Status::ok();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The source role over an ImageDataset. A layout derives from it and says how the data are read.
+// Base of the sources `kitti` and `images`: frames from an ImageDataset, which a derived class
+// reads.
 #pragma once
 
 #include <array>
@@ -27,19 +28,16 @@ constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCor
 struct FolderParameters : FrameSelection {
   bool colour = false;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
-  bool yardstick = false;
 };
 
 template <std::derived_from<FolderParameters> P>
 constexpr auto folderParameters() {
   return std::tuple_cat(
-      parameters(parameter<P, bool>("colour", &P::colour)
-                     .doc("Give colour images; otherwise colour files are read as grey."),
-                 parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt)
-                     .doc("Damaged image files: stop the run, or skip to a frame without image."),
-                 parameter<P, bool>("yardstick", &P::yardstick)
-                     .doc("Decode with plain cv::imread, nothing checked: what `tolman bench "
-                          "odometry` compares with.")),
+      parameters(
+          parameter<P, bool>("colour", &P::colour)
+              .doc("Provide colour images; otherwise colour files are converted to grey."),
+          parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt)
+              .doc("Damaged image files: stop the run, or skip: give a frame without images.")),
       selectionParameters<P>());
 }
 
@@ -53,13 +51,12 @@ class FolderSource : public Source {
   Status inspect(std::vector<Finding>& findings) final;
 
  protected:
-  /// Binds parameters, hands out those of every layout, and reads as much as it can.
+  /// Binds the parameters, copies the shared ones to `shared`, and reads as much as possible.
   virtual Status load(const ParameterValues& values, FolderParameters& shared,
                       ImageDataset& dataset, Inspection& inspection) = 0;
 
  private:
   Status readImages(std::size_t index, Frame& frame) const;
-  Result<Image> readImage(const std::filesystem::path& file) const;
 
   FolderParameters parameters_;
   ImageDataset dataset_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A data set of image files after its folders and text files were read: what kitti and images
-// have in common.
+// A data set of image files, calibration, stamps (ns) and true poses (m), after its folders and
+// text files were read. Shared by the sources `kitti` and `images`.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -17,7 +17,7 @@ namespace tolman::image_folders {
 
 /// Lists run in parallel, one entry an image of the left camera; unless reading had errors.
 struct ImageDataset {
-  std::string layout;  ///< for people: "KITTI odometry"
+  std::string layout;  ///< for messages: "KITTI odometry"
   std::vector<std::filesystem::path> left;
   std::vector<std::filesystem::path> right;  ///< empty for a single camera
   std::vector<std::int64_t> stamps_ns;

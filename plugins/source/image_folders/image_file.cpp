@@ -2,10 +2,12 @@
 #include "image_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "tolman/image_cv.hpp"
@@ -89,18 +91,22 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   const std::uintmax_t size = fs::file_size(file, failure);
   if (failure || size > kMostBytes) return problem("is larger than 512 MiB");
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (stream.is_open())
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!stream.is_open()) {  // the file may be sound: permissions, or too many open files
+    return problem("cannot be opened (" + std::generic_category().message(errno) + ")");
+  }
   if (!stream) return problem("cannot be read");
   return bytes;
 }
 
-int modeOf(bool colour) { return colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE; }
-
 Result<Image> decode(const std::vector<std::uint8_t>& bytes, bool colour, ImageSize size) {
   cv::Mat pixels;
   try {
-    pixels = cv::imdecode(bytes, modeOf(colour) | cv::IMREAD_IGNORE_ORIENTATION);
+    const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
+    pixels = cv::imdecode(bytes, mode | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception&) {
     pixels.release();
   }
@@ -141,12 +147,6 @@ Result<ImageSize> checkImageFile(const fs::path& file) {
   if (!bytes.isOk()) return named(file, bytes.status());
   Result<ImageSize> size = checkImageBytes(bytes.value());
   return size.isOk() ? size : named(file, size.status());
-}
-
-Result<Image> readUnchecked(const fs::path& file, bool colour) {
-  const cv::Mat pixels = cv::imread(file.string(), modeOf(colour) | cv::IMREAD_IGNORE_ORIENTATION);
-  if (pixels.empty()) return named(file, problem("cannot be decoded"));
-  return asImage(pixels);
 }
 
 Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected) {

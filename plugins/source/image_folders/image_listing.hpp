@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which images a folder holds, in the order that people count, and which of two folders belong
-// together.
+// Lists the images of a folder in numerical order of their names, and checks that two folders
+// match.
 #pragma once
 
 #include <filesystem>

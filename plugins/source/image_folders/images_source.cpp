@@ -20,7 +20,7 @@ fs::path leftFolder(const Parameters& p) {
   return fs::is_directory(root / "images", ignored) ? root / "images" : root;
 }
 
-/// Contradictions that the ranges of single parameters cannot say.
+/// Contradictions between parameters.
 Status checkCombination(const Parameters& p) {
   if (!p.calibration.empty() && (p.fx > 0 || p.baseline > 0)) {
     return Status::invalidParameter("calibration and fx or baseline are both given; keep one");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Problems of a data set, gathered while it is read, so that a user hears of all of them at once.
+// Collects the problems of a data set while it is read, so that all are reported at once.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace tolman::image_folders {
 
-/// Findings in the order of discovery. At most 20 errors a file: garbage has too many to be read.
+/// Findings in the order of discovery, at most 20 errors per file.
 class Inspection {
  public:
   void error(const std::filesystem::path& file, std::string message);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One line per frame: when it was taken (times.txt or a column of a table), and where (poses.txt).
+// Reads stamps (times.txt or a column of a table; ns) and true poses (poses.txt; m), one line per
+// frame.
 #pragma once
 
 #include <Eigen/Geometry>

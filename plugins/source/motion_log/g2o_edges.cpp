@@ -35,9 +35,11 @@ bool isPassedOver(const std::string& tag) {
 }  // namespace
 
 Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  if (!stream) {
-    return Status::invalidInput(file.string() + " cannot be read; check the path");
+  std::error_code ignored;  // a pipe would wait for its writer
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
+  if (!stream.is_open()) {
+    return Status::invalidInput(file.string() + " is no file that can be read; check the path");
   }
   std::vector<Edge> edges;
   int number = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planar edges of a g2o file.
+// Reads the planar edges (EDGE_SE2; m, rad) of a g2o file.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tolman::motion_log {
 
-/// EDGE_SE2 from to dx dy dtheta (information follows; it is read over).
+/// EDGE_SE2 from to dx dy dtheta (the information that follows is ignored).
 struct Edge {
   std::int64_t from = 0;
   std::int64_t to = 0;
@@ -19,7 +19,7 @@ struct Edge {
   int line = 0;
 };
 
-/// All EDGE_SE2 of the file. Vertices, FIX and comments are passed over; anything else, numbers
+/// All EDGE_SE2 of the file. Vertices, FIX and comments are ignored; anything else, numbers
 /// that are missing or not finite, and negative ids are InvalidInput with file, line and remedy.
 Result<std::vector<Edge>> readEdges(const std::filesystem::path& file);
 

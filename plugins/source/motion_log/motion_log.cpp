@@ -10,13 +10,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// As sensors carry numbers.
+/// Sensor values are floats.
 template <class T>
 float f(T value) {
   return static_cast<float>(value);
 }
 
-/// FNV-1a over the poses, of which a float holds 24 bits exactly.
+/// FNV-1a hash of the poses; its upper 24 bits, which a float holds exactly.
 float digest(const std::vector<PlanarPose>& poses) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const PlanarPose& pose : poses) {
@@ -136,6 +136,28 @@ void MotionLog::addCandidates(std::int64_t here, Frame& frame) const {
   frame.sensors.push_back(std::move(alike));
   frame.sensors.push_back({"place.looked", {1}, {looked_.contains(here) ? 1.0F : 0.0F}});
   frame.sensors.push_back({"motion.drive", {1}, {drive_}});
+}
+
+Status MotionLog::describe(std::vector<ArrayInfo>& arrays) const {
+  const auto add = [&arrays](const char* name, const char* doc, std::vector<ArrayAxis> axes) {
+    ArrayInfo& info = arrays.emplace_back();
+    info.name = name;
+    info.doc = doc;
+    info.axes = std::move(axes);
+  };
+  ArrayAxis value;
+  value.name = "value";
+  ArrayAxis candidate;
+  candidate.name = "candidate";
+  ArrayAxis component;
+  component.name = "component";
+  component.labels = {"x (m)", "y (m)", "theta (rad)"};
+  add("motion.planar", "planar motion since the frame before", {component});
+  component.labels.insert(component.labels.begin(), "source index");
+  add("place.candidate", "similar earlier frames and their pose", {candidate, component});
+  add("place.looked", "1 where the loop detector ran, else 0", {value});
+  add("motion.drive", "hash of the odometry", {value});
+  return Status::ok();
 }
 
 Status MotionLog::inspect(std::vector<Finding>& findings) {

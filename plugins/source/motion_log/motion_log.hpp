@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Source `motion_log`: recorded planar motion and loop candidates instead of images.
+// Source `motion_log`: recorded planar motion (m, rad) and loop candidates from g2o files, without
+// images. Planar axes: x forward, y left, theta counter-clockwise.
 #pragma once
 
 #include <array>
@@ -13,15 +14,16 @@
 #include <vector>
 
 #include "g2o_edges.hpp"
+#include "tolman/extras.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::motion_log {
 
-/// Where the true poses are seen from.
+/// The frame whose pose is the origin of the true poses.
 enum class TruthOrigin : std::uint8_t {
-  First,  ///< the first selected frame, as the rest of the host has it
-  Data,   ///< the first frame of the data: one world for several sessions on the same data
+  First,  ///< the first selected frame, as for all sources
+  Data,   ///< the first frame of the data: the same for several sessions on the same data
 };
 inline constexpr std::array<std::string_view, 2> kTruthOriginNames = {"first", "data"};
 constexpr std::span<const std::string_view> enumNames(TruthOrigin) { return kTruthOriginNames; }
@@ -44,23 +46,24 @@ struct LogParameters : FrameSelection {
                 .doc("Folder of one sequence; the files below are relative to it."),
             parameter("odometry", &P::odometry).doc("Motion from frame to frame, EDGE_SE2."),
             parameter("truth", &P::truth)
-                .doc("True motion, EDGE_SE2; a file that is not there means no truth."),
+                .doc("True motion, EDGE_SE2; without the file there is no truth."),
             parameter("candidates", &P::candidates)
-                .doc("What looked alike, EDGE_SE2 from a frame to an earlier one; empty for none."),
-            parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames a second."),
+                .doc("Loop candidates, EDGE_SE2 from a frame to an earlier one; empty for none."),
+            parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames per second."),
             parameter("truth_origin", &P::truth_origin)
-                .doc("Frame that true poses are seen from: the first selected one, or the first of "
-                     "the data, so that several sessions have one world.")),
+                .doc(
+                    "Origin of the true poses: the first selected frame, or the first frame of the "
+                    "data, so that several sessions share one world frame.")),
         selectionParameters<P>());
   }
 };
 
-/// Frames without images. What was measured rides in Frame::sensors, for the replay plugins:
-///   motion.planar    {3}     x (forward), y (left) in m, theta in rad since the frame before
-///   place.candidate  {n, 4}  source index of a frame that looks alike, its x, y, theta from here
-///   place.looked     {1}     1 where a candidate begins or ends: the detector looked there; else 0
-///   motion.drive     {1}     a digest of the odometry: two drives' frames 7 are different places
-class MotionLog final : public Source {
+/// Frames without images. The recorded values are in Frame::sensors, for the replay plugins:
+///   motion.planar    {3}     x, y (m) and theta (rad) since the frame before
+///   place.candidate  {n, 4}  source index of a similar frame, and its x, y, theta from this frame
+///   place.looked     {1}     1 where a candidate begins or ends (the detector ran there), else 0
+///   motion.drive     {1}     hash of the odometry: tells the frames of two drives apart
+class MotionLog final : public Source, public ArrayDescriptions {
  public:
   using Parameters = LogParameters;
 
@@ -69,6 +72,7 @@ class MotionLog final : public Source {
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
   Status inspect(std::vector<Finding>& findings) override;
+  Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:
   Status load();

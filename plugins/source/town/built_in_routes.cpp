@@ -162,7 +162,7 @@ Status checkOptions(const RouteOptions& options) {
 
 }  // namespace
 
-Result<Route> builtInRoute(std::string_view name, const RouteOptions& options) {
+Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options) {
   if (const Status status = checkOptions(options); !status.isOk()) return status;
   if (name != "block" && name != "eights" && name != "district") {
     return Status::invalidParameter("there is no route '" + std::string(name) +
@@ -171,7 +171,7 @@ Result<Route> builtInRoute(std::string_view name, const RouteOptions& options) {
   const LanePath path = name == "block"    ? blockPath()
                         : name == "eights" ? eightsPath()
                                            : districtPath();
-  Route route;
+  CameraRoute route;
   route.name = name;
   for (const double s : frameDistances(path, options)) {
     const auto frame = static_cast<double>(route.stamps_ns.size());

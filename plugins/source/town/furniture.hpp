@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands along a street: lamps, signs, posters, fences, hedges; and what is painted on it.
+// Street furniture (lamps, signs, posters, fences, hedges) and lane markings.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fills both sides of the streets: what kind of place each stretch is, and what stands where.
+// Fills both sides of the streets: chooses the kind of each stretch and places its objects.
 #pragma once
 
 #include "prototypes.hpp"

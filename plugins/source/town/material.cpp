@@ -3,7 +3,7 @@
 
 namespace tolman::town {
 
-float albedo(const Surface& surface, const Hit& hit, const StreetPlan& plan) {
+float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan) {
   switch (surface.material) {
     case Material::Road:
     case Material::Kerb:

@@ -13,7 +13,7 @@
 namespace tolman::town {
 
 /// Where a ray met a surface, in the axes that its pattern is anchored in.
-struct Hit {
+struct SurfaceHit {
   Vec3 point;
   Vec3 normal;  ///< unit, towards the camera
   Vec3 dx;      ///< how far the point moves from one pixel to the next along a row, on the tangent
@@ -26,13 +26,13 @@ struct Hit {
   float extent(const Vec3& axis) const { return std::abs(dot(dx, axis)) + std::abs(dot(dy, axis)); }
 };
 
-/// In [0, 1]. `plan` tells the land how far the street is.
-float albedo(const Surface& surface, const Hit& hit, const StreetPlan& plan);
+/// In [0, 1]. `plan` gives the distance to the street, on which the material of the land depends.
+float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan);
 
-// One function a group of materials; albedo() chooses.
-float groundAlbedo(const Surface& surface, const Hit& hit, const StreetPlan& plan);
-float buildingAlbedo(const Surface& surface, const Hit& hit);
-float plantAlbedo(const Surface& surface, const Hit& hit);
-float objectAlbedo(const Surface& surface, const Hit& hit);
+// One function for each group of materials; albedo() selects it.
+float groundAlbedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan);
+float buildingAlbedo(const Surface& surface, const SurfaceHit& hit);
+float plantAlbedo(const Surface& surface, const SurfaceHit& hit);
+float objectAlbedo(const Surface& surface, const SurfaceHit& hit);
 
 }  // namespace tolman::town

@@ -103,7 +103,7 @@ float openings(const Surface& surface, const WallPoint& at, float wall, std::uin
   return window(opening, at, wall, h);
 }
 
-float facade(const Surface& surface, const Hit& hit) {
+float facade(const Surface& surface, const SurfaceHit& hit) {
   const Vec3 local = hit.point - surface.origin;
   const WallPoint at = {dot(local, surface.axis_u), dot(local, surface.axis_v),
                         hit.extent(surface.axis_u), hit.extent(surface.axis_v)};
@@ -121,7 +121,7 @@ float facade(const Surface& surface, const Hit& hit) {
   return openings(surface, at, wall, seed);
 }
 
-float roof(const Surface& surface, const Hit& hit) {
+float roof(const Surface& surface, const SurfaceHit& hit) {
   const Vec3 local = hit.point - surface.origin;
   const float u = dot(local, surface.axis_u);
   const float v = dot(local, surface.axis_v);
@@ -133,7 +133,7 @@ float roof(const Surface& surface, const Hit& hit) {
 
 }  // namespace
 
-float buildingAlbedo(const Surface& surface, const Hit& hit) {
+float buildingAlbedo(const Surface& surface, const SurfaceHit& hit) {
   return surface.material == Material::Roof ? roof(surface, hit) : facade(surface, hit);
 }
 

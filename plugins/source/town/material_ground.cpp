@@ -9,7 +9,7 @@ namespace {
 
 /// Octaves of noise under a long, narrow footprint, as grazing views have it: averaged by taps
 /// along the longer side, faded by the shorter one.
-float grazingFractal(const Hit& hit, float wavelength, int octaves, std::uint32_t seed) {
+float grazingFractal(const SurfaceHit& hit, float wavelength, int octaves, std::uint32_t seed) {
   const bool along_dy = dot(hit.dy, hit.dy) > dot(hit.dx, hit.dx);
   const Vec3& major = along_dy ? hit.dy : hit.dx;
   const float longer = norm(major);
@@ -30,7 +30,7 @@ float grazingFractal(const Hit& hit, float wavelength, int octaves, std::uint32_
 }
 
 /// Repaired rectangles, darker or lighter than the rest, with a tarred seam.
-float patches(const Hit& hit, std::uint32_t seed) {
+float patches(const SurfaceHit& hit, std::uint32_t seed) {
   constexpr float kCell = 9;  // m
   const auto cx = static_cast<std::int32_t>(floorOf(hit.point.x / kCell));
   const auto cy = static_cast<std::int32_t>(floorOf(hit.point.y / kCell));
@@ -52,7 +52,7 @@ float patches(const Hit& hit, std::uint32_t seed) {
 }
 
 /// Thin dark lines where smooth noise crosses zero.
-float cracks(const Hit& hit, std::uint32_t seed) {
+float cracks(const SurfaceHit& hit, std::uint32_t seed) {
   constexpr float kWidth = 0.012F;  // m
   const float width = kWidth + 0.7F * hit.footprint();
   if (kWidth / width < 0.08F) return 0;  // too fine to be seen from here
@@ -62,7 +62,7 @@ float cracks(const Hit& hit, std::uint32_t seed) {
   return kWidth / width * (1 - smoothstep(0.5F * width, 1.5F * width, distance));
 }
 
-float road(const Surface& surface, const Hit& hit) {
+float road(const Surface& surface, const SurfaceHit& hit) {
   const float grain = grazingFractal(hit, 0.05F, 2, surface.seed);
   const float wear = fractal2(hit.point.x, hit.point.y, 7, 3, hit.footprint(), surface.seed + 17);
   const float detail = 0.85F * grain + 0.25F * wear + patches(hit, surface.seed + 31) -
@@ -70,20 +70,20 @@ float road(const Surface& surface, const Hit& hit) {
   return surface.tone * std::max(0.15F, 1 + detail);
 }
 
-float kerb(const Surface& surface, const Hit& hit) {
+float kerb(const Surface& surface, const SurfaceHit& hit) {
   const float along = hit.point.x + hit.point.y;  // stones of 1 m, near enough on any heading
   const float joints = filteredStripes(1, 0.03F, along, hit.extent({1, 1, 0}));
   const float stain = fractal2(hit.point.x, hit.point.y, 0.8F, 3, hit.footprint(), surface.seed);
   return surface.tone * std::max(0.2F, 1 + 0.35F * stain - 0.6F * joints);
 }
 
-float paint(const Surface& surface, const Hit& hit) {
+float paint(const Surface& surface, const SurfaceHit& hit) {
   const float worn = grazingFractal(hit, 0.3F, 3, surface.seed);
   return surface.tone * (1 + 0.3F * worn);
 }
 
 /// Slabs in rows that follow the kerb.
-float pavement(const Hit& hit, float distance, float extent, std::uint32_t seed) {
+float pavement(const SurfaceHit& hit, float distance, float extent, std::uint32_t seed) {
   const float rows = filteredStripes(0.4F, 0.025F, distance, extent);
   const float across =
       filteredStripes(0.4F, 0.025F, hit.point.x + 0.37F * hit.point.y, hit.extent({1, 0.37F, 0}));
@@ -91,7 +91,7 @@ float pavement(const Hit& hit, float distance, float extent, std::uint32_t seed)
   return 0.27F * std::max(0.2F, 1 + 0.7F * slabs - 0.45F * std::max(rows, across));
 }
 
-float grass(const Hit& hit, std::uint32_t seed) {
+float grass(const SurfaceHit& hit, std::uint32_t seed) {
   // Mown lawns have little texture, meadows much; it changes over 60 m.
   const float wild = smoothstep(-0.4F, 0.5F, noise2(hit.point.x / 60, hit.point.y / 60, seed + 5));
   const float tufts = grazingFractal(hit, 0.24F, 3, seed);
@@ -102,7 +102,7 @@ float grass(const Hit& hit, std::uint32_t seed) {
          std::max(0.12F, 1 + (0.5F + 0.7F * wild) * (1.7F * tufts + 0.5F * soil) + 0.5F * soil);
 }
 
-float land(const Surface& surface, const Hit& hit, const StreetPlan& plan) {
+float land(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan) {
   const auto distance = static_cast<float>(plan.distance(hit.point.x, hit.point.y));
   const float extent = hit.footprint();
   constexpr auto kKerb = static_cast<float>(StreetPlan::kRoadHalfWidth);
@@ -120,7 +120,7 @@ float land(const Surface& surface, const Hit& hit, const StreetPlan& plan) {
 
 }  // namespace
 
-float groundAlbedo(const Surface& surface, const Hit& hit, const StreetPlan& plan) {
+float groundAlbedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan) {
   switch (surface.material) {
     case Material::Road:
       return road(surface, hit);

@@ -7,7 +7,7 @@
 namespace tolman::town {
 namespace {
 
-float wood(const Surface& surface, const Hit& hit) {
+float wood(const Surface& surface, const SurfaceHit& hit) {
   const Vec3 local = hit.point - surface.origin;
   const float u = dot(local, surface.axis_u);
   const float gaps = filteredStripes(0.14F, 0.025F, u, hit.extent(surface.axis_u));
@@ -23,7 +23,7 @@ float wood(const Surface& surface, const Hit& hit) {
 }
 
 /// Bodywork in the tone of this car, with the dark band of the windows.
-float body(const Surface& surface, const Hit& hit) {
+float body(const Surface& surface, const SurfaceHit& hit) {
   const float z = hit.point.z;
   const float ez = hit.extent({0, 0, 1});
   const float tone = surface.tone * between(hash(hit.seed, 1), 0.15F, 1.3F);
@@ -37,7 +37,7 @@ float body(const Surface& surface, const Hit& hit) {
 }
 
 /// Posters: a few large shapes and lines of "writing".
-float board(const Surface& surface, const Hit& hit) {
+float board(const Surface& surface, const SurfaceHit& hit) {
   const Vec3 local = hit.point - surface.origin;
   const float u = dot(local, surface.axis_u);
   const float v = dot(local, surface.axis_v);
@@ -57,7 +57,7 @@ float board(const Surface& surface, const Hit& hit) {
 
 }  // namespace
 
-float objectAlbedo(const Surface& surface, const Hit& hit) {
+float objectAlbedo(const Surface& surface, const SurfaceHit& hit) {
   switch (surface.material) {
     case Material::Wood:
       return wood(surface, hit);

@@ -7,7 +7,7 @@ namespace tolman::town {
 namespace {
 
 /// Bright leaves before dark gaps: the strongest texture of a real street.
-float leaves(const Surface& surface, const Hit& hit) {
+float leaves(const Surface& surface, const SurfaceHit& hit) {
   // Leaves hang every way, so a slanting lump hides less of them than a slanting wall would.
   const float footprint = std::sqrt(norm(hit.dx) * norm(hit.dy));
   const auto [boughs, clumps, leaf, scraps] = layers3(hit.point, 2.4F, footprint, hit.seed);
@@ -17,7 +17,7 @@ float leaves(const Surface& surface, const Hit& hit) {
   return surface.tone * std::max(0.05F, (1 + 0.3F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine));
 }
 
-float bark(const Surface& surface, const Hit& hit) {
+float bark(const Surface& surface, const SurfaceHit& hit) {
   const Vec3 stretched = {hit.point.x * 3, hit.point.y * 3, hit.point.z * 0.6F};
   const float furrows = fractal3(stretched, 0.3F, 3, 3 * hit.footprint(), hit.seed);
   return surface.tone * std::max(0.2F, 1 + 0.7F * furrows);
@@ -25,7 +25,7 @@ float bark(const Surface& surface, const Hit& hit) {
 
 }  // namespace
 
-float plantAlbedo(const Surface& surface, const Hit& hit) {
+float plantAlbedo(const Surface& surface, const SurfaceHit& hit) {
   return surface.material == Material::Leaves ? leaves(surface, hit) : bark(surface, hit);
 }
 

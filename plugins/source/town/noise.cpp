@@ -17,12 +17,12 @@ using Floats = float __attribute__((vector_size(16)));
 using Words = std::uint32_t __attribute__((vector_size(16)));
 using Integers = std::int32_t __attribute__((vector_size(16)));
 
-struct Cells {
+struct NoiseCells {
   Words index;
   Floats fade;
 };
 
-[[gnu::always_inline]] inline Cells cellsOf(Floats x) {
+[[gnu::always_inline]] inline NoiseCells cellsOf(Floats x) {
   Integers i = __builtin_convertvector(x, Integers);
   i += __builtin_convertvector(i, Floats) > x;  // a true lane is -1
   const Floats f = x - __builtin_convertvector(i, Floats);
@@ -37,8 +37,8 @@ struct Cells {
 }
 
 [[gnu::always_inline]] inline Floats noiseLanes(Floats x, Floats y, Words seed) {
-  const Cells cx = cellsOf(x);
-  const Cells cy = cellsOf(y);
+  const NoiseCells cx = cellsOf(x);
+  const NoiseCells cy = cellsOf(y);
   const Words x0 = cx.index * 0x8da6b343U;
   const Words x1 = x0 + 0x8da6b343U;
   const Words z = seed * 0xcb1ab31fU;
@@ -54,7 +54,7 @@ struct Cells {
 }
 
 [[gnu::always_inline]] inline Floats noiseLanes3(const Vec3& p, Floats scale, Words seed) {
-  const Cells cz = cellsOf(p.z * scale);
+  const NoiseCells cz = cellsOf(p.z * scale);
   const Words base = seed + cz.index * 0x68bc21ebU;
   const Floats x = p.x * scale;
   const Floats y = p.y * scale;

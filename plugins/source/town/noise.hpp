@@ -38,12 +38,12 @@ inline float smoothstep(float low, float high, float x) {
 }
 
 namespace detail {
-struct Cell {
+struct NoiseCell {
   std::uint32_t index;
   float fade;
 };
 /// floor() by conversion: std::floor is a call on baseline x86-64.
-inline Cell cellOf(float x) {
+inline NoiseCell cellOf(float x) {
   auto i = static_cast<std::int32_t>(x);
   if (static_cast<float>(i) > x) --i;
   const float f = x - static_cast<float>(i);

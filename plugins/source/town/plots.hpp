@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ground plans, and the book that lets no two of them overlap.
+// Ground plans of objects, and a register that keeps them from overlapping.
 #pragma once
 
 #include <Eigen/Core>

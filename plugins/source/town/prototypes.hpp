@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the town has many of: trees, bushes and cars, built once and instanced.
+// Trees, bushes and cars: each mesh is built once and placed many times.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "packet.hpp"
+#include "ray_packet.hpp"
 
 namespace tolman::town {
 namespace {
@@ -34,7 +34,7 @@ Vec3 toVec3(const Eigen::Vector3d& v) {
 /// Directions of a view's rays, with a component of 1 along the optical axis.
 class Renderer::Rays {
  public:
-  Rays(const Renderer& renderer, const View& view)
+  Rays(const Renderer& renderer, const RenderCamera& view)
       : width(view.width),
         height(view.height),
         cx_(static_cast<float>(view.pinhole.cx)),
@@ -67,10 +67,10 @@ class Renderer::Rays {
 };
 
 /// Packets of 4 x 2 pixels keep rays closer together than rows of 8.
-void Renderer::firstPass(const Rays& rays, int first_row, int end_row, Picture& picture) {
-  constexpr int kColumns = kPacket / 2;
-  Packet packet(rays.around);
-  std::array<std::size_t, kPacket> pixels{};
+void Renderer::firstPass(const Rays& rays, int first_row, int end_row, RenderedImage& picture) {
+  constexpr int kColumns = kRaysPerPacket / 2;
+  RayPacket packet(rays.around);
+  std::array<std::size_t, kRaysPerPacket> pixels{};
   for (int row = first_row; row < end_row; row += 2) {
     for (int column = 0; column < rays.width; column += kColumns) {
       for (int r = row; r < std::min(row + 2, end_row); ++r) {
@@ -90,7 +90,7 @@ void Renderer::firstPass(const Rays& rays, int first_row, int end_row, Picture& 
   }
 }
 
-bool Renderer::isEdge(const Picture& picture, const Rays& rays, int column, int row) const {
+bool Renderer::isEdge(const RenderedImage& picture, const Rays& rays, int column, int row) const {
   const auto inverse = [&](std::size_t i) {
     return picture.depth[i] > 0 ? 1 / picture.depth[i] : 0.0F;
   };
@@ -114,9 +114,9 @@ bool Renderer::isEdge(const Picture& picture, const Rays& rays, int column, int 
 }
 
 /// Column by column within the strip, so that the rays of a packet follow upright edges.
-void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, Picture& picture) {
-  Packet packet(rays.around);
-  std::array<std::size_t, kPacket> pixels{};
+void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, RenderedImage& picture) {
+  RayPacket packet(rays.around);
+  std::array<std::size_t, kRaysPerPacket> pixels{};
   const float share = 1 / static_cast<float>(edge_samples_ + 1);  // the centre counts too
   const auto flush = [&] {
     const auto count = static_cast<std::size_t>(packet.size());
@@ -141,7 +141,7 @@ void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, Picture
   flush();
 }
 
-void Renderer::render(const View& view, Picture& picture) {
+void Renderer::render(const RenderCamera& view, RenderedImage& picture) {
   const auto pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
   picture.radiance.resize(pixels);
   picture.depth.resize(pixels);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Radiance and depth of what one camera sees.
+// Renders radiance and depth of one camera.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,8 @@
 
 namespace tolman::town {
 
-struct View {
+/// Pose, intrinsics (px) and image size (px) of the camera that is rendered.
+struct RenderCamera {
   Eigen::Isometry3d T_town_camera = Eigen::Isometry3d::Identity();
   Pinhole pinhole;
   int width = 0;
@@ -21,7 +22,7 @@ struct View {
 };
 
 /// Row-major, width * height.
-struct Picture {
+struct RenderedImage {
   std::vector<float> radiance;
   std::vector<float> depth;  ///< m along the optical axis, at the pixel's centre; 0 for sky
 };
@@ -34,20 +35,20 @@ class Renderer {
   Renderer(const Scene& scene, const StreetPlan& plan, const Light& light, int edge_samples)
       : scene_(&scene), plan_(&plan), light_(light), edge_samples_(edge_samples) {}
 
-  void render(const View& view, Picture& picture);
+  void render(const RenderCamera& view, RenderedImage& picture);
 
  private:
   class Rays;
-  void firstPass(const Rays& rays, int first_row, int end_row, Picture& picture);
-  void smoothEdges(const Rays& rays, int first_row, int end_row, Picture& picture);
-  bool isEdge(const Picture& picture, const Rays& rays, int column, int row) const;
+  void firstPass(const Rays& rays, int first_row, int end_row, RenderedImage& picture);
+  void smoothEdges(const Rays& rays, int first_row, int end_row, RenderedImage& picture);
+  bool isEdge(const RenderedImage& picture, const Rays& rays, int column, int row) const;
 
   const Scene* scene_;
   const StreetPlan* plan_;
   Light light_;
   int edge_samples_;
   std::vector<char> edges_;
-  std::vector<std::uint32_t> seen_;  ///< what each pixel shows, and whether the sun is on it
+  std::vector<std::uint32_t> seen_;  ///< Shaded::seen of each pixel
 };
 
 }  // namespace tolman::town

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The way that the car drives: one camera pose a frame.
+// The route of the car: one camera pose and one stamp per frame.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,7 +13,7 @@
 
 namespace tolman::town {
 
-struct Route {
+struct CameraRoute {
   std::string name;
   std::vector<std::int64_t> stamps_ns;
   /// Left camera (x right, y down, z forward) to town axes (see mesh.hpp); the first is the
@@ -29,11 +29,11 @@ struct RouteOptions {
 
 /// `block` (about 300 m, once round and on over the start: one loop), `eights`, `district`; else
 /// InvalidParameter that names them.
-Result<Route> builtInRoute(std::string_view name, const RouteOptions& options);
+Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options);
 
 /// A KITTI pose file: twelve numbers a line, T_world_camera. Refuses an empty file, a line that is
 /// not twelve finite numbers, a matrix that is no rotation, and neighbours too far apart to be a
 /// drive (file:line, what is wrong, remedy).
-Result<Route> readRoute(const std::filesystem::path& file, const RouteOptions& options);
+Result<CameraRoute> readRoute(const std::filesystem::path& file, const RouteOptions& options);
 
 }  // namespace tolman::town

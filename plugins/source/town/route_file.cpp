@@ -114,7 +114,7 @@ Result<std::vector<Eigen::Isometry3d>> readPoses(std::istream& stream, const std
 
 }  // namespace
 
-Result<Route> readRoute(const fs::path& file, const RouteOptions& options) {
+Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options) {
   const std::string name = file.string();
   if (!std::isfinite(options.rate) || options.rate <= 0) {
     return Status::invalidParameter("rate must be positive; give frames/s");
@@ -139,7 +139,7 @@ Result<Route> readRoute(const fs::path& file, const RouteOptions& options) {
   R_town_camera << 1, 0, 0, 0, 0, 1, 0, -1, 0;
   const Eigen::Isometry3d T_town_world =
       Eigen::Isometry3d(R_town_camera) * poses.value().front().inverse();
-  Route route;
+  CameraRoute route;
   route.name = file.stem().string();
   for (const Eigen::Isometry3d& T_world_camera : poses.value()) {
     const auto frame = static_cast<double>(route.stamps_ns.size());

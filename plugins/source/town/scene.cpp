@@ -41,7 +41,7 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
     prototype_surfaces_.push_back(std::move(prototype.surfaces));
   }
   instances_ = std::move(world.instances);
-  for (const Instance& instance : instances_) attachInstance(instance);
+  for (const MeshInstance& instance : instances_) attachInstance(instance);
   commit();
 }
 
@@ -67,7 +67,7 @@ void Scene::attachMesh(RTCScene scene, const Mesh& mesh) {
   triangles_ += mesh.triangles.size();
 }
 
-void Scene::attachInstance(const Instance& instance) {
+void Scene::attachInstance(const MeshInstance& instance) {
   RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, prototype_scenes_.at(instance.prototype).get());
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
@@ -106,7 +106,7 @@ void Scene::occlude(const int* valid, RTCRay8& rays) const {
 
 Scene::Owner Scene::ownerOf(std::uint32_t instance, std::uint32_t primitive) const {
   if (instance == RTC_INVALID_GEOMETRY_ID) return {fixed_surfaces_[primitive], nullptr};
-  const Instance& found = instances_[instance - kFirstInstance];
+  const MeshInstance& found = instances_[instance - kFirstInstance];
   return {prototype_surfaces_[found.prototype][primitive], &found};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The world in Embree's hands: which surface does a ray meet?
+// Ray intersection with the geometry of the town, by Embree 3.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -14,11 +14,11 @@
 namespace tolman::town {
 
 /// Rays are traced in packets of this many.
-inline constexpr int kPacket = 8;
+inline constexpr int kRaysPerPacket = 8;
 
 class Scene {
  public:
-  /// Builds the search structures; keeps the surfaces, lets the triangles go to Embree. Throws
+  /// Builds the search structures; keeps the surfaces and passes the triangles to Embree. Throws
   /// std::runtime_error where Embree fails, as for lack of memory.
   explicit Scene(World world);
 
@@ -28,8 +28,8 @@ class Scene {
   void occlude(const int* valid, RTCRay8& rays) const;
 
   struct Owner {
-    std::uint32_t surface;     ///< index into surfaces()
-    const Instance* instance;  ///< null for what stands once
+    std::uint32_t surface;         ///< index into surfaces()
+    const MeshInstance* instance;  ///< null for fixed geometry
   };
   Owner ownerOf(std::uint32_t instance, std::uint32_t primitive) const;
   const Surface& surface(std::uint32_t index) const { return surfaces_[index]; }
@@ -49,7 +49,7 @@ class Scene {
   using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
 
   void attachMesh(RTCScene scene, const Mesh& mesh);
-  void attachInstance(const Instance& instance);
+  void attachInstance(const MeshInstance& instance);
   void check(const char* what) const;
 
   Device device_;
@@ -58,7 +58,7 @@ class Scene {
   SurfaceTable surfaces_;
   std::vector<std::uint32_t> fixed_surfaces_;
   std::vector<std::vector<std::uint32_t>> prototype_surfaces_;
-  std::vector<Instance> instances_;
+  std::vector<MeshInstance> instances_;
   std::vector<RTCGeometry> instance_geometries_;  // owned by scene_
   std::size_t triangles_ = 0;
 };

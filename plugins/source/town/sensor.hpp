@@ -19,7 +19,8 @@ struct Sensor {
   std::uint32_t seed = 0;  ///< of the run; noise depends on it, exposure and pixel alone
 };
 
-/// `exposure` numbers the pictures of a run, left and right apart. A new image.
+/// Quantises radiance to an 8-bit image. `exposure` is the number of the image in the run,
+/// different for left and right; it selects the noise.
 Image expose(const Sensor& sensor, const std::vector<float>& radiance, std::uint32_t exposure);
 
 }  // namespace tolman::town

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "street_rasters.hpp"
+#include "street_grids.hpp"
 
 namespace tolman::town {
 namespace {
@@ -41,7 +41,7 @@ std::vector<Segment> centrelines(const std::vector<PathPoint>& path) {
 
 class DistanceRaster {
  public:
-  DistanceRaster(const std::vector<PathPoint>& path, const Extent& extent, double cell,
+  DistanceRaster(const std::vector<PathPoint>& path, const GridExtent& extent, double cell,
                  double farthest)
       : segments_(centrelines(path)),
         raster_(extent.low, extent.high, cell, static_cast<float>(farthest)),
@@ -52,7 +52,7 @@ class DistanceRaster {
         candidates_(static_cast<std::size_t>(block_columns_) *
                     static_cast<std::size_t>(block_rows_)) {}
 
-  Raster fill() {
+  GroundGrid fill() {
     for (std::uint32_t i = 0; i < segments_.size(); ++i) offer(i);
     for (int row = 0; row < block_rows_; ++row) {
       for (int column = 0; column < block_columns_; ++column) fillBlock(column, row);
@@ -125,7 +125,7 @@ class DistanceRaster {
   }
 
   std::vector<Segment> segments_;
-  Raster raster_;
+  GroundGrid raster_;
   double farthest_;
   double half_diagonal_;
   int block_columns_;
@@ -135,7 +135,8 @@ class DistanceRaster {
 
 }  // namespace
 
-Raster rasterDistance(const std::vector<PathPoint>& path, const Extent& extent, double farthest) {
+GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
+                        double farthest) {
   const Eigen::Vector2d size = extent.high - extent.low;
   const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMostCells));
   return DistanceRaster(path, extent, cell, farthest).fill();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "street_rasters.hpp"
+#include "street_grids.hpp"
 
 namespace tolman::town {
 namespace {

@@ -24,7 +24,7 @@ Eigen::Vector2d heading(const Eigen::Isometry3d& T_town_camera) {
 }
 
 /// Camera positions that lie ahead of the ones before.
-std::vector<Eigen::Vector3d> progress(const Route& route) {
+std::vector<Eigen::Vector3d> progress(const CameraRoute& route) {
   std::vector<Eigen::Vector3d> places = {route.T_town_camera.front().translation()};
   const auto add = [&](const Eigen::Isometry3d& pose, double smallest_advance) {
     const Eigen::Vector2d step = (pose.translation() - places.back()).head<2>();
@@ -116,7 +116,7 @@ bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach) {
          (a.centre - b.centre).squaredNorm() < reach * reach;
 }
 
-std::vector<PathPoint> samplePath(const Route& route, double camera_height) {
+std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height) {
   std::vector<PathPoint> points = everyMetre(progress(route));
   setDirections(points, heading(route.T_town_camera.front()));
   for (PathPoint& point : points) point.height -= camera_height;

@@ -22,16 +22,16 @@ struct PathPoint {
 
 /// Standstill and reversing are left out. Before the first pose and after the last one the street
 /// goes on for a while, unless the route comes along there itself.
-std::vector<PathPoint> samplePath(const Route& route, double camera_height);
+std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height);
 
 /// Two passes over one street, in either direction: near each other, and not just neighbours on the
 /// path. Directions within 35 degrees.
 bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach);
 
-/// So far apart along the path that nearness means a second pass.
+/// Path distance from which near points count as a second pass.
 bool isOtherPass(const PathPoint& a, const PathPoint& b);
 
-/// Points by place: candidates within kReach of a place.
+/// Spatial index of points: finds candidates within kReach of a position.
 class PointGrid {
  public:
   static constexpr double kReach = 8;  ///< m

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "street_grids.hpp"
 #include "street_path.hpp"
-#include "street_rasters.hpp"
 #include "street_sections.hpp"
 
 namespace tolman::town {
@@ -28,8 +28,8 @@ std::string fixed(double value, int digits) {
   return text.data();
 }
 
-Extent extentOf(const std::vector<PathPoint>& path) {
-  Extent extent{path.front().centre, path.front().centre};
+GridExtent extentOf(const std::vector<PathPoint>& path) {
+  GridExtent extent{path.front().centre, path.front().centre};
   for (const PathPoint& point : path) {
     extent.low = extent.low.cwiseMin(point.centre);
     extent.high = extent.high.cwiseMax(point.centre);
@@ -40,7 +40,7 @@ Extent extentOf(const std::vector<PathPoint>& path) {
 }
 
 /// The frame that comes nearest to `frame` on another pass.
-std::optional<std::size_t> crossingFrame(const Route& route, std::size_t frame) {
+std::optional<std::size_t> crossingFrame(const CameraRoute& route, std::size_t frame) {
   const auto place = [&](std::size_t i) -> Eigen::Vector3d {
     return route.T_town_camera[i].translation();
   };
@@ -64,7 +64,7 @@ struct Clearance {
   double highest;  ///< m
 };
 
-Status heightRefusal(const Route& route, std::size_t frame, double above,
+Status heightRefusal(const CameraRoute& route, std::size_t frame, double above,
                      const Clearance& possible) {
   const auto height = [&](std::size_t i) { return route.T_town_camera[i].translation().z(); };
   const auto other = crossingFrame(route, frame);
@@ -82,7 +82,7 @@ Status heightRefusal(const Route& route, std::size_t frame, double above,
 }
 
 /// Every camera is above the road, between its kerbs.
-Status checkCameras(const Route& route, const StreetPlan& plan, double camera_height) {
+Status checkCameras(const CameraRoute& route, const StreetPlan& plan, double camera_height) {
   const Clearance possible{std::min(0.5, camera_height / 2), std::max(4.0, camera_height + 2.35)};
   std::size_t worst_frame = 0;
   double worst = 0;  // m beyond what is possible
@@ -116,13 +116,13 @@ double StreetPlan::height(double x, double y) const {
   return near + t * t * (3 - 2 * t) * (far - near);
 }
 
-Result<StreetPlan> StreetPlan::grow(const Route& route, double camera_height) {
+Result<StreetPlan> StreetPlan::grow(const CameraRoute& route, double camera_height) {
   if (route.T_town_camera.empty()) return Status::invalidInput("the route has no pose");
   if (!std::isfinite(camera_height) || camera_height <= 0) {
     return Status::invalidParameter("camera_height must be positive; give metres above the road");
   }
   const std::vector<PathPoint> path = samplePath(route, camera_height);
-  const Extent extent = extentOf(path);
+  const GridExtent extent = extentOf(path);
   const double size = (extent.high - extent.low).maxCoeff();
   if (!(size <= kLargestExtent)) {
     return Status::invalidInput("the route extends over " + fixed(size / 1000, 1) +
@@ -133,12 +133,12 @@ Result<StreetPlan> StreetPlan::grow(const Route& route, double camera_height) {
   plan.low_ = extent.low;
   plan.high_ = extent.high;
   plan.sections_ = findSections(path);
-  plan.distance_ = rasterDistance(path, extent, kFarthest);
+  plan.distance_ = distanceGrid(path, extent, kFarthest);
   const std::vector<double> heights = agreeOnHeights(path);
   double sum = 0;
   for (const double height : heights) sum += height;
   plan.mean_height_ = sum / static_cast<double>(heights.size());
-  plan.height_ = rasterHeight(path, heights, plan.distance_, extent, plan.mean_height_);
+  plan.height_ = heightGrid(path, heights, plan.distance_, extent, plan.mean_height_);
   if (const Status status = checkCameras(route, plan, camera_height); !status.isOk()) return status;
   return plan;
 }

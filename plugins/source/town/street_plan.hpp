@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "raster.hpp"
+#include "ground_grid.hpp"
 #include "route.hpp"
 #include "tolman/status.hpp"
 
@@ -39,7 +39,7 @@ class StreetPlan {
   ///
   /// Refuses a route that cannot have streets: passes that cross at different heights (a bridge),
   /// a camera that would be under ground, an extent beyond 12 km. Messages name the frames.
-  static Result<StreetPlan> grow(const Route& route, double camera_height);
+  static Result<StreetPlan> grow(const CameraRoute& route, double camera_height);
 
   const std::vector<StreetSection>& sections() const { return sections_; }
   /// m from (x, y) to the nearest centreline of any pass, at most kFarthest. Continuous.
@@ -53,8 +53,8 @@ class StreetPlan {
 
  private:
   std::vector<StreetSection> sections_;
-  Raster distance_;
-  Raster height_;
+  GroundGrid distance_;
+  GroundGrid height_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
   double mean_height_ = 0;  ///< of the streets

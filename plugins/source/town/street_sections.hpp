@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which stretches of the path are streets of their own, and which are an earlier one seen again.
+// Splits the driven path into new street sections and second passes over earlier ones.
 #pragma once
 
 #include <vector>

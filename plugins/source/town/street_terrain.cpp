@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "street_rasters.hpp"
+#include "street_grids.hpp"
 
 namespace tolman::town {
 namespace {
@@ -18,10 +18,10 @@ constexpr double kSettles = 150;    ///< m over which the membrane settles to th
 constexpr int kSweeps = 12;         ///< per level: coarser levels have done the rest
 
 /// Normalised convolution of the values at path points with a Gaussian; 0 beyond kReach.
-Raster spread(const std::vector<PathPoint>& path, const std::vector<double>& values,
-              const Extent& extent, double cell) {
-  Raster sum(extent.low, extent.high, cell, 0);
-  Raster weights(extent.low, extent.high, cell, 0);
+GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>& values,
+                  const GridExtent& extent, double cell) {
+  GroundGrid sum(extent.low, extent.high, cell, 0);
+  GroundGrid weights(extent.low, extent.high, cell, 0);
   const double smoothing = std::max(kSmoothing, 1.5 * cell);
   const int radius = static_cast<int>(std::ceil(kReach / cell));
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -48,14 +48,14 @@ Raster spread(const std::vector<PathPoint>& path, const std::vector<double>& val
 }
 
 /// Spreads heights, then what spreading smoothed away on crests: bends are followed to centimetres.
-Raster streetHeights(const std::vector<PathPoint>& path, const std::vector<double>& heights,
-                     const Extent& extent, double cell) {
-  Raster street = spread(path, heights, extent, cell);
+GroundGrid streetHeights(const std::vector<PathPoint>& path, const std::vector<double>& heights,
+                         const GridExtent& extent, double cell) {
+  GroundGrid street = spread(path, heights, extent, cell);
   std::vector<double> missing(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     missing[i] = heights[i] - street.at(path[i].driven.x(), path[i].driven.y());
   }
-  const Raster rest = spread(path, missing, extent, cell);
+  const GroundGrid rest = spread(path, missing, extent, cell);
   for (int r = 0; r < street.rows(); ++r) {
     for (int c = 0; c < street.columns(); ++c) street.value(c, r) += rest.value(c, r);
   }
@@ -64,21 +64,22 @@ Raster streetHeights(const std::vector<PathPoint>& path, const std::vector<doubl
 
 /// Heights that are known, and how firmly, at one resolution.
 struct Level {
-  Raster known;
-  Raster weight;  ///< 1 keeps the height, 0 leaves it to the membrane
+  GroundGrid known;
+  GroundGrid weight;  ///< 1 keeps the height, 0 leaves it to the membrane
 };
 
-Extent extentOf(const Raster& raster) {
+GridExtent extentOf(const GroundGrid& raster) {
   return {raster.position(0, 0), raster.position(raster.columns() - 1, raster.rows() - 1)};
 }
 
 /// Half the resolution; a coarse point stands for the up to four fine ones from it on.
 Level coarser(const Level& fine) {
-  const Extent extent = extentOf(fine.known);
+  const GridExtent extent = extentOf(fine.known);
   const double cell = 2 * fine.known.cell();
-  Level coarse{Raster(extent.low, extent.high, cell, 0), Raster(extent.low, extent.high, cell, 0)};
-  Raster& known = coarse.known;
-  Raster& weight = coarse.weight;
+  Level coarse{GroundGrid(extent.low, extent.high, cell, 0),
+               GroundGrid(extent.low, extent.high, cell, 0)};
+  GroundGrid& known = coarse.known;
+  GroundGrid& weight = coarse.weight;
   for (int r = 0; r < fine.known.rows(); ++r) {
     for (int c = 0; c < fine.known.columns(); ++c) {
       const float w = fine.weight.value(c, r);
@@ -96,9 +97,9 @@ Level coarser(const Level& fine) {
   return coarse;
 }
 
-Raster hillRaster(const Raster& like, double mean) {
-  const Extent extent = extentOf(like);
-  Raster hills(extent.low, extent.high, like.cell(), 0);
+GroundGrid hillRaster(const GroundGrid& like, double mean) {
+  const GridExtent extent = extentOf(like);
+  GroundGrid hills(extent.low, extent.high, like.cell(), 0);
   for (int r = 0; r < hills.rows(); ++r) {
     for (int c = 0; c < hills.columns(); ++c) {
       const Eigen::Vector2d place = hills.position(c, r);
@@ -110,12 +111,12 @@ Raster hillRaster(const Raster& like, double mean) {
 
 /// Gauss-Seidel on the screened membrane: known heights, else the mean of the neighbours with a
 /// little of the hills.
-void relax(Raster& height, const Level& level, double mean) {
+void relax(GroundGrid& height, const Level& level, double mean) {
   const int columns = height.columns();
   const int rows = height.rows();
   const double scaled = height.cell() / kSettles;
   const auto settle = static_cast<float>(scaled * scaled / (4 + scaled * scaled));
-  const Raster hills = hillRaster(height, mean);
+  const GroundGrid hills = hillRaster(height, mean);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (int r = 0; r < rows; ++r) {
       for (int c = 0; c < columns; ++c) {
@@ -133,11 +134,11 @@ void relax(Raster& height, const Level& level, double mean) {
 }
 
 /// The membrane at this level, from the coarser ones.
-Raster membrane(const Level& level, double mean) {
-  const Extent extent = extentOf(level.known);
-  Raster height(extent.low, extent.high, level.known.cell(), static_cast<float>(mean));
+GroundGrid membrane(const Level& level, double mean) {
+  const GridExtent extent = extentOf(level.known);
+  GroundGrid height(extent.low, extent.high, level.known.cell(), static_cast<float>(mean));
   if (std::min(level.known.columns(), level.known.rows()) > 4) {
-    const Raster coarse = membrane(coarser(level), mean);
+    const GroundGrid coarse = membrane(coarser(level), mean);
     // A coarse point stands for the middle of its fine ones.
     const double shift = level.known.cell() / 2;
     for (int r = 0; r < height.rows(); ++r) {
@@ -160,11 +161,12 @@ double farHills(double x, double y) {
          1.2 * std::sin((x + y) / 29 + 4);
 }
 
-Raster rasterHeight(const std::vector<PathPoint>& path, const std::vector<double>& heights,
-                    const Raster& distance, const Extent& extent, double mean) {
+GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<double>& heights,
+                      const GroundGrid& distance, const GridExtent& extent, double mean) {
   const Eigen::Vector2d size = extent.high - extent.low;
   const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMostCells));
-  Level level{streetHeights(path, heights, extent, cell), Raster(extent.low, extent.high, cell, 0)};
+  Level level{streetHeights(path, heights, extent, cell),
+              GroundGrid(extent.low, extent.high, cell, 0)};
   for (int r = 0; r < level.weight.rows(); ++r) {
     for (int c = 0; c < level.weight.columns(); ++c) {
       const Eigen::Vector2d place = level.weight.position(c, r);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One side of a street for some tens of metres: a kind of place, filled with what belongs there.
+// One side of a street for some tens of metres, of one kind of neighbourhood, with its houses,
+// gardens, trees, parked cars and street furniture.
 #pragma once
 
 #include <cstdint>

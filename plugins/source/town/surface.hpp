@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a triangle looks like: a material, and where its pattern is anchored.
+// Appearance of a triangle: material, tone, and the coordinates of its texture pattern.
 #pragma once
 
 #include <cstdint>

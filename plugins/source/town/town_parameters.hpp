@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a configuration can say of the town.
+// Parameters of the source `town`.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct TownParameters : FrameSelection {
   std::string route = "block";
   double rate = 10;
   double speed = 8;
-  // The cameras: KITTI's, unless told otherwise.
+  // The cameras; the defaults are those of KITTI odometry, sequences 00 to 02.
   std::int64_t width = 1241;
   std::int64_t height = 376;
   double fx = 718.856;
@@ -31,7 +31,7 @@ struct TownParameters : FrameSelection {
   std::int64_t seed = 1;
   double aliasing = 0.15;
   double density = 1;
-  // What comes between the town and the grey levels.
+  // Light, weather and image formation.
   double hour = 10.5;
   Weather weather = Weather::Clear;
   double haze = 0.0008;
@@ -41,7 +41,7 @@ struct TownParameters : FrameSelection {
   double motion_blur = 0;
   std::int64_t edge_samples = 2;
   bool depth = false;
-  // Trouble; all off by default.
+  // Disturbances; all off by default.
   double traffic = 0;
   double baseline_error = 0;
   double rotation_error = 0;
@@ -58,7 +58,7 @@ constexpr auto driveParameters() {
   return parameters(
       parameter("route", &P::route)
           .doc("block, eights, district, or a file of poses in KITTI's format to drive along."),
-      parameter("rate", &P::rate).range(0.1, 1000).unit("Hz").doc("Frames a second."),
+      parameter("rate", &P::rate).range(0.1, 1000).unit("Hz").doc("Frames per second."),
       parameter("speed", &P::speed)
           .range(0.5, 40)
           .unit("m/s")
@@ -81,7 +81,7 @@ constexpr auto cameraParameters() {
       parameter("scale", &P::scale)
           .range(0.05, 4)
           .doc("Resizes image and calibration together: 0.5 renders at half size."),
-      parameter("mono", &P::mono).doc("Leave the right camera out."),
+      parameter("mono", &P::mono).doc("Render the left camera only."),
       parameter("camera_height", &P::camera_height)
           .range(0.5, 4)
           .unit("m")
@@ -93,13 +93,13 @@ constexpr auto townParameters() {
   return parameters(
       parameter("seed", &P::seed)
           .range(0, 4294967295.0)
-          .doc("Of houses, trees and textures; the noise of the cameras has the run's seed."),
+          .doc("Seed of houses, trees and textures; camera noise uses the seed of the run."),
       parameter("aliasing", &P::aliasing)
           .range(0, 1)
           .doc("Share of street fronts that look like one of two others."),
       parameter("density", &P::density)
           .range(0, 1)
-          .doc("Share of houses, trees and parked cars that are there; 0 leaves bare streets."));
+          .doc("Share of houses, trees and parked cars that are built; 0 leaves bare streets."));
 }
 
 constexpr auto imageParameters() {
@@ -110,7 +110,7 @@ constexpr auto imageParameters() {
       parameter("haze", &P::haze)
           .range(0, 1)
           .unit("1/m")
-          .doc("Extinction of the air; 0.0008 halves contrast at 870 m."),
+          .doc("Extinction coefficient of the air; 0.0008 halves the contrast at 870 m."),
       parameter("noise", &P::noise)
           .range(0, 20)
           .doc("Shot and read noise; 1 is about 1.5 grey levels in the mid tones, 0 none."),
@@ -119,35 +119,34 @@ constexpr auto imageParameters() {
           .doc("Share of light that the corners of the image lose."),
       parameter("exposure_change", &P::exposure_change)
           .range(0, 1)
-          .doc("How far gain wanders with time, relative; both cameras alike."),
+          .doc("Relative amplitude of slow changes of the gain, the same for both cameras."),
       parameter("motion_blur", &P::motion_blur)
           .range(0, 1)
-          .doc("Share of the time between frames that the shutter is open; costs rays."),
+          .doc("Share of the frame interval that the shutter is open; above 0, rendering takes "
+               "five times as long."),
       parameter("edge_samples", &P::edge_samples)
           .range(0, 8)
-          .doc("Extra rays for pixels on edges; 0 leaves them jagged."),
+          .doc("Additional rays for pixels on edges; 0: no anti-aliasing of edges."),
       parameter("depth", &P::depth)
-          .doc("Give the true depth of the left image as the sensor array depth.left."));
+          .doc("Provide the true depth of the left image as the sensor array depth.left."));
 }
 
-constexpr auto troubleParameters() {
+constexpr auto disturbanceParameters() {
   using P = TownParameters;
   return parameters(
       parameter("traffic", &P::traffic)
           .range(0, 60)
           .unit("1/km")
-          .doc("Oncoming cars for each kilometre of the route."),
+          .doc("Oncoming cars per kilometre of the route."),
       parameter("baseline_error", &P::baseline_error)
           .range(-0.5, 0.5)
-          .doc("True baseline over the calibrated one, minus 1."),
+          .doc("Relative error of the calibrated baseline: true / calibrated - 1."),
       parameter("rotation_error", &P::rotation_error)
           .range(0, 5)
           .unit("deg")
-          .doc("Angle that the right camera is really turned by, about each axis."),
-      parameter("dropped", &P::dropped).range(0, 0.9).doc("Share of frames that never arrive."),
-      parameter("corrupt", &P::corrupt)
-          .range(0, 0.9)
-          .doc("Share of frames that arrive without an image."));
+          .doc("True rotation of the right camera about each axis, unknown to the calibration."),
+      parameter("dropped", &P::dropped).range(0, 0.9).doc("Share of frames that are missing."),
+      parameter("corrupt", &P::corrupt).range(0, 0.9).doc("Share of frames that have no image."));
 }
 
 }  // namespace detail
@@ -155,7 +154,7 @@ constexpr auto troubleParameters() {
 constexpr auto TownParameters::declaration() {
   return std::tuple_cat(detail::driveParameters(), detail::cameraParameters(),
                         detail::townParameters(), detail::imageParameters(),
-                        detail::troubleParameters(), selectionParameters<TownParameters>());
+                        detail::disturbanceParameters(), selectionParameters<TownParameters>());
 }
 
 }  // namespace tolman::town

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kBuiltIn = {"block", "eights", "district"};
 
-Result<Route> findRoute(const TownParameters& p) {
+Result<CameraRoute> findRoute(const TownParameters& p) {
   const RouteOptions options = {p.rate, p.speed, p.camera_height};
   const bool named = std::find(kBuiltIn.begin(), kBuiltIn.end(), p.route) != kBuiltIn.end();
   const bool is_file = p.route.find_first_of("/.") != std::string::npos;
@@ -54,7 +54,7 @@ Status TownSource::setRig() {
 
 Status TownSource::build() {
   const Parameters& p = parameters_;
-  Result<Route> route = findRoute(p);
+  Result<CameraRoute> route = findRoute(p);
   if (!route.isOk()) return route.status();
   route_ = std::move(route.value());
   Result<FrameSequence> sequence = FrameSequence::make(p, route_.stamps_ns);
@@ -74,7 +74,7 @@ Status TownSource::build() {
   }
   scene_ = std::make_unique<Scene>(std::move(world));
   light_ = makeLight(p.hour, p.weather, p.haze, hash(seed, 303));
-  for (Camera& camera : cameras_) {
+  for (CameraBuffers& camera : cameras_) {
     camera.renderer =
         std::make_unique<Renderer>(*scene_, *plan_, light_, static_cast<int>(p.edge_samples));
   }
@@ -132,7 +132,7 @@ void TownSource::moveTraffic(std::size_t index) {
 }
 
 double TownSource::gainAt(std::size_t index) const {
-  // Sunlit asphalt (albedo 0.2) comes out at about 110 of 255 at any hour.
+  // Sunlit asphalt (albedo 0.2) has a grey level of about 110 of 255 at any hour.
   const double asphalt = 0.2 * static_cast<double>(light_.onto({0, 0, 1}, 1));
   const double seconds = static_cast<double>(route_.stamps_ns[index]) * 1e-9;
   const double wander =
@@ -140,24 +140,23 @@ double TownSource::gainAt(std::size_t index) const {
   return 110 / asphalt * std::exp(parameters_.exposure_change * wander);
 }
 
-/// Renders one camera and exposes it; with motion blur as a mean over the shutter.
-Image TownSource::take(std::size_t index, bool right) {
+Image TownSource::renderCamera(std::size_t index, bool right) {
   const Parameters& p = parameters_;
-  Camera& camera = cameras_[right ? 1 : 0];
-  Picture& picture = camera.picture;
+  CameraBuffers& camera = cameras_[right ? 1 : 0];
+  RenderedImage& rendered = camera.rendered;
   const int shots = p.motion_blur > 0 ? 5 : 1;
-  for (int shot = shots - 1; shot >= 0; --shot) {  // the first last: its depth is kept
-    View view;
+  for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, so that its depth is kept
+    RenderCamera view;
     const Eigen::Isometry3d T_town_left = poseAt(index, p.motion_blur * shot / shots);
     view.T_town_camera = right ? rightOf(T_town_left) : T_town_left;
     view.pinhole = rig_.pinhole;
     view.width = rig_.width;
     view.height = rig_.height;
-    camera.renderer->render(view, picture);
+    camera.renderer->render(view, rendered);
     if (shots == 1) break;
-    if (shot == shots - 1) camera.blurred.assign(picture.radiance.size(), 0);
+    if (shot == shots - 1) camera.blurred.assign(rendered.radiance.size(), 0);
     for (std::size_t i = 0; i < camera.blurred.size(); ++i) {
-      camera.blurred[i] += picture.radiance[i] / static_cast<float>(shots);
+      camera.blurred[i] += rendered.radiance[i] / static_cast<float>(shots);
     }
   }
   Sensor sensor;
@@ -169,7 +168,7 @@ Image TownSource::take(std::size_t index, bool right) {
   sensor.shot_noise = 0.015 * p.noise * p.noise;
   sensor.seed = run_seed_;
   const auto exposure = static_cast<std::uint32_t>(2 * next_ + (right ? 1 : 0));
-  return expose(sensor, shots > 1 ? camera.blurred : picture.radiance, exposure);
+  return expose(sensor, shots > 1 ? camera.blurred : rendered.radiance, exposure);
 }
 
 Status TownSource::next(Frame& frame) {
@@ -184,19 +183,34 @@ Status TownSource::next(Frame& frame) {
   frame.T_world_camera_truth = route_.T_town_camera.front().inverse() * route_.T_town_camera[index];
   if (unit(hash(run_seed_, static_cast<std::uint32_t>(k), 403)) <
       static_cast<float>(parameters_.corrupt)) {
-    frame.defect = "town: a corrupt image was asked for";
+    frame.defect = "town: corrupt image, as the parameter corrupt demands";
   } else {
     moveTraffic(index);
-    const auto left = [&] { frame.left = take(index, false); };
+    const auto left = [&] { frame.left = renderCamera(index, false); };
     const auto right = [&] {
-      if (rig_.isStereo()) frame.right = take(index, true);
+      if (rig_.isStereo()) frame.right = renderCamera(index, true);
     };
     oneapi::tbb::parallel_invoke(left, right);
     if (parameters_.depth) {
-      frame.sensors.push_back({"depth.left", {rig_.height, rig_.width}, cameras_[0].picture.depth});
+      frame.sensors.push_back(
+          {"depth.left", {rig_.height, rig_.width}, cameras_[0].rendered.depth});
     }
   }
   ++next_;
+  return Status::ok();
+}
+
+Status TownSource::describe(std::vector<ArrayInfo>& arrays) const {
+  if (!parameters_.depth) return Status::ok();
+  ArrayInfo depth;
+  depth.name = "depth.left";
+  depth.kind = ArrayKind::DepthImage;
+  depth.unit = "m";
+  depth.doc = "true depth of the left image along the optical axis; 0 for the sky";
+  depth.axes.resize(2);
+  depth.axes[0].name = "row";
+  depth.axes[1].name = "column";
+  arrays.push_back(std::move(depth));
   return Status::ok();
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Source `town`: drives a route through the town and gives what the cameras see.
+// Source `town`: renders calibrated images, true poses and depth along a route through a procedural
+// town. Axes: see mesh.hpp. The same parameters and seeds give the same bytes.
 #pragma once
 
 #include <array>
@@ -11,13 +12,14 @@
 #include "scene.hpp"
 #include "sensor.hpp"
 #include "street_plan.hpp"
+#include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 #include "town_parameters.hpp"
 #include "traffic.hpp"
 
 namespace tolman::town {
 
-class TownSource final : public Source {
+class TownSource final : public Source, public ArrayDescriptions {
  public:
   using Parameters = TownParameters;
 
@@ -26,35 +28,39 @@ class TownSource final : public Source {
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
   Status inspect(std::vector<Finding>& findings) override;
+  /// depth.left, where `depth` is set.
+  Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:
   Status build();
   Status setRig();
   void chooseFrames();
-  /// The left camera `part` of the way from route pose `index` to the next.
+  /// Pose of the left camera between route poses `index` (part 0) and the next (part 1).
   Eigen::Isometry3d poseAt(std::size_t index, double part) const;
   Eigen::Isometry3d rightOf(const Eigen::Isometry3d& T_town_left) const;
   void moveTraffic(std::size_t index);
-  /// One camera with all that its pictures need, so that both can work at the same time.
-  struct Camera {
+  /// Renderer and buffers of one camera; separate, so that both render in parallel.
+  struct CameraBuffers {
     std::unique_ptr<Renderer> renderer;
-    Picture picture;
+    RenderedImage rendered;
     std::vector<float> blurred;
   };
-  Image take(std::size_t index, bool right);
+  /// Renders one camera and exposes it; with motion blur as a mean over the shutter time.
+  Image renderCamera(std::size_t index, bool right);
+  /// Grey levels for a radiance of 1.
   double gainAt(std::size_t index) const;
 
   Parameters parameters_;
   std::uint32_t run_seed_ = 0;
   Status ready_ = Status::failed("configure() was not called");
   CameraRig rig_;
-  Route route_;
+  CameraRoute route_;
   std::unique_ptr<StreetPlan> plan_;
   Light light_;
   std::unique_ptr<Traffic> traffic_;
-  std::size_t first_traffic_ = 0;  ///< instance of the first moving car
+  std::size_t first_traffic_ = 0;  ///< index of the first moving car among the mesh instances
   std::unique_ptr<Scene> scene_;
-  std::array<Camera, 2> cameras_;  ///< left, right
+  std::array<CameraBuffers, 2> cameras_;  ///< left, right
   FrameSequence sequence_;
   std::vector<std::int64_t> arriving_;  ///< frames of the sequence that are not dropped
   std::size_t next_ = 0;

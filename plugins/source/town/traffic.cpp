@@ -9,7 +9,8 @@
 
 namespace tolman::town {
 
-Traffic::Traffic(const Route& route, const StreetPlan& plan, double cars_per_km, std::uint32_t seed)
+Traffic::Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_per_km,
+                 std::uint32_t seed)
     : plan_(&plan) {
   constexpr double kSpacing = 1;  // m between points of the lane
   for (const Eigen::Isometry3d& T : route.T_town_camera) {

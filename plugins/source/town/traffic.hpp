@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cars that come the other way.
+// Oncoming cars: positions as a function of time.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace tolman::town {
 /// Cars at equal mean distances on the oncoming lane of the route, each at its own steady speed.
 class Traffic {
  public:
-  Traffic(const Route& route, const StreetPlan& plan, double cars_per_km, std::uint32_t seed);
+  Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_per_km, std::uint32_t seed);
 
   std::size_t size() const { return cars_.size(); }
   /// Where car `index` is, `seconds` after the first pose.

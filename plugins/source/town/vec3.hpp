@@ -45,7 +45,6 @@ struct Placement {
   Vec3 unrotate(const Vec3& v) const {
     return {cosine * v.x + sine * v.y, -sine * v.x + cosine * v.y, v.z};
   }
-  Vec3 toTown(const Vec3& local) const { return rotate(local) * scale + position; }
   Vec3 toLocal(const Vec3& town) const { return unrotate(town - position) * (1 / scale); }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The town as geometry: what stands once, and what is repeated.
+// The geometry of the town: fixed triangles, and prototypes that are placed many times.
 #pragma once
 
 #include <cstdint>
@@ -11,17 +11,17 @@
 
 namespace tolman::town {
 
-struct Instance {
+struct MeshInstance {
   std::uint32_t prototype = 0;
   Placement placement;
-  std::uint32_t seed = 0;  ///< varies texture and tone
+  std::uint32_t seed = 0;  ///< of texture and tone
 };
 
 struct World {
   SurfaceTable surfaces;
   Mesh fixed;                    ///< town axes
   std::vector<Mesh> prototypes;  ///< own axes: Z up, standing on the origin
-  std::vector<Instance> instances;
+  std::vector<MeshInstance> instances;
   std::vector<std::uint32_t> cars;  ///< the prototypes that are cars
 
   std::uint32_t addSurface(const Surface& surface) {

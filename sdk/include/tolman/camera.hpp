@@ -26,11 +26,11 @@ struct Pinhole {
   }
 };
 
-/// What a source knows of its cameras. Constant over a run.
+/// The cameras of a source. Constant over a run.
 ///
 /// With two cameras the pair is rectified: same image size and pinhole, rows aligned, and the right
 /// camera sits at (+baseline, 0, 0) of the left one, so that disparity = u_left - u_right
-/// = fx * baseline / z >= 0. A source whose data are not so must rectify them or refuse.
+/// = fx * baseline / z >= 0. A source with other data must rectify them or refuse.
 struct CameraRig {
   static constexpr const char* kRecord = "camera";
   int width = 0;            ///< px; 0 when the source has no images (a motion log)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the host hands to a plugin instead of globals: logger, random stream, artefact writer,
-// cancellation, clock and parameters.
+// Services that the host passes to a plugin, which therefore needs no globals: logger, random
+// stream, artefact writer, cancellation, clock and parameters.
 #pragma once
 
 #include <array>
@@ -35,21 +35,22 @@ class Logger {
   void error(std::string_view message) { write(LogLevel::Error, message); }
 };
 
-/// Says that the run is to stop (an interrupt). Long loops should look at it. Any thread.
+/// Whether the run was asked to stop (an interrupt). Long loops should poll it. Any thread.
 class Cancellation {
  public:
   virtual ~Cancellation() = default;
   virtual bool requested() const = 0;
 };
 
-/// Time for showing progress and measuring speed; never for deciding a result. Any thread.
+/// Clock for progress displays and measurements of speed. Results must not depend on it. Any
+/// thread.
 class Clock {
  public:
   virtual ~Clock() = default;
   virtual std::int64_t steadyNs() const = 0;
 };
 
-/// Puts files of the plugin's own into the run directory. Any thread.
+/// Writes files of the plugin into the run directory. Any thread.
 class ArtefactWriter {
  public:
   virtual ~ArtefactWriter() = default;
@@ -60,7 +61,8 @@ class ArtefactWriter {
 
 /// A seeded random stream with the same numbers on every machine (xoshiro256**, seeded by
 /// splitmix64; Blackman and Vigna). Its seed comes from the run's seed and the instance's name, so
-/// adding a plugin does not disturb another. Not thread-safe: one stream, one thread; fork() more.
+/// adding a plugin does not change the numbers of another. Not thread-safe: call fork() for a
+/// stream of another thread.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed) {
@@ -118,8 +120,10 @@ struct Context {
   CameraRig rig;         ///< of the source; empty for the source itself
   std::uint64_t seed;    ///< for RandomStream; the same after reset()
   std::string instance;  ///< the name of this stage in the configuration, e.g. "odometry"
-  bool interactive;      ///< a person watches the terminal: progress bars and colours are welcome
-  bool quiet;            ///< the user asked for silence: print nothing, log instead
+  // Deprecated since SDK 0.2: an observer looks at the terminal itself, isatty(STDERR_FILENO), and
+  // declares a parameter `quiet`, which --quiet sets.
+  bool interactive = false;
+  bool quiet = false;
 };
 
 }  // namespace tolman

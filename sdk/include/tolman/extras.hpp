@@ -5,6 +5,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "tolman/fields.hpp"
@@ -21,7 +22,26 @@ class ArraySource {
   virtual void arrays(std::vector<NamedArray>& arrays) const = 0;
 };
 
-/// Saves and restores all that decides the future. After load() of what save() wrote, the instance
+/// Describes the arrays of ArraySource::arrays(), or of Frame::sensors for a source: units, axes,
+/// periods. Called once, after configure(). Arrays without a description are shown as plain
+/// numbers.
+class ArrayDescriptions {
+ public:
+  virtual ~ArrayDescriptions() noexcept(false) {}
+  virtual Status describe(std::vector<ArrayInfo>& arrays) const = 0;
+};
+
+/// An observer that serves a page over HTTP. `tolman run --view` and `tolman view` load the
+/// observer that has this extra. Where it declares them they set its parameters `port` and `bind`,
+/// and for a recorded run `rate` (0: every frame) and `stay` (serve until cancelled).
+class PageServer {
+ public:
+  virtual ~PageServer() noexcept(false) {}
+  /// Address of the page, "http://127.0.0.1:8080/"; known from begin() on, empty before.
+  virtual std::string url() const = 0;
+};
+
+/// Saves and restores the complete state. After load() of what save() wrote, the instance
 /// answers further frames as the saved one would have. load() of foreign or damaged bytes fails
 /// with InvalidInput and leaves the instance as after reset().
 class StateKeeper {

@@ -9,15 +9,17 @@
 //   }
 //
 // From that list come the tables of run.sqlite, JSON, the NaN check at the plugin boundary, the
-// channel of an isolated stage and the reference page. Members may be: bool, integers, float,
-// double, enumerations with enumNames(), std::string, Eigen vectors and matrices of float or
-// double, Eigen::Isometry3d, Image, NamedArray, other records, and std::vector of records.
+// channel of an isolated stage, the viewer's messages and the reference page. Members may be: bool,
+// integers, float, double, enumerations with enumNames(), std::string, Eigen vectors and matrices
+// of float or double, Eigen::Isometry3d, Image, other records, and std::vector of records.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -48,11 +50,20 @@ template <class R, class Visit>
 requires Record<std::remove_const_t<R>>
 void visitFields(R& record, Visit&& visit) { std::remove_const_t<R>::fields(record, visit); }
 
-/// A named numeric array: neural activity for a viewer, or a sensor beside the images.
+/// A named numeric array: neural activity for a viewer, or a sensor beside the images. What its
+/// numbers mean is described once per run, by an ArrayInfo of the same name.
 struct NamedArray {
+  static constexpr const char* kRecord = "named_array";
   std::string name;           ///< e.g. "hd.activity"
   std::vector<int> shape;     ///< e.g. {36} or {rows, columns}; row-major
   std::vector<float> values;  ///< as many as the product of shape
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(name, "", "name of the array");
+    TOLMAN_FIELD(shape, "", "size of each axis, row-major");
+    TOLMAN_FIELD(values, "", "the numbers");
+  }
 };
 
 /// An enumeration with names, listed in the order of its values from 0, by a function in the
@@ -73,6 +84,61 @@ constexpr std::string_view enumName(E value) {
   return index < names.size() ? names[index] : std::string_view("invalid");
 }
 
+/// What a NamedArray holds, so that viewers and figures need not guess it from its name.
+enum class ArrayKind : std::uint8_t {
+  Values,      ///< plain numbers
+  Activity,    ///< firing rates of a population: one axis for each dimension of its units
+  Bump,        ///< Gaussian bumps of a population; the last axis has the labelled components:
+               ///< first the mean along each axis of the population, then what else is known
+  DepthImage,  ///< depth of each pixel along the optical axis; axes: row, column
+};
+inline constexpr std::array<std::string_view, 4> kArrayKindNames = {"values", "activity", "bump",
+                                                                    "depth_image"};
+constexpr std::span<const std::string_view> enumNames(ArrayKind) { return kArrayKindNames; }
+
+/// One axis of a NamedArray. Index i stands for the value first + i * step, modulo `period`.
+struct ArrayAxis {
+  static constexpr const char* kRecord = "array_axis";
+  std::string name;                 ///< e.g. "heading", "x", "row", "component"
+  std::string unit;                 ///< of first, step and period; "" for a plain index
+  double first = 0;                 ///< value of index 0: the phase of unit 0
+  double step = 1;                  ///< from one index to the next
+  double period = 0;                ///< the axis wraps around after so much; 0 if it does not
+  std::vector<std::string> labels;  ///< one for each index, or none
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(name, "", "what varies along the axis");
+    TOLMAN_FIELD(unit, "", "unit of first, step and period");
+    TOLMAN_FIELD(first, "", "value of index 0");
+    TOLMAN_FIELD(step, "", "difference between neighbouring indices");
+    TOLMAN_FIELD(period, "", "length of a periodic axis; 0 if it does not wrap around");
+    TOLMAN_FIELD(labels, "", "name of each index, or none");
+  }
+};
+
+/// Description of the NamedArray of the same name, constant over a run. (A NamedArray lies in
+/// lists that cross the plugin boundary and cannot grow within a major version of the SDK.)
+struct ArrayInfo {
+  static constexpr const char* kRecord = "array_info";
+  std::string name;
+  ArrayKind kind = ArrayKind::Values;
+  std::string unit;             ///< of the values
+  std::string doc;              ///< one line
+  std::string population;       ///< Bump: name of the Activity array whose axes the mean refers to
+  std::vector<ArrayAxis> axes;  ///< one for each axis of the shape
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(name, "", "name of the array that is described");
+    TOLMAN_FIELD(kind, "", "values, activity, bump or depth_image");
+    TOLMAN_FIELD(unit, "", "unit of the values");
+    TOLMAN_FIELD(doc, "", "what the numbers are");
+    TOLMAN_FIELD(population, "", "of a bump: the activity array whose axes its mean refers to");
+    TOLMAN_FIELD(axes, "", "one for each axis of the shape");
+  }
+};
+
 namespace detail {
 
 template <class T>
@@ -92,8 +158,6 @@ bool allFinite(const T& value) {
     return std::isfinite(value);
   } else if constexpr (NamedEnum<T>) {
     return static_cast<std::size_t>(value) < enumNames(value).size();
-  } else if constexpr (std::is_same_v<T, NamedArray>) {
-    return allFinite(value.values);
   } else if constexpr (std::is_same_v<T, Eigen::Isometry3d>) {
     return value.matrix().allFinite();
   } else if constexpr (Record<T>) {

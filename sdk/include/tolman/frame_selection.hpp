@@ -29,7 +29,7 @@ namespace tolman {
 enum class FrameOrder : std::uint8_t {
   Forward,
   Backward,  ///< from last to first
-  Pingpong,  ///< forward, backward, forward, ...; the frame at a turn comes once
+  Pingpong,  ///< forward, backward, forward, ...; the frame at each turn occurs once
 };
 inline constexpr std::array<std::string_view, 3> kFrameOrderNames = {"forward", "backward",
                                                                      "pingpong"};
@@ -57,10 +57,10 @@ constexpr auto selectionParameters() {
           .doc("Last frame of the data set to use, inclusive; -1 for the end."),
       parameter<P, std::int64_t>("step", &P::step).range(1, kMost).doc("Use every step-th frame."),
       parameter<P, FrameOrder>("order", &P::order)
-          .doc("forward, backward, or pingpong: forward and backward in turn."),
+          .doc("forward, backward, or pingpong: forward and backward alternately."),
       parameter<P, std::int64_t>("passes", &P::passes)
           .range(1, 10000)
-          .doc("How often pingpong runs through the frames; a way back counts."));
+          .doc("Number of passes of pingpong, in either direction."));
 }
 
 /// The frames of a run: frame k is frame sourceIndex(k) of the data set, at stampNs(k).
@@ -122,7 +122,7 @@ class FrameSequence {
     if (s.last >= 0 && s.last < s.first) {
       return Status::invalidParameter("last is " + std::to_string(s.last) +
                                       ", before first = " + std::to_string(s.first) +
-                                      "; for the reverse order say order: backward");
+                                      "; for the reverse order use order: backward");
     }
     return Status::ok();
   }
@@ -150,7 +150,7 @@ class FrameSequence {
   }
 
   std::int64_t selected() const { return static_cast<std::int64_t>(stamps_ns_.size()); }
-  /// Number of the way through the frames that frame k belongs to; a turn begins the next one.
+  /// Number of the pass that frame k belongs to; a turn begins the next one.
   std::int64_t pass(std::int64_t k) const {
     return selection_.order == FrameOrder::Pingpong && selected() > 1 ? k / (selected() - 1) : 0;
   }

@@ -6,7 +6,7 @@
 // turn to the left is positive.
 //
 // Functions that use much of Eigen are templates without a parameter, so that only files that call
-// them pay for them: as plain inline functions they tripled the compile time of every plugin.
+// them compile them: as plain inline functions they tripled the compile time of every plugin.
 #pragma once
 
 #include <Eigen/Core>
@@ -86,6 +86,17 @@ Vector6d logSe3(const Eigen::Isometry3d& T) {
   twist.tail<3>() = logSo3(T.linear());
   twist.head<3>() = leftJacobianSo3(twist.tail<3>()).partialPivLu().solve(T.translation());
   return twist;
+}
+
+/// Adjoint of SE(3): T * expSe3(n) == expSe3(adjointSe3(T) * n) * T. A covariance of T_a_b in the
+/// tangent space of b, as in every record, becomes one in the tangent space of a by A * P * A'.
+template <class = void>
+Matrix6d adjointSe3(const Eigen::Isometry3d& T) {
+  Matrix6d A = Matrix6d::Zero();
+  A.topLeftCorner<3, 3>() = T.linear();
+  A.bottomRightCorner<3, 3>() = T.linear();
+  A.topRightCorner<3, 3>() = skew(T.translation()) * T.linear();
+  return A;
 }
 
 /// The nearest rotation (by quaternion normalisation): keeps long products of poses rigid.

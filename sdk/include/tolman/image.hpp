@@ -17,7 +17,7 @@ enum class PixelFormat : std::uint8_t {
 
 constexpr int bytesPerPixel(PixelFormat format) { return format == PixelFormat::Gray8 ? 1 : 3; }
 
-/// Pixels that nobody changes any more, shared by everyone who holds a copy of this view.
+/// Immutable pixels, shared by all copies of this view.
 ///
 /// - Row r starts at data() + r * stride(); stride() is in bytes, at least width * bytesPerPixel.
 /// - Copying copies the view, not the pixels; the pixels live as long as any view of them.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Optional: the same pixels as a cv::Mat, without a copy. The only SDK header that sees OpenCV;
-// a plugin that includes it says so with `tolman_add_plugin(... OPENCV)`.
+// Optional: the same pixels as a cv::Mat, without a copy. The only SDK header that includes OpenCV;
+// a plugin that uses it passes OPENCV to tolman_add_plugin().
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 namespace tolman {
 
 /// Views `image` as a cv::Mat. Valid while `image` or a copy of it lives: cv::Mat cannot own
-/// foreign memory. Read only: OpenCV has no const Mat, so writing to it is on your honour.
+/// foreign memory. Do not write to it: the pixels are shared, and OpenCV has no read-only Mat.
 inline cv::Mat asMat(const Image& image) {
   if (image.empty()) return {};
   const int type = image.format() == PixelFormat::Gray8 ? CV_8UC1 : CV_8UC3;

@@ -13,8 +13,10 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "tolman/extras.hpp"
 #include "tolman/parameters.hpp"
@@ -28,6 +30,9 @@ struct PluginObject {
   Plugin* plugin = nullptr;
   ArraySource* arrays = nullptr;
   StateKeeper* state = nullptr;
+  // Since SDK 0.2; a plugin built for 0.1 leaves the memory behind `state` untouched.
+  ArrayDescriptions* descriptions = nullptr;
+  PageServer* page = nullptr;
 };
 
 /// What the entry function returns: a constant with static storage.
@@ -64,6 +69,8 @@ PluginObject createPlugin() {
   PluginObject object;
   if constexpr (std::derived_from<C, ArraySource>) object.arrays = instance.get();
   if constexpr (std::derived_from<C, StateKeeper>) object.state = instance.get();
+  if constexpr (std::derived_from<C, ArrayDescriptions>) object.descriptions = instance.get();
+  if constexpr (std::derived_from<C, PageServer>) object.page = instance.get();
   object.plugin = instance.release();
   return object;
 }
@@ -86,6 +93,20 @@ struct Manifest {
     }
     append("\"");
   }
+  /// The names of those that are true, separated by commas.
+  constexpr void flags(std::string_view key,
+                       std::initializer_list<std::pair<std::string_view, bool>> flags) {
+    member(key, "");
+    --size;  // inside the quotes again
+    bool first = true;
+    for (const auto& [name, set] : flags) {
+      if (!set) continue;
+      append(first ? "" : ",");
+      append(name);
+      first = false;
+    }
+    append("\"");
+  }
   constexpr void hexadecimal(std::string_view key, std::uint64_t value) {
     std::array<char, 16> digits{};
     for (std::size_t i = 16; i-- > 0; value >>= 4U) digits[i] = "0123456789abcdef"[value & 15U];
@@ -104,6 +125,10 @@ consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_v
   manifest.member("fingerprint", TOLMAN_FINGERPRINT);
   manifest.member("opencv", TOLMAN_OPENCV_VERSION);
   manifest.hexadecimal("schema", schemaHash<typename C::Parameters>());
+  manifest.flags("extras", {{"arrays", std::derived_from<C, ArraySource>},
+                            {"state", std::derived_from<C, StateKeeper>},
+                            {"descriptions", std::derived_from<C, ArrayDescriptions>},
+                            {"page", std::derived_from<C, PageServer>}});
   manifest.member("summary", summary);
   manifest.append("}");
   return manifest.text;

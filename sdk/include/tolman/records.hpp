@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The records that flow from stage to stage. Plain data, immutable once published.
 //
-// Time is data time in integer nanoseconds; no wall clock decides a result. Frames have an index
-// that grows by one from 0. Every stage answers every frame exactly once, so records of one frame
-// are joined by index, never by time. World frame: the left camera at frame 0 (x right, y down,
-// z forward). 6x6 covariances have the order (translation m, rotation rad) and live in the tangent
-// space of the arriving frame: T = T_estimate * expSe3(noise).
+// Time is data time in integer nanoseconds; no wall clock decides a result, except which frames
+// `realtime` drops. A source numbers its frames 0, 1, 2 ...; under `realtime` later stages may miss
+// some, and in a continued run the numbers go on from the earlier run. A stage answers each frame
+// that it is given exactly once; records of one frame are joined by index, never by time. World
+// frame: the left camera at frame 0 (x right, y down, z forward). 6x6 covariances have the order
+// (translation, rotation), so their units are m^2, m rad and rad^2. They are in the tangent space
+// of the current frame, at which the motion ends: T = T_estimate * expSe3(noise).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,7 +55,8 @@ struct Frame {
   }
 };
 
-/// Initialising after a frame that was not: the robot was carried away, the way is unknown.
+/// State of odometry at one frame. If a frame is Initialising and the one before it was not,
+/// tracking has restarted at an unknown pose.
 enum class TrackingState : std::uint8_t {
   Initialising,  ///< no motion known; T_previous_current is the identity
   Tracking,      ///< measured
@@ -60,7 +66,7 @@ inline constexpr std::array<std::string_view, 3> kTrackingStateNames = {"initial
                                                                         "lost"};
 constexpr std::span<const std::string_view> enumNames(TrackingState) { return kTrackingStateNames; }
 
-/// A better value for the motion that arrived at an earlier frame; replaces what was said before.
+/// A better value for the motion that arrived at an earlier frame; replaces the earlier value.
 struct MotionRevision {
   static constexpr const char* kRecord = "motion_revision";
   std::int64_t frame = -1;  ///< the frame whose Motion is replaced
@@ -75,7 +81,7 @@ struct MotionRevision {
   }
 };
 
-/// What odometry says of one frame: the motion since the frame before.
+/// Answer of odometry for one frame: the motion since the previous frame that odometry was given.
 struct Motion {
   static constexpr const char* kRecord = "motion";
   std::int64_t frame = -1;
@@ -87,7 +93,7 @@ struct Motion {
   double v = 0;              ///< m/s along the plane, negative when reversing
   double omega = 0;          ///< rad/s about the upward axis, positive to the left
   bool scale_known = true;   ///< false for a single camera: lengths are in arbitrary units
-  std::int64_t tracked = 0;  ///< how many measurements carried the estimate
+  std::int64_t tracked = 0;  ///< number of measurements that the estimate is based on
   bool is_keyframe = false;
   std::int64_t points_frame = -1;  ///< the frame that `points` belong to; -1 for none
   /// One column a point of frame points_frame: u, v (px), inverse depth (1/m), its variance.
@@ -129,14 +135,14 @@ void setPlanarVelocity(Motion& motion, double dt) {
 }
 
 enum class Recognition : std::uint8_t {
-  None,      ///< nothing to say: no image, or skipped
+  None,      ///< no observation: no image, or skipped
   Novel,     ///< a new template was made of this view
   Familiar,  ///< the view matches an earlier template
 };
 inline constexpr std::array<std::string_view, 3> kRecognitionNames = {"none", "novel", "familiar"};
 constexpr std::span<const std::string_view> enumNames(Recognition) { return kRecognitionNames; }
 
-/// What place recognition says of one frame.
+/// Answer of place recognition for one frame.
 struct PlaceObservation {
   static constexpr const char* kRecord = "place";
   std::int64_t frame = -1;
@@ -172,15 +178,15 @@ inline constexpr std::array<std::string_view, 3> kActionNames = {"stay", "create
                                                                  "close_loop"};
 constexpr std::span<const std::string_view> enumNames(Action) { return kActionNames; }
 
-/// What the spatial cells decide for one frame.
+/// Answer of the spatial cells for one frame.
 ///
 /// - CreateExperience: `experience` is the next id; the first frame creates experience 0.
-/// - CloseLoop: `experience` is an earlier id, also the present one. With has_relative_pose the map
-///   takes T_experience_current and `covariance`; without, it assumes that the robot stands where
-///   the experience was made, turned by relative_yaw, and trusts that little.
+/// - CloseLoop: `experience` is any existing id, also that of the present one. With
+///   has_relative_pose the map takes T_experience_current and `covariance`; without, it assumes the
+///   position of the experience and the heading turned by relative_yaw, with a large covariance.
 /// - Stay: `experience` is the one of the last decision; the relative fields are not read.
-/// relative_yaw and T_experience_current refer to the experience: compose what place recognition
-/// says of the template with where the template lies in the experience.
+/// relative_yaw and T_experience_current refer to the experience: compose the observation's pose
+/// relative to the template with the pose of the template relative to the experience.
 struct Decision {
   static constexpr const char* kRecord = "decision";
   std::int64_t frame = -1;
@@ -244,10 +250,9 @@ struct Link {
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
   double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
-  double weight = 1;    ///< in [0, 1]: the trust that the optimiser has left in it
+  double weight = 1;    ///< in [0, 1]: weight that the robust loss of the optimiser leaves it
 
-  /// Whether its ends hang together. A loop that the optimiser has given up says nothing; what was
-  /// driven was driven, however little a robust loss leaves of its length.
+  /// Deprecated since SDK 0.2: the map decides, see MapGraph::isRejected().
   bool isBelieved() const { return weight >= (kind == LinkKind::Loop ? 0.1 : 1e-6); }
 
   template <class Self, class Visit>
@@ -260,16 +265,16 @@ struct Link {
     TOLMAN_FIELD(T_from_to, "m", "pose of `to` in the frame of `from`");
     TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
     TOLMAN_FIELD(duration, "s", "data time between the ends");
-    TOLMAN_FIELD(weight, "", "trust that the optimiser has left in it");
+    TOLMAN_FIELD(weight, "", "weight that the robust loss leaves it, 0 to 1");
   }
 };
 
-/// What the map says of one frame.
+/// Answer of the map for one frame.
 struct MapUpdate {
   static constexpr const char* kRecord = "map_update";
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
-  std::int64_t experience = -1;  ///< the experience that this frame hangs on, for good
+  std::int64_t experience = -1;  ///< that this frame is attached to; never changes
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< as known now
   std::int64_t version = 0;  ///< grows with every correction of earlier poses
@@ -281,7 +286,7 @@ struct MapUpdate {
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(frame, "", "the frame that was placed");
     TOLMAN_FIELD(stamp_ns, "ns", "its data time");
-    TOLMAN_FIELD(experience, "", "the experience that the frame hangs on");
+    TOLMAN_FIELD(experience, "", "the experience that the frame is attached to");
     TOLMAN_FIELD(T_experience_camera, "m", "pose in the frame of that experience");
     TOLMAN_FIELD(T_world_camera, "m", "pose in the world, as known at this frame");
     TOLMAN_FIELD(version, "", "number of the last correction of the map");
@@ -293,9 +298,159 @@ struct MapUpdate {
 
 /// The whole experience graph at one version.
 struct MapGraph {
+  static constexpr const char* kRecord = "map_graph";
   std::int64_t version = 0;
   std::vector<Experience> experiences;  ///< experiences[i].id == i
   std::vector<Link> links;              ///< links[i].id == i
+  /// Ascending ids of the loop links that the map has rejected as false. They stay in `links`, but
+  /// constrain nothing.
+  std::vector<std::int64_t> rejected;
+
+  bool isRejected(const Link& link) const {
+    return std::binary_search(rejected.begin(), rejected.end(), link.id);
+  }
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(version, "", "number of the last correction of the map");
+    TOLMAN_FIELD(experiences, "", "nodes, by id");
+    TOLMAN_FIELD(links, "", "constraints, by id");
+    TOLMAN_FIELD(rejected, "", "ids of the loop links that the map has rejected, ascending");
+  }
+};
+
+/// Covariance of a motion that was predicted from the last velocity, `lost_frames` frames after the
+/// last measured one. The standard deviations grow by 0.1 m and 30 % of the predicted distance, and
+/// by 0.03 rad (1.7 degrees), with each frame: rough values for a vehicle, not a fit to data.
+template <class = void>
+Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) {
+  const double metres = lost_frames * (0.1 + 0.3 * motion.translation().norm());
+  const double radians = lost_frames * 0.03;
+  Vector6d variances;
+  variances << Eigen::Vector3d::Constant(metres * metres),
+      Eigen::Vector3d::Constant(radians * radians);
+  return variances.asDiagonal();
+}
+
+/// Poses of recent frames of a keyframe odometry, and the motions that it reported for them.
+///
+/// Each frame is stored relative to a keyframe. When the odometry refines its keyframes, the frames
+/// move with them. A motion that then differs from the one reported is returned once as a
+/// revision, which holds the new motion. Poses are T_world_camera, in metres.
+///
+/// The history does not know the odometry's window. Where it needs keyframes it takes a function
+/// from the frame index of a keyframe to std::optional<Eigen::Isometry3d>, its present
+/// T_world_keyframe, or nothing for one that has left the window.
+///
+/// At most kMaxFrames frames are kept, because a camera that stands still makes no keyframes and
+/// removeOld() would then remove none. The class is a template only to save compile time in files
+/// that do not use it; write MotionHistory<>.
+template <class = void>
+class MotionHistory {
+ public:
+  static constexpr std::size_t kMaxFrames = 500;
+
+  void clear() { entries_.clear(); }
+  bool empty() const { return entries_.empty(); }
+  const Eigen::Isometry3d& lastPose() const { return entries_.back().T_world_camera; }
+
+  /// Adds the newest frame, stored relative to the keyframe of frame index `keyframe`, whose
+  /// present pose is the inverse of T_keyframe_world. Returns the motion from the frame added
+  /// before, which counts as reported with this covariance.
+  Eigen::Isometry3d add(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
+                        std::int64_t keyframe, const Eigen::Isometry3d& T_keyframe_world,
+                        const Matrix6d& covariance) {
+    Entry entry{frame,
+                keyframe,
+                normalised(T_keyframe_world * T_world_camera),
+                T_world_camera,
+                Eigen::Isometry3d::Identity(),
+                covariance};
+    if (!empty()) entry.reported = normalised(lastPose().inverse() * T_world_camera);
+    entries_.push_back(entry);
+    if (entries_.size() > kMaxFrames) entries_.pop_front();
+    return entry.reported;
+  }
+
+  /// States that the newest frame's motion was reported as the identity, because none was known.
+  void setLastReportedIdentity() { entries_.back().reported.setIdentity(); }
+
+  /// Recomputes the poses of all frames from the present poses of their keyframes.
+  void followKeyframes(const auto& find_keyframe) {
+    for (Entry& entry : entries_) {
+      const auto T_world_keyframe = find_keyframe(entry.keyframe);
+      if (!T_world_keyframe) continue;
+      entry.T_world_camera = normalised(*T_world_keyframe * entry.T_keyframe_camera);
+    }
+  }
+
+  /// Replaces the poses of the frames from `first` on by equal steps of the screw motion from the
+  /// frame before `first` to T_world_current, the pose of the frame that is about to be added.
+  void interpolate(std::int64_t first, const Eigen::Isometry3d& T_world_current) {
+    std::size_t begin = 0;
+    while (begin < entries_.size() && entries_[begin].frame < first) ++begin;
+    if (begin == 0 || begin == entries_.size()) return;
+    const Eigen::Isometry3d T_world_start = entries_[begin - 1].T_world_camera;
+    const Vector6d whole = logSe3(T_world_start.inverse() * T_world_current);
+    const auto steps = static_cast<double>(entries_.size() - begin + 1);
+    for (std::size_t i = begin; i < entries_.size(); ++i) {
+      Entry& entry = entries_[i];
+      const Vector6d part = whole * (static_cast<double>(i - begin + 1) / steps);
+      const Eigen::Isometry3d moved = normalised(T_world_start * expSe3(part));
+      entry.T_keyframe_camera =
+          normalised(entry.T_keyframe_camera * entry.T_world_camera.inverse() * moved);
+      entry.T_world_camera = moved;
+    }
+  }
+
+  /// Revisions of motions that changed by more than 1 mm or 0.01 mrad since they were reported:
+  /// smaller ones are not worth a message at each frame and wait for removeOld() or finish().
+  std::vector<MotionRevision> largeRevisions() { return collect(1e-3, 1e-5, entries_.size()); }
+
+  /// Removes the oldest frames up to the first one whose keyframe is still in the window. Returns
+  /// every revision that is outstanding for them.
+  std::vector<MotionRevision> removeOld(const auto& find_keyframe) {
+    std::size_t end = 0;
+    while (end < entries_.size() && !find_keyframe(entries_[end].keyframe)) ++end;
+    if (end == 0) return {};
+    std::vector<MotionRevision> revisions = collect(0, 0, end);
+    // The last of them stays: the motion of the first remaining frame starts there.
+    entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(end) - 1);
+    return revisions;
+  }
+
+  /// Every revision that is outstanding.
+  std::vector<MotionRevision> finish() { return collect(0, 0, entries_.size()); }
+
+ private:
+  struct Entry {
+    std::int64_t frame = -1;
+    std::int64_t keyframe = -1;  ///< its frame index
+    Eigen::Isometry3d T_keyframe_camera;
+    Eigen::Isometry3d T_world_camera;
+    Eigen::Isometry3d reported;  ///< motion from the frame before
+    Matrix6d covariance;         ///< of `reported`
+  };
+
+  /// Revisions of the frames before `end` that changed by more than these; they count as reported.
+  std::vector<MotionRevision> collect(double metres, double radians, std::size_t end) {
+    constexpr double kRounding = 1e-9;  // m and rad: products of poses round to less
+    std::vector<MotionRevision> revisions;
+    for (std::size_t i = 1; i < end; ++i) {
+      Entry& entry = entries_[i];
+      const Eigen::Isometry3d motion =
+          normalised(entries_[i - 1].T_world_camera.inverse() * entry.T_world_camera);
+      const Eigen::Isometry3d change = entry.reported.inverse() * motion;
+      const bool moved = change.translation().norm() > std::fmax(metres, kRounding);
+      const bool turned = logSo3(change.linear()).norm() > std::fmax(radians, kRounding);
+      if (!moved && !turned) continue;
+      entry.reported = motion;
+      revisions.push_back({entry.frame, motion, entry.covariance});
+    }
+    return revisions;
+  }
+
+  std::deque<Entry> entries_;  ///< oldest first; the first one's motion is final
 };
 
 }  // namespace tolman

@@ -7,16 +7,19 @@
 // Threads:  one call at a time per instance, but not always from the same thread. A plugin may use
 //           threads of its own (oneTBB) inside a call; none may run on after finish().
 // Order:    frames come in order, frame.frame = 0, 1, 2 ...; under `realtime` some may be left out.
-// Sessions: in a run that goes on from another, source and odometry count from 0 again; place,
-//           cells and map are restored to where it ended (StateKeeper). They and observers see the
-//           numbers go on from there, and first an Initialising motion: the way is unknown.
+// Sessions: in a run that continues another (--continue), source and odometry count from 0 again;
+//           place, cells and map are restored to their state at its end (StateKeeper). For them and
+//           for observers frame, template and experience numbers continue. The first motion is
+//           Initialising: the pose relative to the earlier session is unknown.
 // Answers:  outputs are default-constructed records made by the host. Exactly one answer a frame:
 //           copy frame and stamp_ns from the input, fill what you know.
-// Failure:  return a Status, or throw std::exception; both stop the run or skip the frame, as the
-//           configuration's `on_failure` says. After a skipped frame the next call comes as usual;
-//           later stages got a stand-in: predicted motion (Lost), no view, Stay.
-//           T_previous_current always is the motion since the last frame that odometry was given.
-//           The host refuses answers with NaN, infinity, or another frame's index.
+// Failure:  return a Status, or throw std::exception. The configuration's `on_failure` decides what
+//           follows: stop the run, skip the frame, or restart the plugin in a new process (only
+//           with `isolation: process`). After a skipped frame the next call comes as usual;
+//           later stages receive a substitute: a predicted motion (Lost), no observation, Stay.
+//           T_previous_current is always the motion since the last frame that odometry was given.
+//           The host refuses answers with NaN or infinity, and answers whose frame index or stamp
+//           differs from the input's.
 // Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
 #pragma once
 
@@ -38,11 +41,10 @@ inline constexpr std::array<std::string_view, 6> kRoleNames = {"source", "odomet
                                                                "cells",  "map",      "observer"};
 constexpr std::span<const std::string_view> enumNames(Role) { return kRoleNames; }
 
-/// What every plugin has.
+/// Base of all roles.
 class Plugin {
  public:
-  /// Destructors may not throw in good style; noexcept(false) lets the host's guard contain one
-  /// that does, instead of ending the process.
+  /// noexcept(false): the host's guard catches what a destructor throws, and the process goes on.
   virtual ~Plugin() noexcept(false) {}
   /// Takes parameters and services, once. May open files and allocate. A failure names the remedy.
   virtual Status configure(const Context& context) = 0;
@@ -52,18 +54,37 @@ class Plugin {
 
 /// One result of looking at a data set before it is used.
 struct Finding {
+  static constexpr const char* kRecord = "finding";
   enum class Severity : std::uint8_t { Note, Warning, Error };
+  static constexpr std::array<std::string_view, 3> kSeverityNames = {"note", "warning", "error"};
+  friend constexpr std::span<const std::string_view> enumNames(Severity) { return kSeverityNames; }
   Severity severity = Severity::Note;
   std::string where;    ///< file, with :line where there is one
   std::string message;  ///< what was found, and for problems what to do
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(severity, "", "note, warning or error");
+    TOLMAN_FIELD(where, "", "file, with the line where there is one");
+    TOLMAN_FIELD(message, "", "what was found, and for problems what to do");
+  }
 };
 
-/// What a source tells before its first frame.
+/// Description of the data, given before the first frame.
 struct SourceInfo {
+  static constexpr const char* kRecord = "source_info";
   std::string description;  ///< one line for people: "KITTI odometry, 51 stereo pairs, ..."
   CameraRig rig;
   std::int64_t frames = -1;  ///< how many will come; -1 when not known
   bool has_truth = false;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(description, "", "one line for people");
+    TOLMAN_FIELD(rig, "", "the cameras");
+    TOLMAN_FIELD(frames, "", "how many will come, -1 when not known");
+    TOLMAN_FIELD(has_truth, "", "whether frames come with their true poses");
+  }
 };
 
 /// Gives calibrated frames in time order. configure() checks the data as far as is possible without
@@ -75,19 +96,19 @@ class Source : public Plugin {
   /// InvalidInput with file and remedy, or, where the source's parameters allow it, a frame with an
   /// empty image and `defect` set. stamp_ns grows strictly; images keep one size.
   virtual Status next(Frame& frame) = 0;
-  /// Appends what can be said about the data: counts, calibration, times, truth. Also callable
-  /// after a failed configure(), and then explains the failure.
+  /// Appends results of checking the data: counts, calibration, times, truth. Also called after a
+  /// failed configure(), and then explains the failure.
   virtual Status inspect(std::vector<Finding>& findings) = 0;
 };
 
 /// Estimates motion from images (or replays it).
 class Odometry : public Plugin {
  public:
-  /// The motion from the frame before to this one. At frame 0: Initialising and the identity.
-  /// Empty images are legal: answer Lost with a prediction. Revisions of earlier motions may ride
-  /// along; each frame's last revision counts.
+  /// The motion from the last frame that was given to this one. At frame 0: Initialising, identity.
+  /// Empty images are legal: answer Lost with a prediction. The motion may contain
+  /// revisions of earlier motions; of several revisions of one frame the last is valid.
   virtual Status track(const Frame& frame, Motion& motion) = 0;
-  /// After the last frame: the revisions still owed.
+  /// After the last frame: all revisions that were not returned before.
   virtual Status finish(std::vector<MotionRevision>& revisions) = 0;
 };
 
@@ -97,7 +118,7 @@ enum class PlaceInput : std::uint8_t {
   FrameAndMotion,  ///< the motion of the same frame, with its points: runs after odometry
 };
 
-/// Recognises places by their looks.
+/// Visual place recognition.
 class Place : public Plugin {
  public:
   /// Constant after configure().
@@ -108,8 +129,8 @@ class Place : public Plugin {
   virtual Status finish() { return Status::ok(); }
 };
 
-/// A model of head direction cells, grid cells or place cells. Owns the decision where the robot
-/// is; never sees images. It may use motion.revisions or leave them to the map.
+/// A model of head direction cells, grid cells or place cells. It decides where the robot is, and
+/// gets no images. It may use motion.revisions or leave them to the map.
 class Cells : public Plugin {
  public:
   virtual Status step(const Motion& motion, const PlaceObservation& observation,
@@ -117,23 +138,22 @@ class Cells : public Plugin {
   virtual Status finish() { return Status::ok(); }
 };
 
-/// Keeps the experience graph, obeying the decisions of the cells.
+/// Keeps the experience graph that the decisions of the cells define.
 class Map : public Plugin {
  public:
   /// Applies the motion's revisions (ignoring those of frames it never saw), then its motion, then
-  /// the decision; hangs the frame on an
-  /// experience and places it. Before the first experience exists the map makes its origin the
-  /// first camera pose.
+  /// the decision; attaches the frame to an experience and estimates its pose. The first camera
+  /// pose is the origin of the map; frames before the first experience are relative to it.
   virtual Status update(const Motion& motion, const Decision& decision, MapUpdate& update) = 0;
-  /// Where frame `frame` was, by all that is known now. InvalidParameter for a frame not seen.
+  /// Pose of frame `frame`, as estimated now. InvalidParameter for a frame not seen.
   virtual Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const = 0;
-  /// The whole graph as known now.
+  /// The whole graph, as estimated now.
   virtual Status graph(MapGraph& graph) const = 0;
   /// After the last frame: applies the last revisions and optimises once more.
   virtual Status finish(const std::vector<MotionRevision>& revisions) = 0;
 };
 
-/// Something worth knowing that is no answer: a skipped frame, a lost track, a dropped frame.
+/// An event that is no answer of a stage: a skipped frame, lost tracking, a dropped frame.
 struct RunEvent {
   static constexpr const char* kRecord = "run_event";
   std::int64_t frame = -1;  ///< -1: before the first or after the last
@@ -144,13 +164,13 @@ struct RunEvent {
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(frame, "", "the frame that it happened at, -1 for none");
-    TOLMAN_FIELD(level, "", "how bad it is");
+    TOLMAN_FIELD(level, "", "severity");
     TOLMAN_FIELD(source, "", "the stage");
     TOLMAN_FIELD(message, "", "for people");
   }
 };
 
-/// Wall time of one frame in every role, ns, in the order of Role. For people: it decides nothing.
+/// Wall time of one frame in every role, ns, in the order of Role. For display only.
 using StageTimes = std::array<std::int64_t, kRoleNames.size()>;
 
 /// Everything about one frame, for observers. Pointers are valid during the call only; copy what
@@ -167,14 +187,24 @@ struct Snapshot {
   const std::vector<RunEvent>* events = nullptr;  ///< since the last snapshot; may be null
 };
 
-/// What an observer learns before the first frame.
+/// Description of the run, given to observers before the first frame.
 struct RunInfo {
+  static constexpr const char* kRecord = "run_info";
   std::string name;
   std::string directory;  ///< absolute path of the run directory; empty when nothing is recorded
   SourceInfo source;
+  std::vector<ArrayInfo> arrays;  ///< descriptions of the cells' arrays and the source's sensors
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(name, "", "name of the run");
+    TOLMAN_FIELD(directory, "", "absolute path of the run directory; empty without a record");
+    TOLMAN_FIELD(source, "", "the data");
+    TOLMAN_FIELD(arrays, "", "descriptions of the arrays");
+  }
 };
 
-/// Watches a run. It cannot change it: the host ignores everything but failures.
+/// Reads the records of a run. It cannot change them: the host uses only the returned Status.
 class Observer : public Plugin {
  public:
   virtual Status begin(const RunInfo& run) = 0;

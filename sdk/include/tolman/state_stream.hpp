@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // For StateKeeper: the envelope of a saved state. Magic, version, size, checksum, and a payload of
-// plain numbers in the machine's byte order; damage is found before any number is used.
+// plain numbers in the machine's byte order; the checksum is verified before any number is read.
 #pragma once
 
 #include <algorithm>

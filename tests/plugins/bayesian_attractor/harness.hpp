@@ -16,12 +16,14 @@ inline Status configure(BayesianAttractor& plugin, const ParameterValues& parame
   return plugin.configure(services);
 }
 
+/// A step with the noise that a stereo odometry claims.
 inline Motion motionOf(const PlanarPose& step, std::int64_t frame = 0) {
   Motion motion;
   motion.frame = frame;
   motion.stamp_ns = frame * 100'000'000;
   motion.state = TrackingState::Tracking;
   motion.T_previous_current = fromPlanar(step);
+  motion.covariance.diagonal() << 4e-4, 4e-4, 4e-4, 4e-6, 4e-6, 4e-6;
   setPlanarVelocity(motion, 0.1);
   return motion;
 }
@@ -40,6 +42,15 @@ inline PlaceObservation familiar(std::int64_t id, double relative_yaw = 0) {
   seen.recognition = Recognition::Familiar;
   seen.template_id = id;
   seen.relative_yaw = relative_yaw;
+  return seen;
+}
+
+/// A familiar view with a measured pose (0.3 m, 0.03 rad).
+inline PlaceObservation measured(std::int64_t id, const PlanarPose& pose = {}) {
+  PlaceObservation seen = familiar(id, pose.theta);
+  seen.has_relative_pose = true;
+  seen.T_template_current = fromPlanar(pose);
+  seen.covariance.diagonal() << 0.09, 0.09, 0.09, 9e-4, 9e-4, 9e-4;
   return seen;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Saved cells: the round trip, and damage refused.
 #include <catch2/catch.hpp>
+#include <numbers>
 #include <sstream>
 
 #include "harness.hpp"
@@ -11,10 +12,13 @@ using namespace tolman::bayesian_attractor::test;
 
 namespace {
 
-/// Laps of a ring road of 40 templates.
+/// Laps of a ring road of 60 templates, with look-alikes, carried away in the second lap.
 Decision lapFrame(BayesianAttractor& plugin, int frame) {
-  const auto seen = frame < 40 ? novel(frame) : familiar(frame % 40, 0.01);
-  return step(plugin, motionOf({4, 0.01 * (frame % 7), 2 * std::numbers::pi / 40}, frame), seen);
+  PlaceObservation seen = frame < 60 ? novel(frame) : measured((frame * 7) % 60);
+  if (frame >= 60 && frame % 3 == 0) seen = measured(frame % 60);
+  Motion motion = motionOf({4, 0.02, 2 * std::numbers::pi / 60}, frame);
+  if (frame == 85) motion.state = TrackingState::Initialising;
+  return step(plugin, motion, seen);
 }
 
 std::string stateAfter(BayesianAttractor& plugin, int frames) {
@@ -31,62 +35,32 @@ Status loadText(BayesianAttractor& plugin, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a loaded instance decides as the saved one would, in the middle of a calibration") {
+TEST_CASE("a loaded instance decides as the saved one would, among open hypotheses") {
+  const int frames = GENERATE(75, 90);  // known where, and carried away
   BayesianAttractor saved;
   BayesianAttractor loaded;
   REQUIRE(configure(saved, {}).isOk());
   REQUIRE(configure(loaded, {}).isOk());
-  REQUIRE(loadText(loaded, stateAfter(saved, 53)).isOk());
+  REQUIRE(loadText(loaded, stateAfter(saved, frames)).isOk());
+  CHECK(arrayOf(saved, "hypotheses") == arrayOf(loaded, "hypotheses"));
   int loops = 0;
-  for (int frame = 53; frame < 140; ++frame) {
+  for (int frame = frames; frame < 250; ++frame) {
     const Decision a = lapFrame(saved, frame);
     const Decision b = lapFrame(loaded, frame);
     CHECK(a.action == b.action);
     CHECK(a.experience == b.experience);
     CHECK(a.heading == b.heading);
-    CHECK(a.relative_yaw == b.relative_yaw);
     CHECK(a.confidence == b.confidence);
+    CHECK(a.T_experience_current.matrix() == b.T_experience_current.matrix());
     loops += a.action == Action::CloseLoop ? 1 : 0;
   }
   CHECK(loops > 5);
-  CHECK(arrayOf(saved, "grid.calibration") == arrayOf(loaded, "grid.calibration"));
-}
-
-TEST_CASE("what path integration knows is saved: measured views are judged alike after loading") {
-  const auto frameOf = [](BayesianAttractor& plugin, int frame) {
-    PlaceObservation seen = frame < 60 ? novel(frame) : familiar((frame * 7) % 60);
-    if (frame >= 60 && frame % 3 == 0) seen = familiar(frame % 60);
-    seen.has_relative_pose = frame >= 60;
-    seen.covariance.diagonal().setConstant(0.01);
-    Motion motion = motionOf({4, 0.02, 2 * std::numbers::pi / 60}, frame);
-    motion.covariance.diagonal().setConstant(1e-4);
-    return step(plugin, motion, seen);
-  };
-  BayesianAttractor saved;
-  BayesianAttractor loaded;
-  REQUIRE(configure(saved, {}).isOk());
-  REQUIRE(configure(loaded, {}).isOk());
-  for (int frame = 0; frame < 90; ++frame) frameOf(saved, frame);
-  std::ostringstream stream;
-  REQUIRE(saved.save(stream).isOk());
-  REQUIRE(loadText(loaded, stream.str()).isOk());
-  int loops = 0;
-  for (int frame = 90; frame < 200; ++frame) {
-    const Decision a = frameOf(saved, frame);
-    const Decision b = frameOf(loaded, frame);
-    CHECK(a.action == b.action);
-    CHECK(a.experience == b.experience);
-    CHECK(a.heading == b.heading);
-    CHECK(arrayOf(saved, "grid.injected") == arrayOf(loaded, "grid.injected"));
-    loops += a.action == Action::CloseLoop ? 1 : 0;
-  }
-  CHECK(loops > 10);
 }
 
 TEST_CASE("damaged and foreign states are refused, and the instance is as after reset") {
   BayesianAttractor plugin;
   REQUIRE(configure(plugin, {}).isOk());
-  const std::string good = stateAfter(plugin, 60);
+  const std::string good = stateAfter(plugin, 70);
   for (std::size_t position = 0; position < good.size(); position += 97) {
     std::string bad = good;
     bad[position] = static_cast<char>(bad[position] ^ 0x04);
@@ -98,11 +72,11 @@ TEST_CASE("damaged and foreign states are refused, and the instance is as after 
   CHECK(lapFrame(plugin, 0).experience == 0);
 }
 
-TEST_CASE("a state from another manifold is refused") {
+TEST_CASE("a state of other grid modules is refused") {
   BayesianAttractor saved;
   BayesianAttractor other;
   REQUIRE(configure(saved, {}).isOk());
-  REQUIRE(configure(other, {{"period", 14.0}}).isOk());
+  REQUIRE(configure(other, {{"period", 140.0}}).isOk());
   CHECK(loadText(other, stateAfter(saved, 5)).message() ==
-        "the saved cells have another period, metres_per_cell or energy than configured");
+        "the saved cells have another period or number of modules");
 }

@@ -25,7 +25,7 @@ struct Case {
     test::addTruePoints(*window, 600);
     reference.build(rig, *window);
   }
-  AlignmentResult align(const Pyramid& image, const AlignmentState& guess = {}) {
+  AlignmentResult align(const ImagePyramid& image, const AlignmentState& guess = {}) {
     return aligner.align(rig, reference, image, guess, reference.levels() - 1, 0);
   }
 };
@@ -53,7 +53,7 @@ TEST_CASE("brightness changes are found along with the pose") {
   Case c;
   const Eigen::Isometry3d pose = test::streetPose(0.2, 0.005);
   const Frame frame = test::streetFrame(0, pose);
-  Pyramid darker;
+  ImagePyramid darker;
   darker.build(test::changed(frame.left, 0.7, 8));
   const AlignmentResult result = c.align(darker);
   // Errors of the reference's values make the gain look smaller, so compare where the values are.
@@ -131,7 +131,7 @@ TEST_CASE("flow tells turning from driving, and coverage what is left of the vie
 }
 
 TEST_CASE("alignment has the same bits for one, two and four threads") {
-  const Pyramid image = test::streetPyramid(test::streetPose(0.25, 0.01));
+  const ImagePyramid image = test::streetPyramid(test::streetPose(0.25, 0.01));
   std::vector<Eigen::Matrix4d> found;
   for (const std::size_t threads : {1U, 2U, 4U}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

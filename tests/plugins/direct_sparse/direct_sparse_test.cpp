@@ -48,6 +48,18 @@ std::vector<Motion> run(test::Host& host, int frames) {
   return motions;
 }
 
+/// The image, one pixel farther right: every disparity is one less.
+Image movedRight(const Image& image) {
+  return Image::create(image.width(), image.height(), PixelFormat::Gray8,
+                       [&image](std::uint8_t* data) {
+                         for (int v = 0; v < image.height(); ++v) {
+                           for (int u = 0; u < image.width(); ++u) {
+                             *data++ = image.row(v)[std::max(0, u - 1)];
+                           }
+                         }
+                       });
+}
+
 void checkSame(const std::vector<Motion>& a, const std::vector<Motion>& b) {
   REQUIRE(a.size() == b.size());
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -199,6 +211,26 @@ TEST_CASE("swapped cameras for some frames have a defined state and are survived
     if (k > 8) CHECK(motion.state == TrackingState::Tracking);
     if (k > 8) checkClose(motion.T_previous_current, curve(1), 0.05, 0.01);
   }
+}
+
+TEST_CASE("a right camera that is off by one pixel is noticed, and the length stays true") {
+  const auto driven = [](tolman::ParameterValues values) {
+    test::Host host(test::streetRig(), std::move(values));
+    for (int k = 0; k < 14; ++k) {
+      Frame frame = place(k);
+      frame.right = movedRight(frame.right);
+      CHECK(host.track(frame).state != TrackingState::Lost);
+    }
+    host.finish();
+    return std::pair(host.plugin().disparityOffset(), host.trajectory().back());
+  };
+  const double true_length = curve(13).translation().norm();
+  const auto [offset, end] = driven({});
+  CHECK(offset == Approx(1).margin(0.2));
+  CHECK(end.translation().norm() == Approx(true_length).epsilon(0.01));
+  const auto [none, far_end] = driven({{"offset_sigma", 0.0}});
+  CHECK(none == Approx(0).margin(1e-3));
+  CHECK(far_end.translation().norm() > 1.02 * true_length);
 }
 
 TEST_CASE("a sudden brightness step of 30 % is followed") {

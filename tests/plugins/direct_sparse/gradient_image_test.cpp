@@ -24,7 +24,7 @@ TEST_CASE("gradients of a plane are its slopes, anywhere inside") {
 
 TEST_CASE("values agree with the grey level's own, gradients with its central differences") {
   const Frame frame = test::streetFrame(0, test::streetPose(0));
-  Pyramid pyramid;
+  ImagePyramid pyramid;
   pyramid.build(frame.left);
   const GrayLevel& level = pyramid.level(0);
   GradientImage image;

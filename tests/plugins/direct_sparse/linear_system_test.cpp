@@ -36,6 +36,71 @@ struct Dense {
   Eigen::VectorXd b;
 };
 
+/// Inverse depth of the point in `target` when its keyframes and depth change by `x`: two twists,
+/// then the depth; at the first estimates.
+double sightedDepth(const Pinhole& camera, const Keyframe& host, const Keyframe& target,
+                    const Point& point, const Eigen::Matrix<double, 13, 1>& x) {
+  const Eigen::Isometry3d T_target_world = expSe3(Vector6d(x.head<6>())) * target.T0_camera_world;
+  const Eigen::Isometry3d T_host_world = expSe3(Vector6d(x.segment<6>(6))) * host.T0_camera_world;
+  const double d = point.inverse_depth + x[12];
+  const Eigen::Vector3d ray((point.u - camera.cx) / camera.fx, (point.v - camera.cy) / camera.fy,
+                            1);
+  return 1 / (T_target_world * T_host_world.inverse() * Eigen::Vector3d(ray / d)).z();
+}
+
+/// The residual in the right image of the newest other keyframe that sees the point; derivatives
+/// are finite differences.
+void addSighting(const CameraRig& rig, float lambda, const Window& window, int host,
+                 const Point& point, Eigen::Index p, Dense& dense) {
+  int target = -1;
+  PixelSums s;
+  for (const int slot : window.order()) {
+    if (slot == host) continue;
+    const PairGeometry pair =
+        pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(slot));
+    const bool seen = temporalSums(pair, window.keyframe(slot).gradients, point, s) &&
+                      s.energy <= window.energy_threshold && s.xx + s.yy >= 2;
+    if (seen) target = slot;
+  }
+  if (target < 0) return;
+  const Keyframe& h = window.keyframe(host);
+  const Keyframe& t = window.keyframe(target);
+  const Eigen::Vector3d P =
+      t.T_camera_world() * h.T_world_camera() *
+      Eigen::Vector3d((point.u - rig.pinhole.cx) / rig.pinhole.fx / point.inverse_depth,
+                      (point.v - rig.pinhole.cy) / rig.pinhole.fy / point.inverse_depth,
+                      1 / point.inverse_depth);
+  const Eigen::Vector2d pixel = rig.pinhole.project(P);
+  const auto u = static_cast<int>(std::lround(pixel.x()));
+  const auto v = static_cast<int>(std::lround(pixel.y()));
+  if (!t.gradients.contains(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
+                            kPatternRadius + 2)) {
+    return;
+  }
+  Point seen;
+  seen.u = static_cast<float>(u);
+  seen.v = static_cast<float>(v);
+  seen.inverse_depth = static_cast<float>(1 / P.z());
+  seen.pattern = patternAt(t.gradients, u, v);
+  const double fb = rig.pinhole.fx * rig.baseline;
+  const StereoGeometry stereo{static_cast<float>(fb), 0, 1, 0};
+  const bool good = stereoSums(stereo, t.right.level(0), seen, s) &&
+                    s.energy <= window.energy_threshold && s.xx >= 2;
+  if (!good) return;
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(1, dense.H.cols());
+  for (int i = 0; i < 13; ++i) {
+    Eigen::Matrix<double, 13, 1> x = Eigen::Matrix<double, 13, 1>::Zero();
+    x[i] = 1e-6;
+    const double change =
+        sightedDepth(rig.pinhole, h, t, point, x) - sightedDepth(rig.pinhole, h, t, point, -x);
+    const Eigen::Index column = i < 6 ? 8 * target + i : i < 12 ? 8 * host + i - 6 : p;
+    J(0, column) = -fb * change / 2e-6;
+  }
+  J(0, kOffsetIndex) = 1;
+  dense.H += J.transpose() * (lambda * s.xx) * J;
+  dense.b += J.transpose() * (lambda * s.xr);
+}
+
 Dense denseSystem(const CameraRig& rig, float lambda, Window& window) {
   const auto points = static_cast<Eigen::Index>(window.pointCount());
   Dense dense{Eigen::MatrixXd::Zero(kVariables + points, kVariables + points),
@@ -86,6 +151,7 @@ Dense denseSystem(const CameraRig& rig, float lambda, Window& window) {
         add(J, Eigen::MatrixXd::Constant(1, 1, lambda * s.xx),
             Eigen::VectorXd::Constant(1, lambda * s.xr));
       }
+      addSighting(rig, lambda, window, host, point, p, dense);
       dense.H(p, p) += 1e-3;
       ++p;
     }
@@ -230,7 +296,7 @@ TEST_CASE("a free scale stays: the window does not grow, and all else moves as i
   }
   LinearSystem system;
   system.build(test::streetRig(), {}, *window, allPoints(*window));
-  const SystemVector larger = growth(*window);
+  const SystemVector larger = scaleDirection(*window);
   // Nothing sees it: against a step of the same size in any single variable.
   const double seen = larger.dot(system.H() * larger);
   const auto second = static_cast<Eigen::Index>(kFrameVariables * window->order()[1]);

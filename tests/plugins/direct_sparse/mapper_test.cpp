@@ -27,8 +27,8 @@ struct Case {
   }
   void keyframe(int index, const Eigen::Isometry3d& pose, bool covered = false) {
     const Frame frame = test::streetFrame(index, pose);
-    Pyramid left;
-    Pyramid right;
+    ImagePyramid left;
+    ImagePyramid right;
     left.build(frame.left);
     if (!covered) right.build(frame.right, 1);
     mapper.addKeyframe(index, pose, Affine(), left, right);
@@ -97,8 +97,8 @@ TEST_CASE("a covered right camera leaves a keyframe whose candidates wait for mo
 TEST_CASE("gain and offset of the right camera are measured from the matches") {
   Case c;
   const Frame frame = test::streetFrame(0, test::streetPose(0));
-  Pyramid left;
-  Pyramid right;
+  ImagePyramid left;
+  ImagePyramid right;
   left.build(frame.left);
   right.build(test::changed(frame.right, 0.85, 7), 1);
   c.mapper.addKeyframe(0, test::streetPose(0), Affine(), left, right);

@@ -55,7 +55,7 @@ TEST_CASE("a drafted keyframe is replaced by real depths at the next one") {
   MapperSettings settings;
   settings.candidates = 600;
   mapper.configure(test::streetRig(), settings);
-  Pyramid first = test::streetPyramid(test::streetPose(0));
+  ImagePyramid first = test::streetPyramid(test::streetPose(0));
   mapper.draftKeyframe(0, Eigen::Isometry3d::Identity(), 1.5, first);
   CHECK(mapper.isDraft());
   CHECK(mapper.window().pointCount() > 200);
@@ -63,8 +63,8 @@ TEST_CASE("a drafted keyframe is replaced by real depths at the next one") {
     const Eigen::Isometry3d pose = test::streetPose(0.2 * k);
     mapper.observe(pose, Affine(), test::streetPyramid(pose));
   }
-  Pyramid second = test::streetPyramid(test::streetPose(1.2));
-  Pyramid none;
+  ImagePyramid second = test::streetPyramid(test::streetPose(1.2));
+  ImagePyramid none;
   mapper.addKeyframe(6, test::streetPose(1.2), Affine(), second, none);
   CHECK_FALSE(mapper.isDraft());
   CHECK(mapper.window().size() == 2);

@@ -28,7 +28,7 @@ TEST_CASE("odd widths and heights keep a full pyramid") {
   const int widths[] = {1241, 1226, 1242};
   const int heights[] = {376, 370, 375};
   for (int i = 0; i < 3; ++i) {
-    Pyramid pyramid;
+    ImagePyramid pyramid;
     pyramid.build(imageOf(widths[i], heights[i], [](int u, int) { return u % 256; }));
     CHECK(pyramid.levels() == 5);
     for (int l = 1; l < pyramid.levels(); ++l) {
@@ -40,7 +40,7 @@ TEST_CASE("odd widths and heights keep a full pyramid") {
 
 TEST_CASE("levels stop where a side gets too small, or where one asks them to") {
   const Image image = imageOf(200, 40, [](int u, int) { return u; });
-  Pyramid pyramid;
+  ImagePyramid pyramid;
   CHECK(pyramid.empty());
   pyramid.build(image);
   CHECK(pyramid.levels() == 2);
@@ -54,7 +54,7 @@ TEST_CASE("a pixel of a level is the mean of four, and noise does not brighten t
   RandomStream random(3);
   const Image image =
       imageOf(512, 256, [&](int, int) { return 100 + static_cast<int>(random.below(20)); });
-  Pyramid pyramid;
+  ImagePyramid pyramid;
   pyramid.build(image);
   for (int v = 0; v < 128; v += 17) {
     for (int u = 0; u < 256; u += 13) {
@@ -70,7 +70,7 @@ TEST_CASE("a pixel of a level is the mean of four, and noise does not brighten t
 
 TEST_CASE("the same scene point has the same value on all levels at its coordinates there") {
   // A slope is unchanged by averaging, so levels can be compared at any position.
-  Pyramid pyramid;
+  ImagePyramid pyramid;
   pyramid.build(imageOf(240, 200, [](int u, int) { return u; }));
   for (const float u : {40.0F, 77.5F, 130.25F}) {
     for (int l = 0; l < pyramid.levels(); ++l) {
@@ -99,7 +99,7 @@ TEST_CASE("rows may be padded, and colour becomes grey") {
       p[2] = 200;
     }
   }
-  Pyramid pyramid;
+  ImagePyramid pyramid;
   pyramid.build({bytes.data(), 64, 40, stride, PixelFormat::Bgr8, nullptr});
   for (const int u : {0, 31, 63}) {
     CHECK(pyramid.level(0).row(39)[u] == Approx(0.114 * 10 + 0.587 * u + 0.299 * 200).margin(1));

@@ -66,8 +66,8 @@ void addTruePoints(Window& window, int wanted) {
   }
 }
 
-Pyramid streetPyramid(const Eigen::Isometry3d& T_world_camera) {
-  Pyramid pyramid;
+ImagePyramid streetPyramid(const Eigen::Isometry3d& T_world_camera) {
+  ImagePyramid pyramid;
   pyramid.build(streetFrame(0, T_world_camera).left);
   return pyramid;
 }

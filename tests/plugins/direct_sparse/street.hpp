@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "../feature_stereo/scene.hpp"
+#include "support/street_scene.hpp"
 #include "window.hpp"
 
 namespace tolman::test {
@@ -23,7 +23,7 @@ std::unique_ptr<direct_sparse::Window> streetWindow(const std::vector<Eigen::Iso
 void addTruePoints(direct_sparse::Window& window, int wanted);
 
 /// A pyramid of the left image at a pose.
-direct_sparse::Pyramid streetPyramid(const Eigen::Isometry3d& T_world_camera);
+direct_sparse::ImagePyramid streetPyramid(const Eigen::Isometry3d& T_world_camera);
 
 /// An image of one function of the pixel.
 template <class Function>

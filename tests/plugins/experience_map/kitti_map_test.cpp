@@ -165,7 +165,7 @@ Figures measure(const char* name) {
 
 }  // namespace
 
-TEST_CASE("true revisits take the drift out of KITTI 00") {
+TEST_CASE("true revisits take the drift out of KITTI 00", "[data]") {
   const Figures figures = measure("00");
   if (figures.odometry == 0) return;
   CHECK(figures.odometry == Approx(21.03).margin(0.01));  // the figure published with the data
@@ -173,7 +173,7 @@ TEST_CASE("true revisits take the drift out of KITTI 00") {
   CHECK(figures.assumed < 5.0);
 }
 
-TEST_CASE("true revisits take the drift out of KITTI 06") {
+TEST_CASE("true revisits take the drift out of KITTI 06", "[data]") {
   const Figures figures = measure("06");
   if (figures.odometry == 0) return;
   CHECK(figures.odometry == Approx(3.56).margin(0.01));

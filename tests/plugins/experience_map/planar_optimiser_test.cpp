@@ -94,7 +94,7 @@ TEST_CASE("a drifting square closes as dense Gauss-Newton closes it") {
   options.delta = 1e6;
   options.tolerance = 1e-14;
   const double open = std::hypot(problem.nodes.back().x, problem.nodes.back().y);
-  const Result<Outcome> outcome = optimise(options, problem.nodes, problem.links);
+  const Result<OptimiserOutcome> outcome = optimise(options, problem.nodes, problem.links);
   REQUIRE(outcome.isOk());
   CHECK(outcome.value().converged);
   CHECK(largestShift(problem.nodes, expected) < 1e-6);
@@ -186,7 +186,8 @@ TEST_CASE("judged with the redescending loss, many lies are found out and no tru
     REQUIRE(optimise(redescending(), honest.problem.nodes, honest.problem.links).isOk());
     return honest.problem.nodes;
   }();
-  REQUIRE(judge(redescending(), reckoned, laps.problem.nodes, laps.problem.links).isOk());
+  REQUIRE(
+      optimiseMultiStart(redescending(), reckoned, laps.problem.nodes, laps.problem.links).isOk());
   const std::size_t first = laps.truth.size() - 1;
   INFO(lies << " lies");
   for (std::size_t k = 0; k < laps.loops + lies; ++k) {
@@ -204,7 +205,8 @@ TEST_CASE("with twice as many lies as truths Huber's loss is pulled away, the ju
   TwoLaps judged = laps;
   const std::vector<PlanarPose> reckoned = laps.problem.nodes;
   REQUIRE(optimise({}, laps.problem.nodes, laps.problem.links).isOk());
-  REQUIRE(judge(redescending(), reckoned, judged.problem.nodes, judged.problem.links).isOk());
+  REQUIRE(optimiseMultiStart(redescending(), reckoned, judged.problem.nodes, judged.problem.links)
+              .isOk());
   CHECK(largestShift(laps.problem.nodes, laps.truth) >
         1.5 * largestShift(judged.problem.nodes, laps.truth));
 }
@@ -216,26 +218,26 @@ TEST_CASE("lies alone leave dead reckoning as it is") {
   links.erase(links.begin() + static_cast<std::ptrdiff_t>(first),
               links.begin() + static_cast<std::ptrdiff_t>(first + laps.loops));
   const std::vector<PlanarPose> reckoned = laps.problem.nodes;
-  REQUIRE(judge(redescending(), reckoned, laps.problem.nodes, links).isOk());
+  REQUIRE(optimiseMultiStart(redescending(), reckoned, laps.problem.nodes, links).isOk());
   CHECK(largestShift(laps.problem.nodes, reckoned) < 0.5);
 }
 
-TEST_CASE("a search that will not come below its rival is given up, one that will is not") {
-  const auto search = [](double rival) {
+TEST_CASE("a search that will not come below its energy_bound is given up, one that will is not") {
+  const auto search = [](double energy_bound) {
     TwoLaps laps = twoLaps(30);
     OptimiserOptions options;  // Huber's loss takes some dozens of iterations
-    options.rival = rival;
+    options.energy_bound = energy_bound;
     return optimise(options, laps.problem.nodes, laps.problem.links).value();
   };
-  const Outcome alone = search(std::numeric_limits<double>::infinity());
+  const OptimiserOutcome alone = search(std::numeric_limits<double>::infinity());
   REQUIRE(alone.converged);
   CHECK(search(1.1 * alone.energy).energy == alone.energy);
-  const Outcome beaten = search(0.1 * alone.energy);
+  const OptimiserOutcome beaten = search(0.1 * alone.energy);
   CHECK_FALSE(beaten.converged);
   CHECK(beaten.energy >= alone.energy);
 }
 
-TEST_CASE("a new loop is believed at first, however far odometry has drifted") {
+TEST_CASE("a new loop has full weight at first, however far odometry has drifted") {
   // 30 m off is 300 standard deviations of the loop: at its face value it would have no weight.
   Problem problem = squareLoop(50, 0.004, true);
   for (PlanarLink& link : problem.links) link.robust = link.to != link.from + 1;
@@ -254,13 +256,13 @@ TEST_CASE("two solutions of one problem are the same bit by bit") {
   CHECK(largestShift(a.nodes, b.nodes) == 0);
 }
 
-TEST_CASE("an unfinished search says so and goes on from where it stopped") {
+TEST_CASE("an unfinished optimisation reports it and continues from where it stopped") {
   Problem whole = squareLoop(20, 0.001, true);
   Problem steps = whole;
   OptimiserOptions options;
   REQUIRE(optimise(options, whole.nodes, whole.links).isOk());
   options.iterations = 1;
-  const Result<Outcome> first = optimise(options, steps.nodes, steps.links);
+  const Result<OptimiserOutcome> first = optimise(options, steps.nodes, steps.links);
   REQUIRE(first.isOk());
   CHECK_FALSE(first.value().converged);
   for (int k = 0; k < 60; ++k) REQUIRE(optimise(options, steps.nodes, steps.links).isOk());

@@ -45,7 +45,7 @@ TEST_CASE("the adjoint moves a small motion from the right of a pose to its left
   for (int k = 0; k < 20; ++k) {
     const Eigen::Isometry3d T = expSe3(randomTwist(random, 1));
     const Vector6d n = randomTwist(random, 0.3);
-    const Eigen::Isometry3d left = expSe3(adjoint(T) * n) * T;
+    const Eigen::Isometry3d left = expSe3(adjointSe3(T) * n) * T;
     CHECK((left.matrix() - (T * expSe3(n)).matrix()).norm() < 1e-12);
   }
 }

@@ -5,14 +5,18 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "harness.hpp"
-#include "scene.hpp"
+#include "support/odometry_host.hpp"
+#include "support/street_scene.hpp"
 #include "tolman/image_cv.hpp"
 
 using namespace tolman;
 using Catch::Matchers::Contains;
+using test::again;
+using test::filled;
 
 namespace {
+
+using Host = test::OdometryHost<feature_stereo::FeatureStereo>;
 
 /// Forward half a metre and a degree to the left a frame.
 Eigen::Isometry3d curve(int k) {
@@ -32,18 +36,6 @@ const std::vector<Frame>& streetFrames() {
   return frames;
 }
 
-Frame again(const Frame& frame, std::int64_t index) {
-  Frame copy = frame;
-  copy.frame = index;
-  copy.stamp_ns = index * 100'000'000;
-  return copy;
-}
-
-Image filled(int grey) {
-  const CameraRig rig = test::streetRig();
-  return asImage(cv::Mat(rig.height, rig.width, CV_8U, cv::Scalar(grey)));
-}
-
 void checkClose(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double metres,
                 double radians) {
   const Vector6d error = logSe3(a.inverse() * b);
@@ -55,7 +47,7 @@ void checkClose(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, double m
 
 TEST_CASE("a drive along a curve is measured, forwards and backwards") {
   const bool backwards = GENERATE(false, true);
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   const auto& frames = streetFrames();
   const int count = static_cast<int>(frames.size());
   for (int k = 0; k < count; ++k) {
@@ -83,7 +75,7 @@ TEST_CASE("a drive along a curve is measured, forwards and backwards") {
 }
 
 TEST_CASE("points of a keyframe have the street's depth") {
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   const Motion motion = host.track(streetFrames()[0]);
   REQUIRE(motion.is_keyframe);
   CHECK(motion.points_frame == 0);
@@ -104,7 +96,7 @@ TEST_CASE("points of a keyframe have the street's depth") {
 }
 
 TEST_CASE("standing still stays put") {
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   for (int k = 0; k < 8; ++k) {
     const Motion motion = host.track(again(streetFrames()[3], k));
     if (k == 0) continue;
@@ -116,7 +108,7 @@ TEST_CASE("standing still stays put") {
 }
 
 TEST_CASE("turning round on the spot of a road is no loss") {
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   const int places[] = {0, 1, 2, 3, 4, 3, 2, 1, 0};
   for (int k = 0; k < 9; ++k) {
     const auto place = static_cast<std::size_t>(places[k]);
@@ -130,7 +122,7 @@ TEST_CASE("turning round on the spot of a road is no loss") {
 TEST_CASE("images that show nothing: lost, predicted, and measured across the gap afterwards") {
   const std::string kind = GENERATE("missing", "black", "white", "right covered");
   CAPTURE(kind);
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   double sigma = 0;
   for (int k = 0; k < 12; ++k) {
     Frame frame = streetFrames()[static_cast<std::size_t>(k)];
@@ -154,7 +146,7 @@ TEST_CASE("images that show nothing: lost, predicted, and measured across the ga
 }
 
 TEST_CASE("when nothing is left to recognise, a new start goes on from the prediction") {
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   const Eigen::Isometry3d elsewhere = Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *
                                       Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY());
   for (int k = 0; k < 4; ++k) host.track(streetFrames()[static_cast<std::size_t>(k)]);
@@ -170,7 +162,7 @@ TEST_CASE("when nothing is left to recognise, a new start goes on from the predi
 }
 
 TEST_CASE("a blind start waits for the first good pair") {
-  test::Host host(test::streetRig());
+  Host host(test::streetRig());
   Frame blind = streetFrames()[0];
   blind.left = blind.right = filled(0);
   CHECK(host.track(blind).state == TrackingState::Initialising);
@@ -181,13 +173,13 @@ TEST_CASE("a blind start waits for the first good pair") {
 }
 
 TEST_CASE("reset equals fresh, and two runs agree bit by bit") {
-  const auto run = [](test::Host& host) {
+  const auto run = [](Host& host) {
     std::vector<Motion> motions;
     for (std::size_t k = 0; k < 6; ++k) motions.push_back(host.track(streetFrames()[k]));
     return motions;
   };
-  test::Host host(test::streetRig());
-  test::Host other(test::streetRig());
+  Host host(test::streetRig());
+  Host other(test::streetRig());
   const auto first = run(host);
   const auto second = run(other);
   REQUIRE(host.plugin().reset().isOk());
@@ -207,8 +199,8 @@ TEST_CASE("reset equals fresh, and two runs agree bit by bit") {
 }
 
 TEST_CASE("colour images are measured like grey ones") {
-  test::Host grey(test::streetRig());
-  test::Host colour(test::streetRig());
+  Host grey(test::streetRig());
+  Host colour(test::streetRig());
   for (std::size_t k = 0; k < 3; ++k) {
     Frame frame = streetFrames()[k];
     const Motion expected = grey.track(frame);
@@ -227,7 +219,7 @@ TEST_CASE("cameras that are no stereo pair are refused, with the remedy") {
   Motion motion;
   SECTION("one camera") {
     rig.baseline = 0;
-    const Status status = test::Host(rig).configured();
+    const Status status = Host(rig).configured();
     CHECK(status.code() == StatusCode::Unsupported);
     CHECK(status.message() ==
           "the cameras are not a stereo pair; use an odometry plugin for such cameras, or a source "
@@ -235,20 +227,20 @@ TEST_CASE("cameras that are no stereo pair are refused, with the remedy") {
   }
   SECTION("not calibrated") {
     rig.calibrated = false;
-    const Status status = test::Host(rig).configured();
+    const Status status = Host(rig).configured();
     CHECK(status.code() == StatusCode::Unsupported);
     CHECK_THAT(status.message(), Contains("the cameras are not calibrated"));
   }
   SECTION("no right image") {
     frame.right = Image();
-    test::Host host(rig);
+    Host host(rig);
     const Status status = host.plugin().track(frame, motion);
     CHECK(status.code() == StatusCode::Unsupported);
     CHECK_THAT(status.message(), Contains("no right image; use a monocular odometry plugin"));
   }
   SECTION("another size") {
     rig.width = 640;
-    test::Host host(rig);
+    Host host(rig);
     const Status status = host.plugin().track(frame, motion);
     CHECK(status.code() == StatusCode::InvalidInput);
     CHECK_THAT(status.message(), Contains("480x200 pixels, its calibration 640x200"));
@@ -256,7 +248,7 @@ TEST_CASE("cameras that are no stereo pair are refused, with the remedy") {
 }
 
 TEST_CASE("an even patch is refused") {
-  const test::Host host(test::streetRig(), {{"track_window", std::int64_t{16}}});
+  const Host host(test::streetRig(), {{"track_window", std::int64_t{16}}});
   CHECK(host.configured().code() == StatusCode::InvalidParameter);
   CHECK_THAT(host.configured().message(), Contains("give 17"));
 }

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "corner_detection.hpp"
-#include "scene.hpp"
 #include "stereo_matching.hpp"
+#include "support/street_scene.hpp"
 #include "tolman/image_cv.hpp"
 
 using namespace tolman;
@@ -66,7 +66,7 @@ TEST_CASE(
   const auto from = detectCorners(gray, {}, {150, 0.01, 12});
   auto to = from;
   const auto good =
-      trackCorners(Pyramid(gray, settings), Pyramid(moved, settings), from, to, settings);
+      trackCorners(FlowPyramid(gray, settings), FlowPyramid(moved, settings), from, to, settings);
   int followed = 0;
   int exact = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -86,8 +86,8 @@ TEST_CASE(
 TEST_CASE("stereo matching finds the disparity of the street, without guesses") {
   const Frame frame = streetAt(0);
   const TrackSettings track;
-  const Pyramid left(asMat(frame.left), track);
-  const Pyramid right(asMat(frame.right), track);
+  const FlowPyramid left(asMat(frame.left), track);
+  const FlowPyramid right(asMat(frame.right), track);
   StereoSettings settings;
   settings.track.levels = 2;
   settings.max_disparity = 60;

@@ -1,134 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Real stereo images, where they are: the error against the truth, and agreed lengths.
-#include <Eigen/SVD>
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <opencv2/imgcodecs.hpp>
-#include <sstream>
 
-#include "harness.hpp"
+#include "feature_stereo.hpp"
 #include "support/data.hpp"
-#include "tolman/image_cv.hpp"
+#include "support/kitti_clip.hpp"
 
 using namespace tolman;
+using test::indexRange;
 
 namespace {
 
-Eigen::Matrix<double, 3, 4> matrixOf(const std::string& numbers) {
-  std::istringstream stream(numbers);
-  Eigen::Matrix<double, 3, 4> m;
-  for (int r = 0; r < 3; ++r) {
-    for (int c = 0; c < 4; ++c) stream >> m(r, c);
-  }
-  return m;
-}
-
-CameraRig readRig(const std::filesystem::path& clip, const cv::Mat& image) {
-  std::ifstream file(clip / "calib.txt");
-  std::string left;
-  std::string right;
-  std::getline(file, left);
-  std::getline(file, right);
-  const auto P0 = matrixOf(left.substr(3));
-  const auto P1 = matrixOf(right.substr(3));
-  CameraRig rig;
-  rig.width = image.cols;
-  rig.height = image.rows;
-  rig.calibrated = true;
-  rig.pinhole = {P0(0, 0), P0(1, 1), P0(0, 2), P0(1, 2)};
-  rig.baseline = -P1(0, 3) / P1(0, 0);
-  return rig;
-}
-
-cv::Mat readImage(const std::filesystem::path& clip, const char* camera, int index) {
-  std::ostringstream name;
-  name.fill('0');
-  name.width(6);
-  name << index;
-  return cv::imread((clip / camera / (name.str() + ".png")).string(), cv::IMREAD_GRAYSCALE);
-}
-
-/// Runs images `order` of a clip at 10 Hz; counts frames without measurement.
-int run(test::Host& host, const std::filesystem::path& clip, const std::vector<int>& order) {
-  int lost = 0;
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    Frame frame;
-    frame.frame = static_cast<std::int64_t>(k);
-    frame.stamp_ns = frame.frame * 100'000'000;
-    frame.left = asImage(readImage(clip, "image_0", order[k]));
-    frame.right = asImage(readImage(clip, "image_1", order[k]));
-    lost += host.track(frame).state == TrackingState::Lost ? 1 : 0;
-  }
-  host.finish();
-  return lost;
-}
-
-/// Root mean square distance after the best rotation and translation, without scale
-/// (Umeyama 1991, equations 34 to 43 with c = 1).
-double ateRmse(const Eigen::Matrix3Xd& estimate, const Eigen::Matrix3Xd& truth) {
-  const Eigen::Matrix3Xd e = estimate.colwise() - estimate.rowwise().mean().eval();
-  const Eigen::Matrix3Xd t = truth.colwise() - truth.rowwise().mean().eval();
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(t * e.transpose(),
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d sign(1, 1, 1);
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) sign.z() = -1;
-  const Eigen::Matrix3d R = svd.matrixU() * sign.asDiagonal() * svd.matrixV().transpose();
-  return std::sqrt((R * e - t).colwise().squaredNorm().mean());
-}
-
-double ateOf(const test::Host& host, const std::filesystem::path& clip,
-             const std::vector<int>& order) {
-  std::ifstream file(clip / "poses.txt");
-  std::vector<Eigen::Vector3d> places;
-  for (std::string line; std::getline(file, line);) places.push_back(matrixOf(line).col(3));
-  const auto poses = host.trajectory();
-  Eigen::Matrix3Xd estimate(3, static_cast<Eigen::Index>(poses.size()));
-  Eigen::Matrix3Xd truth = estimate;
-  for (std::size_t k = 0; k < poses.size(); ++k) {
-    estimate.col(static_cast<Eigen::Index>(k)) = poses[k].translation();
-    truth.col(static_cast<Eigen::Index>(k)) = places.at(static_cast<std::size_t>(order[k]));
-  }
-  return ateRmse(estimate, truth);
-}
-
-std::vector<int> range(int from, int to) {
-  std::vector<int> indices;
-  for (int k = from; k != to; k += from < to ? 1 : -1) indices.push_back(k);
-  return indices;
-}
+using Host = test::OdometryHost<feature_stereo::FeatureStereo>;
 
 }  // namespace
 
-TEST_CASE("KITTI 06, forwards, backwards and back again") {
-  const auto clip = test::dataOrSkip("kitti_clips/06");
-  if (!clip) return;
-  const CameraRig rig = readRig(*clip, readImage(*clip, "image_0", 0));
+TEST_CASE("KITTI 06, forwards, backwards and back again", "[data]") {
+  const auto folder = test::dataOrSkip("kitti_clips/06");
+  if (!folder) return;
+  const test::KittiClip clip(*folder);
+  Host host(clip.rig());
   SECTION("forwards") {
-    test::Host host(rig);
-    CHECK(run(host, *clip, range(0, 51)) == 0);
-    const double ate = ateOf(host, *clip, range(0, 51));
-    CAPTURE(ate);
-    CHECK(ate < 0.20);
+    CHECK(clip.run(host, indexRange(0, 51)) == 0);
+    CHECK(clip.ateRmse(host.trajectory(), indexRange(0, 51)) < 0.20);
   }
   SECTION("backwards") {
-    test::Host host(rig);
-    CHECK(run(host, *clip, range(50, -1)) == 0);
-    CHECK(ateOf(host, *clip, range(50, -1)) < 0.20);
+    CHECK(clip.run(host, indexRange(50, -1)) == 0);
+    CHECK(clip.ateRmse(host.trajectory(), indexRange(50, -1)) < 0.20);
   }
   SECTION("ten frames and back: never lost, and home again") {
-    std::vector<int> order = range(0, 11);
-    for (const int k : range(9, -1)) order.push_back(k);
-    test::Host host(rig);
-    CHECK(run(host, *clip, order) == 0);
+    std::vector<int> order = indexRange(0, 11);
+    for (const int k : indexRange(9, -1)) order.push_back(k);
+    CHECK(clip.run(host, order) == 0);
     CHECK(host.trajectory().back().translation().norm() < 0.10);
   }
 }
 
-TEST_CASE("KITTI raw 0001 with moving traffic has the length that others agree on") {
-  const auto clip = test::dataOrSkip("kitti_clips/raw_0001");
-  if (!clip) return;
-  test::Host host(readRig(*clip, readImage(*clip, "image_0", 0)));
-  CHECK(run(host, *clip, range(0, 108)) == 0);
-  CAPTURE(host.length());
+TEST_CASE("KITTI raw 0001 with moving traffic has the length that others agree on", "[data]") {
+  const auto folder = test::dataOrSkip("kitti_clips/raw_0001");
+  if (!folder) return;
+  const test::KittiClip clip(*folder);
+  Host host(clip.rig());
+  CHECK(clip.run(host, indexRange(0, 108)) == 0);
   CHECK(host.length() == Approx(108.1).epsilon(0.01));
 }

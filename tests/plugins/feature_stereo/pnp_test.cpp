@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scene.hpp"
+#include "support/street_scene.hpp"
 
 using namespace tolman;
 using namespace tolman::feature_stereo;
@@ -15,12 +15,12 @@ const Eigen::Isometry3d kTruth =
     expSe3((Vector6d() << 0.3, -0.1, 1.2, 0.02, -0.05, 0.01).finished());
 
 /// `count` exact points seen from kTruth with the settings' noise, every `nth` of them wrongly.
-std::vector<Sighting> sightings(int count, int nth, const PnpSettings& settings,
+std::vector<PointMatch> matches(int count, int nth, const PnpSettings& settings,
                                 RandomStream& random) {
   const CameraRig rig = test::streetRig();
-  std::vector<Sighting> seen;
+  std::vector<PointMatch> seen;
   while (static_cast<int>(seen.size()) < count) {
-    Sighting s;
+    PointMatch s;
     s.point.coordinates << random.uniform(-0.7, 0.7), random.uniform(-0.3, 0.3),
         1 / random.uniform(4, 60);
     const auto pixel = project(rig, kTruth, s.point);
@@ -39,10 +39,10 @@ std::vector<Sighting> sightings(int count, int nth, const PnpSettings& settings,
 
 }  // namespace
 
-TEST_CASE("the pose is found among half wrong sightings, from a wrong guess") {
+TEST_CASE("the pose is found among half wrong matches, from a wrong guess") {
   RandomStream scene(1);
   const PnpSettings settings;
-  const auto seen = sightings(300, 2, settings, scene);
+  const auto seen = matches(300, 2, settings, scene);
   RandomStream random(5);
   const Eigen::Isometry3d guess =
       kTruth * expSe3((Vector6d() << 1, 0.2, -2, 0.05, 0.1, 0).finished());
@@ -64,7 +64,7 @@ TEST_CASE("the covariance tells the size of the errors") {
   double sum = 0;
   constexpr int kTries = 100;
   for (int k = 0; k < kTries; ++k) {
-    const auto seen = sightings(100, 0, settings, scene);
+    const auto seen = matches(100, 0, settings, scene);
     RandomStream random(5);
     const auto estimate = estimatePose(test::streetRig(), seen, kTruth, settings, random);
     REQUIRE(estimate);
@@ -78,30 +78,30 @@ TEST_CASE("the covariance tells the size of the errors") {
 TEST_CASE("uncertain points count less") {
   RandomStream scene(3);
   const PnpSettings settings;
-  auto seen = sightings(200, 0, settings, scene);
+  auto seen = matches(200, 0, settings, scene);
   RandomStream random(5);
   const auto sure = estimatePose(test::streetRig(), seen, kTruth, settings, random);
-  for (Sighting& s : seen) s.point_covariance(2, 2) = 0.01 * 0.01;
+  for (PointMatch& s : seen) s.point_covariance(2, 2) = 0.01 * 0.01;
   const auto unsure = estimatePose(test::streetRig(), seen, kTruth, settings, random);
   REQUIRE(sure);
   REQUIRE(unsure);
   CHECK(unsure->covariance(2, 2) > 2 * sure->covariance(2, 2));
 }
 
-TEST_CASE("too few sightings, or none that agree, give no pose") {
+TEST_CASE("too few matches, or none that agree, give no pose") {
   RandomStream scene(4);
   const PnpSettings settings;
   RandomStream random(5);
-  const auto few = sightings(settings.min_inliers - 1, 0, settings, scene);
+  const auto few = matches(settings.min_inliers - 1, 0, settings, scene);
   CHECK_FALSE(estimatePose(test::streetRig(), few, kTruth, settings, random));
-  const auto noise = sightings(60, 1, settings, scene);
+  const auto noise = matches(60, 1, settings, scene);
   CHECK_FALSE(estimatePose(test::streetRig(), noise, kTruth, settings, random));
 }
 
 TEST_CASE("the same stream gives the same bits") {
   RandomStream scene(6);
   const PnpSettings settings;
-  const auto seen = sightings(200, 3, settings, scene);
+  const auto seen = matches(200, 3, settings, scene);
   const Eigen::Isometry3d guess = Eigen::Isometry3d::Identity();
   RandomStream a(9);
   RandomStream b(9);

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scene.hpp"
+#include "support/street_scene.hpp"
 
 using namespace tolman;
 using namespace tolman::feature_stereo;

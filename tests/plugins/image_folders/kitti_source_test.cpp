@@ -180,19 +180,4 @@ TEST_CASE("inspect describes a sound sequence") {
   CHECK(data.anonymous(findings[0]) == "note DATA/image_0: " + run.info.description);
 }
 
-TEST_CASE("the yardstick reads the same pixels, and files that are no images fail") {
-  const DataFolder data;
-  const Run checked(with(data));
-  const Run plain(with(data, {{"yardstick", true}}));
-  REQUIRE(plain.frames.size() == checked.frames.size());
-  for (std::size_t i = 0; i < plain.frames.size(); ++i) {
-    CHECK(cv::norm(asMat(plain.frames[i].left), asMat(checked.frames[i].left)) == 0);
-    CHECK(cv::norm(asMat(plain.frames[i].right), asMat(checked.frames[i].right)) == 0);
-  }
-  std::ofstream(data.path("image_1/000002.png")) << "no image";
-  const Run broken(with(data, {{"yardstick", true}}));
-  CHECK(broken.frames.size() == 2);
-  CHECK(broken.failure.find("000002.png: cannot be decoded") != std::string::npos);
-}
-
 }  // namespace tolman::image_folders

@@ -30,7 +30,7 @@ Clip look(S& source, const std::filesystem::path& path, ParameterValues values =
 
 }  // namespace
 
-TEST_CASE("KITTI 06, 51 pairs, forward and backward twice") {
+TEST_CASE("KITTI 06, 51 pairs, forward and backward twice", "[data]") {
   const auto path = test::dataOrSkip("kitti_clips/06");
   if (!path) return;
   KittiSource source;
@@ -54,7 +54,7 @@ TEST_CASE("KITTI 06, 51 pairs, forward and backward twice") {
   CHECK(source.next(frame).code() == StatusCode::EndOfStream);
 }
 
-TEST_CASE("KITTI raw 0001, no truth") {
+TEST_CASE("KITTI raw 0001, no truth", "[data]") {
   const auto path = test::dataOrSkip("kitti_clips/raw_0001");
   if (!path) return;
   KittiSource source;
@@ -65,7 +65,7 @@ TEST_CASE("KITTI raw 0001, no truth") {
   CHECK_FALSE(clip.info.has_truth);
 }
 
-TEST_CASE("single cameras of KITTI, PNG and JPEG") {
+TEST_CASE("single cameras of KITTI, PNG and JPEG", "[data]") {
   const auto png = test::dataOrSkip("kitti_clips/00_left");
   const auto jpeg = test::dataOrSkip("kitti_clips/03_left");
   if (!png || !jpeg) return;
@@ -82,7 +82,7 @@ TEST_CASE("single cameras of KITTI, PNG and JPEG") {
   CHECK(frames[299].left.format() == PixelFormat::Gray8);
 }
 
-TEST_CASE("uncalibrated folders: laps between desks, two laps of a corridor") {
+TEST_CASE("uncalibrated folders: laps between desks, two laps of a corridor", "[data]") {
   const auto office = test::dataOrSkip("laps_office");
   const auto corridor = test::dataOrSkip("places_two_laps");
   if (!office || !corridor) return;

@@ -127,7 +127,7 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
   const Square square;
   SECTION("missing") {
     std::filesystem::remove(square.folder.path() / "odometry.g2o");
-    CHECK(refusal(square) == "odometry.g2o cannot be read; check the path");
+    CHECK(refusal(square) == "odometry.g2o is no file that can be read; check the path");
   }
   SECTION("gap") {
     square.write("odometry.g2o", "EDGE_SE2 0 1 1 0 0\nEDGE_SE2 2 3 1 0 0\n");

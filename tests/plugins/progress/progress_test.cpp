@@ -16,10 +16,9 @@ constexpr std::int64_t kMs = 1'000'000;
 
 /// A run of which the test decides how fast it is.
 struct Run {
-  explicit Run(bool is_interactive, ParameterValues values = {}, bool is_quiet = false)
-      : services(std::move(values)) {
-    services.interactive = is_interactive;
-    services.quiet = is_quiet;
+  explicit Run(bool interactive, ParameterValues values = {})
+      : services(std::move(values)),
+        observer(std::make_unique<Progress>(out, interactive, [this] { return columns; })) {
     REQUIRE(observer->configure(services).isOk());
   }
   void begin(std::int64_t frames) {
@@ -51,7 +50,7 @@ struct Run {
   PlaceObservation place;
   MapUpdate map;
   int columns = 60;
-  std::unique_ptr<Progress> observer = std::make_unique<Progress>(out, [this] { return columns; });
+  std::unique_ptr<Progress> observer;
 };
 
 struct NoColour {
@@ -69,7 +68,8 @@ TEST_CASE("a log gets a line at round percentages and after a silence") {
   run.place.template_id = 0;
   run.map.experiences = 1;
   CHECK(run.frame(100) ==
-        "frame 2 of 20 (10 %), 10.0 frames/s, 0:02 left, 1 template, 1 experience, 0 loops\n");
+        "frame 2 of 20 (10 %), 10.0 frames/s, 0:02 left, 1 template, 1 experience, 0 loop "
+        "decisions\n");
   SECTION("slowly") {
     CHECK(run.frame(4900).empty());  // 15 %, after 4.9 s
     CHECK_FALSE(run.frame(100).empty());
@@ -84,7 +84,7 @@ TEST_CASE("a log line after five seconds even when nothing is known of the end")
   Run run(false);
   run.begin(-1);
   CHECK(run.frame(4999).empty());
-  CHECK(run.frame(1) == "frame 2, 0.4 frames/s, 0 templates, 0 experiences, 0 loops\n");
+  CHECK(run.frame(1) == "frame 2, 0.4 frames/s, 0 templates, 0 experiences, 0 loop decisions\n");
   CHECK(run.frame(4999).empty());
 }
 
@@ -92,11 +92,12 @@ TEST_CASE("both kinds of line can be turned off") {
   Run run(false, {{"every_percent", 0.0}, {"every_seconds", 0.0}});
   run.begin(4);
   for (int i = 0; i < 4; ++i) CHECK(run.frame(60'000).empty());
-  CHECK(run.finish() == "4 frames in 4:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loops\n");
+  CHECK(run.finish() ==
+        "4 frames in 4:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links\n");
 }
 
 TEST_CASE("quiet means nothing at all") {
-  Run run(false, {}, true);
+  Run run(false, {{"quiet", true}});
   run.begin(2);
   CHECK(run.frame(6000).empty());
   CHECK(run.frame(6000).empty());
@@ -121,7 +122,7 @@ TEST_CASE("the summary replaces the bar") {
   CHECK(run.frame(100) == "\r[          ] 0 %  1/1000  10.0 frames/s");
   CHECK(run.finish() == "\r" + std::string(39, ' ') +
                             "\r1 frame in 0:00, 10.0 frames/s, 0 templates, 0 experiences, 0 "
-                            "loops\n");
+                            "loop links\n");
 }
 
 TEST_CASE("colour is for terminals, and NO_COLOR turns it off") {
@@ -149,7 +150,7 @@ TEST_CASE("the summary counts the final map, and frames that were left out") {
   graph.links.resize(9);
   graph.links[3].kind = LinkKind::Loop;
   CHECK(run.finish(graph) ==
-        "40 frames in 0:04, 10.0 frames/s, 12 templates, 8 experiences, 1 loop\n");
+        "40 frames in 0:04, 10.0 frames/s, 12 templates, 8 experiences, 1 loop link\n");
 }
 
 TEST_CASE("a later session counts its own frames") {
@@ -180,7 +181,8 @@ TEST_CASE("after reset the counts begin again") {
   run.frame_record.frame = -1;
   run.place.template_id = -1;
   CHECK(run.frame(1000) ==
-        "frame 1 of 4 (25 %), 1.0 frames/s, 0:03 left, 0 templates, 0 experiences, 0 loops\n");
+        "frame 1 of 4 (25 %), 1.0 frames/s, 0:03 left, 0 templates, 0 experiences, 0 loop "
+        "decisions\n");
 }
 
 }  // namespace tolman::progress

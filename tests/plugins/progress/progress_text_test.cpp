@@ -8,19 +8,23 @@
 namespace tolman::progress {
 namespace {
 
-const ProgressState kMiddle = {
-    .frames = 215, .total = 509, .seconds = 21.5, .templates = 31, .experiences = 20, .loops = 1};
+const ProgressState kMiddle = {.frames = 215,
+                               .total = 509,
+                               .seconds = 21.5,
+                               .templates = 31,
+                               .experiences = 20,
+                               .loop_decisions = 1,
+                               .loop_links = 1};
 
 }  // namespace
 
 TEST_CASE("the bar line takes what the terminal has room for") {
   CHECK(barLine(kMiddle, 200) ==
         "[===============>                        ] 42 %  215/509  10.0 frames/s  0:29 left  "
-        "31 templates  20 experiences  1 loop");
-  CHECK(barLine(kMiddle, 100) ==
+        "31 templates  20 experiences  1 loop decision");
+  CHECK(barLine(kMiddle, 109) ==
         "[======>            ] 42 %  215/509  10.0 frames/s  0:29 left  31 templates  20 "
-        "experiences  1 "
-        "loop");
+        "experiences  1 loop decision");
   CHECK(barLine(kMiddle, 80) ==
         "[========>              ] 42 %  215/509  10.0 frames/s  0:29 left  31 templates");
   CHECK(barLine(kMiddle, 40) == "[========>              ] 42 %  215/509");
@@ -43,10 +47,10 @@ TEST_CASE("the ends of the bar") {
 }
 
 TEST_CASE("without a known end there is no bar and no time left") {
-  CHECK(barLine({.frames = 7, .total = -1, .seconds = 2}, 61) ==
-        "7 frames  3.5 frames/s  0 templates  0 experiences  0 loops");
+  CHECK(barLine({.frames = 7, .total = -1, .seconds = 2}, 70) ==
+        "7 frames  3.5 frames/s  0 templates  0 experiences  0 loop decisions");
   CHECK(plainLine({.frames = 7, .total = -1, .seconds = 2}) ==
-        "frame 7, 3.5 frames/s, 0 templates, 0 experiences, 0 loops");
+        "frame 7, 3.5 frames/s, 0 templates, 0 experiences, 0 loop decisions");
 }
 
 TEST_CASE("colour wraps the filled part only") {
@@ -57,15 +61,17 @@ TEST_CASE("colour wraps the filled part only") {
 
 TEST_CASE("lines for a log") {
   CHECK(plainLine(kMiddle) ==
-        "frame 215 of 509 (42 %), 10.0 frames/s, 0:29 left, 31 templates, 20 experiences, 1 loop");
+        "frame 215 of 509 (42 %), 10.0 frames/s, 0:29 left, 31 templates, 20 experiences, 1 loop "
+        "decision");
   CHECK(plainLine({.frames = 1, .total = 40000, .seconds = 1}) ==
-        "frame 1 of 40000 (0 %), 1.0 frames/s, 11:06:39 left, 0 templates, 0 experiences, 0 loops");
+        "frame 1 of 40000 (0 %), 1.0 frames/s, 11:06:39 left, 0 templates, 0 experiences, 0 loop "
+        "decisions");
   CHECK(summaryLine(kMiddle) ==
-        "215 frames in 0:22, 10.0 frames/s, 31 templates, 20 experiences, 1 loop");
+        "215 frames in 0:22, 10.0 frames/s, 31 templates, 20 experiences, 1 loop link");
   CHECK(summaryLine({.frames = 1, .total = 1, .seconds = 0}) ==
-        "1 frame in 0:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loops");
+        "1 frame in 0:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links");
   CHECK(summaryLine({.frames = 90000, .seconds = 125}) ==
-        "90000 frames in 2:05, 720 frames/s, 0 templates, 0 experiences, 0 loops");
+        "90000 frames in 2:05, 720 frames/s, 0 templates, 0 experiences, 0 loop links");
 }
 
 }  // namespace tolman::progress

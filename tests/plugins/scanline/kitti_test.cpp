@@ -33,7 +33,8 @@ CameraRig kittiRig(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("KITTI 00 and 03: turns within a sixth of a degree a frame or so, way within 60 %") {
+TEST_CASE("KITTI 00 and 03: turns within a sixth of a degree a frame or so, way within 60 %",
+          "[data]") {
   const auto folder =
       tolman::test::dataOrSkip(GENERATE("kitti_clips/00_left", "kitti_clips/03_left"));
   if (!folder) return;

@@ -20,9 +20,9 @@ inline Eigen::Isometry3d levelPose(const LanePosition& lane, double height) {
   return T;
 }
 
-inline Route drawnRoute(
+inline CameraRoute drawnRoute(
     const LanePath& path, const HeightAt& height = [](double) { return 0.0; }) {
-  Route route;
+  CameraRoute route;
   route.name = "drawn";
   for (double s = 0; s <= path.length() + 1e-9; s += 1) {
     route.stamps_ns.push_back(static_cast<std::int64_t>(s * 1e8));
@@ -31,7 +31,7 @@ inline Route drawnRoute(
   return route;
 }
 
-inline Route builtIn(std::string_view name, double rate = 10) {
+inline CameraRoute builtIn(std::string_view name, double rate = 10) {
   RouteOptions options;
   options.rate = rate;
   return builtInRoute(name, options).value();

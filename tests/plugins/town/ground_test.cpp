@@ -44,14 +44,14 @@ Mesh fineGround(const Mesh& mesh, const Mesh& skirt_only_differs) {
   return fine;
 }
 
-Town townOf(const Route& route) {
+Town townOf(const CameraRoute& route) {
   Town town{StreetPlan::grow(route, 1.65).value(), {}, {}};
   town.mesh = buildGround(town.plan, kSurfaces);
   town.without_skirt = fineGround(town.mesh, buildGround(town.plan, kSurfaces, 407));
   return town;
 }
 
-Route straightRoute() {
+CameraRoute straightRoute() {
   LanePath path(StreetPlan::kLaneOffset);
   path.ahead(100);
   return drawnRoute(path);

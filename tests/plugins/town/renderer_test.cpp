@@ -26,7 +26,7 @@ struct Sample {
 };
 
 /// Bilinear radiance at (u, v) where all four pixels have about the depth expected there.
-std::optional<Sample> sampleAt(const Picture& p, const View& view, double u, double v,
+std::optional<Sample> sampleAt(const RenderedImage& p, const RenderCamera& view, double u, double v,
                                double depth) {
   if (u < 1 || v < 1 || u >= view.width - 2 || v >= view.height - 2) return std::nullopt;
   const int c = static_cast<int>(u);
@@ -65,7 +65,7 @@ struct Residuals {
 };
 
 /// Whether the eight neighbours of a pixel are on about the same surface: no silhouette runs there.
-bool isSmooth(const Picture& p, const View& view, int column, int row) {
+bool isSmooth(const RenderedImage& p, const RenderCamera& view, int column, int row) {
   if (column < 1 || row < 1 || column > view.width - 2 || row > view.height - 2) return false;
   const auto at = [&](int c, int r) {
     return p.depth[static_cast<std::size_t>(r * view.width + c)];
@@ -80,8 +80,8 @@ bool isSmooth(const Picture& p, const View& view, int column, int row) {
 }
 
 /// Carries every pixel of `a` into `b` by its true depth, and compares.
-void reproject(const Picture& a, const View& view_a, const Picture& b, const View& view_b,
-               Residuals& residuals) {
+void reproject(const RenderedImage& a, const RenderCamera& view_a, const RenderedImage& b,
+               const RenderCamera& view_b, Residuals& residuals) {
   const Eigen::Isometry3d T_b_a = view_b.T_town_camera.inverse() * view_a.T_town_camera;
   for (int row = 0; row < view_a.height; ++row) {
     for (int column = 0; column < view_a.width; ++column) {
@@ -102,8 +102,8 @@ void reproject(const Picture& a, const View& view_a, const Picture& b, const Vie
   }
 }
 
-View moved(const View& view, const Eigen::Vector3d& by) {
-  View result = view;
+RenderCamera moved(const RenderCamera& view, const Eigen::Vector3d& by) {
+  RenderCamera result = view;
   result.T_town_camera = view.T_town_camera * Eigen::Translation3d(by);
   return result;
 }
@@ -113,8 +113,8 @@ template <class Other>
 Residuals alongRoute(const SmallTown& town, const Other& other) {
   Residuals residuals;
   for (std::size_t k = 5; k + 1 < town.route.T_town_camera.size(); k += 45) {
-    const View left = SmallTown::view(town.route.T_town_camera[k]);
-    const View there = other(k, left);
+    const RenderCamera left = SmallTown::view(town.route.T_town_camera[k]);
+    const RenderCamera there = other(k, left);
     reproject(town.picture(left), left, town.picture(there), there, residuals);
   }
   REQUIRE(residuals.grey.size() > 200000);
@@ -128,7 +128,7 @@ Residuals alongRoute(const SmallTown& town, const Other& other) {
 
 TEST_CASE("left and right agree below the noise, without sub-pixel bias") {
   const SmallTown town;
-  const Residuals residuals = alongRoute(town, [](std::size_t, const View& left) {
+  const Residuals residuals = alongRoute(town, [](std::size_t, const RenderCamera& left) {
     return moved(left, {0.5372, 0, 0});
   });
   CHECK(std::abs(residuals.shift()) < 0.01);
@@ -136,7 +136,7 @@ TEST_CASE("left and right agree below the noise, without sub-pixel bias") {
 
 TEST_CASE("so do neighbouring frames as the car drives on") {
   const SmallTown town;
-  const Residuals residuals = alongRoute(town, [&](std::size_t k, const View&) {
+  const Residuals residuals = alongRoute(town, [&](std::size_t k, const RenderCamera&) {
     return SmallTown::view(town.route.T_town_camera[k + 1]);
   });
   CHECK(std::abs(residuals.shift()) < 0.01);
@@ -144,9 +144,9 @@ TEST_CASE("so do neighbouring frames as the car drives on") {
 
 TEST_CASE("a wrong calibration would be noticed: the check of the check") {
   const SmallTown town;
-  const View left = SmallTown::view(town.route.T_town_camera[20]);
-  const View right = moved(left, {0.5372, 0, 0});
-  View wrong = right;
+  const RenderCamera left = SmallTown::view(town.route.T_town_camera[20]);
+  const RenderCamera right = moved(left, {0.5372, 0, 0});
+  RenderCamera wrong = right;
   wrong.pinhole.cx += 0.25;  // px
   Residuals residuals;
   reproject(town.picture(left), left, town.picture(right), wrong, residuals);
@@ -155,8 +155,8 @@ TEST_CASE("a wrong calibration would be noticed: the check of the check") {
 
 TEST_CASE("depth of the road is that of a plane below the camera") {
   const SmallTown town;
-  const View view = SmallTown::view(town.route.T_town_camera[10]);
-  const Picture picture = town.picture(view, 0);
+  const RenderCamera view = SmallTown::view(town.route.T_town_camera[10]);
+  const RenderedImage picture = town.picture(view, 0);
   int on_road = 0;
   for (int row = 95; row < view.height; ++row) {
     const Eigen::Vector3d ray = view.pinhole.ray({207, row});
@@ -172,24 +172,24 @@ TEST_CASE("depth of the road is that of a plane below the camera") {
 
 TEST_CASE("the picture does not depend on the number of threads, nor on the call") {
   const SmallTown town;
-  const View view = SmallTown::view(town.route.T_town_camera[50]);
-  const Picture many = town.picture(view);
+  const RenderCamera view = SmallTown::view(town.route.T_town_camera[50]);
+  const RenderedImage many = town.picture(view);
   const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
-  const Picture single = town.picture(view);
+  const RenderedImage single = town.picture(view);
   CHECK(many.radiance == single.radiance);
   CHECK(many.depth == single.depth);
 }
 
 TEST_CASE("textures do not shimmer: a pixel at half size is about the mean of its four") {
   const SmallTown town;
-  View fine = SmallTown::view(town.route.T_town_camera[100]);
-  View coarse = fine;
+  RenderCamera fine = SmallTown::view(town.route.T_town_camera[100]);
+  RenderCamera coarse = fine;
   coarse.width /= 2;
   coarse.height /= 2;
   coarse.pinhole = {fine.pinhole.fx / 2, fine.pinhole.fy / 2, (fine.pinhole.cx - 0.5) / 2,
                     (fine.pinhole.cy - 0.5) / 2};
-  const Picture big = town.picture(fine, 8);
-  const Picture small = town.picture(coarse, 8);
+  const RenderedImage big = town.picture(fine, 8);
+  const RenderedImage small = town.picture(coarse, 8);
   std::vector<double> differences;
   for (int row = 0; row < coarse.height; ++row) {
     for (int column = 0; column < coarse.width; ++column) {
@@ -210,9 +210,9 @@ TEST_CASE("textures do not shimmer: a pixel at half size is about the mean of it
 
 TEST_CASE("edges are smoothed where asked") {
   const SmallTown town;
-  const View view = SmallTown::view(town.route.T_town_camera[100]);
-  const Picture jagged = town.picture(view, 0);
-  const Picture smooth = town.picture(view, 4);
+  const RenderCamera view = SmallTown::view(town.route.T_town_camera[100]);
+  const RenderedImage jagged = town.picture(view, 0);
+  const RenderedImage smooth = town.picture(view, 4);
   CHECK(jagged.depth == smooth.depth);
   std::size_t changed = 0;
   for (std::size_t i = 0; i < jagged.radiance.size(); ++i) {

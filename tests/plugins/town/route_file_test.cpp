@@ -23,14 +23,14 @@ class PoseFile {
   explicit PoseFile(const std::string& text) : path_(folder_.path() / "drive.txt") {
     std::ofstream(path_) << text;
   }
-  Result<Route> read(double rate = 10) const {
+  Result<CameraRoute> read(double rate = 10) const {
     RouteOptions options;
     options.rate = rate;
     return readRoute(path_, options);
   }
   /// The message without the folder.
   std::string refusal(double rate = 10) const {
-    const Result<Route> route = read(rate);
+    const Result<CameraRoute> route = read(rate);
     if (route.isOk()) return "read";
     CHECK(route.status().code() == StatusCode::InvalidInput);
     const std::string message = route.status().message();
@@ -54,7 +54,7 @@ std::string kittiLine(const Eigen::Isometry3d& T) {
 
 TEST_CASE("the first pose of a file is the origin of the town, camera forward is Y, down is -Z") {
   const PoseFile file(kStart + "1 0 0 0.2 0 1 0 -0.1 0 0 1 1.5\n");
-  const Route route = file.read().value();
+  const CameraRoute route = file.read().value();
   CHECK(route.name == "drive");
   REQUIRE(route.T_town_camera.size() == 2);
   CHECK(route.T_town_camera[0].translation().norm() < 1e-12);
@@ -64,18 +64,18 @@ TEST_CASE("the first pose of a file is the origin of the town, camera forward is
 }
 
 TEST_CASE("stamps follow the rate to the nanosecond") {
-  const Route route = PoseFile(kStart + kOneAhead + kOneAhead + kOneAhead).read(30).value();
+  const CameraRoute route = PoseFile(kStart + kOneAhead + kOneAhead + kOneAhead).read(30).value();
   CHECK(route.stamps_ns == std::vector<std::int64_t>{0, 33333333, 66666667, 100000000});
 }
 
 TEST_CASE("a built-in route comes back from its file, whatever frame that was written in") {
-  const Route block = builtIn("block");
+  const CameraRoute block = builtIn("block");
   Eigen::Isometry3d T_world_town = Eigen::Isometry3d::Identity();
   T_world_town.rotate(Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()));
   T_world_town.pretranslate(Eigen::Vector3d(400, -30, 7));
   std::string text;
   for (const Eigen::Isometry3d& T : block.T_town_camera) text += kittiLine(T_world_town * T);
-  const Route read = PoseFile(text).read().value();
+  const CameraRoute read = PoseFile(text).read().value();
   REQUIRE(read.T_town_camera.size() == block.T_town_camera.size());
   CHECK(read.stamps_ns == block.stamps_ns);
   for (std::size_t i = 0; i < read.T_town_camera.size(); ++i) {
@@ -145,12 +145,12 @@ TEST_CASE("jumps that no car drives are refused") {
 }
 
 TEST_CASE("a rate that is none is the configuration's fault") {
-  const Result<Route> route = PoseFile(kStart + kOneAhead).read(0);
+  const Result<CameraRoute> route = PoseFile(kStart + kOneAhead).read(0);
   CHECK(route.status().code() == StatusCode::InvalidParameter);
   CHECK(route.status().message() == "rate must be positive; give frames/s");
 }
 
-TEST_CASE("KITTI's drives are read whole") {
+TEST_CASE("KITTI's drives are read whole", "[data]") {
   struct Drive {
     const char* file;
     std::size_t frames;
@@ -160,7 +160,7 @@ TEST_CASE("KITTI's drives are read whole") {
                              Drive{"06.txt", 1101, 1233}, Drive{"07.txt", 1101, 695}}) {
     const auto file = dataOrSkip(std::string("kitti_poses/") + drive.file);
     if (!file) return;
-    const Route route = readRoute(*file, {}).value();
+    const CameraRoute route = readRoute(*file, {}).value();
     CHECK(route.T_town_camera.size() == drive.frames);
     double length = 0;
     for (std::size_t i = 1; i < drive.frames; ++i) {

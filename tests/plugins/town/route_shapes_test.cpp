@@ -14,15 +14,15 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kLane = 1.7;
 constexpr std::array<const char*, 3> kNames = {"block", "eights", "district"};
 
-Eigen::Vector3d place(const Route& route, std::size_t i) {
+Eigen::Vector3d place(const CameraRoute& route, std::size_t i) {
   return route.T_town_camera[i].translation();
 }
 
-Eigen::Vector2d heading(const Route& route, std::size_t i) {
+Eigen::Vector2d heading(const CameraRoute& route, std::size_t i) {
   return route.T_town_camera[i].linear().col(2).head<2>().normalized();
 }
 
-double drivenLength(const Route& route) {
+double drivenLength(const CameraRoute& route) {
   double length = 0;
   for (std::size_t i = 1; i < route.T_town_camera.size(); ++i) {
     length += (place(route, i) - place(route, i - 1)).norm();
@@ -32,7 +32,7 @@ double drivenLength(const Route& route) {
 
 /// Frames that come back to within `reach` of a pose at least 200 frames before, with the cosine
 /// between headings in [low, high].
-int countRevisits(const Route& route, double reach, double low, double high) {
+int countRevisits(const CameraRoute& route, double reach, double low, double high) {
   int count = 0;
   for (std::size_t i = 200; i < route.T_town_camera.size(); ++i) {
     for (std::size_t j = 0; j + 200 <= i; ++j) {
@@ -152,7 +152,7 @@ TEST_CASE("built-in routes begin at the origin, looking along Y") {
   Eigen::Matrix3d R_town_camera;
   R_town_camera << 1, 0, 0, 0, 0, 1, 0, -1, 0;
   for (const char* name : kNames) {
-    const Route route = builtIn(name);
+    const CameraRoute route = builtIn(name);
     CHECK(route.name == name);
     CHECK(place(route, 0).norm() < 1e-12);
     CHECK((route.T_town_camera[0].linear() - R_town_camera).norm() < 1e-12);
@@ -174,7 +174,7 @@ TEST_CASE("built-in routes are as long as they promise") {
 
 TEST_CASE("the car never jumps, slides, or leans") {
   for (const char* name : kNames) {
-    const Route route = builtIn(name);
+    const CameraRoute route = builtIn(name);
     for (std::size_t i = 1; i < route.T_town_camera.size(); ++i) {
       const Eigen::Vector3d step = place(route, i) - place(route, i - 1);
       REQUIRE(step.norm() < 8 / 10. * 1.01);
@@ -193,7 +193,7 @@ TEST_CASE("the car never jumps, slides, or leans") {
 
 TEST_CASE("passengers are comfortable: 1.5 m/s^2 in bends and before them") {
   for (const char* name : kNames) {
-    const Route route = builtIn(name, 20);
+    const CameraRoute route = builtIn(name, 20);
     double lateral = 0;
     double longitudinal = 0;
     for (std::size_t i = 1; i + 1 < route.T_town_camera.size(); ++i) {
@@ -214,7 +214,7 @@ TEST_CASE("passengers are comfortable: 1.5 m/s^2 in bends and before them") {
 }
 
 TEST_CASE("block closes its loop in the same direction") {
-  const Route route = builtIn("block");
+  const CameraRoute route = builtIn("block");
   CHECK(countRevisits(route, 0.5, 0.99, 1) > 30);
   CHECK(countRevisits(route, 5, -1, -0.9) == 0);
   // Only the last 40 m are a repetition.
@@ -222,20 +222,20 @@ TEST_CASE("block closes its loop in the same direction") {
 }
 
 TEST_CASE("eights crosses itself at a right angle and repeats every loop") {
-  const Route route = builtIn("eights");
+  const CameraRoute route = builtIn("eights");
   CHECK(countRevisits(route, 0.5, -0.1, 0.1) > 0);
   CHECK(countRevisits(route, 0.5, 0.99, 1) > static_cast<int>(route.stamps_ns.size()) * 4 / 10);
 }
 
 TEST_CASE("district comes back both ways") {
-  const Route route = builtIn("district");
+  const CameraRoute route = builtIn("district");
   CHECK(countRevisits(route, 0.5, 0.99, 1) > 150);
   CHECK(countRevisits(route, 2 * kLane + 0.1, -1, -0.99) > 300);
 }
 
 TEST_CASE("heights are those of one ground wherever passes meet") {
   for (const char* name : kNames) {
-    const Route route = builtIn(name);
+    const CameraRoute route = builtIn(name);
     for (std::size_t i = 0; i < route.stamps_ns.size(); ++i) {
       for (std::size_t j = i + 200; j < route.stamps_ns.size(); ++j) {
         const Eigen::Vector3d apart = place(route, i) - place(route, j);
@@ -270,9 +270,9 @@ TEST_CASE("options that no car can drive are refused") {
 TEST_CASE("a slow car needs more frames for the same way, a racing one brakes for bends") {
   RouteOptions options;
   options.speed = 2;
-  const Route slow = builtInRoute("block", options).value();
+  const CameraRoute slow = builtInRoute("block", options).value();
   options.speed = 100;
-  const Route fast = builtInRoute("block", options).value();
+  const CameraRoute fast = builtInRoute("block", options).value();
   CHECK(drivenLength(slow) == Approx(drivenLength(fast)).epsilon(0.01));
   CHECK(slow.stamps_ns.size() > 2 * fast.stamps_ns.size());
   CHECK(fast.stamps_ns.size() > 300);

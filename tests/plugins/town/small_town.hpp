@@ -22,21 +22,21 @@ struct SmallTown {
         light(with_light) {}
 
   /// KITTI's camera at a third of its size.
-  static View view(const Eigen::Isometry3d& T_town_camera) {
-    View view;
+  static RenderCamera view(const Eigen::Isometry3d& T_town_camera) {
+    RenderCamera view;
     view.T_town_camera = T_town_camera;
     view.width = 414;
     view.height = 125;
     view.pinhole = {239.6, 239.6, 202.1, 61.4};
     return view;
   }
-  Picture picture(const View& of, int edge_samples = 4) const {
-    Picture result;
+  RenderedImage picture(const RenderCamera& of, int edge_samples = 4) const {
+    RenderedImage result;
     Renderer(scene, plan, light, edge_samples).render(of, result);
     return result;
   }
 
-  Route route;
+  CameraRoute route;
   StreetPlan plan;
   Scene scene;
   Light light;

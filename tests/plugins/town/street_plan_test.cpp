@@ -21,7 +21,7 @@ constexpr double kLane = StreetPlan::kLaneOffset;
 constexpr double kBeyond = 50;  // m of street beyond either end of a route
 constexpr double kCamera = 1.65;
 
-StreetPlan grown(const Route& route) {
+StreetPlan grown(const CameraRoute& route) {
   const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
   INFO(plan.status().message());
   REQUIRE(plan.isOk());
@@ -35,7 +35,7 @@ double totalLength(const StreetPlan& plan) {
 }
 
 /// m by which a camera is not at kCamera above the road, the largest one.
-double worstHeight(const Route& route, const StreetPlan& plan) {
+double worstHeight(const CameraRoute& route, const StreetPlan& plan) {
   double worst = 0;
   for (const Eigen::Isometry3d& pose : route.T_town_camera) {
     const Eigen::Vector3d at = pose.translation();
@@ -44,7 +44,7 @@ double worstHeight(const Route& route, const StreetPlan& plan) {
   return worst;
 }
 
-double farthestFromCentre(const Route& route, const StreetPlan& plan) {
+double farthestFromCentre(const CameraRoute& route, const StreetPlan& plan) {
   double farthest = 0;
   for (const Eigen::Isometry3d& pose : route.T_town_camera) {
     farthest = std::max(farthest, plan.distance(pose.translation().x(), pose.translation().y()));
@@ -53,7 +53,7 @@ double farthestFromCentre(const Route& route, const StreetPlan& plan) {
 }
 
 /// From the poses themselves: each shifted to the left by half a street.
-std::vector<Eigen::Vector2d> centresOf(const Route& route) {
+std::vector<Eigen::Vector2d> centresOf(const CameraRoute& route) {
   std::vector<Eigen::Vector2d> centres;
   for (const Eigen::Isometry3d& pose : route.T_town_camera) {
     const Eigen::Vector3d left = -pose.linear().col(0);
@@ -86,7 +86,7 @@ LanePath thereAndBack(double length) {
 }
 
 /// A loop over its own start, where the second pass is `step` m higher.
-Route loopWithStep(double step) {
+CameraRoute loopWithStep(double step) {
   LanePath path(kLane);
   path.ahead(60);
   for (int corner = 0; corner < 3; ++corner) path.turnRight(7).ahead(100);
@@ -133,7 +133,7 @@ TEST_CASE("corners hold what the streets need and no more") {
 }
 
 TEST_CASE("distances agree with brute force over the poses to 5 cm") {
-  const Route route = builtIn("block", 20);
+  const CameraRoute route = builtIn("block", 20);
   const StreetPlan plan = grown(route);
   const std::vector<Eigen::Vector2d> line = centresOf(route);
   std::mt19937 random(7);
@@ -151,7 +151,7 @@ TEST_CASE("distances agree with brute force over the poses to 5 cm") {
 }
 
 TEST_CASE("the kerb is where brute force puts it") {
-  const Route route = builtIn("block", 20);
+  const CameraRoute route = builtIn("block", 20);
   const StreetPlan plan = grown(route);
   const std::vector<Eigen::Vector2d> line = centresOf(route);
   int tried = 0;
@@ -168,7 +168,7 @@ TEST_CASE("the kerb is where brute force puts it") {
 
 TEST_CASE("every camera drives between the kerbs, on its road, on all built-in routes") {
   for (const char* name : {"block", "eights", "district"}) {
-    const Route route = builtIn(name);
+    const CameraRoute route = builtIn(name);
     const StreetPlan plan = grown(route);
     CHECK(farthestFromCentre(route, plan) < StreetPlan::kRoadHalfWidth - 1);
     CHECK(worstHeight(route, plan) < 0.05);
@@ -184,7 +184,7 @@ TEST_CASE("a street that is driven twice is built once") {
         Approx(2 * (80 + 65) - 4 * (2 - kPi / 2) * (7 + kLane) + bulge_more).margin(8));
 
   // eights drives every street of its two loops at least twice.
-  const Route eights = builtIn("eights");
+  const CameraRoute eights = builtIn("eights");
   CHECK(totalLength(grown(eights)) < 0.55 * static_cast<double>(763));
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("the way back on the opposite lane is the same street") {
 TEST_CASE("a crossing street is a street of its own, without a gap at the crossing") {
   LanePath path(kLane);
   path.ahead(100).turnRight(7).ahead(60).turnRight(7).ahead(60).turnRight(7).ahead(120);
-  const Route route = drawnRoute(path);
+  const CameraRoute route = drawnRoute(path);
   const StreetPlan plan = grown(route);
   CHECK(plan.sections().size() == 1);
   CHECK(totalLength(plan) == Approx(path.length() + 2 * kBeyond).margin(25));
@@ -217,7 +217,7 @@ TEST_CASE("wobbling over the border of a known street does not chop it into crum
   LanePath path(kLane);
   path.ahead(60);
   for (int corner = 0; corner < 4; ++corner) path.turnRight(7).ahead(100);
-  Route route = drawnRoute(path);
+  CameraRoute route = drawnRoute(path);
   for (std::size_t i = 350; i < route.T_town_camera.size(); ++i) {
     const auto phase = static_cast<double>(i);
     route.T_town_camera[i].translation().x() += 5.5 + 0.7 * std::sin(phase / 2);
@@ -228,7 +228,7 @@ TEST_CASE("wobbling over the border of a known street does not chop it into crum
 }
 
 TEST_CASE("hills and crests are followed to centimetres, level across the street") {
-  const Route route = drawnRoute(
+  const CameraRoute route = drawnRoute(
       straight(300), [](double s) { return 3 * std::sin(s / 25) + 0.02 * s; });  // up to 14 %
   const StreetPlan plan = grown(route);
   CHECK(worstHeight(route, plan) < 0.04);
@@ -241,7 +241,7 @@ TEST_CASE("hills and crests are followed to centimetres, level across the street
 
 TEST_CASE("passes that disagree about the height meet in the middle and part gently") {
   for (const double step : {0.6, -1.2}) {
-    const Route route = loopWithStep(step);
+    const CameraRoute route = loopWithStep(step);
     const StreetPlan plan = grown(route);
     // 40 m of the start are driven twice: there the road takes the mean ...
     CHECK(plan.height(0, 20) == Approx(step / 2 - kCamera).margin(0.06));
@@ -259,7 +259,7 @@ TEST_CASE("passes that disagree about the height meet in the middle and part gen
 }
 
 TEST_CASE("the ground is continuous, from the road to the horizon") {
-  const Route route = builtIn("district");
+  const CameraRoute route = builtIn("district");
   const StreetPlan plan = grown(route);
   const Eigen::Vector2d centre = (plan.lowCorner() + plan.highCorner()) / 2;
   for (double angle = 0; angle < 2 * kPi; angle += 0.3) {
@@ -276,7 +276,7 @@ TEST_CASE("the ground is continuous, from the road to the horizon") {
 }
 
 TEST_CASE("streets do not drag the land along: it settles to hills around their mean") {
-  const Route route = drawnRoute(straight(100), [](double) { return 40.0; });
+  const CameraRoute route = drawnRoute(straight(100), [](double) { return 40.0; });
   const StreetPlan plan = grown(route);
   CHECK(plan.height(0, 50) == Approx(40 - kCamera).margin(0.01));
   CHECK(plan.height(45, 50) == Approx(40 - kCamera).margin(5));
@@ -285,8 +285,8 @@ TEST_CASE("streets do not drag the land along: it settles to hills around their 
 }
 
 TEST_CASE("standing, waiting and a metre of reversing change nothing") {
-  const Route driven = drawnRoute(straight(80));
-  Route waiting = driven;
+  const CameraRoute driven = drawnRoute(straight(80));
+  CameraRoute waiting = driven;
   std::vector<Eigen::Isometry3d>& poses = waiting.T_town_camera;
   std::vector<Eigen::Isometry3d> pause(30, poses[40]);
   for (std::size_t i = 0; i < pause.size(); ++i) {
@@ -300,7 +300,7 @@ TEST_CASE("standing, waiting and a metre of reversing change nothing") {
 }
 
 TEST_CASE("a car that never moves stands on a street") {
-  Route route = drawnRoute(straight(1));
+  CameraRoute route = drawnRoute(straight(1));
   route.T_town_camera.assign(10, route.T_town_camera[0]);
   route.stamps_ns.resize(10);
   const StreetPlan plan = grown(route);
@@ -312,7 +312,7 @@ TEST_CASE("a bridge is refused with both frames") {
   // Over the start at a right angle, 6.2 m higher.
   LanePath path(kLane);
   path.ahead(100).turnRight(7).ahead(60).turnRight(7).ahead(60).turnRight(7).ahead(120);
-  const Route route =
+  const CameraRoute route =
       drawnRoute(path, [](double s) { return 6.2 * std::clamp((s - 110) / 80, 0.0, 1.0); });
   const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
   REQUIRE_FALSE(plan.isOk());
@@ -332,7 +332,7 @@ TEST_CASE("a bridge is refused with both frames") {
 }
 
 TEST_CASE("a camera that leaves the ground is refused") {
-  Route route = drawnRoute(straight(100));
+  CameraRoute route = drawnRoute(straight(100));
   route.T_town_camera[60].translation().z() = 4.5;
   for (std::size_t i = 59; i < 62; i += 2) route.T_town_camera[i].translation().z() = -4;
   const Result<StreetPlan> plan = StreetPlan::grow(route, kCamera);
@@ -342,7 +342,7 @@ TEST_CASE("a camera that leaves the ground is refused") {
 }
 
 TEST_CASE("driving backwards into land that was never driven forwards is refused") {
-  Route route = drawnRoute(straight(60));
+  CameraRoute route = drawnRoute(straight(60));
   for (int i = 0; i < 120; ++i) {
     Eigen::Isometry3d pose = route.T_town_camera.front();
     pose.translation().y() = 60 - i;
@@ -357,7 +357,7 @@ TEST_CASE("driving backwards into land that was never driven forwards is refused
 }
 
 TEST_CASE("routes without poses, heights or bounds are refused") {
-  CHECK(StreetPlan::grow(Route{}, kCamera).status().message() == "the route has no pose");
+  CHECK(StreetPlan::grow(CameraRoute{}, kCamera).status().message() == "the route has no pose");
   CHECK(StreetPlan::grow(drawnRoute(straight(10)), 0).status().message() ==
         "camera_height must be positive; give metres above the road");
   CHECK(StreetPlan::grow(drawnRoute(straight(12500)), kCamera).status().message() ==
@@ -370,7 +370,7 @@ TEST_CASE("a low camera may be low") {
 }
 
 TEST_CASE("the same route grows the same town") {
-  const Route route = builtIn("eights");
+  const CameraRoute route = builtIn("eights");
   const StreetPlan a = grown(route);
   const StreetPlan b = grown(route);
   REQUIRE(a.sections().size() == b.sections().size());
@@ -382,7 +382,7 @@ TEST_CASE("the same route grows the same town") {
   }
 }
 
-TEST_CASE("towns grow around KITTI's drives") {
+TEST_CASE("towns grow around KITTI's drives", "[data]") {
   struct Drive {
     const char* file;
     double most_streets;  // m: clearly less than driven
@@ -392,7 +392,7 @@ TEST_CASE("towns grow around KITTI's drives") {
                              Drive{"06.txt", 1000, 0.2}, Drive{"07.txt", 760, 0.25}}) {
     const auto file = dataOrSkip(std::string("kitti_poses/") + drive.file);
     if (!file) return;
-    const Route route = readRoute(*file, {}).value();
+    const CameraRoute route = readRoute(*file, {}).value();
     const StreetPlan plan = grown(route);
     CHECK(farthestFromCentre(route, plan) < StreetPlan::kRoadHalfWidth - 1);
     CHECK(worstHeight(route, plan) < drive.disagreement);

@@ -49,7 +49,7 @@ TEST_CASE("density thins out, and 0 leaves bare streets") {
 TEST_CASE("nothing but kerb, land and paint is on the road") {
   const SmallTown town(makeLight(12, Weather::Clear, 0, 1), {}, "district");
   const World world = worldOf(town, {});
-  for (const Instance& instance : world.instances) {
+  for (const MeshInstance& instance : world.instances) {
     const Vec3& p = instance.placement.position;
     REQUIRE(town.plan.distance(p.x, p.y) > StreetPlan::kRoadHalfWidth);
   }
@@ -75,7 +75,7 @@ TEST_CASE("every triangle has a surface, and every instance a prototype") {
     REQUIRE_FALSE(prototype.triangles.empty());
     for (const std::uint32_t surface : prototype.surfaces) REQUIRE(surface < world.surfaces.size());
   }
-  for (const Instance& instance : world.instances) {
+  for (const MeshInstance& instance : world.instances) {
     REQUIRE(instance.prototype < world.prototypes.size());
   }
   CHECK_FALSE(world.cars.empty());

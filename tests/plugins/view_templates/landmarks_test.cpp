@@ -23,9 +23,10 @@ double texture(double x, double y) {
 
 /// Landmarks 4 to 40 m ahead, seen from `T_template_current` with `noise` px; the last `wrong` of
 /// them somewhere else.
-std::vector<Sighting> sightings(RandomStream& random, const Eigen::Isometry3d& T_template_current,
-                                int count, double noise, int wrong) {
-  std::vector<Sighting> result;
+std::vector<LandmarkMatch> matches(RandomStream& random,
+                                   const Eigen::Isometry3d& T_template_current, int count,
+                                   double noise, int wrong) {
+  std::vector<LandmarkMatch> result;
   while (static_cast<int>(result.size()) < count) {
     const double z = random.uniform(4, 40);
     const Eigen::Vector3d p(random.uniform(-0.7, 0.7) * z, random.uniform(-0.2, 0.2) * z, z);
@@ -104,7 +105,7 @@ TEST_CASE("the pose is that of the majority, and its covariance tells the errors
   constexpr int kTrials = 60;
   for (int trial = 0; trial < kTrials; ++trial) {
     const Eigen::Isometry3d truth = somewhere(random);
-    const auto measured = poseOf(sightings(random, truth, 120, 0.7, 40), kPinhole, 20);
+    const auto measured = poseOf(matches(random, truth, 120, 0.7, 40), kPinhole, 20);
     REQUIRE(measured);
     const Vector6d error = logSe3(measured->T_template_current.inverse() * truth);
     CHECK(error.head<3>().norm() < 0.15);
@@ -117,14 +118,14 @@ TEST_CASE("the pose is that of the majority, and its covariance tells the errors
   CHECK(normalised_errors / kTrials == Approx(2.9).epsilon(0.35));
 }
 
-TEST_CASE("without noise the pose is exact; too few or contradicting sightings give none") {
+TEST_CASE("without noise the pose is exact; too few or contradicting matches give none") {
   RandomStream random(9);
   const Eigen::Isometry3d truth = somewhere(random);
-  const auto exact = poseOf(sightings(random, truth, 50, 0, 0), kPinhole, 20);
+  const auto exact = poseOf(matches(random, truth, 50, 0, 0), kPinhole, 20);
   REQUIRE(exact);
   CHECK(exact->T_template_current.isApprox(truth, 1e-4));
-  CHECK_FALSE(poseOf(sightings(random, truth, 19, 0, 0), kPinhole, 20));
-  CHECK_FALSE(poseOf(sightings(random, truth, 100, 0, 95), kPinhole, 20));
+  CHECK_FALSE(poseOf(matches(random, truth, 19, 0, 0), kPinhole, 20));
+  CHECK_FALSE(poseOf(matches(random, truth, 100, 0, 95), kPinhole, 20));
   CHECK_FALSE(poseOf({}, kPinhole, 20));
 }
 
@@ -198,7 +199,7 @@ TEST_CASE("one camera: no landmarks, and recognition as ever") {
   REQUIRE(plugin.configure(services).isOk());
   REQUIRE(services.log.size() == 1);
   CHECK(services.log.front() ==
-        "landmarks need a calibrated stereo pair; views are told apart by their looks alone: set "
+        "landmarks need a calibrated stereo pair; views are recognised by appearance alone: set "
         "landmarks to 0 and lower the threshold");
   observeFrame(plugin, frames[0]);
   const PlaceObservation seen = observeFrame(plugin, frames[1]);

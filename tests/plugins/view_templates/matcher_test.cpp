@@ -14,8 +14,8 @@ namespace {
 constexpr int kColumns = 30;
 constexpr int kRows = 6;
 
-View randomView(RandomStream& random) {
-  View view;
+LocalView randomView(RandomStream& random) {
+  LocalView view;
   for (int i = 0; i < kColumns * kRows; ++i) {
     view.cells.push_back(static_cast<float>(random.uniform()));
     view.mean += view.cells.back() / static_cast<double>(kColumns * kRows);
@@ -24,8 +24,8 @@ View randomView(RandomStream& random) {
 }
 
 /// The view as it looks when the scene has moved `cells` to the right; the edge is repeated.
-View moved(const View& view, int cells) {
-  View result = view;
+LocalView moved(const LocalView& view, int cells) {
+  LocalView result = view;
   for (int r = 0; r < kRows; ++r) {
     for (int c = 0; c < kColumns; ++c) {
       const int from = std::clamp(c - cells, 0, kColumns - 1);
@@ -36,12 +36,13 @@ View moved(const View& view, int cells) {
   return result;
 }
 
-float at(const View& view, int row, int column) {
+float at(const LocalView& view, int row, int column) {
   return view.cells[static_cast<std::size_t>(row * kColumns + column)];
 }
 
 /// Mean absolute difference at one offset, straight from the description.
-double naiveDistance(const View& now, const View& stored, int offset, const MatchSettings& s) {
+double naiveDistance(const LocalView& now, const LocalView& stored, int offset,
+                     const MatchSettings& s) {
   const int first = s.panoramic ? 0 : s.shift;
   const int last = s.panoramic ? kColumns : kColumns - s.shift;
   double sum = 0;
@@ -54,7 +55,8 @@ double naiveDistance(const View& now, const View& stored, int offset, const Matc
   return sum / (kRows * (last - first));
 }
 
-Match naiveNearest(const View& now, const std::vector<View>& stored, const MatchSettings& s) {
+Match naiveNearest(const LocalView& now, const std::vector<LocalView>& stored,
+                   const MatchSettings& s) {
   Match best;
   best.distance = 1e9;
   for (std::size_t id = 0; id < stored.size(); ++id) {
@@ -67,9 +69,9 @@ Match naiveNearest(const View& now, const std::vector<View>& stored, const Match
   return best;
 }
 
-TemplateBank bankOf(const std::vector<View>& views) {
+TemplateBank bankOf(const std::vector<LocalView>& views) {
   TemplateBank bank(kColumns, kRows);
-  for (const View& view : views) bank.add(view);
+  for (const LocalView& view : views) bank.add(view);
   return bank;
 }
 
@@ -77,7 +79,7 @@ TemplateBank bankOf(const std::vector<View>& views) {
 
 TEST_CASE("the nearest template is the brute-force one") {
   RandomStream random(11);
-  std::vector<View> stored;
+  std::vector<LocalView> stored;
   for (int i = 0; i < 40; ++i) stored.push_back(randomView(random));
   const TemplateBank bank = bankOf(stored);
   const auto settings =
@@ -85,7 +87,7 @@ TEST_CASE("the nearest template is the brute-force one") {
                MatchSettings{0, 1, 0.5, true}, MatchSettings{0, 5, 0.01, true});
   Matcher matcher(settings, kColumns, kRows);
   for (int i = 0; i < 30; ++i) {
-    View now = randomView(random);
+    LocalView now = randomView(random);
     if (i % 3 == 0) now = moved(stored[static_cast<std::size_t>(i)], i % 4 - 2);
     const Match expected = naiveNearest(now, stored, settings);
     const Match match = matcher.nearest(now, bank);
@@ -97,7 +99,8 @@ TEST_CASE("the nearest template is the brute-force one") {
 
 TEST_CASE("whole shifts are recovered with their sign") {
   RandomStream random(12);
-  const std::vector<View> stored = {randomView(random), randomView(random), randomView(random)};
+  const std::vector<LocalView> stored = {randomView(random), randomView(random),
+                                         randomView(random)};
   const TemplateBank bank = bankOf(stored);
   Matcher matcher({4, 1, 0.5}, kColumns, kRows);
   for (int cells = -4; cells <= 4; ++cells) {
@@ -109,10 +112,10 @@ TEST_CASE("whole shifts are recovered with their sign") {
 }
 
 TEST_CASE("a template with another mean is not looked at") {
-  View dark;
+  LocalView dark;
   dark.cells.assign(kColumns * kRows, 0.2F);
   dark.mean = 0.2;
-  View light;
+  LocalView light;
   light.cells.assign(kColumns * kRows, 0.3F);
   light.mean = 0.3;
   const TemplateBank bank = bankOf({dark});
@@ -124,7 +127,7 @@ TEST_CASE("a template with another mean is not looked at") {
 
 TEST_CASE("equal templates: the older one wins") {
   RandomStream random(13);
-  const View view = randomView(random);
+  const LocalView view = randomView(random);
   const TemplateBank bank = bankOf({view, view, view});
   CHECK(Matcher({4, 1, 0.5}, kColumns, kRows).nearest(view, bank).id == 0);
 }
@@ -140,8 +143,8 @@ TEST_CASE("vertical shifts are tried in every layer, and never across layers") {
   // Two layers of 3 rows: the later view is the earlier one, a row higher in both.
   constexpr int kLayers = 2;
   RandomStream random(15);
-  const View stored = randomView(random);
-  View now = stored;
+  const LocalView stored = randomView(random);
+  LocalView now = stored;
   for (int layer = 0; layer < kLayers; ++layer) {
     const int top = layer * kRows / kLayers;
     for (int r = 0; r + 1 < kRows / kLayers; ++r) {

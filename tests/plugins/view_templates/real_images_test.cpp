@@ -27,7 +27,7 @@ std::vector<Image> imagesIn(const std::filesystem::path& folder) {
 
 }  // namespace
 
-TEST_CASE("KITTI 06 forwards, then backwards: the way back is familiar") {
+TEST_CASE("KITTI 06 forwards, then backwards: the way back is familiar", "[data]") {
   const auto folder = tolman::test::dataOrSkip("kitti_clips/06/image_0");
   if (!folder) return;
   const std::vector<Image> images = imagesIn(*folder);
@@ -99,7 +99,8 @@ Score scoreOf(const std::vector<Image>& images, const Pairs& truth, ParameterVal
 }  // namespace
 
 // scripts/place-curve draws the whole curves. The floors stand well below them.
-TEST_CASE("a corridor walked twice: gradients recognise half of it without an error, grey a part") {
+TEST_CASE("a corridor walked twice: gradients recognise half of it without an error, grey a part",
+          "[data]") {
   const auto folder = tolman::test::dataOrSkip("places_two_laps");
   if (!folder) return;
   const Pairs truth = truePairs(*folder / "true_pairs.csv");

@@ -116,10 +116,11 @@ TEST_CASE("patches without contrast become 0.5") {
 
 TEST_CASE("the default crop is KITTI's, to the pixel") {
   const ViewTemplates::Parameters p;
-  const ViewSettings settings = {60, 10, p.crop_x_min, p.crop_x_max, p.crop_y_min, p.crop_y_max};
+  const LocalViewSettings settings = {60,           10,           p.crop_x_min,
+                                      p.crop_x_max, p.crop_y_min, p.crop_y_max};
   RandomStream random(4);
   const Image image = noise(1241, 376, random);
-  View view;
+  LocalView view;
   REQUIRE(ViewMaker(settings).make(image, view).isOk());
   CHECK(view.cell_width_px == 17);  // (1150 - 100) / 60 = 17.5
   CHECK(view.cells[0] == Approx(naiveBlock(image, 100, 50, 17, 25)).margin(1e-6));
@@ -129,7 +130,7 @@ TEST_CASE("the default crop is KITTI's, to the pixel") {
 
 TEST_CASE("a crop with fewer pixels than cells says so") {
   RandomStream random(5);
-  View view;
+  LocalView view;
   const Status status = ViewMaker({60, 10, 0, 0.5, 0, 1}).make(noise(80, 40, random), view);
   CHECK(status.code() == StatusCode::InvalidParameter);
   CHECK(status.message() ==

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A client made of nothing but sockets: HTTP, WebSocket and container are read here by hand, so
-// that the server is not judged by its own library.
+// A test client on plain sockets, with its own parsers of HTTP, WebSocket and container, so that
+// the server is not tested with its own library.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ class Wire {
   Wire(const Wire&) = delete;
   Wire& operator=(const Wire&) = delete;
 
-  /// False when the other side has hung up.
+  /// False when the connection is closed.
   bool send(std::string_view bytes) const;
-  /// Exactly so many bytes; nothing at the end or when time is up.
+  /// Exactly `size` bytes; nothing at the end of the stream or after the time limit.
   std::optional<std::string> receive(std::size_t size);
-  /// Up to and with `mark`.
+  /// Everything up to and including `mark`.
   std::optional<std::string> receiveUntil(std::string_view mark);
-  /// All that comes until the other side hangs up or time is up.
+  /// Everything until the connection is closed or the time limit.
   std::string receiveAll();
-  /// Whether the other side hangs up in time.
+  /// Whether the server closes the connection within the time limit.
   bool isClosed();
-  void reset();  ///< hangs up with a TCP reset
+  void reset();  ///< closes with a TCP reset
 
  private:
   bool fill();
@@ -39,8 +39,8 @@ class Wire {
 };
 
 struct HttpAnswer {
-  int status = 0;                              ///< 0: none came
-  std::map<std::string, std::string> headers;  ///< names in small letters
+  int status = 0;                              ///< 0: no response
+  std::map<std::string, std::string> headers;  ///< names in lower case
   std::string body;
 };
 
@@ -48,7 +48,7 @@ HttpAnswer readAnswer(Wire& wire, bool with_body = true);
 HttpAnswer get(int port, const std::string& target, const std::string& method = "GET",
                const std::string& more_headers = "", const std::string& host = "");
 
-/// What a container holds, with every promise of its form checked.
+/// A decoded container; its format is checked.
 struct Container {
   struct Array {
     std::string dtype;
@@ -67,7 +67,7 @@ struct Container {
 };
 Container parseContainer(const std::string& message);
 
-/// A WebSocket that watches /live.
+/// A WebSocket connection to /live.
 class LiveSocket {
  public:
   struct Message {
@@ -77,7 +77,7 @@ class LiveSocket {
   };
   explicit LiveSocket(int port, double seconds = 10, int receive_buffer = 0);
   int status() const { return status_; }  ///< of the handshake
-  /// Answers pings on the way; nothing when the connection is over.
+  /// The next message; answers pings. Nothing when the connection is closed.
   std::optional<Message> next();
   /// The next container of this type; others are skipped.
   std::optional<Container> next(const std::string& type);

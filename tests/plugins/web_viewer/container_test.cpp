@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The form of messages, read back byte by byte.
+// Encoded messages, decoded byte by byte.
 #include "container.hpp"
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ TEST_CASE("a container without arrays is a length, a header and zeros") {
   CHECK(message.substr(4 + text.size()) == std::string(message.size() - 4 - text.size(), '\0'));
 }
 
-TEST_CASE("arrays keep type, shape and values, whatever their sizes") {
+TEST_CASE("arrays keep type, shape and values") {
   const std::vector<std::uint8_t> bytes = {1, 2, 3};
   const std::vector<std::int32_t> integers = {-5, 7};
   const std::vector<float> floats = {0.5F, -1.25F, 3};
@@ -38,7 +38,7 @@ TEST_CASE("arrays keep type, shape and values, whatever their sizes") {
   CHECK(container.arrays.at("doubles").as<double>() == doubles);
 }
 
-TEST_CASE("text that is no UTF-8 is mended, not thrown") {
+TEST_CASE("invalid UTF-8 is replaced") {
   const auto container = parseContainer(encodeContainer({{"name", "caf\xe9"}}, {}));
   CHECK(container.header["name"] == "caf\xef\xbf\xbd");
 }

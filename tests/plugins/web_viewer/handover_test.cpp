@@ -1,86 +1,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Between two threads: the newest frame wins, rows are complete, and nobody waits without need.
+// Data passed between two threads: newest frame, all rows, bounded memory, waiting.
 #include "handover.hpp"
 
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "drive.hpp"
+#include "watched_run.hpp"
 
 namespace tolman::web_viewer {
 
-using test::Moment;
+using test::TestFrame;
 
-TEST_CASE("the newest frame replaces the one that waits; rows and events add up") {
-  Handover handover(false);
-  for (std::int64_t i = 0; i < 25; ++i) (void)handover.put(Moment(i).snapshot());
-  Delivery delivery;
-  handover.take(delivery, true, true);
-  REQUIRE(delivery.has_frame);
-  CHECK(delivery.newest.frame == 24);
-  CHECK(delivery.newest.motion.points.cols() == 2);
-  CHECK(delivery.newest.cells.size() == 2);
-  CHECK(delivery.rows.size() == 25);
-  CHECK(delivery.rows[7][0] == 7);
-  CHECK(delivery.events.size() == 3);
-  REQUIRE(delivery.has_graph);
-  CHECK(delivery.graph.frame == 20);
-  CHECK(delivery.graph.experience_frame == std::vector<std::int32_t>{0, 10, 20});
-  REQUIRE(delivery.views.size() == 3);
-  CHECK(delivery.views[2].template_id == 2);
-  handover.take(delivery, true, true);
-  CHECK_FALSE(delivery.has_frame);
-  CHECK_FALSE(delivery.has_graph);
-  CHECK(delivery.rows.empty());
+namespace {
+
+std::size_t rowCount(const PendingData& pending) {
+  return pending.rows.size() / rowColumns().size();
 }
 
-TEST_CASE("what is not wanted yet waits for the next time") {
+}  // namespace
+
+TEST_CASE("the newest frame replaces a waiting one; rows and events accumulate") {
   Handover handover(false);
-  (void)handover.put(Moment(0).snapshot());
-  Delivery delivery;
-  handover.take(delivery, false, false);
-  CHECK_FALSE(delivery.has_frame);
-  CHECK(delivery.rows.size() == 1);
-  handover.take(delivery, true, true);
-  CHECK(delivery.has_frame);
-  CHECK(delivery.has_graph);
-  CHECK(delivery.rows.empty());
+  for (std::int64_t i = 0; i < 25; ++i) (void)handover.put(TestFrame(i).snapshot());
+  PendingData pending;
+  handover.take(pending, true, true);
+  REQUIRE(pending.has_frame);
+  CHECK(pending.newest.frame == 24);
+  CHECK(pending.newest.points.cols() == 2);
+  CHECK(pending.newest.cells.size() == 2);
+  CHECK(rowCount(pending) == 25);
+  CHECK(pending.rows[7 * rowColumns().size()] == 7);
+  CHECK(pending.events.size() == 3);
+  REQUIRE(pending.has_graph);
+  CHECK(pending.graph.header.frame == 20);
+  CHECK(pending.graph.experience.size() == 3 * 4);
+  REQUIRE(pending.template_images.size() == 3);
+  CHECK(pending.template_images[2].template_id == 2);
+  handover.take(pending, true, true);
+  CHECK_FALSE(pending.has_frame);
+  CHECK_FALSE(pending.has_graph);
+  CHECK(pending.rows.empty());
 }
 
-TEST_CASE("memory is bounded when nobody takes: events and views") {
+TEST_CASE("frame and graph wait until they are asked for") {
   Handover handover(false);
-  Moment moment(0);
+  (void)handover.put(TestFrame(0).snapshot());
+  PendingData pending;
+  handover.take(pending, false, false);
+  CHECK_FALSE(pending.has_frame);
+  CHECK(rowCount(pending) == 1);
+  handover.take(pending, true, true);
+  CHECK(pending.has_frame);
+  CHECK(pending.has_graph);
+  CHECK(pending.rows.empty());
+}
+
+TEST_CASE("events and template images are bounded in number") {
+  Handover handover(false);
+  TestFrame test_frame(0);
   for (std::int64_t i = 0; i < 5000; ++i) {
-    moment.frame.frame = moment.events[0].frame = 10 * i;
-    (void)handover.put(moment.snapshot());
+    test_frame.frame.frame = test_frame.events[0].frame = 10 * i;
+    (void)handover.put(test_frame.snapshot());
   }
-  Delivery delivery;
-  handover.take(delivery, true, true);
-  CHECK(delivery.rows.size() == 5000);
-  CHECK(delivery.events.size() == 100);
-  CHECK(delivery.events.back().frame == 49990);
-  CHECK(delivery.views.size() == 16);
+  PendingData pending;
+  handover.take(pending, true, true);
+  CHECK(rowCount(pending) == 5000);
+  CHECK(pending.events.size() == 100);
+  CHECK(pending.events.back().frame == 49990);
+  CHECK(pending.template_images.size() == 16);
 }
 
-TEST_CASE("with every frame asked for, the run waits until each was taken") {
+TEST_CASE("with every frame shown, the run waits until each has been taken") {
   Handover handover(true);
   std::vector<std::int64_t> seen;
   std::thread run([&] {
-    for (std::int64_t i = 0; i < 200; ++i) CHECK(handover.put(Moment(i, false).snapshot()));
+    for (std::int64_t i = 0; i < 200; ++i) CHECK(handover.put(TestFrame(i, false).snapshot()));
   });
-  Delivery delivery;
+  PendingData pending;
   while (seen.size() < 200) {
-    handover.take(delivery, true, true);
-    if (delivery.has_frame) seen.push_back(delivery.newest.frame);
+    handover.take(pending, true, true);
+    if (pending.has_frame) seen.push_back(pending.newest.frame);
   }
   run.join();
   for (std::size_t i = 0; i < seen.size(); ++i) REQUIRE(seen[i] == static_cast<std::int64_t>(i));
 }
 
-TEST_CASE("a closed handover lets a waiting run go") {
+TEST_CASE("close() ends waiting") {
   Handover handover(true);
-  (void)handover.put(Moment(0).snapshot());
-  std::thread run([&] { CHECK_FALSE(handover.put(Moment(1).snapshot())); });
+  (void)handover.put(TestFrame(0).snapshot());
+  std::thread run([&] { CHECK_FALSE(handover.put(TestFrame(1).snapshot())); });
   handover.close();
   run.join();
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The observer itself: ports, addresses, what it says, and that it ends.
+// The observer: ports, addresses, log, and its end.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <thread>
 
 #include "browser.hpp"
 #include "bundle.hpp"
-#include "drive.hpp"
+#include "watched_run.hpp"
 
 namespace tolman::test {
 namespace {
@@ -23,83 +23,83 @@ Status configured(ParameterValues values) {
 
 }  // namespace
 
-TEST_CASE("the address is logged and written down") {
-  const Drive drive;
-  REQUIRE(drive.context.log.size() == 1);
-  const std::string url = "http://127.0.0.1:" + std::to_string(drive.port()) + "/";
-  CHECK(drive.context.log[0] == "watch at " + url);
-  const auto json = nlohmann::json::parse(drive.context.artefacts.at("viewer.json"));
-  CHECK(json == nlohmann::json({{"url", url}, {"port", drive.port()}}));
+TEST_CASE("the address is logged, returned, and written as an artefact") {
+  const WatchedRun watched;
+  REQUIRE(watched.context.log.size() == 1);
+  const std::string url = "http://127.0.0.1:" + std::to_string(watched.port()) + "/";
+  CHECK(watched.context.log[0] == "watch at " + url);
+  CHECK(watched.viewer->url() == url);
+  const auto json = nlohmann::json::parse(watched.context.artefacts.at("viewer.json"));
+  CHECK(json == nlohmann::json({{"url", url}, {"port", watched.port()}}));
 }
 
-TEST_CASE("a port that is taken is an error with a remedy") {
-  const Drive drive;
-  const Status status = configured({{"port", std::int64_t{drive.port()}}});
+TEST_CASE("a port in use is an error with a remedy") {
+  const WatchedRun watched;
+  const Status status = configured({{"port", std::int64_t{watched.port()}}});
   CHECK(status.code() == StatusCode::InvalidParameter);
-  CHECK(status.message() == "port " + std::to_string(drive.port()) +
+  CHECK(status.message() == "port " + std::to_string(watched.port()) +
                                 " of 127.0.0.1 is in use by another program; give another 'port', "
-                                "or 0 for any that is free");
+                                "or 0 for any free port");
 }
 
-TEST_CASE("of the default port there may be many: the others get a free one") {
-  const Drive first({{"port", std::int64_t{8080}}});
-  const Drive second({{"port", std::int64_t{8080}}});
+TEST_CASE("when the default port is in use a free one is used") {
+  const WatchedRun first({{"port", std::int64_t{8080}}});
+  const WatchedRun second({{"port", std::int64_t{8080}}});
   CHECK(first.port() != second.port());
   CHECK(get(second.port(), "/").status == 200);
-  CHECK(second.context.log[0].find("port 8080 is in use, port ") == 0);
+  CHECK(second.context.log[0].find("port 8080 is in use, using port ") == 0);
 }
 
-TEST_CASE("addresses that are none, or another machine's, are refused") {
+TEST_CASE("invalid addresses and those of other machines are refused") {
   Status status = configured({{"bind", std::string("my-house")}, {"port", std::int64_t{0}}});
   CHECK(status.code() == StatusCode::InvalidParameter);
   CHECK(status.message() ==
-        "bind: 'my-house' is no address; give 127.0.0.1 for this machine alone, 0.0.0.0 for all "
+        "bind: 'my-house' is not an IP address; give 127.0.0.1 for this machine alone, 0.0.0.0 for "
+        "all "
         "networks");
   status = configured({{"bind", std::string("192.0.2.77")}, {"port", std::int64_t{0}}});
-  CHECK(status.message() == "bind: 192.0.2.77 is no address of this machine");
+  CHECK(status.message() == "bind: 192.0.2.77 is not an address of this machine");
 }
 
-TEST_CASE("to listen to the whole network is possible, and warned of") {
-  const Drive drive({{"bind", std::string("0.0.0.0")}});
-  CHECK(get(drive.port(), "/").status == 200);
-  CHECK(drive.context.log[0].find("everybody who reaches this machine") != std::string::npos);
-  CHECK(drive.context.log[1].find("watch at http://127.0.0.1:") == 0);
+TEST_CASE("listening on all networks gives a warning") {
+  const WatchedRun watched({{"bind", std::string("0.0.0.0")}});
+  CHECK(get(watched.port(), "/").status == 200);
+  CHECK(watched.context.log[0].find("everybody who reaches this machine") != std::string::npos);
+  CHECK(watched.context.log[1].find("watch at http://127.0.0.1:") == 0);
 }
 
-TEST_CASE("after finish nothing runs on and the port is free; reset begins anew") {
+TEST_CASE("finish ends the thread and frees the port; reset starts again") {
   const std::size_t before = threads();
-  Drive drive;
+  WatchedRun watched;
   CHECK(threads() == before + 1);
-  drive.frames(3);
-  drive.finish();
+  watched.frames(3);
+  watched.finish();
   CHECK(threads() == before);
-  REQUIRE(drive.viewer->reset().isOk());
+  REQUIRE(watched.viewer->reset().isOk());
   RunInfo run;
   run.name = "another";
-  REQUIRE(drive.viewer->begin(run).isOk());
-  CHECK(nlohmann::json::parse(get(drive.port(), "/api/run").body)["name"] == "another");
-  CHECK(parseContainer(get(drive.port(), "/api/history").body).header["total"] == 0);
-  drive.viewer.reset();
+  REQUIRE(watched.viewer->begin(run).isOk());
+  CHECK(nlohmann::json::parse(get(watched.port(), "/api/run").body)["run"]["name"] == "another");
+  CHECK(parseContainer(get(watched.port(), "/api/history").body).header["total"] == 0);
+  watched.viewer.reset();
   CHECK(threads() == before);
 }
 
-TEST_CASE("it stays after the end until it is interrupted, except when nobody would know") {
-  Drive drive({{"stay", true}});
-  drive.frames(3);
+TEST_CASE("with stay it serves until interrupted, unless quiet") {
+  WatchedRun watched({{"stay", true}});
+  watched.frames(3);
   SECTION("quiet") {
-    Drive quiet({{"stay", true}});
-    quiet.context.quiet = true;
-    REQUIRE(quiet.viewer->configure(quiet.context).isOk());
+    WatchedRun quiet({{"stay", true}, {"quiet", true}});
     quiet.finish();
   }
   SECTION("until interrupted") {
-    LiveSocket socket(drive.port());
-    std::thread finishing([&] { drive.finish(); });
+    LiveSocket socket(watched.port());
+    std::thread finishing([&] { watched.finish(); });
     CHECK(socket.next("end"));
-    LiveSocket late(drive.port());
+    LiveSocket late(watched.port());
     CHECK(late.next("hello")->header["live"] == false);
     CHECK(late.next("end"));
-    drive.context.cancelled = true;
+    watched.context.cancelled = true;
     finishing.join();
     const auto close = late.next();
     REQUIRE(close);
@@ -107,7 +107,7 @@ TEST_CASE("it stays after the end until it is interrupted, except when nobody wo
   }
 }
 
-TEST_CASE("the page's files have media types") {
+TEST_CASE("the files of the page have media types") {
   CHECK(web_viewer::mediaType("index.html") == "text/html; charset=utf-8");
   CHECK(web_viewer::mediaType("assets/a.b.js") == "text/javascript; charset=utf-8");
   CHECK(web_viewer::mediaType("assets/a.css") == "text/css; charset=utf-8");

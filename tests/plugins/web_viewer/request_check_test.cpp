@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which Host and Origin headers are ours.
+// Accepted and refused Host and Origin headers.
 #include "request_check.hpp"
 
 #include <catch2/catch.hpp>
 
 namespace tolman::web_viewer {
 
-TEST_CASE("the server's own names, with any port") {
+TEST_CASE("own host names are accepted with any port") {
   const auto local = boost::asio::ip::make_address("192.168.1.5");
   for (const char* host : {"localhost", "LocalHost:8080", "127.0.0.1:9", "127.1.2.3", "[::1]:8080",
                            "192.168.1.5", "192.168.1.5:65535"}) {
@@ -15,7 +15,7 @@ TEST_CASE("the server's own names, with any port") {
   }
 }
 
-TEST_CASE("foreign, rebound and garbled names are refused") {
+TEST_CASE("foreign and malformed host names are refused") {
   const auto local = boost::asio::ip::make_address("127.0.0.1");
   for (const char* host :
        {"", "evil.example", "evil.example:8080", "localhost.evil.example", "192.168.1.6",
@@ -26,11 +26,11 @@ TEST_CASE("foreign, rebound and garbled names are refused") {
   }
 }
 
-TEST_CASE("an IPv4 address that came in over IPv6 is the same") {
+TEST_CASE("an IPv4 address mapped to IPv6 is the same") {
   CHECK(isOwnHost("10.0.0.7:80", boost::asio::ip::make_address("::ffff:10.0.0.7")));
 }
 
-TEST_CASE("an origin is that of the page itself") {
+TEST_CASE("only the origin of the page is accepted") {
   CHECK(isOwnOrigin("http://localhost:8080", "localhost:8080"));
   CHECK(isOwnOrigin("http://LOCALHOST:8080", "localhost:8080"));
   for (const char* origin : {"http://localhost:8081", "http://127.0.0.1:8080",

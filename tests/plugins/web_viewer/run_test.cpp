@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole runs with viewer and clients: the results are those of a run without. The hidden cases
-// measure what watching costs.
+// Runs with viewer and clients have the same results as without. The hidden cases measure the cost
+// of the viewer.
 #include <sys/resource.h>
 #include <sys/wait.h>
 
@@ -23,17 +23,17 @@ namespace {
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
-/// Waits until the viewer of a run has said where it serves; 0 when it never does.
+/// Waits for the port of a run's viewer; 0 when there is none.
 int portOf(const fs::path& run) {
   const fs::path file = run / "artefacts/web_viewer/viewer.json";
   for (int i = 0; i < 3000 && !fs::exists(file); ++i) std::this_thread::sleep_for(10ms);
   return fs::exists(file) ? readJson(file).at("port").get<int>() : 0;
 }
 
-/// Three pages that read, and one that does not.
-class Crowd {
+/// Three clients that read, and one that does not.
+class TestClients {
  public:
-  explicit Crowd(int port) : stalled_(port, 600, 4096) {
+  explicit TestClients(int port) : stalled_(port, 600, 4096) {
     for (int i = 0; i < 3; ++i) {
       readers_.emplace_back([this, port] {
         LiveSocket socket(port, 600);
@@ -47,7 +47,7 @@ class Crowd {
       });
     }
   }
-  ~Crowd() {
+  ~TestClients() {
     for (std::thread& reader : readers_) reader.join();
   }
   int messages() const { return messages_; }
@@ -63,7 +63,7 @@ std::vector<std::string> words(const char* text) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// `tolman run` of what $TOLMAN_BENCH_RUN says: a configuration and options.
+/// `tolman run` with configuration and options from $TOLMAN_BENCH_RUN.
 std::vector<std::string> benchCommand(const fs::path& out, bool watched) {
   std::vector<std::string> command = {tolmanProgram().string(), "run", "-q", "--out", out.string()};
   for (const std::string& word : words(std::getenv("TOLMAN_BENCH_RUN"))) command.push_back(word);
@@ -80,15 +80,15 @@ double seconds(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// From the first frame to the last, by the events of the process: what a user waits for.
+/// Wall time and CPU of a whole run.
 Cost measured(bool watched) {
   const TemporaryFolder folder;
   const auto begin = std::chrono::steady_clock::now();
   rusage before{};
   ::getrusage(RUSAGE_CHILDREN, &before);
   Process process(benchCommand(folder.path() / "run", watched), folder.path());
-  std::unique_ptr<Crowd> crowd;
-  if (watched) crowd = std::make_unique<Crowd>(portOf(folder.path() / "run"));
+  std::unique_ptr<TestClients> clients;
+  if (watched) clients = std::make_unique<TestClients>(portOf(folder.path() / "run"));
   const Finished finished = process.wait();
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
@@ -139,9 +139,9 @@ TEST_CASE("a watched run gives byte-identical results") {
   {
     const int port = portOf(watched);
     REQUIRE(port > 0);
-    Crowd crowd(port);
+    TestClients clients(port);
     std::this_thread::sleep_for(50ms);
-    messages = crowd.messages();
+    messages = clients.messages();
   }
   const Finished finished = process.wait();
   INFO(finished.err);
@@ -152,7 +152,7 @@ TEST_CASE("a watched run gives byte-identical results") {
   CHECK(contains(readText(watched / "log.txt"), "watch at http://127.0.0.1:"));
 }
 
-TEST_CASE("what watching costs", "[.][cost]") {
+TEST_CASE("cost of the viewer", "[.][cost]") {
   const char* const passes = std::getenv("TOLMAN_BENCH_PASSES");
   std::vector<double> wall[2];
   std::vector<double> cpu[2];
@@ -169,12 +169,12 @@ TEST_CASE("what watching costs", "[.][cost]") {
   report("CPU ", cpu[0], cpu[1]);
 }
 
-TEST_CASE("memory of a watched run", "[.][memory]") {
+TEST_CASE("memory of a run with viewer", "[.][memory]") {
   const TemporaryFolder folder;
   Process process(benchCommand(folder.path() / "run", true), folder.path());
   const int port = portOf(folder.path() / "run");
   REQUIRE(port > 0);
-  const Crowd crowd(port);
+  const TestClients clients(port);
   LiveSocket socket(port, 600);
   double next = 0;
   while (const auto frame = socket.next("frame")) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages on disk: what was stored comes back, and a full spool gets thinner, never larger.
+// Stored messages are read back; a full spool drops every second one.
 #include "spool.hpp"
 
 #include <catch2/catch.hpp>
@@ -15,7 +15,7 @@ std::string message(std::int64_t number, std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("messages come back as they were") {
+TEST_CASE("messages are read back unchanged") {
   Spool spool(1 << 20);
   CHECK_FALSE(spool.atOrBefore(5));
   for (const std::int64_t number : {3, 10, 12}) {
@@ -38,9 +38,9 @@ TEST_CASE("a full spool keeps every second message, and the newest") {
   for (std::int64_t number = 0; number < 1000; ++number) {
     REQUIRE(spool.store(number, message(number, 3000)));
     CHECK(spool.bytes() <= kCapacity);
-    CHECK(spool.contains(number));
+    CHECK(spool.at(number).has_value());
   }
-  CHECK(spool.contains(0));
+  CHECK(spool.at(0).has_value());
   CHECK(spool.messages() >= 32);
   std::int64_t last = 999;
   std::int64_t widest = 0;
@@ -53,7 +53,7 @@ TEST_CASE("a full spool keeps every second message, and the newest") {
   }
 }
 
-TEST_CASE("a message larger than the spool is not kept") {
+TEST_CASE("a message larger than the spool is not stored") {
   Spool spool(8192);
   CHECK(spool.store(1, message(1, 4000)));
   CHECK_FALSE(spool.store(2, message(2, 9000)));
@@ -62,22 +62,24 @@ TEST_CASE("a message larger than the spool is not kept") {
   CHECK(spool.messages() == 1);
 }
 
-TEST_CASE("rows come back, none is lost") {
+TEST_CASE("rows are read back completely") {
   RowStore store;
-  CHECK(store.read(0, 10).empty());
-  std::vector<HistoryRow> rows(3);
+  const std::size_t columns = rowColumns().size();
+  CHECK(store.read(0, 10).shape == std::vector<std::size_t>{0, columns});
   for (int batch = 0; batch < 5; ++batch) {
-    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].fill(batch * 3 + double(i));
+    std::vector<double> rows;
+    for (int i = 0; i < 3; ++i) rows.insert(rows.end(), columns, batch * 3 + i);
     store.append(rows);
   }
   CHECK(store.size() == 15);
-  const std::string bytes = store.read(13, 100);
-  REQUIRE(bytes.size() == 2 * sizeof(HistoryRow));
+  const PackedArray last = store.read(13, 100);
+  CHECK(last.shape == std::vector<std::size_t>{2, columns});
+  REQUIRE(last.bytes->size() == 2 * columns * sizeof(double));
   double value = 0;
-  std::copy(bytes.end() - sizeof value, bytes.end(), reinterpret_cast<char*>(&value));
+  std::copy(last.bytes->end() - sizeof value, last.bytes->end(), reinterpret_cast<char*>(&value));
   CHECK(value == 14);
-  CHECK(store.read(15, 1).empty());
-  CHECK(store.read(SIZE_MAX, SIZE_MAX).empty());
+  CHECK(store.read(15, 1).bytes->empty());
+  CHECK(store.read(SIZE_MAX, SIZE_MAX).bytes->empty());
 }
 
 }  // namespace tolman::web_viewer

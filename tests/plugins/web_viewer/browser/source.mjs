@@ -31,13 +31,13 @@ export async function runInfo(url) {
 
 /** All rows, as objects. */
 export async function allRows(url) {
-  const { row } = await runInfo(url);
+  const { columns } = await runInfo(url);
   const rows = [];
   for (;;) {
     const { header, arrays } = await get(`${url}/api/history?from=${rows.length}&count=10000`);
     const { shape, values } = arrays.rows;
     for (let r = 0; r < shape[0]; ++r) {
-      rows.push(Object.fromEntries(row.map(({ name }, c) => [name, values[r * shape[1] + c]])));
+      rows.push(Object.fromEntries(columns.map(({ name }, c) => [name, values[r * shape[1] + c]])));
     }
     if (shape[0] === 0 || rows.length >= header.total) return rows;
   }
@@ -45,12 +45,14 @@ export async function allRows(url) {
 
 export async function graph(url) {
   const { header, arrays } = await get(`${url}/api/graph`);
-  const loops = arrays.link_kind.values.filter((kind) => kind === 1).length;
+  const rejected = arrays.link_rejected.values.filter((flag) => flag === 1).length;
+  const loops = arrays.link_kind.values.filter((kind) => kind === 1).length - rejected;
   return {
     version: header.version,
     experiences: arrays.experience.shape[0],
     links: arrays.link.shape[0],
     loops,
+    rejected,
   };
 }
 

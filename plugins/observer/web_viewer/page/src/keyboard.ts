@@ -22,7 +22,7 @@ export function listen(actions: readonly KeyAction[]): void {
   fillHelp(actions);
 }
 
-/** Space presses a focused button, arrows scroll a focused list. */
+/** Whether the focused element uses the key itself: space for a button, arrows for a list. */
 function belongsToElement(event: KeyboardEvent): boolean {
   const element = event.target as Element;
   if (event.key === ' ') return element.matches('button, input[type=checkbox]');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Puts the page together: session, panels, keys, and the one loop that draws when something changed.
+// The page: model, panels, keys, and the loop that draws when something has changed.
 import 'uplot/dist/uPlot.min.css';
 import './style/tokens.css';
 import './style/base.css';
@@ -9,8 +9,8 @@ import { listen } from './keyboard';
 import { byId } from './look/dom';
 import { Theme } from './look/theme';
 import { RateMeter } from './model/rate';
-import { Session } from './model/session';
-import type { Panel } from './model/view';
+import { RunModel } from './model/run_model';
+import type { Panel } from './model/page_state';
 import { CameraPanel } from './panels/camera_panel';
 import { CellsPanel } from './panels/cells_panel';
 import { CountersPanel } from './panels/counters_panel';
@@ -26,7 +26,7 @@ const kLater = 100; // ms until a panel that put work off is asked again
 
 class App {
   private readonly theme = new Theme(() => this.invalidate());
-  private readonly session = new Session(
+  private readonly model = new RunModel(
     `${location.protocol === 'https:' ? 'wss' : 'ws'}://${location.host}/live`,
     () => this.invalidate(),
   );
@@ -40,19 +40,19 @@ class App {
   private last = performance.now();
 
   constructor() {
-    const seekFrame = (frame: number) => this.session.seekFrame(frame);
+    const seekFrame = (frame: number) => this.model.seekFrame(frame);
     this.panels = [
-      new StatusPanel(this.session), new CountersPanel(), new CameraPanel(), new MatchPanel(),
+      new StatusPanel(this.model), new CountersPanel(), new CameraPanel(), new MatchPanel(),
       this.map, this.cells, new TemplatesPanel(this.theme.colours, (seconds) => this.seekTime(seconds)),
       new TimingPanel(), new EventsPanel(seekFrame),
-      new TransportPanel(this.session, () => this.invalidate()),
+      new TransportPanel(this.model, () => this.invalidate()),
     ];
     this.bindKeys();
     byId('theme').onclick = () => this.theme.toggle();
     byId('help-open').onclick = () => this.openHelp();
     new ResizeObserver(() => this.invalidate()).observe(document.documentElement);
-    publish(() => this.session.view(this.theme.colours), this.map, () => this.drawn.rate(performance.now() / 1000));
-    this.session.open();
+    publish(() => this.model.state(this.theme.colours), this.map, () => this.drawn.rate(performance.now() / 1000));
+    this.model.open();
   }
 
   private invalidate(): void {
@@ -63,9 +63,9 @@ class App {
 
   private draw(now: number): void {
     this.waiting = false;
-    this.session.tick((now - this.last) / 1000);
+    this.model.tick((now - this.last) / 1000);
     this.last = now;
-    const view = this.session.view(this.theme.colours);
+    const view = this.model.state(this.theme.colours);
     let unfinished = false;
     for (const panel of this.panels) unfinished = panel.update(view, now) || unfinished;
     this.drawn.note(++this.draws, now / 1000);
@@ -80,15 +80,15 @@ class App {
   }
 
   private seekTime(seconds: number): void {
-    const { rows } = this.session.view(this.theme.colours);
-    const stamps = rows.column('stamp_s').subarray(0, rows.count);
+    const { rows } = this.model.state(this.theme.colours);
+    const stamps = rows.column('frame.time').subarray(0, rows.count);
     let row = stamps.findIndex((stamp) => stamp >= seconds);
     if (row < 0) row = rows.count - 1;
-    this.session.seek(row);
+    this.model.seek(row);
   }
 
   private step(event: KeyboardEvent, direction: number): void {
-    this.session.seek(this.session.player.row + direction * (event.shiftKey ? 10 : 1));
+    this.model.seek(this.model.player.row + direction * (event.shiftKey ? 10 : 1));
   }
 
   private openHelp(): void {
@@ -96,15 +96,15 @@ class App {
   }
 
   private bindKeys(): void {
-    const { session, map } = this;
+    const { model, map } = this;
     listen([
-      { keys: [' '], shown: 'space', meaning: 'pause, or play what is recorded', act: () => session.toggle() },
+      { keys: [' '], shown: 'space', meaning: 'pause, or play what is recorded', act: () => model.toggle() },
       { keys: ['ArrowLeft'], shown: '←', meaning: 'a frame back (with shift: ten)', act: (e) => this.step(e, -1) },
       { keys: ['ArrowRight'], shown: '→', meaning: 'a frame on (with shift: ten)', act: (e) => this.step(e, 1) },
-      { keys: ['PageUp'], shown: 'PgUp', meaning: 'a hundred frames back', act: () => session.seek(session.player.row - 100) },
-      { keys: ['PageDown'], shown: 'PgDn', meaning: 'a hundred frames on', act: () => session.seek(session.player.row + 100) },
-      { keys: ['Home'], shown: 'home', meaning: 'first frame', act: () => session.seek(0) },
-      { keys: ['End', 'l'], shown: 'end l', meaning: 'newest frame, and follow the run', act: () => session.follow() },
+      { keys: ['PageUp'], shown: 'PgUp', meaning: 'a hundred frames back', act: () => model.seek(model.player.row - 100) },
+      { keys: ['PageDown'], shown: 'PgDn', meaning: 'a hundred frames on', act: () => model.seek(model.player.row + 100) },
+      { keys: ['Home'], shown: 'home', meaning: 'first frame', act: () => model.seek(0) },
+      { keys: ['End', 'l'], shown: 'end l', meaning: 'newest frame, and follow the run', act: () => model.follow() },
       { keys: ['s'], shown: 's', meaning: 'speed of playing', act: () => byId('speed').click() },
       { keys: ['+', '='], shown: '+', meaning: 'map nearer', act: () => map.zoomBy(1.25) },
       { keys: ['-'], shown: '-', meaning: 'map farther', act: () => map.zoomBy(0.8) },

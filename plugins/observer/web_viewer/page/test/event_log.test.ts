@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { EventLog } from '../src/model/event_log';
 import { RowStore } from '../src/model/row_store';
 
-const kNames = ['frame', 'tracking', 'action', 'experience', 'template_id'];
+const kNames = ['frame.frame', 'motion.state', 'decision.action', 'decision.experience', 'place.template_id'] as const;
 
 function rows(...values: number[][]): RowStore {
   const store = new RowStore(kNames);
@@ -11,7 +11,7 @@ function rows(...values: number[][]): RowStore {
   return store;
 }
 
-const logged = (frame: number, message: string) => ({ frame, level: 'warning', source: 'map', message });
+const logged = (frame: number, message: string) => ({ frame, level: 'warning' as const, source: 'map', message });
 
 describe('the log of events', () => {
   it('reads loops and lost tracking from the rows, once', () => {

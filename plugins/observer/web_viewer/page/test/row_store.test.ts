@@ -4,7 +4,7 @@ import { HistoryLoader } from '../src/model/history_loader';
 import { RowStore } from '../src/model/row_store';
 import type { RowBlock } from '../src/wire/messages';
 
-const kNames = ['frame', 'template_id', 'v'];
+const kNames = ['frame.frame', 'place.template_id', 'motion.v'] as const;
 
 /** Rows [from, to): frame = 2 * row, template = row / 10, v = row + 0.5. */
 function block(from: number, to: number): RowBlock {
@@ -15,7 +15,7 @@ function block(from: number, to: number): RowBlock {
 
 function expectDense(store: RowStore, count: number): void {
   expect(store.count).toBe(count);
-  for (let r = 0; r < count; ++r) expect(store.value(r, 'v')).toBe(r + 0.5);
+  for (let r = 0; r < count; ++r) expect(store.value(r, 'motion.v')).toBe(r + 0.5);
 }
 
 describe('the row store', () => {
@@ -63,9 +63,9 @@ describe('the row store', () => {
   it('says NaN for what it does not have', () => {
     const store = new RowStore(kNames);
     store.add(block(0, 3));
-    expect(store.value(3, 'v')).toBeNaN();
-    expect(store.value(-1, 'v')).toBeNaN();
-    expect(store.value(0, 'w')).toBeNaN();
+    expect(store.value(3, 'motion.v')).toBeNaN();
+    expect(store.value(-1, 'motion.v')).toBeNaN();
+    expect(store.value(0, 'place.score')).toBeNaN();
   });
 
   it('refuses rows with other columns', () => {

@@ -6,6 +6,24 @@ const kSheet = 30;
 const kPeriod = 15; // cells
 const kMetresPerCell = 10;
 
+const axis = (name, unit, period, units) => ({ name, unit, period, first: 0, step: period / units, labels: [] });
+const component = (...labels) => ({ name: 'component', unit: '', period: 0, first: 0, step: 1, labels });
+const info = (population, what, kind, axes) => ({
+  name: `${population}.${what}`, kind, unit: '', doc: `${what} of ${population}`, axes,
+  population: kind === 'bump' ? `${population}.activity` : '' });
+const kBumps = ['integrator', 'calibration', 'estimate', 'injected'];
+
+/** Descriptions of the arrays, as RunInfo has them. */
+export const kArrays = [
+  info('hd', 'activity', 'activity', [axis('heading', 'rad', 2 * Math.PI, kRing)]),
+  ...kBumps.map((what) => info('hd', what, 'bump', [component('heading', 'concentration')])),
+  info('grid', 'activity', 'activity', [axis('y', 'cells', kPeriod, kSheet), axis('x', 'cells', kPeriod, kSheet)]),
+  ...kBumps.map((what) => info('grid', what, 'bump', [component('x', 'y', 'precision')])),
+  info('pose', 'hypotheses', 'bump', [
+    { name: 'hypothesis', unit: '', period: 0, first: 0, step: 1, labels: [] },
+    component('heading', 'x', 'y', 'concentration', 'precision', 'energy')]),
+];
+
 const wrapped = (value, period) => ((value % period) + period) % period;
 
 function bump(mean, precision, period, units) {
@@ -15,7 +33,7 @@ function bump(mean, precision, period, units) {
   });
 }
 
-/** In the names of the wire. `share`: of the energy that the calibration holds. */
+/** The arrays of a frame. */
 export function cells(pose, heading, familiar, loops) {
   const share = familiar ? 0.55 : 0.05;
   const x = wrapped(pose.z / kMetresPerCell, kPeriod);
@@ -40,5 +58,10 @@ export function cells(pose, heading, familiar, loops) {
     'cells.grid.calibration': grid(off, -off, share),
     'cells.grid.estimate': grid(0, 0, 1),
     'cells.grid.injected': grid(1.5 * off, -off, familiar ? 0.4 : 0),
+    'cells.pose.hypotheses': {
+      shape: [2, 6],
+      values: Float32Array.of(heading, x, y, 100, 1, 6, heading + 0.8, x + 4, y - 3, 40, 0.5, familiar ? 2 : 0),
+    },
+    'cells.odometry.errors': Float32Array.from({ length: 20 }, (_, i) => Math.sin(i + x)), // not described
   };
 }

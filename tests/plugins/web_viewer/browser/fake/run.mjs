@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A made-up run through the city: rows, graph and cells of every frame. The same numbers each time.
+// A synthetic run through the city: rows, graph and cells of every frame. The same numbers each time.
+import { readFileSync } from 'node:fs';
 
-export const kColumns = [
-  'frame', 'stamp_s', 'tracking', 'v', 'omega', 'tracked', 'keyframe', 'odo_x', 'odo_y', 'odo_z',
-  'map_x', 'map_y', 'map_z', 'truth_x', 'truth_y', 'truth_z', 'recognition', 'template_id', 'score',
-  'action', 'experience', 'heading', 'confidence', 'experiences', 'links', 'loops', 'map_version',
-  'source_ms', 'odometry_ms', 'place_ms', 'cells_ms', 'map_ms',
-];
+const kRecords = readFileSync(
+  new URL('../../../../../plugins/observer/web_viewer/page/src/wire/records.ts', import.meta.url), 'utf8');
+
+/** Names of the columns of a row, from the page's generated declarations. */
+export const kColumns = Array.from(
+  kRecords.match(/kColumns = \[([^\]]*)\]/)[1].matchAll(/^ *'([^']*)',/gm), (match) => match[1]);
 
 const kCorners = [
   [0, 0], [0, 3], [2, 3], [2, 1], [-1, 1], [-1, 4], [1, 4], [1, 2], [3, 2], [3, 5], [0, 5], [0, 3],
@@ -151,7 +152,7 @@ export class FakeRun {
     const known = places.find(this.path[f], f - 300);
     if (known) {
       if (place.recognition !== 2 || state.closed < 8) return 0;
-      this.links.push({ from: state.current, to: known.id, loop: true });
+      this.links.push({ from: state.current, to: known.id, loop: true, rejected: state.loops % 4 === 3 });
       [state.current, state.closed, state.moved] = [known.id, 0, 0];
       ++state.loops;
       ++state.version;
@@ -180,11 +181,20 @@ export class FakeRun {
     const heading = ((t.heading + 0.02 * noise(f, 3)) % (2 * Math.PI) + 2 * Math.PI) % (2 * Math.PI);
     const times = [3.1 + noise(f, 4), 24 + 9 * noise(f, 5) + (f % 5 === 0 ? 18 : 0), 2.2 + noise(f, 6),
                    0.06 + 0.04 * noise(f, 7), 0.05 + state.loops * 0.01 + (action === 2 ? 6 + state.loops * 0.05 : 0)];
-    this.rows.set([f, f * 0.1, f === 0 ? 0 : lost ? 2 : 1, f === 0 ? 0 : 8 + 0.4 * noise(f, 8), turn * 10,
-      lost ? 12 : 1500 + Math.round(300 * noise(f, 9)), f % 5 === 0 ? 1 : 0, o.x, o.y, o.z, m.x, m.y, m.z,
-      t.x, t.y, t.z, place.recognition, place.template, place.score, action, state.current, heading,
-      action === 2 ? 0.8 : 1, this.experiences.length, this.links.length, state.loops, state.version, ...times],
-      f * kColumns.length);
+    const values = {
+      'frame.frame': f, 'frame.time': f * 0.1, 'motion.state': f === 0 ? 0 : lost ? 2 : 1,
+      'motion.v': f === 0 ? 0 : 8 + 0.4 * noise(f, 8), 'motion.omega': turn * 10,
+      'motion.tracked': lost ? 12 : 1500 + Math.round(300 * noise(f, 9)), 'motion.is_keyframe': f % 5 === 0 ? 1 : 0,
+      'odometry.x': o.x, 'odometry.y': o.y, 'odometry.z': o.z, 'map.x': m.x, 'map.y': m.y, 'map.z': m.z,
+      'truth.x': t.x, 'truth.y': t.y, 'truth.z': t.z, 'place.recognition': place.recognition,
+      'place.template_id': place.template, 'place.score': place.score, 'decision.action': action,
+      'decision.experience': state.current, 'decision.heading': heading,
+      'decision.confidence': action === 2 ? 0.8 : 1, 'map_update.experiences': this.experiences.length,
+      'map_update.links': this.links.length, 'map_update.loops': state.loops, 'map_update.version': state.version,
+      'duration.source': times[0], 'duration.odometry': times[1], 'duration.place': times[2],
+      'duration.cells': times[3], 'duration.map': times[4],
+    };
+    this.rows.set(kColumns.map((name) => values[name] ?? NaN), f * kColumns.length);
     if (lost && f % 1900 === 1400) {
       this.events.push({ frame: f, level: 'warning', source: 'odometry/fake', message: 'too few points: 12' });
     }
@@ -192,9 +202,9 @@ export class FakeRun {
 
   /** The graph as it stands after `frame`. */
   graph(frame) {
-    const n = this.value(frame, 'experiences');
-    const m = this.value(frame, 'links');
-    const loops = this.value(frame, 'loops');
+    const n = this.value(frame, 'map_update.experiences');
+    const m = this.value(frame, 'map_update.links');
+    const loops = this.value(frame, 'map_update.loops');
     const experience = new Float32Array(4 * n);
     this.experiences.slice(0, n).forEach((e, i) => {
       const p = this.mapped(e.frame, loops);
@@ -202,14 +212,12 @@ export class FakeRun {
     });
     const links = this.links.slice(0, m);
     return {
-      header: { type: 'graph', version: this.value(frame, 'map_version'), frame },
+      header: { type: 'graph', version: this.value(frame, 'map_update.version'), frame },
       arrays: {
         experience: { shape: [n, 4], values: experience },
-        experience_frame: Int32Array.from(this.experiences.slice(0, n), (e) => e.frame),
-        experience_template: Int32Array.from(this.experiences.slice(0, n), (e) => e.template),
         link: { shape: [m, 2], values: Int32Array.from(links.flatMap((l) => [l.from, l.to])) },
         link_kind: Uint8Array.from(links, (l) => (l.loop ? 1 : 0)),
-        link_weight: Float32Array.from(links, () => 1),
+        link_rejected: Uint8Array.from(links, (l) => (l.rejected ? 1 : 0)),
       },
     };
   }

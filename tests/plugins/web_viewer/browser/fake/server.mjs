@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { WebSocketServer } from 'ws';
-import { cells } from './cells.mjs';
+import { cells, kArrays } from './cells.mjs';
 import { kCamera, picture, points } from './city.mjs';
 import { kColumns, FakeRun } from './run.mjs';
 import { container } from './wire.mjs';
@@ -92,16 +92,20 @@ export class FakeServer {
 
   info() {
     return {
-      name: this.name,
-      directory: `/runs/${this.name}`,
-      description: 'a made-up drive through a city of blocks',
-      frames: this.run.frames,
-      has_truth: true,
+      run: {
+        name: this.name,
+        directory: `/runs/${this.name}`,
+        source: {
+          description: 'a synthetic drive through a city of blocks',
+          rig: this.images ? kCamera : { width: 0, height: 0, baseline: 0 },
+          frames: this.run.frames,
+          has_truth: true,
+        },
+        arrays: kArrays,
+      },
       live: !this.ended,
-      camera: this.images ? kCamera : null,
-      stages: ['source', 'odometry', 'place', 'cells', 'map'],
-      row: kColumns.map((column) => ({ name: column, unit: '' })),
-      version: '0.1.0',
+      rows: this.rows,
+      columns: kColumns.map((name) => ({ name, unit: '', doc: '' })),
     };
   }
 
@@ -112,7 +116,7 @@ export class FakeServer {
     socket.on('message', (data) => {
       client.flow = JSON.parse(data.toString()).live;
     });
-    socket.send(container({ type: 'hello', ...this.info(), rows: this.rows, newest: this.rows - 1 }));
+    socket.send(container({ type: 'hello', ...this.info() }));
     this.sendGraph(socket);
     if (this.ended) this.finish();
   }
@@ -132,7 +136,7 @@ export class FakeServer {
     const to = Math.min(this.rows, client.sent + kMostRows);
     const rows = this.run.rows.slice(client.sent * n, to * n);
     const events = this.pastEvents(this.rows).slice(client.events);
-    const extra = { rows_from: client.sent, dropped: client.dropped, clients: this.clients.size, events };
+    const extra = { rows_from: client.sent, dropped: client.dropped, events };
     const arrays = { rows: { shape: [to - client.sent, n], values: rows } };
     client.events += events.length;
     client.sent = to;
@@ -141,11 +145,11 @@ export class FakeServer {
 
   frameContainer(frame, extra, arrays, flow) {
     const value = (name) => this.run.value(frame, name);
-    const header = { type: 'frame', frame, stamp_s: value('stamp_s'), stored: true, points_frame: frame, ...extra };
+    const header = { type: 'frame', frame, points_frame: frame, rows_from: 0, dropped: 0, ...extra };
     if (!flow) return container(header, arrays);
     const pose = this.pose(frame);
-    const neural = cells(this.run.mapped(frame, value('loops')), value('heading'),
-                         value('recognition') === 2 && value('action') === 2, value('loops'));
+    const neural = cells(this.run.mapped(frame, value('map_update.loops')), value('decision.heading'),
+                         value('place.recognition') === 2 && value('decision.action') === 2, value('map_update.loops'));
     if (!this.images) return container(header, { ...arrays, ...neural });
     const dots = points(pose);
     return container(header, {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Viridis, which colour-blind people can read and which is also right in grey. The anchors are
-// those of the report.
+// The colour map viridis (matplotlib), readable with colour blindness and in grey. The same anchors as
+// in the report.
 
 export type Rgb = readonly [number, number, number];
 
@@ -16,7 +16,7 @@ const kAnchors: readonly Rgb[] = [
   [253, 231, 37],
 ];
 
-/** Colour of a value in [0, 1]; what is outside is clamped, NaN is 0. */
+/** Colour of a value, clamped to [0, 1]; NaN is 0. */
 export function viridis(value: number): Rgb {
   const clamped = value > 0 ? Math.min(value, 1) : 0;
   const place = clamped * (kAnchors.length - 1);
@@ -32,7 +32,7 @@ export function css([r, g, b]: Rgb): string {
   return `rgb(${r} ${g} ${b})`;
 }
 
-/** `steps` colours from 0 to 1, as CSS. */
+/** CSS colours of `steps` values from `from` to 1. */
 export function palette(steps: number, from = 0): string[] {
   return Array.from({ length: steps }, (_, i) =>
     css(viridis(from + ((1 - from) * i) / Math.max(1, steps - 1))),
@@ -46,7 +46,7 @@ export function rgbaTable(): Uint8ClampedArray {
   return table;
 }
 
-/** A range of depths on a logarithmic scale; near is 1 (bright), far is 0. */
+/** A range of depths, on a logarithmic scale. */
 export interface DepthRange {
   readonly near: number; // m
   readonly far: number;

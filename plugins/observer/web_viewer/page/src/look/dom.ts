@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Access to the page's elements, which index.html promises.
+// Access to the elements of index.html.
 
 export function byId<T extends Element = HTMLElement>(id: string): T {
   const element = document.getElementById(id);
@@ -13,7 +13,7 @@ export function byTestId(name: string): HTMLElement {
   return element;
 }
 
-/** Touches the document only when the text is another one. */
+/** Changes the document only when the text differs. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -33,7 +33,7 @@ export function make<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** A canvas whose pixels are those of the screen; draw in CSS pixels. */
+/** A canvas with the resolution of the screen, drawn in CSS pixels. */
 export class Surface {
   readonly context: CanvasRenderingContext2D;
   width = 0; // CSS px
@@ -45,7 +45,7 @@ export class Surface {
     this.context = context;
   }
 
-  /** True when the size on the screen is another one than at the last call. */
+  /** Adapts to the size on the screen. True when it has changed. */
   fit(): boolean {
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Numbers as text.
+import { kChoices } from '../wire/records';
 
 const kUnknown = '–';
 
@@ -13,7 +14,7 @@ export function fixed(value: number, decimals: number): string {
   return Number(text) === 0 ? text.replace('-', '') : text;
 }
 
-/** Three significant digits. */
+/** A number with three significant digits. */
 export function brief(value: number): string {
   if (!Number.isFinite(value)) return kUnknown;
   const size = Math.abs(value);
@@ -24,22 +25,20 @@ export function degrees(radians: number): string {
   return Number.isFinite(radians) ? `${fixed((radians * 180) / Math.PI, 1)}°` : kUnknown;
 }
 
-/** A length without needless zeros. */
+/** A length in m or km. */
 export function metres(value: number): string {
   return value >= 1000 ? `${Number(value.toPrecision(6)) / 1000} km` : `${Number(value.toPrecision(3))} m`;
 }
 
-/** m:ss.t of data time. */
+/** Seconds as m:ss.t. */
 export function clock(seconds: number): string {
   if (!Number.isFinite(seconds)) return kUnknown;
   const minutes = Math.floor(seconds / 60);
   return `${minutes}:${(seconds - 60 * minutes).toFixed(1).padStart(4, '0')}`;
 }
 
-export const kTrackingNames = ['initialising', 'tracking', 'lost'] as const;
-export const kRecognitionNames = ['none', 'novel', 'familiar'] as const;
-export const kActionNames = ['stay', 'create', 'loop'] as const;
-
-export function nameOf(names: readonly string[], index: number): string {
-  return names[index] ?? kUnknown;
+/** Name of the value of a column that holds an enumeration. */
+export function choiceName(column: keyof typeof kChoices, index: number): string {
+  const names: readonly string[] = kChoices[column];
+  return names[index]?.replace('_', ' ') ?? kUnknown;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light or dark: as the system says, until the reader chooses. Drawings take their colours here;
+// Light or dark: the system's setting until the user chooses. Drawings take their colours here;
 // the style sheet is the one place that defines them.
 
 export type ThemeName = 'light' | 'dark';
 
 const kTokens = [
   'ink', 'soft', 'faint', 'line', 'panel', 'well', 'blue', 'orange', 'green', 'vermilion',
-  'purple', 'sky', 'grey', 'accent', 'truth',
+  'purple', 'sky', 'grey', 'accent', 'truth', 'rejected',
 ] as const;
 type Token = (typeof kTokens)[number];
 export type Colours = Readonly<Record<Token, string>>;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the browser offers for drawing in space.
+// Kind of WebGL that the browser has.
 
 export type WebGl = 'none' | 'software' | 'hardware';
 
 let known: WebGl | null = null;
 
-/** `software`: the graphics card is a program, and every pixel counts. */
+/** `software`: WebGL without a graphics card, whose cost grows with the number of pixels. */
 export function webGl(): WebGl {
   known ??= ask();
   return known;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the truth is drawn: as the source gives it, or moved onto the map by the best rigid motion
-// in the plane (least squares, no scale).
+// Alignment of the true path with the map: the rigid motion in the plane (x, z) with the least sum of
+// squared distances, without scale (Umeyama 1991 in two dimensions).
 
 export interface PlanarMotion {
   readonly cos: number;
   readonly sin: number;
   readonly x: number;
-  readonly y: number; // downwards: a mere offset
+  readonly y: number; // downwards: offset only
   readonly z: number;
 }
 
@@ -22,19 +22,19 @@ export function moved(m: PlanarMotion, x: number, z: number): readonly [number, 
   return [m.cos * x - m.sin * z + m.x, m.sin * x + m.cos * z + m.z];
 }
 
-/** The first row at which both are known; -1 when there is none. */
+/** The first row at which both tracks are known; -1 when there is none. */
 export function firstCommon(a: Track, b: Track, count: number): number {
   for (let i = 0; i < count; ++i) if (isKnown(a, i) && isKnown(b, i)) return i;
   return -1;
 }
 
-/** Distance of the two at the first row where both are known; NaN when there is none. */
+/** Distance of the tracks at the first row where both are known, in m; NaN when there is none. */
 export function firstDistance(a: Track, b: Track, count: number): number {
   const i = firstCommon(a, b, count);
   return i < 0 ? NaN : Math.hypot(at(a.x, i) - at(b.x, i), at(a.z, i) - at(b.z, i));
 }
 
-/** The motion that takes `from` onto `to`; the identity when fewer than two rows are common. */
+/** The motion that aligns `from` with `to`; the identity when fewer than two rows are common. */
 export function bestMotion(from: Track, to: Track, count: number): PlanarMotion {
   let n = 0;
   const mean = [0, 0, 0, 0, 0, 0];

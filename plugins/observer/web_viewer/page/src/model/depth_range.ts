@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The depths that the colours span: round numbers that only grow apart, so that a colour keeps its
-// meaning while one looks.
+// The range of depths of the colour scale, in m. It has round ends and only grows, so that the colour
+// of a depth seldom changes.
 import type { DepthRange } from '../look/colour_map';
 import { quantile, roundDown, roundUp } from './sampling';
 
@@ -28,7 +28,7 @@ export class GrowingDepthRange {
       : { near, far };
   }
 
-  /** Round depths inside the range, with both ends. */
+  /** Round depths from the near to the far end, in m. */
   ticks(): number[] {
     if (this.range_ === null) return [];
     const { near, far } = this.range_;

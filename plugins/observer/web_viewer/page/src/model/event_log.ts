@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What happened: events that the run logged, and moments that the rows show (loops, lost, found).
-import type { LogEvent } from '../wire/messages';
+// Events that the run has logged, and events found in the rows (loop closures, tracking lost).
+import { kChoices, type RunEvent } from '../wire/records';
 import type { RowStore } from './row_store';
 
-const kMostLogged = 1000;
-const kMostMoments = 20000;
+const kMaxLogged = 1000;
+const kMaxMoments = 20000;
+const kTracking = kChoices['motion.state'].indexOf('tracking');
+const kLost = kChoices['motion.state'].indexOf('lost');
+const kCloseLoop = kChoices['decision.action'].indexOf('close_loop');
+
+/** An event of the run, or one that was found in the rows (level "loop" for loop closures). */
+export type LogEvent = Omit<RunEvent, 'level'> & { readonly level: RunEvent['level'] | 'loop' };
 
 export class EventLog {
   private logged: LogEvent[] = [];
@@ -28,7 +34,7 @@ export class EventLog {
     ++this.edition_;
   }
 
-  /** The same event twice (after a reconnect) counts once. */
+  /** An event that is sent again (after a reconnect) is added once. */
   add(events: readonly LogEvent[]): void {
     for (const event of events) {
       const key = `${event.frame} ${event.source} ${event.message}`;
@@ -37,23 +43,23 @@ export class EventLog {
       this.logged.push(event);
       ++this.edition_;
     }
-    if (this.logged.length > kMostLogged) {
-      this.logged.splice(0, this.logged.length - kMostLogged);
+    if (this.logged.length > kMaxLogged) {
+      this.logged.splice(0, this.logged.length - kMaxLogged);
       this.seen = new Set(this.logged.map((e) => `${e.frame} ${e.source} ${e.message}`));
     }
   }
 
-  /** Reads rows that it has not read yet. */
+  /** Finds the events of new rows. */
   scan(rows: RowStore): void {
     for (; this.scanned < rows.count; ++this.scanned) {
       for (const moment of momentsOf(rows, this.scanned)) {
-        if (this.moments.length < kMostMoments) this.moments.push(moment);
+        if (this.moments.length < kMaxMoments) this.moments.push(moment);
         ++this.edition_;
       }
     }
   }
 
-  /** The newest `most` at or before `frame`, newest first. */
+  /** The newest `most` events up to `frame`, newest first. */
   newest(frame: number, most: number): LogEvent[] {
     const past = [...lastUpTo(this.logged, frame, most), ...lastUpTo(this.moments, frame, most)];
     return past.sort((a, b) => b.frame - a.frame).slice(0, most);
@@ -72,15 +78,15 @@ function lastUpTo(events: readonly LogEvent[], frame: number, most: number): Log
 function momentsOf(rows: RowStore, row: number): LogEvent[] {
   const moments: LogEvent[] = [];
   const frame = rows.frame(row);
-  const note = (level: string, source: string, message: string) =>
+  const note = (level: LogEvent['level'], source: string, message: string) =>
     moments.push({ frame, level, source, message });
-  const now = rows.value(row, 'tracking');
-  const before = rows.value(row - 1, 'tracking');
-  if (now === 2 && before !== 2) note('warning', 'odometry', 'tracking lost');
-  if (now === 1 && before === 2) note('info', 'odometry', 'tracking again');
-  if (rows.value(row, 'action') !== 2) return moments;
-  const experience = rows.value(row, 'experience');
-  const template = rows.value(row, 'template_id');
+  const now = rows.value(row, 'motion.state');
+  const before = rows.value(row - 1, 'motion.state');
+  if (now === kLost && before !== kLost) note('warning', 'odometry', 'tracking lost');
+  if (now === kTracking && before === kLost) note('info', 'odometry', 'tracking again');
+  if (rows.value(row, 'decision.action') !== kCloseLoop) return moments;
+  const experience = rows.value(row, 'decision.experience');
+  const template = rows.value(row, 'place.template_id');
   const by = template >= 0 ? ` by template ${template}` : '';
   note('loop', 'cells', `loop to experience ${experience}${by}`);
   return moments;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stored frames: the last few are kept; of quick requests only the newest is fetched.
+// Past frames from the server. The last few are kept; of several waiting requests only the newest
+// is sent.
 import type { FrameMessage } from '../wire/messages';
 
 export type FetchFrame = (frame: number) => Promise<FrameMessage | null>;
@@ -26,9 +27,11 @@ export class FrameStore {
     this.next = null;
   }
 
-  /** A frame that came by itself. */
+  /** A frame that the stream has brought. */
   keep(message: FrameMessage): void {
-    if (message.image !== null || message.cells.length > 0) this.remember(message.frame, message);
+    if (message.image !== null || message.arrays.length > 0) {
+      this.remember(message.header.frame, message);
+    }
   }
 
   want(frame: number): void {

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The newest experience graph, and how much of it stood at a moment. Experiences and links are
-// numbered in the order of making, so a moment is a prefix of each list.
+// The newest experience graph. Experiences and links are numbered in the order of creation, so the
+// graph at an earlier frame is a prefix of each list.
 import type { GraphMessage } from '../wire/messages';
 
 export class Graph {
   private message: GraphMessage | null = null;
   private loops_ = 0;
+  private rejected_ = 0;
   private edition_ = 0;
 
   get experiences(): number {
@@ -14,14 +15,19 @@ export class Graph {
   get links(): number {
     return this.message ? this.message.linkKind.length : 0;
   }
+  /** Loop links that the map has not rejected. */
   get loops(): number {
     return this.loops_;
   }
+  /** Loop links that the map has rejected. */
+  get rejected(): number {
+    return this.rejected_;
+  }
   get version(): number {
-    return this.message?.version ?? -1;
+    return this.message?.header.version ?? -1;
   }
   get frame(): number {
-    return this.message?.frame ?? -1;
+    return this.message?.header.frame ?? -1;
   }
   /** Changes whenever the content does. */
   get edition(): number {
@@ -29,7 +35,7 @@ export class Graph {
   }
 
   replace(message: GraphMessage | null): void {
-    if (message && this.message && message.frame < this.message.frame) return; // an old answer
+    if (message && this.message && ageOf(message) < ageOf(this.message)) return; // an older answer
     this.set(message);
   }
 
@@ -43,10 +49,6 @@ export class Graph {
     return [values[at] ?? NaN, values[at + 1] ?? NaN, values[at + 2] ?? NaN];
   }
 
-  madeAt(experience: number): number {
-    return this.message?.experienceFrame[experience] ?? -1;
-  }
-
   ends(link: number): readonly [number, number] {
     const ends = this.message?.link;
     return [ends?.[2 * link] ?? -1, ends?.[2 * link + 1] ?? -1];
@@ -56,11 +58,22 @@ export class Graph {
     return this.message?.linkKind[link] === 1;
   }
 
+  isRejected(link: number): boolean {
+    return this.message?.linkRejected[link] === 1;
+  }
+
   private set(message: GraphMessage | null): void {
     this.message = message;
-    this.loops_ = message ? message.linkKind.reduce((n, kind) => n + (kind === 1 ? 1 : 0), 0) : 0;
+    this.rejected_ = message ? message.linkRejected.reduce((n, flag) => n + flag, 0) : 0;
+    const kinds = message?.linkKind ?? new Uint8Array();
+    this.loops_ = kinds.reduce((n, kind) => n + (kind === 1 ? 1 : 0), 0) - this.rejected_;
     ++this.edition_;
   }
 }
 
 const kNothing = new Float32Array();
+
+/** The graph after the last frame has frame -1. */
+function ageOf({ header }: GraphMessage): number {
+  return header.frame < 0 ? Infinity : header.frame;
+}

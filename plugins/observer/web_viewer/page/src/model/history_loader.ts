@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fetches the rows that the stream did not bring: all before the connection, and any gap.
+// Fetches the rows that the stream has not brought: those before the connection, and gaps.
 import type { RowBlock } from '../wire/messages';
 import { kHistoryLimit } from '../wire/api';
 import type { RowStore } from './row_store';
@@ -20,7 +20,7 @@ export class HistoryLoader {
     return this.busy;
   }
 
-  /** Rows up to `total` exist at the server. */
+  /** Fetches missing rows. The server has `total` rows. */
   async catchUp(total: number): Promise<void> {
     this.wanted = Math.max(this.wanted, total);
     if (this.busy) return;
@@ -31,7 +31,7 @@ export class HistoryLoader {
         const block = await this.fetchRows(before, Math.min(this.wanted - before, kHistoryLimit));
         if (block !== null) this.store.add(block);
         this.loaded();
-        if (this.store.count === before) break; // the server has no more than this
+        if (this.store.count === before) break; // the server has no more rows
       }
     } finally {
       this.busy = false;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which row is shown: following the run, standing still, or playing what has been recorded.
+// The shown row: the newest one (live), a fixed one (paused), or advancing with data time (playing).
 
 export type Mode = 'live' | 'paused' | 'playing';
 
 export const kSpeeds = [1, 2, 5, 10, 50] as const;
 
-const kLongestGap = 0.25; // s of wall time: a hidden tab does not leap ahead
+const kLongestGap = 0.25; // s of wall time; limits the step after a tab was hidden
 
 export class Player {
   private mode_: Mode = 'live';
@@ -28,7 +28,7 @@ export class Player {
     this.row_ = -1;
   }
 
-  /** There are `count` rows now. True when the shown row changed. */
+  /** Sets the number of rows. True when the shown row changes. */
   grow(count: number): boolean {
     if (this.mode_ !== 'live' || this.row_ === count - 1) return false;
     this.row_ = count - 1;
@@ -60,7 +60,7 @@ export class Player {
     this.speed_ = kSpeeds[(at + 1) % kSpeeds.length] ?? 1;
   }
 
-  /** `seconds` of wall time later. True when the shown row changed. */
+  /** Advances by `seconds` of wall time. True when the shown row changes. */
   tick(seconds: number, stamps: Float64Array, count: number): boolean {
     if (this.mode_ !== 'playing') return false;
     this.clock += Math.min(seconds, kLongestGap) * this.speed_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Events per second over the last few seconds.
+// Rate of events over the last few seconds.
 
 export class RateMeter {
   private times: number[] = [];
@@ -7,14 +7,14 @@ export class RateMeter {
 
   constructor(private readonly window: number) {} // s
 
-  /** `count` is a total that grows; `now` in s. */
+  /** `count`: all events so far; `now` in s. */
   note(count: number, now: number): void {
     this.times.push(now);
     this.counts.push(count);
     this.forget(now);
   }
 
-  /** Per second; 0 when nothing came lately. */
+  /** Events per second; 0 when there was none in the window. */
   rate(now: number): number {
     this.forget(now);
     if (this.times.length < 2) return 0;

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All history rows, a typed array per column. Blocks may come in any order and overlap; a row
-// counts when all rows before it are there, so there are no gaps and no duplicates.
+// All history rows, a typed array per column. Blocks may arrive in any order and overlap. `count` is
+// the number of rows without a gap from the first on.
 import type { RowBlock } from '../wire/messages';
+import type { ColumnName } from '../wire/records';
 
 const kFirstCapacity = 1024;
 
 export class RowStore {
-  private columns = new Map<string, Float64Array>();
-  private early: RowBlock[] = []; // blocks that wait for rows before them
+  private columns = new Map<ColumnName, Float64Array>();
+  private early: RowBlock[] = []; // blocks after a gap
   private capacity = kFirstCapacity;
   private length = 0;
-  /** Greatest template id up to each row, plus one. */
+  /** Number of templates up to each row: the greatest id plus one. */
   private templates_ = new Int32Array(kFirstCapacity);
   private firstRows: number[] = []; // row at which each template appeared
 
-  constructor(readonly names: readonly string[]) {
+  constructor(readonly names: readonly ColumnName[]) {
     for (const name of names) this.columns.set(name, new Float64Array(kFirstCapacity));
   }
 
@@ -22,18 +23,18 @@ export class RowStore {
     return this.length;
   }
 
-  /** The first row that is missing although later ones are here, or -1. */
+  /** The first missing row before rows that have arrived; -1 when there is none. */
   get gap(): number {
     return this.early.length > 0 ? this.length : -1;
   }
 
-  /** Rows beyond `count` are spare room. */
-  column(name: string): Float64Array {
+  /** Values beyond `count` are unused memory. */
+  column(name: ColumnName): Float64Array {
     return this.columns.get(name) ?? kNoColumn;
   }
 
-  /** NaN when there is no such row or column. */
-  value(row: number, name: string): number {
+  /** NaN when there is no such row. */
+  value(row: number, name: ColumnName): number {
     if (row < 0 || row >= this.length) return NaN;
     return this.columns.get(name)?.[row] ?? NaN;
   }
@@ -42,18 +43,18 @@ export class RowStore {
     return row >= 0 && row < this.length ? (this.templates_[row] ?? 0) : 0;
   }
 
-  /** The frame at which a template was first seen; NaN when it was not. */
+  /** The frame that a template was made at; NaN for an unknown template. */
   frameOfTemplate(template: number): number {
     return this.frame(this.firstRows[template] ?? -1);
   }
 
   frame(row: number): number {
-    return this.value(row, 'frame');
+    return this.value(row, 'frame.frame');
   }
 
   /** The last row whose frame is at or before `frame`; -1 when there is none. */
   rowOfFrame(frame: number): number {
-    const frames = this.column('frame');
+    const frames = this.column('frame.frame');
     let low = 0;
     let high = this.length;
     while (low < high) {
@@ -93,7 +94,7 @@ export class RowStore {
   }
 
   private countTemplates(first: number): void {
-    const ids = this.column('template_id');
+    const ids = this.column('place.template_id');
     let most = first > 0 ? (this.templates_[first - 1] as number) : 0;
     for (let row = first; row < this.length; ++row) {
       const id = ids[row];

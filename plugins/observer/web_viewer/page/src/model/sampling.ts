@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fewer points than rows, for plots: what is kept must look the same.
+// Reduces rows to few points for plots; medians, quantiles and round numbers.
 
-/** Every n-th of [0, count), so that at most `most` remain; always with the last. */
+/** Every n-th index of [0, count), `most` at most, and the last one. */
 export function strided(count: number, most: number): number[] {
   const step = Math.max(1, Math.ceil(count / most));
   const kept: number[] = [];
@@ -10,7 +10,7 @@ export function strided(count: number, most: number): number[] {
   return kept;
 }
 
-/** Of finite values in [from, to); NaN when there are none. */
+/** Median of the finite values in [from, to); NaN when there are none. */
 export function median(values: Float64Array, from: number, to: number): number {
   const known = values.slice(Math.max(0, from), to).filter(Number.isFinite).sort();
   if (known.length === 0) return NaN;
@@ -19,21 +19,21 @@ export function median(values: Float64Array, from: number, to: number): number {
   return known.length % 2 === 1 ? high : ((known[middle - 1] as number) + high) / 2;
 }
 
-/** The value below which a share of the (finite, positive) values lies; NaN when there are none. */
+/** Quantile of the finite, positive values; NaN when there are none. */
 export function quantile(values: ArrayLike<number>, share: number): number {
   const known = Float64Array.from(values).filter((v) => Number.isFinite(v) && v > 0).sort();
   if (known.length === 0) return NaN;
   return known[Math.min(known.length - 1, Math.floor(share * known.length))] as number;
 }
 
-/** 1, 2 or 5 times a power of ten, at or below a positive value. */
+/** The greatest 1, 2 or 5 times a power of ten up to a positive value. */
 export function roundDown(value: number): number {
   const power = 10 ** Math.floor(Math.log10(value) + 1e-12);
   const digit = value / power;
   return power * (digit >= 5 - 1e-9 ? 5 : digit >= 2 - 1e-9 ? 2 : 1);
 }
 
-/** The same, at or above. */
+/** The least 1, 2 or 5 times a power of ten from a positive value on. */
 export function roundUp(value: number): number {
   const below = roundDown(value);
   if (below >= value * (1 - 1e-9)) return below;

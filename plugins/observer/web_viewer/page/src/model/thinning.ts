@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fewer line segments where many fall on the same pixels. Space is cut into cells; the first end
-// that falls into a cell stands for all later ones there, so lines still run through true points
-// and stay connected. Segments within a cell, and repeated ones, are left out.
+// Reduces the number of line segments where many fall on the same pixels. Space is divided into
+// cells, and each end is replaced by the first end in its cell, so lines stay connected. Segments
+// within a cell and repeated segments are left out.
 
 const kBits = 2 ** 17; // cells along an axis before keys repeat
 
 export class SegmentThinner {
-  /** Ends of the kept segments: six numbers each. */
+  /** Both ends (x, y, z) of the kept segments. */
   values: Float32Array<ArrayBuffer> = new Float32Array(6 * 256);
   /** Number of each kept segment among all, ascending. */
   readonly kept: number[] = [];
   private seen = 0;
-  private readonly places = new Map<number, number>(); // cell to the point that stands for it
+  private readonly places = new Map<number, number>(); // cell to the number of its point
   private readonly points: number[] = [];
   private readonly pairs = new Set<number>();
 
   /** `cell` 0 keeps everything. */
   constructor(readonly cell: number) {}
 
-  /** How many segments have been looked at. */
+  /** Number of segments processed. */
   get count(): number {
     return this.seen;
   }
 
-  /** Looks at segments from count on, up to `to`. True when something new is kept. */
+  /** Processes the segments from `count` to `to`. True when a new one is kept. */
   take(segments: Float32Array, to: number): boolean {
     const before = this.kept.length;
     for (; this.seen < to; ++this.seen) this.takeOne(segments, 6 * this.seen);
@@ -73,7 +73,7 @@ export class SegmentThinner {
   }
 }
 
-/** How many of an ascending list are less than `limit`. */
+/** Number of values of an ascending list that are less than `limit`. */
 export function countBelow(ascending: readonly number[], limit: number): number {
   let low = 0;
   let high = ascending.length;
@@ -85,7 +85,7 @@ export function countBelow(ascending: readonly number[], limit: number): number 
   return low;
 }
 
-/** The cell for a zoom (pixels a metre): about two pixels, in octaves so that it seldom changes. */
+/** Cell size in m for a zoom in pixels/m: about two pixels, a power of two so that it seldom changes. */
 export function cellFor(zoom: number): number {
   return 2 ** Math.floor(Math.log2(2.5 / zoom));
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The left image, and on it the odometry's points, bright when near.
+// The left image with the points of the odometry, coloured by depth.
 import { css, nearness, palette, viridis } from '../look/colour_map';
 import { byId, byTestId, make, setText, Surface } from '../look/dom';
 import { metres } from '../look/format';
 import { GrowingDepthRange } from '../model/depth_range';
-import type { Panel, Picture, View } from '../model/view';
+import type { Panel, DecodedImage, PageState } from '../model/page_state';
 import type { FrameMessage } from '../wire/messages';
 
-const kColours = palette(64, 0.12); // the darkest would not show on a dark image
+const kColours = palette(64, 0.12); // without the darkest, which are invisible on a dark image
 const kPointSize = 2.4; // CSS px
 
 export class CameraPanel implements Panel {
@@ -17,35 +17,35 @@ export class CameraPanel implements Panel {
   private readonly count = byTestId('points');
   private readonly note = byId('points-note');
   private readonly depths = new GrowingDepthRange();
-  private picture: Picture | null = null;
+  private picture: DecodedImage | null = null;
   private points: FrameMessage | null = null;
 
-  update(view: View): boolean {
-    const withPoints = view.message?.points ? view.message : null;
+  update(state: PageState): boolean {
+    const withPoints = state.message?.points ? state.message : null;
     const resized = this.surface.fit();
-    if (!resized && this.picture === view.picture && this.points === withPoints) return false;
-    this.picture = view.picture;
+    if (!resized && this.picture === state.picture && this.points === withPoints) return false;
+    this.picture = state.picture;
     this.points = withPoints;
-    this.empty.hidden = view.picture !== null || withPoints !== null;
+    this.empty.hidden = state.picture !== null || withPoints !== null;
     if (withPoints?.points) {
       this.depths.include(withPoints.points);
       this.drawLegend();
     }
     this.describe(withPoints);
-    this.draw(view);
+    this.draw(state);
     return false;
   }
 
   private describe(message: FrameMessage | null): void {
     setText(this.count, message?.points ? String(message.points.length / 4) : '–');
-    const other = message !== null && message.pointsFrame !== message.frame;
-    setText(this.note, other ? ` of frame ${message.pointsFrame}` : '');
+    const other = message !== null && message.header.points_frame !== message.header.frame;
+    setText(this.note, other ? ` of frame ${message.header.points_frame}` : '');
   }
 
-  private draw(view: View): void {
+  private draw(state: PageState): void {
     const [width, height] = [
-      view.info?.camera?.width || view.picture?.bitmap.width || 0,
-      view.info?.camera?.height || view.picture?.bitmap.height || 0,
+      state.info?.source.rig.width || state.picture?.bitmap.width || 0,
+      state.info?.source.rig.height || state.picture?.bitmap.height || 0,
     ];
     const context = this.surface.clear();
     if (width === 0 || height === 0) return;
@@ -55,9 +55,9 @@ export class CameraPanel implements Panel {
       (this.surface.width - width * scale) / 2,
       (this.surface.height - height * scale) / 2,
     );
-    if (view.picture) {
+    if (state.picture) {
       context.imageSmoothingQuality = 'high';
-      context.drawImage(view.picture.bitmap, 0, 0, width * scale, height * scale);
+      context.drawImage(state.picture.bitmap, 0, 0, width * scale, height * scale);
     }
     this.drawPoints(context, scale);
   }
@@ -92,7 +92,7 @@ export class CameraPanel implements Panel {
   }
 }
 
-/** At most seven, so that their texts do not meet. */
+/** At most seven ticks, so that their texts do not overlap. */
 function thinned(ticks: number[]): number[] {
   if (ticks.length <= 7) return ticks;
   const step = Math.ceil((ticks.length - 1) / 6);

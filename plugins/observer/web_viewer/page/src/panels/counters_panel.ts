@@ -1,34 +1,45 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers along the top.
+// The numbers of the shown frame, along the top.
 import { byId, make, setAttribute, setText } from '../look/dom';
-import { degrees, fixed, integer, kActionNames, kTrackingNames, nameOf } from '../look/format';
-import type { Panel, View } from '../model/view';
+import { choiceName, degrees, fixed, integer } from '../look/format';
+import type { Panel, PageState } from '../model/page_state';
+import { kChoices, kUnits, type ColumnName } from '../wire/records';
 
 interface Counter {
   readonly name: string;
   readonly label: string;
   readonly unit?: string;
-  text(view: View): string;
-  tone?(view: View): string;
+  text(state: PageState): string;
+  tone?(state: PageState): string;
 }
 
-const value = (view: View, column: string) => view.rows.value(view.row, column);
+const kActions = kChoices['decision.action'];
+const kActionTexts: Readonly<Record<(typeof kActions)[number], string>> = {
+  stay: 'stay', create_experience: 'create', close_loop: 'loop',
+};
+
+function actionText(index: number): string {
+  const action = kActions[index];
+  return action === undefined ? '–' : kActionTexts[action];
+}
+
+const value = (state: PageState, column: ColumnName) => state.rows.value(state.row, column);
 
 const kCounters: readonly Counter[] = [
   {
     name: 'tracking',
     label: 'odometry',
-    text: (v) => nameOf(kTrackingNames, value(v, 'tracking')),
-    tone: (v) => ['', 'good', 'warn'][value(v, 'tracking')] ?? '',
+    text: (v) => choiceName('motion.state', value(v, 'motion.state')),
+    tone: (v) => ['', 'good', 'warn'][value(v, 'motion.state')] ?? '',
   },
-  { name: 'speed', label: 'speed', unit: 'm/s', text: (v) => fixed(value(v, 'v'), 2) },
-  { name: 'tracked', label: 'tracked', text: (v) => integer(value(v, 'tracked')) },
-  { name: 'heading', label: 'heading', text: (v) => degrees(value(v, 'heading')) },
+  { name: 'speed', label: 'speed', unit: kUnits['motion.v'], text: (v) => fixed(value(v, 'motion.v'), 2) },
+  { name: 'tracked', label: 'tracked', text: (v) => integer(value(v, 'motion.tracked')) },
+  { name: 'heading', label: 'heading', text: (v) => degrees(value(v, 'decision.heading')) },
   { name: 'templates', label: 'templates', text: (v) => integer(v.rows.templates(v.row)) },
-  { name: 'experiences', label: 'experiences', text: (v) => integer(value(v, 'experiences')) },
-  { name: 'links', label: 'links', text: (v) => integer(value(v, 'links')) },
-  { name: 'loops', label: 'loops', text: (v) => integer(value(v, 'loops')) },
-  { name: 'action', label: 'decision', text: (v) => nameOf(kActionNames, value(v, 'action')) },
+  { name: 'experiences', label: 'experiences', text: (v) => integer(value(v, 'map_update.experiences')) },
+  { name: 'links', label: 'links', text: (v) => integer(value(v, 'map_update.links')) },
+  { name: 'loops', label: 'loops', text: (v) => integer(value(v, 'map_update.loops')) },
+  { name: 'action', label: 'decision', text: (v) => actionText(value(v, 'decision.action')) },
   { name: 'rate', label: 'frames/s', text: (v) => (v.live ? fixed(v.rate, 1) : '–') },
   { name: 'dropped', label: 'dropped', text: (v) => integer(v.dropped) },
 ];
@@ -50,11 +61,11 @@ export class CountersPanel implements Panel {
     }
   }
 
-  update(view: View): boolean {
+  update(state: PageState): boolean {
     for (const counter of kCounters) {
       const element = this.values.get(counter.name) as HTMLElement;
-      setText(element, counter.text(view));
-      if (counter.tone) setAttribute(element.parentElement as Element, 'data-tone', counter.tone(view));
+      setText(element, counter.text(state));
+      if (counter.tone) setAttribute(element.parentElement as Element, 'data-tone', counter.tone(state));
     }
     return false;
   }

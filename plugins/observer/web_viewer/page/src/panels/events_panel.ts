@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What happened up to the shown frame, newest first, in list items that are used again.
+// Events up to the shown frame, newest first. List items are reused.
 import { byId, byTestId, make, setAttribute, setText } from '../look/dom';
-import { Pace, type Panel, type View } from '../model/view';
-import type { LogEvent } from '../wire/messages';
+import { Pace, type Panel, type PageState } from '../model/page_state';
+import type { LogEvent } from '../model/event_log';
 
 const kShown = 60;
 
@@ -20,15 +20,15 @@ export class EventsPanel implements Panel {
     });
   }
 
-  update(view: View, now: number): boolean {
-    const key = `${view.events.edition} ${view.frame}`;
+  update(state: PageState, now: number): boolean {
+    const key = `${state.events.edition} ${state.frame}`;
     if (key === this.key) return false;
     if (!this.pace.due(now)) return true;
     this.key = key;
-    const events = view.events.newest(view.frame, kShown);
+    const events = state.events.newest(state.frame, kShown);
     while (this.items.length < events.length) this.items.push(this.makeItem());
     this.items.forEach((item, i) => this.fill(item, events[i]));
-    setText(this.count, String(view.events.count));
+    setText(this.count, String(state.events.count));
     return false;
   }
 

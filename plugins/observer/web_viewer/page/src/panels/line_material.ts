@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines of a width in pixels, as one rectangle a segment: opaque, plain and without instances (which
-// cost most where the graphics card is a program), so that they are cheap.
+// Lines with a width in pixels: one opaque rectangle per segment, without instancing, which is slow
+// with software rendering.
 import { Color, NoBlending, ShaderMaterial, Vector2 } from 'three';
 
 const kVertex = /* glsl */ `
@@ -33,7 +33,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-/** Shared by all lines of a stage: its size in CSS pixels. */
+/** Size of the canvas in CSS pixels, shared by all lines. */
 export type Resolution = { value: Vector2 };
 
 export class LineMaterial extends ShaderMaterial {

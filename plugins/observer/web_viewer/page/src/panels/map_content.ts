@@ -1,35 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the map shows, from rows and graph to layers of the scene.
+// Turns rows and graph into the layers of the map.
 import { Box3, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry, Vector3 } from 'three';
 import { bestMotion, firstDistance, kIdentity, moved, type PlanarMotion, type Track } from '../model/alignment';
 import type { Graph } from '../model/graph';
 import type { RowStore } from '../model/row_store';
-import type { View } from '../model/view';
+import type { PageState } from '../model/page_state';
 import type { Colours } from '../look/theme';
 import { countBelow } from '../model/thinning';
+import type { ColumnName } from '../wire/records';
 import type { Resolution } from './line_material';
 import { DotLayer, SegmentLayer, toScene } from './map_layers';
 
-export const kLayers = ['links', 'loops', 'experiences', 'odometry', 'truth'] as const;
+export const kLayers = ['links', 'loops', 'rejected', 'experiences', 'odometry', 'truth'] as const;
 export type LayerName = (typeof kLayers)[number];
+const kLinkLayers = ['links', 'loops', 'rejected'] as const;
 export type TruthMode = 'given' | 'fitted';
 
-const kSameStart = 1; // m: closer than this, truth and odometry start in the same place
+const kSameStart = 1; // m; truth that starts closer to the odometry is drawn as given
 
-function track(rows: RowStore, name: string): Track {
-  return { x: rows.column(`${name}_x`), y: rows.column(`${name}_y`), z: rows.column(`${name}_z`) };
+function track(rows: RowStore, name: 'odometry' | 'map' | 'truth'): Track {
+  return { x: rows.column(`${name}.x`), y: rows.column(`${name}.y`), z: rows.column(`${name}.z`) };
 }
 
 export class MapContent {
   readonly group = new Group();
   readonly bounds = new Box3();
   readonly robot = new Group();
-  truthMode: TruthMode | null = null; // null: to be decided by where the truth starts
+  truthMode: TruthMode | null = null; // null: not decided yet
   private readonly hidden = new Set<LayerName>();
   private readonly truth: SegmentLayer;
   private readonly odometry: SegmentLayer;
   private readonly links: SegmentLayer;
   private readonly loops: SegmentLayer;
+  private readonly rejected: SegmentLayer;
   private readonly dots = new DotLayer(4);
   private readonly fill = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private readonly rim = new MeshBasicMaterial({ depthTest: false, transparent: true });
@@ -37,15 +40,16 @@ export class MapContent {
   private drawnGraph = -1;
   private motion: PlanarMotion = kIdentity;
   private fittedRows = 0;
-  private loopLinks: number[] = []; // links that are loops, in order
-  private otherLinks: number[] = [];
+  /** Numbers of the links of each layer, ascending. */
+  private readonly linksOf = { links: [] as number[], loops: [] as number[], rejected: [] as number[] };
 
   constructor(resolution: Resolution) {
     this.truth = new SegmentLayer(4.5, 1, resolution);
     this.odometry = new SegmentLayer(1.4, 2, resolution);
     this.links = new SegmentLayer(1.6, 3, resolution);
+    this.rejected = new SegmentLayer(1.2, 2, resolution);
     this.loops = new SegmentLayer(3, 5, resolution);
-    for (const layer of [this.truth, this.odometry, this.links, this.loops, this.dots]) {
+    for (const layer of [this.truth, this.odometry, this.links, this.rejected, this.loops, this.dots]) {
       this.group.add(layer.object);
     }
     this.makeRobot();
@@ -71,6 +75,7 @@ export class MapContent {
     this.odometry.setColour(colours.orange);
     this.links.setColour(colours.blue);
     this.loops.setColour(colours.vermilion);
+    this.rejected.setColour(colours.rejected);
     this.dots.setColour(colours.green);
     this.fill.color.set(colours.ink);
     this.rim.color.set(colours.panel);
@@ -80,27 +85,28 @@ export class MapContent {
     this.dots.setSize(size);
   }
 
-  /** Brings buffers and bounds up to the newest rows and graph. */
-  take(view: View): void {
-    this.updateRows(view.rows);
-    if (view.graph.edition !== this.drawnGraph) this.updateGraph(view.graph);
+  /** Updates buffers and bounds for new rows and a new graph. */
+  take(state: PageState): void {
+    this.updateRows(state.rows);
+    if (state.graph.edition !== this.drawnGraph) this.updateGraph(state.graph);
   }
 
-  /** Shows what stood at the shown row; lines as fine as the cell asks. */
-  show(view: View, cell: number): void {
-    const { rows, row } = view;
+  /** Shows the map as far as the shown row. `cell` is the resolution of lines in m. */
+  show(state: PageState, cell: number): void {
+    const { rows, row } = state;
     const newest = row === rows.count - 1;
-    const limit = (column: string, all: number) => {
+    const limit = (column: ColumnName, all: number) => {
       const then = rows.value(row, column);
       return newest || !Number.isFinite(then) ? all : Math.min(all, then);
     };
-    const links = limit('links', view.graph.links);
+    const links = limit('map_update.links', state.graph.links);
     this.draw('odometry', this.odometry, row, cell);
     this.draw('truth', this.truth, row, cell);
-    const dots = limit('experiences', view.graph.experiences);
+    const dots = limit('map_update.experiences', state.graph.experiences);
     this.dots.show(this.hidden.has('experiences') ? 0 : dots);
-    this.draw('links', this.links, countBelow(this.otherLinks, links), cell);
-    this.draw('loops', this.loops, countBelow(this.loopLinks, links), cell);
+    for (const name of kLinkLayers) {
+      this.draw(name, this[name], countBelow(this.linksOf[name], links), cell);
+    }
     this.placeRobot(rows, row);
   }
 
@@ -119,17 +125,17 @@ export class MapContent {
     const first = this.drawnRows.count;
     if (rows.count === first) return;
     const fit = this.alignTruth(rows);
-    this.addPath(this.odometry, track(rows, 'odo'), kIdentity, first, rows.count);
+    this.addPath(this.odometry, track(rows, 'odometry'), kIdentity, first, rows.count);
     this.addPath(this.truth, track(rows, 'truth'), this.motion, fit ? 0 : first, rows.count);
     this.drawnRows.count = rows.count;
   }
 
-  /** True when the truth must be drawn anew. */
+  /** Updates the alignment. True when the truth must be drawn again. */
   private alignTruth(rows: RowStore): boolean {
     const truth = track(rows, 'truth');
     const map = track(rows, 'map');
     if (this.truthMode === null) {
-      const apart = firstDistance(truth, track(rows, 'odo'), rows.count);
+      const apart = firstDistance(truth, track(rows, 'odometry'), rows.count);
       if (Number.isFinite(apart)) this.truthMode = apart < kSameStart ? 'given' : 'fitted';
     }
     if (this.truthMode !== 'fitted') {
@@ -137,7 +143,7 @@ export class MapContent {
       this.motion = kIdentity;
       return before !== kIdentity;
     }
-    // As the run grows the fit settles: once more for each twentieth part.
+    // The fit is repeated whenever the run is 5 % longer.
     if (this.drawnRows.count > 0 && rows.count < 1.05 * this.fittedRows) return false;
     this.fittedRows = rows.count;
     this.motion = bestMotion(truth, map, rows.count);
@@ -169,26 +175,24 @@ export class MapContent {
       this.dots.set(i, point);
       this.bounds.expandByPoint(new Vector3(...point));
     }
-    this.loopLinks = [];
-    this.otherLinks = [];
+    for (const name of kLinkLayers) this.linksOf[name] = [];
     for (let i = 0; i < graph.links; ++i) {
       const [from, to] = graph.ends(i);
-      const isLoop = graph.isLoop(i);
-      const list = isLoop ? this.loopLinks : this.otherLinks;
-      (isLoop ? this.loops : this.links).set(list.length, at(from), at(to));
+      const name = graph.isRejected(i) ? 'rejected' : graph.isLoop(i) ? 'loops' : 'links';
+      const list = this.linksOf[name];
+      this[name].set(list.length, at(from), at(to));
       list.push(i);
     }
-    this.loops.cut(this.loopLinks.length);
-    this.links.cut(this.otherLinks.length);
+    for (const name of kLinkLayers) this[name].cut(this.linksOf[name].length);
     this.dots.upload();
   }
 
   private placeRobot(rows: RowStore, row: number): void {
-    const [x, y, z] = ['map_x', 'map_y', 'map_z'].map((c) => rows.value(row, c)) as [number, number, number];
+    const [x, y, z] = (['map.x', 'map.y', 'map.z'] as const).map((c) => rows.value(row, c)) as [number, number, number];
     this.robot.visible = Number.isFinite(x);
     if (!this.robot.visible) return;
     this.robot.position.set(...toScene(x, y, z));
-    const heading = rows.value(row, 'heading');
+    const heading = rows.value(row, 'decision.heading');
     this.robot.rotation.y = Number.isFinite(heading) ? heading : 0;
   }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines and dots of the map in buffers that grow by doubling. How much of a layer is drawn is a
-// count, so going back in time costs nothing.
+// Lines and dots of the map, in buffers that grow by doubling. An earlier frame shows a prefix of each
+// layer, which needs no new buffers.
 import { BufferAttribute, BufferGeometry, CanvasTexture, Mesh, Points, PointsMaterial } from 'three';
 import { countBelow, SegmentThinner } from '../model/thinning';
 import { LineMaterial, type Resolution } from './line_material';
 
 const kFew = 800; // segments that need no thinning
 
-/** World (x right, y down, z forward) to the scene (y up): half a turn about x. */
+/** World axes (x right, y down, z forward) to scene axes (y up): half a turn about x. */
 export function toScene(x: number, y: number, z: number): [number, number, number] {
   return [x, -y, -z];
 }
@@ -30,7 +30,7 @@ export class SegmentLayer {
     this.object.material.setColour(colour);
   }
 
-  /** The ends of a segment, in the scene. */
+  /** Sets the ends of a segment, in scene axes. */
   set(segment: number, a: readonly number[], b: readonly number[]): void {
     const end = 6 * segment + 6;
     if (end > this.raw.length) {
@@ -44,14 +44,14 @@ export class SegmentLayer {
     this.count = Math.max(this.count, segment + 1);
   }
 
-  /** Forgets the segments from `count` on. */
+  /** Removes the segments from `count` on. */
   cut(count: number): void {
     if (count >= this.count) return;
     this.count = count;
     this.stale = true;
   }
 
-  /** Draws the first `count` segments, as fine as the cell asks; 0 is as fine as they are. */
+  /** Draws the first `count` segments, thinned to cells of size `cell` in m; 0 for all. */
   show(count: number, cell: number): void {
     const wanted = this.count > kFew ? cell : 0;
     if (this.stale || this.thinner.cell !== wanted) this.thinner = new SegmentThinner(wanted);
@@ -63,7 +63,7 @@ export class SegmentLayer {
     this.object.visible = shown > 0;
   }
 
-  /** Four corners for each kept segment from `from` on. */
+  /** Writes four corners for each kept segment from `from` on. */
   private upload(from: number): void {
     const { values, kept } = this.thinner;
     if (kept.length > this.room) this.grow(kept.length);
@@ -95,7 +95,7 @@ export class SegmentLayer {
   }
 }
 
-/** Room for rectangles; of a corner, x tells the end and y the side. */
+/** Buffers for rectangles. Of a corner's position, x selects the end and y the side. */
 function rectangles(room: number): BufferGeometry {
   const corners = new Float32Array(12 * room);
   const index = new Uint32Array(6 * room);
@@ -164,7 +164,7 @@ export class DotLayer {
   }
 }
 
-/** A small circle, as the paper draws its vertices; white, to be coloured by the material. */
+/** A small white circle, coloured by the material. */
 function ringTexture(): CanvasTexture {
   const canvas = document.createElement('canvas');
   canvas.width = canvas.height = 64;

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The experience map with its tools: layers, 2-D and 3-D, fit, robot in the middle, scale.
+// The experience map and its tools: layers, 2-D and 3-D, fit, centre on the robot, scale.
 import { Vector2 } from 'three';
 import { byId, make, setAttribute, setText } from '../look/dom';
 import { metres } from '../look/format';
 import { webGl } from '../look/web_gl';
 import { roundDown } from '../model/sampling';
 import { cellFor } from '../model/thinning';
-import type { Panel, View } from '../model/view';
+import type { Panel, PageState } from '../model/page_state';
 import type { Colours } from '../look/theme';
 import { kLayers, MapContent, type LayerName } from './map_content';
 import { MapStage, type Dimension } from './map_stage';
 
+const kLayerNames: Readonly<Record<LayerName, string>> = {
+  links: 'odometry links', loops: 'loop links', rejected: 'rejected loop links', experiences: 'experiences',
+  odometry: 'odometry', truth: 'ground truth',
+};
 const kRobotSize = 17; // px
 const kRest = 300; // ms without a change
 const kColourOf = {
-  links: 'blue', loops: 'vermilion', experiences: 'green', odometry: 'orange', truth: 'truth',
+  links: 'blue', loops: 'vermilion', rejected: 'rejected', experiences: 'green', odometry: 'orange', truth: 'truth',
 } as const;
 
 export class MapPanel implements Panel {
@@ -94,21 +98,21 @@ export class MapPanel implements Panel {
     this.touch();
   }
 
-  update(view: View, now: number): boolean {
+  update(state: PageState, now: number): boolean {
     if (this.stage === null) return false;
     const resized = this.stage.resize();
-    if (view.colours !== this.colours) this.paint(view.colours);
-    const key = `${view.rows.count} ${view.row} ${view.graph.edition}`;
+    if (state.colours !== this.colours) this.paint(state.colours);
+    const key = `${state.rows.count} ${state.row} ${state.graph.edition}`;
     if (!resized && !this.dirty && key === this.key) return this.refine(this.stage, now);
     this.stage.fine = false;
     this.stage.resize();
     this.lastMove = now;
     const fresh = key !== this.key || this.relayer;
-    if (fresh) this.content.take(view);
+    if (fresh) this.content.take(state);
     if (this.stage.untouched) this.stage.fit(this.content.bounds);
     const cell = cellFor(this.stage.zoom);
-    if (fresh || cell !== this.cell) this.content.show(view, cell);
-    if (fresh) this.describe(view);
+    if (fresh || cell !== this.cell) this.content.show(state, cell);
+    if (fresh) this.describe(state);
     [this.key, this.cell, this.relayer, this.dirty] = [key, cell, false, false];
     if (this.centred && this.content.robot.visible) this.stage.centreOn(this.content.robot.position);
     const zoom = this.stage.zoom;
@@ -121,7 +125,7 @@ export class MapPanel implements Panel {
     return this.stage.software;
   }
 
-  /** Nothing moves. True when a finer drawing is due soon. */
+  /** Renders finely once nothing moves. True when that is due soon. */
   private refine(stage: MapStage, now: number): boolean {
     if (!stage.software || stage.fine) return false;
     if (now - this.lastMove < kRest) return true;
@@ -144,12 +148,14 @@ export class MapPanel implements Panel {
     this.dirty = true;
   }
 
-  private describe(view: View): void {
-    const { rows, row, graph } = view;
+  private describe(state: PageState): void {
+    const { rows, row, graph } = state;
     setText(this.numbers.get('experiences') as HTMLElement, String(graph.experiences));
-    setText(this.numbers.get('links') as HTMLElement, String(graph.links - graph.loops));
+    setText(this.numbers.get('links') as HTMLElement, String(graph.links - graph.loops - graph.rejected));
     setText(this.numbers.get('loops') as HTMLElement, String(graph.loops));
-    const hasTruth = Number.isFinite(rows.value(0, 'truth_x')) || (view.info?.hasTruth ?? false);
+    setText(this.numbers.get('rejected') as HTMLElement, String(graph.rejected));
+    byId('layer-rejected').hidden = graph.rejected === 0;
+    const hasTruth = Number.isFinite(rows.value(0, 'truth.x')) || (state.info?.source.has_truth ?? false);
     if (hasTruth !== this.hasTruth) {
       this.hasTruth = hasTruth;
       byId('layer-truth').hidden = !hasTruth;
@@ -159,7 +165,7 @@ export class MapPanel implements Panel {
     const past = row < rows.count - 1;
     const corrected = `correction ${graph.version}`;
     const truth = !hasTruth ? '' : ` · truth ${truthText(this.content.truthMode)}`;
-    setText(this.texts.foot, (past ? `as far as frame ${view.frame} · ` : '') + corrected + truth);
+    setText(this.texts.foot, (past ? `as far as frame ${state.frame} · ` : '') + corrected + truth);
     setAttribute(this.texts.foot, 'data-version', String(graph.version));
   }
 
@@ -174,7 +180,7 @@ export class MapPanel implements Panel {
   private makeLayers(): void {
     for (const layer of kLayers) {
       const label = make('label', { id: `layer-${layer}`, class: 'chip' });
-      const box = make('input', { type: 'checkbox', 'aria-label': `Show ${layer === 'truth' ? 'ground truth' : layer}` });
+      const box = make('input', { type: 'checkbox', 'aria-label': `Show ${kLayerNames[layer]}` });
       box.checked = true;
       box.onchange = () => this.toggle(layer);
       const style = `--swatch: var(--${kColourOf[layer]})`;

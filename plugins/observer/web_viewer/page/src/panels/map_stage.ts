@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stage of the map: renderer, ground grid, and two cameras, one from above and one in space.
+// Rendering of the map: renderer, ground grid, and two cameras, one from above and one in space.
 import {
   Box3, BufferAttribute, BufferGeometry, LineBasicMaterial, LineSegments, MOUSE, type Object3D,
   OrthographicCamera, PerspectiveCamera, Scene, TOUCH, Vector2, Vector3, WebGLRenderer,
@@ -15,7 +15,7 @@ const kHeight = 5000; // m of the camera from above
 export class MapStage {
   readonly scene = new Scene();
   dimension: Dimension = '2d';
-  /** Where a program draws: coarse while things move, fine when they rest. */
+  /** With software rendering: full resolution, used while nothing moves. */
   readonly software = webGl() === 'software';
   fine = false;
   untouched = true; // nobody has moved the view yet: it may fit itself
@@ -77,7 +77,7 @@ export class MapStage {
     this.gridMaterial.color.set(grid);
   }
 
-  /** True when the size on the screen is another one now. */
+  /** True when the size on the screen has changed. */
   resize(): boolean {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const ratio = this.software ? (this.fine ? 2 : 1) : Math.min(window.devicePixelRatio, 2);
@@ -97,7 +97,7 @@ export class MapStage {
     return true;
   }
 
-  /** Pixels a metre, at the middle of the view. */
+  /** Pixels per metre at the centre. */
   get zoom(): number {
     if (this.dimension === '2d') return this.flat.zoom;
     const away = this.space.position.distanceTo(this.spaceControls.target);
@@ -148,7 +148,7 @@ export class MapStage {
     this.spaceControls.update();
   }
 
-  /** True while the view still glides. */
+  /** Renders once. True while the camera still moves by inertia. */
   render(bounds: Box3): boolean {
     const gliding = this.dimension === '3d' && this.spaceControls.update();
     this.layGrid(bounds);
@@ -156,7 +156,7 @@ export class MapStage {
     return gliding;
   }
 
-  /** Round steps, about seven to the view, at the height where the run started. */
+  /** The ground grid at the height of the start; round steps, about seven over the width. */
   private layGrid(bounds: Box3): void {
     const across = Math.min(this.width, this.height) / this.zoom;
     const step = roundDown(Math.max(across / 3.5, 1e-3));

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The current view beside the view that made its template.
+// The current view beside the view that its template was made of.
 import { byId, byTestId, setAttribute, setText, Surface } from '../look/dom';
-import { brief, integer, kRecognitionNames, nameOf } from '../look/format';
+import { brief, integer, choiceName } from '../look/format';
 import type { RowStore } from '../model/row_store';
-import type { Panel, Picture, View } from '../model/view';
+import type { Panel, DecodedImage, PageState } from '../model/page_state';
 import { templateAddress } from '../wire/api';
 
-const kLookBack = 40; // rows: recognition need not look at every frame
+const kLookBack = 40; // rows; place recognition may skip frames
 
-/** The newest row at or before `row` whose view was judged; -1 when there is none near. */
+/** The newest row up to `row` with a template; -1 when there is none within kLookBack rows. */
 export function judgedRow(rows: RowStore, row: number): number {
   for (let r = row; r >= 0 && r > row - kLookBack; --r) {
-    if (rows.value(r, 'recognition') > 0) return r;
+    if (rows.value(r, 'place.recognition') > 0) return r;
   }
   return -1;
 }
@@ -27,8 +27,8 @@ export class MatchPanel implements Panel {
     template: byTestId('template'),
     score: byTestId('score'),
   };
-  private picture: Picture | null = null;
-  // The old picture stays until the new one is here; of quick changes only the newest is fetched.
+  private picture: DecodedImage | null = null;
+  // The old image stays until the new one has arrived; only the newest template is fetched.
   private readonly coming = new Image();
   private fetching = -1;
   private wanted = -1;
@@ -38,24 +38,24 @@ export class MatchPanel implements Panel {
     this.coming.onerror = () => this.arrived();
   }
 
-  update(view: View): boolean {
-    this.drawView(view);
-    const row = judgedRow(view.rows, view.row);
-    const template = view.rows.value(row, 'template_id');
-    const kind = row < 0 ? 0 : view.rows.value(row, 'recognition');
-    setText(this.texts.frame, integer(view.picture?.frame ?? NaN));
+  update(state: PageState): boolean {
+    this.drawView(state);
+    const row = judgedRow(state.rows, state.row);
+    const template = state.rows.value(row, 'place.template_id');
+    const kind = row < 0 ? 0 : state.rows.value(row, 'place.recognition');
+    setText(this.texts.frame, integer(state.picture?.frame ?? NaN));
     setText(this.texts.template, integer(template >= 0 ? template : NaN));
-    setText(this.texts.score, brief(view.rows.value(row, 'score')));
-    setText(this.tag, nameOf(kRecognitionNames, kind));
+    setText(this.texts.score, brief(state.rows.value(row, 'place.score')));
+    setText(this.tag, choiceName('place.recognition', kind));
     setAttribute(this.tag, 'data-kind', String(kind));
-    setAttribute(this.tag, 'data-frame', integer(view.rows.frame(row)));
-    const origin = template >= 0 ? view.rows.frameOfTemplate(template) : NaN;
+    setAttribute(this.tag, 'data-frame', integer(state.rows.frame(row)));
+    const origin = template >= 0 ? state.rows.frameOfTemplate(template) : NaN;
     setText(this.made, Number.isFinite(origin) ? ` · frame ${origin}` : '');
-    this.showTemplate(view.picture !== null && template >= 0 ? template : -1);
+    this.showTemplate(state.picture !== null && template >= 0 ? template : -1);
     return false;
   }
 
-  private drawView({ picture }: View): void {
+  private drawView({ picture }: PageState): void {
     if (!this.surface.fit() && this.picture === picture) return;
     this.picture = picture;
     const context = this.surface.clear();

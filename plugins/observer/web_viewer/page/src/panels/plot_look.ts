@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the plots have in common: axes in the page's colours, and a line at the shown moment.
+// Parts that the plots share: axes in the colours of the page, a line at the shown frame.
 import type uPlot from 'uplot';
 import { make } from '../look/dom';
 import type { Colours } from '../look/theme';
@@ -21,12 +21,12 @@ export function axis(label: string, size: number, colours: () => Colours): uPlot
   };
 }
 
-/** What is drawn is named by the element around it. */
+/** Hides the canvas from screen readers; the element around it has the label. */
 export function hideCanvas(plot: uPlot): void {
   plot.ctx.canvas.setAttribute('aria-hidden', 'true');
 }
 
-/** A line over the plot at a value of x. */
+/** A vertical line over the plot at a value of x. */
 export class NowLine {
   private readonly line = make('div', { class: 'now' });
 
@@ -43,7 +43,7 @@ export class NowLine {
   }
 }
 
-/** True when the plot had to take another size. */
+/** Fits the plot to its element. True when the size has changed. */
 export function fitPlot(plot: uPlot, root: HTMLElement): boolean {
   const [width, height] = [root.clientWidth, root.clientHeight];
   if (width === 0 || height === 0 || (plot.width === width && plot.height === height)) return false;
@@ -51,7 +51,7 @@ export function fitPlot(plot: uPlot, root: HTMLElement): boolean {
   return true;
 }
 
-/** Calls with the x value of a click; drags do not count. */
+/** Calls back with the x value of a click; drags are ignored. */
 export function onClick(plot: uPlot, clicked: (x: number) => void): void {
   plot.over.addEventListener('click', (event) => {
     clicked(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, 'x'));

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ring of head direction cells: unit 0 ahead (up), headings growing to the left. Activity as
-// colour; bumps as arcs inside it (mean and one standard deviation); the estimate as a hand.
+// A ring of cells: phase 0 up (ahead), phases grow to the left. Activity as colour; bumps as arcs
+// inside it (mean and one standard deviation); the estimate as a pointer.
 import { css, viridis } from '../look/colour_map';
 import type { Surface } from '../look/dom';
-import type { Population } from '../model/cell_modules';
-import { bumpColours } from './bump_look';
+import type { Bump, Population } from '../model/populations';
+import { bumpColour } from './bump_colours';
 import type { Colours } from '../look/theme';
 
 const kTurn = 2 * Math.PI;
-const kTracks = { integrator: 0, calibration: 1, injected: 2 } as const;
+const kTrack = 5; // px between the arcs of two labels
 
 export function drawRing(surface: Surface, ring: Population, colours: Colours): void {
   const context = surface.clear();
@@ -19,67 +19,73 @@ export function drawRing(surface: Surface, ring: Population, colours: Colours): 
   context.scale(1, -1);
   const outer = middle - 23;
   const inner = outer * 0.62;
-  drawCells(context, ring.activity, inner, outer);
-  drawTracks(context, ring, inner - 5, colours);
-  drawHand(context, ring, inner - 16, colours);
-  labelDirections(surface, middle, colours);
+  drawCells(context, ring, inner, outer);
+  const labels = [...new Set(ring.bumps.map((b) => b.label))].filter((label) => label !== 'estimate');
+  for (const bump of ring.bumps) {
+    if (bump.label === 'estimate') drawPointer(context, angleOf(ring, bump), inner - 16, colours);
+    else drawArc(context, ring, bump, inner - kTrack * (1 + labels.indexOf(bump.label)), colours);
+  }
+  if (ring.info.axes[0]?.unit === 'rad') labelDirections(surface, middle, colours);
+}
+
+/** Angle of a bump's mean; `first` is the phase of unit 0. */
+function angleOf(ring: Population, bump: Bump): number {
+  return firstAngle(ring) + kTurn * (bump.mean[0] ?? 0);
+}
+
+function firstAngle({ info }: Population): number {
+  const axis = info.axes[0];
+  return axis && axis.period > 0 ? (kTurn * axis.first) / axis.period : 0;
 }
 
 function drawCells(
   context: CanvasRenderingContext2D,
-  activity: Float32Array,
+  ring: Population,
   inner: number,
   outer: number,
 ): void {
-  const most = activity.reduce((a, b) => Math.max(a, b), 1e-9);
+  const { activity } = ring;
+  const greatest = activity.reduce((a, b) => Math.max(a, b), 1e-9);
   const half = (0.46 * kTurn) / activity.length;
   for (let i = 0; i < activity.length; ++i) {
-    const angle = (i * kTurn) / activity.length;
+    const angle = firstAngle(ring) + (i * kTurn) / activity.length;
     context.beginPath();
     context.arc(0, 0, outer, angle - half, angle + half);
     context.arc(0, 0, inner, angle + half, angle - half, true);
     context.closePath();
-    context.fillStyle = css(viridis((activity[i] as number) / most));
+    context.fillStyle = css(viridis((activity[i] as number) / greatest));
     context.fill();
   }
 }
 
-/** Concentric tracks; weight of the line tells the share of the energy. */
-function drawTracks(
+/** One standard deviation on each side of the mean, and a dot at the mean of a hypothesis. */
+function drawArc(
   context: CanvasRenderingContext2D,
   ring: Population,
+  bump: Bump,
   radius: number,
   colours: Colours,
 ): void {
-  const total = ring.bumps.reduce((sum, b) => (b.kind === 'estimate' ? Math.max(sum, b.precision) : sum), 0);
-  const look = bumpColours(colours);
-  for (const bump of ring.bumps) {
-    if (bump.kind === 'estimate' || !(bump.precision > 0)) continue;
-    const track = radius - 5 * kTracks[bump.kind];
-    const mean = bump.mean[0] ?? NaN;
-    const sigma = Math.min(Math.PI, 1 / Math.sqrt(bump.precision));
-    const share = total > 0 ? Math.min(1, bump.precision / total) : 1;
+  const mean = angleOf(ring, bump);
+  const sigma = Math.min(Math.PI, kTurn * (bump.sigma[0] || 0));
+  context.strokeStyle = context.fillStyle = bumpColour(bump.label, colours);
+  context.globalAlpha = 0.35 + 0.65 * bump.weight;
+  context.lineWidth = bump.isHypothesis ? 2 : 3.5;
+  context.lineCap = 'round';
+  context.beginPath();
+  context.arc(0, 0, radius, mean - sigma, mean + sigma);
+  context.stroke();
+  if (bump.isHypothesis) {
     context.beginPath();
-    context.arc(0, 0, track, mean - sigma, mean + sigma);
-    context.strokeStyle = look[bump.kind];
-    context.globalAlpha = 0.35 + 0.65 * share;
-    context.lineWidth = 3.5;
-    context.lineCap = 'round';
-    context.stroke();
-    context.globalAlpha = 1;
+    context.arc(radius * Math.cos(mean), radius * Math.sin(mean), 2 + 4 * bump.weight, 0, kTurn);
+    context.fill();
   }
+  context.globalAlpha = 1;
 }
 
-function drawHand(
-  context: CanvasRenderingContext2D,
-  ring: Population,
-  tip: number,
-  colours: Colours,
+function drawPointer(
+  context: CanvasRenderingContext2D, angle: number, tip: number, colours: Colours,
 ): void {
-  const estimate = ring.bumps.find((b) => b.kind === 'estimate');
-  if (estimate === undefined) return;
-  const units = ring.inUnits ? kTurn / ring.activity.length : 1;
-  const angle = (estimate.mean[0] ?? 0) * units;
   const [c, s] = [Math.cos(angle), Math.sin(angle)];
   context.fillStyle = colours.ink;
   context.beginPath();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Name of the run, state of the connection, and what to say when something is wrong.
+// Name of the run, state of the connection, and a banner for errors.
 import { byId, setAttribute, setText } from '../look/dom';
-import type { Session } from '../model/session';
-import type { Panel, View } from '../model/view';
+import type { RunModel } from '../model/run_model';
+import type { Panel, PageState } from '../model/page_state';
 
 interface Banner {
   readonly kind: 'info' | 'warning';
@@ -16,15 +16,15 @@ export class StatusPanel implements Panel {
   private readonly pillText = byId('link-text');
   private readonly banner = byId('banner');
 
-  constructor(private readonly session: Session) {}
+  constructor(private readonly model: RunModel) {}
 
-  update(view: View, now: number): boolean {
-    setText(this.name, view.info?.name ?? 'no run yet');
-    setText(this.description, view.info?.description || view.info?.directory || '');
-    const title = view.info ? `${view.info.name} · Tolman` : 'Tolman';
+  update(state: PageState, now: number): boolean {
+    setText(this.name, state.info?.name ?? 'no run yet');
+    setText(this.description, state.info?.source.description || state.info?.directory || '');
+    const title = state.info ? `${state.info.name} · Tolman` : 'Tolman';
     if (document.title !== title) document.title = title;
-    const [state, text] = this.state(view);
-    setAttribute(this.pill, 'data-state', state);
+    const [kind, text] = this.connection(state);
+    setAttribute(this.pill, 'data-state', kind);
     setText(this.pillText, text);
     const banner = this.trouble(now);
     this.banner.hidden = banner === null;
@@ -32,33 +32,36 @@ export class StatusPanel implements Panel {
       setText(this.banner, banner.text);
       setAttribute(this.banner, 'data-kind', banner.kind);
     }
-    return this.session.trouble?.kind === 'gone'; // counts the seconds
+    return this.model.trouble?.kind === 'gone'; // counts the seconds
   }
 
-  private state(view: View): [string, string] {
-    if (view.link === 'waiting' || view.link === 'connecting') {
-      return [view.link, view.link === 'waiting' ? 'no server' : 'connecting'];
+  private connection(state: PageState): [string, string] {
+    if (state.link === 'waiting' || state.link === 'connecting') {
+      return [state.link, state.link === 'waiting' ? 'no server' : 'connecting'];
     }
-    if (view.loading) return ['connecting', 'reading the history'];
-    if (this.session.end === 'interrupted') return ['ended', 'run was interrupted'];
-    if (this.session.end !== '' || view.link === 'ended') return ['ended', 'run has ended'];
-    if (!view.live) return ['recorded', 'recorded run'];
-    if (view.mode === 'live') return ['open', 'live'];
-    return ['open', view.mode === 'playing' ? 'live, playing' : 'live, paused here'];
+    if (state.loading) return ['connecting', 'reading the history'];
+    if (this.model.end === 'interrupted') return ['ended', 'run was interrupted'];
+    if (this.model.end !== '' || state.link === 'ended') return ['ended', 'run has ended'];
+    if (!state.live) return ['recorded', 'recorded run'];
+    if (state.mode === 'live') return ['open', 'live'];
+    return ['open', state.mode === 'playing' ? 'live, playing' : 'live, paused here'];
   }
 
   private trouble(now: number): Banner | null {
-    const trouble = this.session.trouble;
+    const trouble = this.model.trouble;
     if (trouble === null) return null;
     if (trouble.kind === 'no_frames') {
-      const text = 'The run has ended, and its server with it: no more images and activity. Numbers, plots and map stay. "tolman view" opens the recorded run.';
+      const text = 'The run and its server have ended: images and activity of past frames are no longer available. "tolman view" shows the recorded run.';
       return { kind: 'info', text };
+    }
+    if (trouble.kind === 'other_version') {
+      return { kind: 'warning', text: 'The server is of another version than this page. Reload the page.' };
     }
     const seconds = Math.max(0, Math.ceil((trouble.until - now) / 1000));
     const again = seconds > 0 ? `in ${seconds} s` : 'now';
     return {
       kind: 'warning',
-      text: `The viewer's server does not answer. What was seen stays here; next attempt ${again}.`,
+      text: `The server does not answer. Next attempt ${again}.`,
     };
   }
 }

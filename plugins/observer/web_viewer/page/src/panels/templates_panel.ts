@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's graph of the visual template over time: novel ones along the upper bound, familiar
-// ones below it.
+// Template id over time, as in the paper's figure: novel templates along the upper bound, familiar ones
+// below it.
 import uPlot from 'uplot';
 import { byId } from '../look/dom';
 import type { Colours } from '../look/theme';
 import type { RowStore } from '../model/row_store';
 import { strided } from '../model/sampling';
-import { Pace, type Panel, type View } from '../model/view';
+import { Pace, type Panel, type PageState } from '../model/page_state';
+import { kChoices } from '../wire/records';
 import { axis, fitPlot, NowLine, onClick } from './plot_look';
 
-const kMostPoints = 6000;
+const kMaxPoints = 6000;
+const kRecognitions = kChoices['place.recognition'];
+type Recognition = (typeof kRecognitions)[number];
 
 export class TemplatesPanel implements Panel {
   private readonly root = byId('templates');
@@ -46,27 +49,29 @@ export class TemplatesPanel implements Panel {
     onClick(this.plot, seekTime);
   }
 
-  update(view: View, time: number): boolean {
-    const repaint = view.colours !== this.painted;
-    this.painted = view.colours;
+  update(state: PageState, time: number): boolean {
+    const repaint = state.colours !== this.painted;
+    this.painted = state.colours;
     const resized = fitPlot(this.plot, this.root);
     if (repaint && !resized) this.plot.redraw(false);
-    const { rows } = view;
+    const { rows } = state;
     let late = false;
     if (rows !== this.rows || rows.count !== this.drawn) {
       late = !this.pace.due(time);
       if (!late) this.setData(rows);
     }
-    this.now.at(rows.value(view.row, 'stamp_s'));
+    this.now.at(rows.value(state.row, 'frame.time'));
     return late;
   }
 
   private setData(rows: RowStore): void {
     this.rows = rows;
     this.drawn = rows.count;
-    const [stamp, kind, id] = ['stamp_s', 'recognition', 'template_id'].map((c) => rows.column(c)) as [Float64Array, Float64Array, Float64Array];
-    const kept = strided(rows.count, kMostPoints);
-    const of = (wanted: number) => kept.map((i) => (kind[i] === wanted ? (id[i] as number) : null));
-    this.plot.setData([kept.map((i) => stamp[i] as number), of(2), of(1)]);
+    const stamp = rows.column('frame.time');
+    const kind = rows.column('place.recognition');
+    const id = rows.column('place.template_id');
+    const kept = strided(rows.count, kMaxPoints);
+    const of = (wanted: Recognition) => kept.map((i) => (kind[i] === kRecognitions.indexOf(wanted) ? (id[i] as number) : null));
+    this.plot.setData([kept.map((i) => stamp[i] as number), of('familiar'), of('novel')]);
   }
 }

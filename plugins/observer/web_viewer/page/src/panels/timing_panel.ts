@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Milliseconds of each stage: lines over the last frames, and now and median as numbers.
+// Wall time of each stage: lines over the last frames; at the shown frame, and the median.
 import uPlot from 'uplot';
 import { byId, make, setText } from '../look/dom';
 import { brief } from '../look/format';
 import type { Colours } from '../look/theme';
 import { median } from '../model/sampling';
-import { Pace, type Panel, type View } from '../model/view';
+import { Pace, type Panel, type PageState } from '../model/page_state';
+import { kColumns, type ColumnName } from '../wire/records';
 import { axis, fitPlot, hideCanvas } from './plot_look';
 
+const kDurations = kColumns.filter((column) => column.startsWith('duration.'));
 const kFrames = 300;
 const kLeast = 1e-3; // ms; a logarithmic axis has no zero
 
@@ -25,53 +27,50 @@ export class TimingPanel implements Panel {
   private readonly table = byId('stages');
   private readonly pace = new Pace(150);
   private colours: Colours | null = null;
-  private stages: string[] = [];
-  private cells: StageRow[] = [];
+  private readonly rows: StageRow[];
   private plot: uPlot | null = null;
   private key = '';
 
-  update(view: View, time: number): boolean {
-    const stages = stagesOf(view);
-    const painted = view.colours !== this.colours;
-    this.colours = view.colours;
-    if (stages.join() !== this.stages.join()) this.rebuild(stages);
-    if (this.plot === null) return false;
-    const resized = fitPlot(this.plot, this.root);
-    if (painted && !resized) this.plot.redraw(false);
-    const key = `${view.row} ${view.rows.count}`;
+  constructor() {
+    this.rows = kDurations.map((column) => this.makeRow(stageOf(column)));
+  }
+
+  update(state: PageState, time: number): boolean {
+    const painted = state.colours !== this.colours;
+    this.colours = state.colours;
+    const plot = (this.plot ??= this.makePlot());
+    const resized = fitPlot(plot, this.root);
+    if (painted && !resized) plot.redraw(false);
+    const key = `${state.row} ${state.rows.count}`;
     if (key === this.key) return false;
     if (!this.pace.due(time)) return true;
     this.key = key;
-    this.show(view, this.plot);
+    this.show(state, plot);
     return false;
   }
 
-  private show({ rows, row }: View, plot: uPlot): void {
+  private show({ rows, row }: PageState, plot: uPlot): void {
     const first = Math.max(0, row + 1 - kFrames);
-    const columns = this.stages.map((stage) => rows.column(`${stage}_ms`));
-    const frames = Array.from(rows.column('frame').subarray(first, row + 1));
+    const columns = kDurations.map((column) => rows.column(column));
+    const frames = Array.from(rows.column('frame.frame').subarray(first, row + 1));
     const lines = columns.map((column) =>
       Array.from(column.subarray(first, row + 1), (ms) => (ms >= 0 ? Math.max(ms, kLeast) : null)),
     );
     plot.setData([frames, ...lines]);
     columns.forEach((column, i) => {
-      const cells = this.cells[i] as StageRow;
+      const cells = this.rows[i] as StageRow;
       setText(cells.now, brief(column[row] ?? NaN));
       setText(cells.median, brief(median(column, first, row + 1)));
     });
   }
 
-  private rebuild(stages: string[]): void {
-    this.stages = stages;
-    this.plot?.destroy();
-    this.cells = [];
-    this.table.replaceChildren(...stages.map((stage) => this.makeRow(stage)));
+  private makePlot(): uPlot {
     const colours = () => this.colours as Colours;
     const log = (_: uPlot, low: number, high: number): uPlot.Range.MinMax => [
       10 ** Math.floor(Math.log10(Math.max(low ?? 1, kLeast))),
       10 ** Math.ceil(Math.log10(Math.max(high ?? 1, 10 * kLeast))),
     ];
-    this.plot = new uPlot(
+    const plot = new uPlot(
       {
         width: 200,
         height: 150,
@@ -82,12 +81,13 @@ export class TimingPanel implements Panel {
           { ...axis('frame', 22, colours), space: 44 },
           { ...axis('ms', 34, colours), values: (_, ticks) => ticks.map((t) => (isDecade(t) ? String(+t.toPrecision(3)) : '')) },
         ],
-        series: [{}, ...stages.map((stage) => this.series(stage))],
+        series: [{}, ...kDurations.map((column) => this.series(stageOf(column)))],
       },
-      [[], ...stages.map(() => [])],
+      [[], ...kDurations.map(() => [])],
       this.root,
     );
-    hideCanvas(this.plot);
+    hideCanvas(plot);
+    return plot;
   }
 
   private series(stage: string): uPlot.Series {
@@ -95,7 +95,7 @@ export class TimingPanel implements Panel {
     return { label: stage, stroke, width: 1.3, points: { show: false } };
   }
 
-  private makeRow(stage: string): HTMLTableRowElement {
+  private makeRow(stage: string): StageRow {
     const row = make('tr');
     const head = make('th', { scope: 'row' });
     const colour = `--swatch: var(--${kStageColours[stage] ?? 'sky'})`;
@@ -103,9 +103,13 @@ export class TimingPanel implements Panel {
     const now = make('td', { 'data-testid': `${stage}-now` });
     const middle = make('td', { 'data-testid': `${stage}-median` });
     row.append(head, now, middle);
-    this.cells.push({ now, median: middle });
-    return row;
+    this.table.append(row);
+    return { now, median: middle };
   }
+}
+
+function stageOf(column: ColumnName): string {
+  return column.slice('duration.'.length);
 }
 
 function isDecade(tick: number): boolean {
@@ -113,6 +117,3 @@ function isDecade(tick: number): boolean {
   return Math.abs(power - Math.round(power)) < 1e-9;
 }
 
-function stagesOf({ info, rows }: View): string[] {
-  return (info?.stages ?? []).filter((stage) => rows.names.includes(`${stage}_ms`));
-}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sheet on the torus that it is: activity as a texture on glass, so that the bump shows through;
-// turned by hand. Drawn off the screen and copied, so that there is one canvas a tile.
+// A periodic sheet as a torus that the pointer can turn. Activity is a translucent texture, so that a
+// bump on the far side is visible. Rendered off screen and copied to the canvas of the tile.
 import {
   DataTexture, DoubleSide, Mesh, MeshBasicMaterial, NearestFilter, PerspectiveCamera, RepeatWrapping, RGBAFormat,
   Scene, SRGBColorSpace, TorusGeometry, UnsignedByteType, WebGLRenderer,
@@ -9,7 +9,7 @@ import { rgbaTable } from '../look/colour_map';
 import type { Surface } from '../look/dom';
 import { webGl } from '../look/web_gl';
 import type { Colours } from '../look/theme';
-import type { Population } from '../model/cell_modules';
+import type { Population } from '../model/populations';
 
 const kTable = rgbaTable();
 const kDegreesPerPixel = 0.6;
@@ -78,10 +78,10 @@ export class TorusScene {
 
 function texture({ shape, activity }: Population): DataTexture {
   const [rows, columns] = shape as [number, number];
-  const most = activity.reduce((a, b) => Math.max(a, b), 1e-9);
+  const greatest = activity.reduce((a, b) => Math.max(a, b), 1e-9);
   const pixels = new Uint8Array(activity.length * 4);
   for (let i = 0; i < activity.length; ++i) {
-    const from = 4 * Math.round(255 * Math.max(0, (activity[i] as number) / most));
+    const from = 4 * Math.round(255 * Math.max(0, (activity[i] as number) / greatest));
     for (let k = 0; k < 3; ++k) pixels[4 * i + k] = kTable[from + k] as number;
     pixels[4 * i + 3] = 70 + (185 * from) / 1020;
   }

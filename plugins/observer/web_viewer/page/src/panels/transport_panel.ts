@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pause, live, speed, and the scrub bar over a strip that shows where what happened.
+// Pause, live, speed, and the time line with speed, familiar views, loop closures and lost tracking.
 import { byId, setAttribute, setText, Surface } from '../look/dom';
 import { clock, integer } from '../look/format';
-import type { Session } from '../model/session';
-import { Pace, type Panel, type View } from '../model/view';
+import type { RunModel } from '../model/run_model';
+import { Pace, type Panel, type PageState } from '../model/page_state';
+import { kChoices } from '../wire/records';
 
 const kPause = 'M6 4.5h3v11H6zM11 4.5h3v11h-3z';
 const kPlay = 'M6.5 4.2v11.6L16 10z';
+const kFamiliar = kChoices['place.recognition'].indexOf('familiar');
+const kCloseLoop = kChoices['decision.action'].indexOf('close_loop');
+const kLost = kChoices['motion.state'].indexOf('lost');
 
 export class TransportPanel implements Panel {
   private readonly scrub = byId<HTMLInputElement>('scrub');
@@ -23,52 +27,54 @@ export class TransportPanel implements Panel {
   private readonly pace = new Pace(300);
   private key = '';
 
-  constructor(session: Session, changed: () => void) {
-    this.scrub.oninput = () => session.seek(Number(this.scrub.value));
-    this.play.onclick = () => session.toggle();
-    this.live.onclick = () => session.follow();
+  constructor(model: RunModel, changed: () => void) {
+    this.scrub.oninput = () => model.seek(Number(this.scrub.value));
+    this.play.onclick = () => model.toggle();
+    this.live.onclick = () => model.follow();
     this.speed.onclick = () => {
-      session.player.cycleSpeed();
+      model.player.cycleSpeed();
       changed();
     };
   }
 
-  update(view: View, now: number): boolean {
-    const { rows, row, mode } = view;
+  update(state: PageState, now: number): boolean {
+    const { rows, row, mode } = state;
     setAttribute(this.scrub, 'max', String(Math.max(0, rows.count - 1)));
     if (this.scrub.value !== String(Math.max(0, row))) this.scrub.value = String(Math.max(0, row));
-    setAttribute(this.scrub, 'aria-valuetext', `frame ${integer(view.frame)}`);
-    const paused = mode === 'paused' || (mode === 'live' && !view.live);
+    setAttribute(this.scrub, 'aria-valuetext', `frame ${integer(state.frame)}`);
+    const paused = mode === 'paused' || (mode === 'live' && !state.live);
     setAttribute(this.texts.shape, 'd', paused ? kPlay : kPause);
     setAttribute(this.play, 'aria-label', paused ? 'Play (space)' : 'Pause (space)');
-    setText(this.live, view.live ? 'Live' : 'Newest');
+    setText(this.live, state.live ? 'Live' : 'Newest');
     setAttribute(this.live, 'aria-pressed', String(mode === 'live'));
-    setText(this.speed, `${view.speed}×`);
-    setText(this.texts.frame, integer(view.frame));
-    const total = view.live && view.info && view.info.frames > 0 ? view.info.frames - 1 : rows.frame(rows.count - 1);
+    setText(this.speed, `${state.speed}×`);
+    setText(this.texts.frame, integer(state.frame));
+    const total = state.live && state.info && state.info.source.frames > 0 ? state.info.source.frames - 1 : rows.frame(rows.count - 1);
     setText(this.texts.of, ` / ${integer(total)}`);
-    setText(this.texts.time, `${clock(rows.value(row, 'stamp_s') - rows.value(0, 'stamp_s'))} min`);
-    return this.updateStrip(view, now);
+    setText(this.texts.time, clock(rows.value(row, 'frame.time') - rows.value(0, 'frame.time')));
+    return this.updateStrip(state, now);
   }
 
-  private updateStrip(view: View, now: number): boolean {
-    const key = `${view.rows.count} ${view.info?.name} ${Object.values(view.colours).join()}`;
+  private updateStrip(state: PageState, now: number): boolean {
+    const key = `${state.rows.count} ${state.info?.name} ${Object.values(state.colours).join()}`;
     const resized = this.surface.fit();
     if (key === this.key && !resized) return false;
     if (!resized && !this.pace.due(now)) return true;
     this.key = key;
-    this.drawStrip(view);
+    this.drawStrip(state);
     return false;
   }
 
-  /** Speed as a hill, familiar views below it, loops and lost frames as marks. */
-  private drawStrip({ rows, colours }: View): void {
+  /** Speed as bars, familiar views below them, loop closures and lost frames as marks. */
+  private drawStrip({ rows, colours }: PageState): void {
     const context = this.surface.clear();
     const { width, height } = this.surface;
     const count = rows.count;
     if (count < 2) return;
-    const [speed, kind, action, tracking] = ['v', 'recognition', 'action', 'tracking'].map((c) =>
-      rows.column(c)) as [Float64Array, Float64Array, Float64Array, Float64Array];
+    const speed = rows.column('motion.v');
+    const kind = rows.column('place.recognition');
+    const action = rows.column('decision.action');
+    const tracking = rows.column('motion.state');
     let most = 1e-6;
     for (let i = 0; i < count; ++i) most = Math.max(most, Math.abs(speed[i] as number) || 0);
     const columns = Math.max(1, Math.floor(width));
@@ -78,9 +84,9 @@ export class TransportPanel implements Panel {
       let [fast, familiar, loop, lost] = [0, false, false, false];
       for (let i = from; i < to; ++i) {
         fast = Math.max(fast, Math.abs(speed[i] as number) || 0);
-        familiar ||= kind[i] === 2;
-        loop ||= action[i] === 2;
-        lost ||= tracking[i] === 2;
+        familiar ||= kind[i] === kFamiliar;
+        loop ||= action[i] === kCloseLoop;
+        lost ||= tracking[i] === kLost;
       }
       const hill = (0.55 * height * fast) / most;
       context.fillStyle = lost ? colours.purple : colours.line;

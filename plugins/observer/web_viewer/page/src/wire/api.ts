@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the page asks for over HTTP.
+// Requests over HTTP.
 import { parseContainer, type Container } from './container';
-import { readFrame, readGraph, readRows } from './messages';
+import { headerOf, readFrame, readGraph, readRows } from './messages';
+import type { HistoryHeader } from './records';
 import type { FrameMessage, GraphMessage, RowBlock } from './messages';
 
 export const kHistoryLimit = 10000; // rows in one answer
@@ -16,7 +17,7 @@ async function get(path: string): Promise<Container | null> {
 export async function fetchHistory(from: number, count: number): Promise<RowBlock | null> {
   const asked = Math.min(count, kHistoryLimit);
   const message = await get(`/api/history?from=${from}&count=${asked}`);
-  return message && readRows(message, Number(message.header['from'] ?? from));
+  return message && readRows(message, headerOf<HistoryHeader>(message).from);
 }
 
 export async function fetchFrame(frame: number): Promise<FrameMessage | null> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The WebSocket to the run: comes back after a drop, each time after a longer wait.
+// The WebSocket to the server. Reconnects after a failure, with a wait that doubles each time.
 import { parseContainer, type Container } from './container';
 
 export type LinkState = 'connecting' | 'open' | 'waiting' | 'ended';
@@ -41,7 +41,7 @@ export class Connection {
     socket.onclose = () => this.closed();
   }
 
-  /** Without flow the server sends rows, events and graphs only. */
+  /** With `live` false the server sends rows, events and graphs only: no images and arrays. */
   setFlow(live: boolean): void {
     if (this.live === live) return;
     this.live = live;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The one binary form of the wire: a JSON header and numeric arrays, little endian.
+// The binary form of all messages: a JSON header and numeric arrays, little-endian.
 
 export type NumericArray = Uint8Array | Int32Array | Float32Array | Float64Array;
 
@@ -34,7 +34,7 @@ export function isObject(value: JsonValue | undefined): value is JsonObject {
   return typeof value === 'object' && value !== null && !Array.isArray(value);
 }
 
-/** Arrays are views into `bytes`: nothing is copied. Throws WireError on anything malformed. */
+/** Arrays are views into `bytes`. Throws WireError for a malformed message. */
 export function parseContainer(bytes: ArrayBuffer): Container {
   if (bytes.byteLength < 4) throw new WireError('message shorter than its length field');
   const headerLength = new DataView(bytes).getUint32(0, true);

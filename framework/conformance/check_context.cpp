@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conformance/check_context.hpp"
+
+#include <algorithm>
+
+#include "config/check.hpp"
+#include "config/overrides.hpp"
+
+namespace tolman::conformance {
+
+Settings readSettings(const Schema& schema, const std::string& id,
+                      const std::vector<std::string>& assignments) {
+  config::Node map;
+  map.kind = config::Node::Kind::Map;
+  config::Problems problems;
+  config::applyOverrides(map, assignments, config::processEnvironment(), problems);
+  Settings settings;
+  Schema lenient = schema;
+  for (ParameterInfo& info : lenient) {
+    if (map.find(info.name) != nullptr) {
+      settings.set.push_back(info.name);
+    } else if (info.required) {
+      settings.missing.push_back(info.name);
+    } else if (info.name == "quiet" && info.type == ParameterType::Bool) {
+      info.default_value = true;  // nobody watches the terminal
+      settings.set.push_back(info.name);
+    }
+    info.required = false;
+  }
+  const config::BaseFolders folders{std::filesystem::current_path(),
+                                    config::processEnvironment()("HOME").value_or("")};
+  settings.values = config::check(map, lenient, {"", "plugin " + id, {}}, folders, problems);
+  settings.problems = problems.empty() ? "" : config::format(problems);
+  return settings;
+}
+
+host::Manifest CheckContext::manifest() const {
+  auto read = host::readManifest(task_.file, task_.id);
+  if (const auto* refusal = std::get_if<host::Refusal>(&read)) refuse(*refusal);
+  return std::move(std::get<host::Manifest>(read));
+}
+
+const PluginUnderTest& CheckContext::plugin() {
+  if (plugin_) return *plugin_;
+  const host::Manifest found = manifest();
+  send_(CallStarted{"load"});
+  auto loaded = host::loadPlugin(found, host::HostIdentity::ofThisBuild());
+  if (const auto* refusal = std::get_if<host::Refusal>(&loaded)) refuse(*refusal);
+  PluginUnderTest plugin;
+  plugin.loaded = std::move(std::get<host::LoadedPlugin>(loaded));
+  Settings settings = readSettings(plugin.loaded.schema, task_.id, task_.set);
+  plugin.values = std::move(settings.values);
+  plugin.set = std::move(settings.set);
+  plugin.missing = std::move(settings.missing);
+  plugin.seed = task_.seed;
+  plugin.scratch = task_.scratch;
+  plugin.trace = [this](const std::string& call) { send_(CallStarted{call}); };
+  plugin_ = std::move(plugin);
+  return *plugin_;
+}
+
+const PluginUnderTest& CheckContext::completePlugin() {
+  const PluginUnderTest& found = plugin();
+  std::string names;
+  for (const std::string& name : found.missing) names += " --set " + name + "=...";
+  if (!names.empty()) skip("a required parameter has no value; give" + names);
+  return found;
+}
+
+SequenceOptions CheckContext::sequenceOptions() {
+  SequenceOptions options = optionsFor(completePlugin().role(), task_.seed);
+  if (!stereo_) {
+    SequenceOptions one = options;
+    one.frames = 1;
+    one.images = false;
+    TestInstance instance(*plugin_);
+    const Status status = instance.configure(makeSequence(one).rig);
+    stereo_ = status.code() != StatusCode::Unsupported;
+  }
+  options.stereo = *stereo_;
+  return options;
+}
+
+InputSequence CheckContext::sequence() { return makeSequence(sequenceOptions()); }
+
+std::unique_ptr<TestInstance> CheckContext::configured(const CameraRig& rig) {
+  auto instance = std::make_unique<TestInstance>(completePlugin());
+  require(instance->configure(rig));
+  return instance;
+}
+
+Transcript CheckContext::runOnce(const InputSequence& sequence, const std::string& when) {
+  const auto instance = configured(sequence.rig);
+  require(instance->run(sequence), when);
+  require(instance->finish(sequence), when);
+  require(instance->destroy(), when);
+  return instance->transcript();
+}
+
+void CheckContext::report(CheckSeverity severity, const std::string& message,
+                          std::string remedy) const {
+  send_(CheckFinding{severity, message, std::move(remedy)});
+}
+
+void CheckContext::note(const std::string& message) const {
+  report(CheckSeverity::Ok, message, {});
+}
+
+void CheckContext::error(const std::string& message, std::string remedy) const {
+  report(CheckSeverity::Error, message, remedy.empty() ? remedy_ : std::move(remedy));
+}
+
+void CheckContext::warning(const std::string& message, std::string remedy) const {
+  report(CheckSeverity::Warning, message, remedy.empty() ? remedy_ : std::move(remedy));
+}
+
+void CheckContext::skip(const std::string& reason) const {
+  report(CheckSeverity::Skip, reason, {});
+  throw CheckEnded();
+}
+
+void CheckContext::refuse(const host::Refusal& refusal) const {
+  error("[" + refusal.id + "] " + refusal.message, refusal.remedy);
+  throw CheckEnded();
+}
+
+void CheckContext::require(const Status& status, const std::string& when) const {
+  if (status.isOk()) return;
+  error(when.empty() ? status.message() : when + ": " + status.message());
+  throw CheckEnded();
+}
+
+double CheckContext::timeUsed() const {
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin_;
+  return seconds.count() / task_.timeout_s;
+}
+
+}  // namespace tolman::conformance

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conformance/input_sequence.hpp"
+
+#include <cstring>
+#include <numbers>
+
+#include "conformance/synthetic_room.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::conformance {
+namespace {
+
+constexpr std::int64_t kFirstNs = 1'000'000'000;
+constexpr std::int64_t kStepNs = 100'000'000;
+constexpr int kPlaces = 24;  // view templates per circle
+
+Matrix6d covariance(double translation, double rotation) {
+  Vector6d diagonal;
+  diagonal << Eigen::Vector3d::Constant(translation * translation),
+      Eigen::Vector3d::Constant(rotation * rotation);
+  return diagonal.asDiagonal();
+}
+
+CameraRig rigOf(const SequenceOptions& options) {
+  CameraRig rig;
+  rig.width = options.width;
+  rig.height = options.height;
+  rig.calibrated = true;
+  rig.pinhole = {0.75 * options.width, 0.75 * options.width, 0.5 * (options.width - 1),
+                 0.5 * (options.height - 1)};
+  rig.baseline = options.stereo ? 0.3 : 0;
+  return rig;
+}
+
+/// Moves the camera along the circle and computes valid records of all stages for each frame.
+class SequenceGenerator {
+ public:
+  explicit SequenceGenerator(const SequenceOptions& options)
+      : options_(options), random_(options.seed), room_(options.seed) {
+    sequence_.rig = rigOf(options);
+  }
+
+  InputSequence make() {
+    for (int k = 0; k < options_.frames; ++k) {
+      FrameInput input;
+      T_world_camera_ = SyntheticRoom::poseAt(angle(k));
+      addImages(k, input.frame);
+      addMotion(k, input.motion);
+      addPlace(k, input.place);
+      addDecision(input.place, input.decision);
+      addMap(input);
+      input.cells = {{"bump", {8}, std::vector<float>(8, 0.125F)}};
+      sequence_.inputs.push_back(std::move(input));
+    }
+    if (options_.frames > 2) sequence_.last_revisions = {revision(options_.frames - 2)};
+    sequence_.graph = graph_;
+    return std::move(sequence_);
+  }
+
+ private:
+  double angle(int k) const { return 2 * std::numbers::pi * k / options_.turn; }
+
+  template <class R>
+  void stamp(int k, R& record) const {
+    record.frame = k;
+    record.stamp_ns = kFirstNs + k * kStepNs;
+  }
+
+  void addImages(int k, Frame& frame) const {
+    stamp(k, frame);
+    frame.source_index = k;
+    frame.has_truth = true;
+    frame.T_world_camera_truth = T_world_camera_;
+    addSensors(k, frame);
+    if (!options_.images) return;
+    const CameraRig& rig = sequence_.rig;
+    frame.left = room_.view(T_world_camera_, rig, 0, options_.format);
+    if (options_.stereo) {
+      frame.right = room_.view(T_world_camera_, rig, rig.baseline, options_.format);
+    }
+  }
+
+  /// Sensor arrays with the names that replaying plugins read: planar motion since the previous
+  /// frame (m, m, rad), and the frame of the previous circle at the same place.
+  void addSensors(int k, Frame& frame) const {
+    const PlanarPose before = toPlanar(SyntheticRoom::poseAt(angle(std::max(k - 1, 0))));
+    const PlanarPose moved = between(before, toPlanar(T_world_camera_));
+    const auto f = [](auto value) { return static_cast<float>(value); };
+    frame.sensors.push_back({"motion.planar", {3}, {f(moved.x), f(moved.y), f(moved.theta)}});
+    NamedArray candidate{"place.candidate", {0, 4}, {}};
+    if (k >= options_.turn) {
+      candidate.shape[0] = 1;
+      candidate.values = {f(k - options_.turn), 0, 0, 0};
+    }
+    frame.sensors.push_back(std::move(candidate));
+  }
+
+  Eigen::Isometry3d step(int k) {
+    Vector6d noise;
+    for (double& x : noise) x = 0.002 * random_.normal();
+    return SyntheticRoom::poseAt(angle(k - 1)).inverse() * SyntheticRoom::poseAt(angle(k)) *
+           expSe3(noise);
+  }
+
+  void addMotion(int k, Motion& motion) {
+    stamp(k, motion);
+    if (k == 0) return;
+    motion.state = TrackingState::Tracking;
+    motion.T_previous_current = step(k);
+    motion.covariance = covariance(0.01, 0.002);
+    setPlanarVelocity(motion, 1e-9 * kStepNs);
+    motion.tracked = 100;
+    motion.is_keyframe = k % 4 == 0;
+    if (options_.images) addDepth(k, motion);
+    if (k % 5 == 0) motion.revisions = {revision(k - 1)};
+  }
+
+  MotionRevision revision(int k) { return {k, step(k), covariance(0.008, 0.0015)}; }
+
+  void addDepth(int k, Motion& motion) const {
+    constexpr int kColumns = 16;
+    constexpr int kRows = 6;
+    motion.points_frame = k;
+    motion.points.resize(4, kColumns * kRows);
+    for (int i = 0; i < kColumns * kRows; ++i) {
+      const int row = i / kColumns;
+      const Eigen::Vector2d pixel((i % kColumns + 0.5) * options_.width / kColumns,
+                                  (row + 0.5) * options_.height / kRows);
+      const double depth = SyntheticRoom::depth(T_world_camera_, sequence_.rig, pixel);
+      motion.points.col(i) << pixel.cast<float>(), static_cast<float>(1 / depth), 1e-4F;
+    }
+  }
+
+  void addPlace(int k, PlaceObservation& seen) {
+    stamp(k, seen);
+    const int view = static_cast<int>(static_cast<std::int64_t>(k) * kPlaces / options_.turn);
+    const bool novel = view >= made_ && view < kPlaces;
+    if (novel) angle_of_template_.push_back(angle(k));
+    made_ = static_cast<int>(angle_of_template_.size());
+    seen.recognition = novel ? Recognition::Novel : Recognition::Familiar;
+    seen.template_id = view % kPlaces;
+    const double then = angle_of_template_[static_cast<std::size_t>(seen.template_id)];
+    seen.relative_yaw = wrapAngle(angle(k) - then);
+    seen.score = novel ? 0 : 0.02 + 0.01 * random_.uniform();
+    seen.has_relative_pose = !novel && k % 2 == 0;
+    if (!seen.has_relative_pose) return;
+    seen.T_template_current = SyntheticRoom::poseAt(then).inverse() * T_world_camera_;
+    seen.covariance = covariance(0.05, 0.01);
+  }
+
+  void addDecision(const PlaceObservation& seen, Decision& decision) {
+    stamp(static_cast<int>(seen.frame), decision);
+    decision.experience = decision.template_id = seen.template_id;  // one experience per template
+    const bool back = seen.template_id != last_view_;
+    last_view_ = seen.template_id;
+    decision.action = seen.recognition == Recognition::Novel ? Action::CreateExperience
+                      : back                                 ? Action::CloseLoop
+                                                             : Action::Stay;
+    decision.relative_yaw = seen.relative_yaw;
+    decision.has_relative_pose = seen.has_relative_pose;
+    decision.T_experience_current = seen.T_template_current;
+    decision.covariance = seen.covariance;
+    decision.heading = wrapPeriod(angle(static_cast<int>(seen.frame)), 2 * std::numbers::pi);
+    decision.confidence = 0.9;
+  }
+
+  void addMap(FrameInput& input) {
+    const Decision& decision = input.decision;
+    if (decision.action == Action::CreateExperience) {
+      graph_.experiences.push_back(
+          {decision.experience, decision.frame, decision.template_id, T_world_camera_});
+    }
+    if (decision.action != Action::Stay && at_ >= 0) addLink(decision);
+    at_ = decision.experience;
+    const auto& experience = graph_.experiences[static_cast<std::size_t>(at_)];
+    stamp(static_cast<int>(decision.frame), input.map);
+    input.map.experience = at_;
+    input.map.T_world_camera = T_world_camera_;
+    input.map.T_experience_camera = experience.T_world_experience.inverse() * T_world_camera_;
+    input.map.version = graph_.version;
+    input.map.experiences = static_cast<std::int64_t>(graph_.experiences.size());
+    input.map.links = static_cast<std::int64_t>(graph_.links.size());
+    input.map.loops = graph_.version;
+    if (decision.action != Action::Stay) input.graph = graph_;
+  }
+
+  void addLink(const Decision& decision) {
+    const bool loop = decision.action == Action::CloseLoop;
+    if (loop) ++graph_.version;
+    const auto pose = [&](std::int64_t id) {
+      return graph_.experiences[static_cast<std::size_t>(id)].T_world_experience;
+    };
+    Link link{static_cast<std::int64_t>(graph_.links.size()), at_, decision.experience,
+              loop ? LinkKind::Loop : LinkKind::Odometry, decision.frame};
+    link.T_from_to = pose(at_).inverse() * pose(decision.experience);
+    link.covariance = covariance(0.05, 0.01);
+    link.duration = loop ? 0 : 1e-9 * kStepNs;
+    graph_.links.push_back(link);
+  }
+
+  SequenceOptions options_;
+  RandomStream random_;
+  SyntheticRoom room_;
+  InputSequence sequence_;
+  MapGraph graph_;
+  Eigen::Isometry3d T_world_camera_ = Eigen::Isometry3d::Identity();
+  std::vector<double> angle_of_template_;
+  int made_ = 0;
+  std::int64_t last_view_ = -1;
+  std::int64_t at_ = -1;
+};
+
+}  // namespace
+
+SequenceOptions optionsFor(Role role, std::uint64_t seed) {
+  SequenceOptions options;
+  options.seed = seed;
+  switch (role) {
+    case Role::Source:  // gives its own frames; only their number matters
+      options.frames = 8;
+      options.images = false;
+      break;
+    case Role::Place:
+      options.frames = 40;
+      options.turn = 30;
+      break;
+    case Role::Cells:
+    case Role::Map:
+      options.frames = 150;
+      options.turn = 60;
+      options.images = false;
+      break;
+    default:
+      break;
+  }
+  return options;
+}
+
+InputSequence makeSequence(const SequenceOptions& options) {
+  return SequenceGenerator(options).make();
+}
+
+InputSequence shortened(InputSequence sequence, std::size_t count) {
+  if (sequence.inputs.size() > count) sequence.inputs.resize(count);
+  sequence.last_revisions.clear();
+  return sequence;
+}
+
+}  // namespace tolman::conformance

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One driver per role.
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "conformance/contract.hpp"
+#include "conformance/test_instance.hpp"
+#include "host/stages.hpp"
+
+namespace tolman::conformance {
+namespace {
+
+/// Adds the call site to a failure that the kit found.
+Status withCallSite(host::Instance& instance, std::string_view call, std::int64_t frame,
+                    const Status& status) {
+  return host::guarded({instance.name(), instance.manifest().id, call, frame},
+                       [&] { return status; });
+}
+
+/// `Progress` is what the checks of a run remember of its earlier frames.
+template <class Stage, class Progress>
+class DriverOf : public RoleDriver {
+ public:
+  explicit DriverOf(std::unique_ptr<host::Instance> instance) : stage_(std::move(instance)) {}
+  host::Instance& instance() override { return stage_.instance(); }
+  void beginRun() override {
+    now_ = {};
+    expect();
+  }
+  void continueRun(const RoleDriver& other) override {
+    now_ = static_cast<const DriverOf&>(other).now_;
+    expect();
+  }
+
+ protected:
+  /// Tells the host's own checks where the run stands.
+  virtual void expect() {}
+  Status checked(std::string_view call, std::int64_t frame, const Status& status) {
+    return status.isOk() ? status : withCallSite(instance(), call, frame, status);
+  }
+  Stage stage_;
+  Progress now_;
+};
+
+struct SourceProgress {
+  std::int64_t next = 0;
+  std::int64_t last_ns = 0;
+};
+
+class SourceDriver final : public DriverOf<host::SourceStage, SourceProgress> {
+ public:
+  using DriverOf::DriverOf;
+  void beginRun() override {
+    DriverOf::beginRun();
+    has_info_ = false;
+  }
+  Status process(const FrameInput&, TranscriptEntry& answer) override {
+    if (Status status = readInfo(answer); !status.isOk()) return status;
+    Frame frame;
+    const Status status = stage_.next(frame);
+    if (status.code() == StatusCode::EndOfStream) return checked("next", -1, checkEnd(status));
+    if (!status.isOk()) return status;
+    ++now_.next;
+    now_.last_ns = frame.stamp_ns;
+    answer.add(frame);
+    const bool pair = info_.rig.isStereo() && frame.left.empty() != frame.right.empty();
+    const bool unexplained = frame.left.empty() && info_.rig.width > 0 && frame.defect.empty();
+    if (pair) {
+      return checked("next", frame.frame,
+                     Status::failed("one image of a pair is missing; give both or none"));
+    }
+    if (!unexplained) return Status::ok();
+    return checked("next", frame.frame,
+                   Status::failed("the image is missing and `defect` does not say why"));
+  }
+  Status finish(const InputSequence&, TranscriptEntry&) override { return Status::ok(); }
+
+ private:
+  void expect() override { stage_.expect(now_.next, now_.last_ns); }
+  Status readInfo(TranscriptEntry& answer) {
+    if (std::exchange(has_info_, true)) return Status::ok();
+    const Status status = stage_.info(info_);
+    answer.add(info_.rig);
+    answer.addValue("description", info_.description);
+    return status;
+  }
+  Status checkEnd(const Status& end) const {
+    if (info_.frames < 0 || info_.frames == now_.next) return end;
+    return Status::failed("info() promised " + std::to_string(info_.frames) + " frames, " +
+                          std::to_string(now_.next) + " were given");
+  }
+  SourceInfo info_;
+  bool has_info_ = false;
+};
+
+/// Remembers the previous frame.
+class OdometryDriver final : public DriverOf<host::OdometryStage, std::optional<Frame>> {
+ public:
+  using DriverOf::DriverOf;
+  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+    Motion motion;
+    Status status = stage_.track(input.frame, motion);
+    if (status.isOk()) {
+      const Frame* previous = now_ ? &*now_ : nullptr;
+      status = checked("track", input.frame.frame, checkMotion(motion, input.frame, previous));
+    }
+    now_ = input.frame;
+    answer.add(motion);
+    return status;
+  }
+  Status finish(const InputSequence&, TranscriptEntry& answer) override {
+    std::vector<MotionRevision> revisions;
+    const Status status = stage_.finish(revisions);
+    answer.addValue("revisions", revisions);
+    return status.isOk() ? checked("finish", -1, checkRevisions(revisions)) : status;
+  }
+};
+
+struct PlaceProgress {
+  std::int64_t templates = 0;
+};
+
+class PlaceDriver final : public DriverOf<host::PlaceStage, PlaceProgress> {
+ public:
+  using DriverOf::DriverOf;
+  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+    const bool wants_motion = stage_.input() == PlaceInput::FrameAndMotion;
+    PlaceObservation seen;
+    const Status status = stage_.observe(input.frame, wants_motion ? &input.motion : nullptr, seen);
+    answer.add(seen);
+    if (!status.isOk()) return status;
+    return checked("observe", input.frame.frame, checkPlace(seen, now_.templates));
+  }
+  Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
+
+ private:
+  void expect() override { stage_.expect(now_.templates); }
+};
+
+struct CellsProgress {
+  std::int64_t experiences = 0;
+  std::int64_t at = -1;
+};
+
+class CellsDriver final : public DriverOf<host::CellsStage, CellsProgress> {
+ public:
+  using DriverOf::DriverOf;
+  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+    Decision decision;
+    const Status status = stage_.step(input.motion, input.place, decision);
+    answer.add(decision);
+    if (!status.isOk()) return status;
+    if (decision.action == Action::CreateExperience) ++now_.experiences;
+    const std::int64_t before = std::exchange(now_.at, decision.experience);
+    return checked("step", input.frame.frame, checkDecision(decision, before));
+  }
+  Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
+
+ private:
+  void expect() override { stage_.expect(now_.experiences); }
+};
+
+struct MapProgress {
+  std::int64_t version = 0;
+  std::vector<std::int64_t> frames;
+};
+
+class MapDriver final : public DriverOf<host::MapStage, MapProgress> {
+ public:
+  using DriverOf::DriverOf;
+  Status process(const FrameInput& input, TranscriptEntry& answer) override {
+    MapUpdate update;
+    Status status = stage_.update(input.motion, input.decision, update);
+    answer.add(update);
+    MapGraph graph;
+    if (status.isOk()) status = stage_.graph(graph);
+    if (status.isOk()) {
+      status = checked("update", input.frame.frame, checkUpdate(update, graph, now_.version));
+    }
+    if (!status.isOk()) return status;
+    now_.version = update.version;
+    now_.frames.push_back(input.frame.frame);
+    return checkPoses(input.frame.frame, update.T_world_camera);
+  }
+  Status finish(const InputSequence& sequence, TranscriptEntry& answer) override {
+    Status status = stage_.finish(sequence.last_revisions);
+    MapGraph graph;
+    if (status.isOk()) status = stage_.graph(graph);
+    answer.addValue("experiences", graph.experiences);
+    answer.addValue("links", graph.links);
+    for (const std::int64_t frame : now_.frames) {
+      if (!status.isOk()) break;
+      Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+      status = stage_.poseOf(frame, T);
+      answer.addValue("pose of frame " + std::to_string(frame), T);
+    }
+    return status;
+  }
+
+ private:
+  /// The pose of a frame is that of the update; a frame that was never given is refused.
+  Status checkPoses(std::int64_t frame, const Eigen::Isometry3d& T_world_camera) {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    if (Status status = stage_.poseOf(frame, T); !status.isOk()) return status;
+    if (!close(T, T_world_camera)) {
+      return checked("poseOf", frame, Status::failed("not the T_world_camera of the update"));
+    }
+    const Status unseen = stage_.poseOf(frame + 1'000'000, T);
+    if (unseen.code() == StatusCode::InvalidParameter) return Status::ok();
+    return checked("poseOf", frame + 1'000'000,
+                   Status::failed("a frame that was never given must be InvalidParameter"));
+  }
+};
+
+class ObserverDriver final : public DriverOf<host::ObserverStage, std::monostate> {
+ public:
+  ObserverDriver(std::unique_ptr<host::Instance> instance, std::string folder)
+      : DriverOf(std::move(instance)), folder_(std::move(folder)) {}
+  void beginRun() override { begin_called_ = false; }
+  Status process(const FrameInput& input, TranscriptEntry&) override {
+    if (Status status = callBegin(); !status.isOk()) return status;
+    return stage_.observe({&input.frame, &input.motion, &input.place, &input.decision, &input.map,
+                           &input.cells, input.graph ? &*input.graph : nullptr});
+  }
+  Status finish(const InputSequence& sequence, TranscriptEntry&) override {
+    const Status status = callBegin();
+    return status.isOk() ? stage_.finish(sequence.graph) : status;
+  }
+
+ private:
+  Status callBegin() {
+    if (std::exchange(begin_called_, true)) return Status::ok();
+    return stage_.begin({"conformance", folder_, {"synthetic room", rig_, -1, true}, {}});
+  }
+  std::string folder_;
+  bool begin_called_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<RoleDriver> makeDriver(Role role, std::unique_ptr<host::Instance> instance,
+                                       const std::string& scratch) {
+  switch (role) {
+    case Role::Source:
+      return std::make_unique<SourceDriver>(std::move(instance));
+    case Role::Odometry:
+      return std::make_unique<OdometryDriver>(std::move(instance));
+    case Role::Place:
+      return std::make_unique<PlaceDriver>(std::move(instance));
+    case Role::Cells:
+      return std::make_unique<CellsDriver>(std::move(instance));
+    case Role::Map:
+      return std::make_unique<MapDriver>(std::move(instance));
+    case Role::Observer:
+      break;
+  }
+  return std::make_unique<ObserverDriver>(std::move(instance), scratch);
+}
+
+}  // namespace tolman::conformance

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conformance/test_instance.hpp"
+
+#include <chrono>
+
+namespace tolman::conformance {
+
+/// Services of the context that ignore everything.
+struct TestInstance::Services final : Logger, ArtefactWriter, Cancellation, Clock {
+  void write(LogLevel, std::string_view) override {}
+  Status write(std::string_view, std::span<const std::byte>) override { return Status::ok(); }
+  bool requested() const override { return false; }
+  std::int64_t steadyNs() const override {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+  }
+};
+
+TestInstance::TestInstance(const PluginUnderTest& plugin, ParameterValues values)
+    : plugin_(plugin), values_(std::move(values)), services_(std::make_unique<Services>()) {
+  plugin_.trace("construct");
+  auto created = host::Instance::create(plugin_.loaded, std::string(enumName(plugin.role())));
+  if (const auto* refusal = std::get_if<host::Refusal>(&created)) {
+    created_ = Status::failed(refusal->message);
+    return;
+  }
+  driver_ = makeDriver(plugin.role(), std::move(std::get<std::unique_ptr<host::Instance>>(created)),
+                       plugin_.scratch.string());
+}
+
+TestInstance::~TestInstance() { (void)destroy(); }
+
+Status TestInstance::configure(const CameraRig& rig) {
+  if (!created_.isOk()) return created_;
+  plugin_.trace("configure");
+  const Context context{values_,      *services_,
+                        *services_,   *services_,
+                        *services_,   plugin_.role() == Role::Source ? CameraRig() : rig,
+                        plugin_.seed, driver_->instance().name(),
+                        false,        true};
+  driver_->setRig(rig);
+  const Status status = driver_->instance().configure(context);
+  if (status.isOk()) driver_->beginRun();
+  return status;
+}
+
+Status TestInstance::reset() {
+  plugin_.trace("reset");
+  const Status status = driver_->instance().reset();
+  beginRun();
+  return status;
+}
+
+void TestInstance::beginRun() {
+  driver_->beginRun();
+  frames_ = 0;
+  ended_ = false;
+}
+
+Status TestInstance::appendArrays(std::int64_t frame, TranscriptEntry& answer) {
+  std::vector<NamedArray> arrays;
+  const Status status = driver_->instance().arrays(frame, arrays);
+  for (const NamedArray& array : arrays) answer.addValue(array.name, array);
+  return status;
+}
+
+Status TestInstance::process(const FrameInput& input) {
+  const bool source = plugin_.role() == Role::Source;
+  const std::int64_t frame = source ? frames_ : input.frame.frame;
+  TranscriptEntry answer;
+  answer.call = "frame " + std::to_string(frame);
+  plugin_.trace(answer.call);
+  Status status = driver_->process(input, answer);
+  if (status.code() == StatusCode::EndOfStream) {
+    ended_ = true;
+    return status;
+  }
+  if (status.isOk()) status = appendArrays(frame, answer);
+  ++frames_;
+  if (status.isOk()) transcript_.push_back(std::move(answer));
+  return status;
+}
+
+Status TestInstance::run(const InputSequence& sequence, std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < std::min(last, sequence.inputs.size()); ++i) {
+    Status status = process(sequence.inputs[i]);
+    if (status.code() == StatusCode::EndOfStream) break;
+    if (!status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+Status TestInstance::finish(const InputSequence& sequence) {
+  TranscriptEntry answer;
+  answer.call = "finish";
+  plugin_.trace(answer.call);
+  const Status status = driver_->finish(sequence, answer);
+  if (status.isOk()) transcript_.push_back(std::move(answer));
+  return status;
+}
+
+Status TestInstance::destroy() {
+  if (!driver_) return Status::ok();
+  plugin_.trace("destroy");
+  const Status status = driver_->instance().destroy();
+  driver_.reset();
+  return status;
+}
+
+bool TestInstance::keepsState() const { return driver_ && driver_->instance().state() != nullptr; }
+
+Status TestInstance::save(std::ostream& stream) {
+  plugin_.trace("save");
+  return driver_->instance().call<Plugin>(
+      "save", -1, [&](Plugin&) { return driver_->instance().state()->save(stream); });
+}
+
+Status TestInstance::load(std::istream& stream) {
+  plugin_.trace("load");
+  return driver_->instance().call<Plugin>(
+      "load", -1, [&](Plugin&) { return driver_->instance().state()->load(stream); });
+}
+
+}  // namespace tolman::conformance

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dataset/kitti_folder.hpp"
+
+#include <oneapi/tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+
+#include "dataset/png_encoder.hpp"
+#include "record/atomic_file.hpp"
+#include "record/pose_files.hpp"
+
+namespace tolman::dataset {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
+constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
+
+/// "000042.png"
+std::string imageName(std::int64_t index) {
+  const std::string digits = std::to_string(index);
+  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + ".png";
+}
+
+/// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
+bool isOurs(const fs::path& file) {
+  std::string name = file.filename().string();
+  const std::size_t partial = name.find(".partial");  // of writeAtomically()
+  if (name.starts_with('.') && partial != std::string::npos) name = name.substr(1, partial - 1);
+  return name.size() >= 10 && name.ends_with(".png") &&
+         name.find_first_not_of("0123456789") == name.size() - 4;
+}
+
+void removeEarlier(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : kTextFiles) fs::remove(folder / name, ignored);
+  for (const char* name : kImageFolders) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
+      if (isOurs(entry.path())) files.push_back(entry.path());
+    }
+    for (const fs::path& file : files) fs::remove(file, ignored);
+    fs::remove(folder / name, ignored);  // unless there is more in it
+  }
+}
+
+std::string projectionText(const CameraRig& rig, double baseline_m) {
+  const Pinhole& K = rig.pinhole;
+  const std::array<double, 12> rows = {K.fx, 0, K.cx, -K.fx * baseline_m, 0, K.fy, K.cy, 0, 0,
+                                       0,    1, 0};
+  std::string text;
+  for (const double value : rows) text += " " + record::numberText(value);
+  return text;
+}
+
+const NamedArray* sensorOf(const Frame& frame, const std::string& name) {
+  const auto found = std::ranges::find(frame.sensors, name, &NamedArray::name);
+  return found == frame.sensors.end() ? nullptr : &*found;
+}
+
+Status firstFailure(std::initializer_list<Status> all) {
+  for (const Status& status : all) {
+    if (!status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+std::string calibrationText(const CameraRig& rig) {
+  std::string text;
+  for (const char camera : {'0', '1', '2', '3'}) {
+    const bool right = camera == '1' || camera == '3';
+    text += std::string("P") + camera + ":" + projectionText(rig, right ? rig.baseline : 0) + "\n";
+  }
+  return text;
+}
+
+std::string timesText(const std::vector<std::int64_t>& stamps_ns) {
+  std::string text;
+  for (const std::int64_t stamp_ns : stamps_ns) text += record::secondsText(stamp_ns) + "\n";
+  return text;
+}
+
+Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (!fs::is_directory(folder)) {
+    return Status::failed(folder.string() +
+                          ": is not a folder and cannot be made; choose another --out");
+  }
+  if (!fs::is_empty(folder, failure) && !replace) {
+    return Status::failed(folder.string() +
+                          ": is not empty; choose another --out, or give --force to replace an "
+                          "earlier rendering");
+  }
+  if (replace) removeEarlier(folder);
+  return KittiFolder(folder);
+}
+
+Status KittiFolder::writeImage(const char* name, std::int64_t index,
+                               const Result<std::string>& png) const {
+  if (!png.isOk()) return png.status();
+  std::error_code failure;
+  fs::create_directory(folder_ / name, failure);
+  // Ten thousand syncs take minutes, and `tolman dataset check` finds an image that a power cut has
+  // damaged.
+  return record::writeAtomically(folder_ / name / imageName(index), png.value(), record::Sync::No);
+}
+
+Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
+                               const std::string& depth) const {
+  const bool colour = frame.left.format() == PixelFormat::Bgr8;
+  Status left;
+  Status right;
+  Status depths;
+  tbb::parallel_invoke(
+      [&] { left = writeImage(colour ? "image_2" : "image_0", index, encodePng(frame.left)); },
+      [&] {
+        if (frame.right.empty()) return;
+        right = writeImage(colour ? "image_3" : "image_1", index, encodePng(frame.right));
+      },
+      [&] {
+        const NamedArray* map = sensorOf(frame, depth);
+        if (map != nullptr) depths = writeImage("depth_0", index, encodeDepthPng(*map));
+      });
+  return firstFailure({left, right, depths});
+}
+
+Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
+                               const std::vector<Revisit>& revisits) const {
+  if (log.hasTruth()) {
+    const Result<std::string> text = record::kittiText(log.truth);
+    if (!text.isOk()) return text.status();
+    const Status status =
+        firstFailure({record::writeAtomically(folder_ / "poses.txt", text.value()),
+                      record::writeAtomically(folder_ / "loops.txt", loopsText(revisits))});
+    if (!status.isOk()) return status;
+  }
+  return firstFailure({record::writeAtomically(folder_ / "calib.txt", calibrationText(rig)),
+                       record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
+}
+
+}  // namespace tolman::dataset

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dataset/loop_truth.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <optional>
+
+#include "tolman/fields.hpp"
+
+namespace tolman::dataset {
+namespace {
+
+/// The best candidates of one frame, one for each heading.
+class Nearest {
+ public:
+  Nearest(const evaluation::Trajectory& truth, std::size_t frame, const RevisitRule& rule)
+      : truth_(truth),
+        pose_(truth[frame].T_world_camera),
+        frame_(truth[frame].frame),
+        rule_(rule),
+        same_above_(cosine(rule.same_below_deg)),
+        opposite_below_(cosine(rule.opposite_above_deg)) {}
+
+  void consider(std::size_t index) {
+    const Eigen::Isometry3d& other = truth_[index].T_world_camera;
+    const double distance = (other.translation() - pose_.translation()).norm();
+    if (!(distance <= rule_.distance_m)) return;
+    const double agreement = other.linear().col(2).dot(pose_.linear().col(2));
+    if (agreement > same_above_) take(best_[0], Heading::Same, index, distance);
+    if (agreement < opposite_below_) take(best_[1], Heading::Opposite, index, distance);
+  }
+
+  void append(std::vector<Revisit>& revisits) const {
+    for (const auto& best : best_) {
+      if (best) revisits.push_back(*best);
+    }
+  }
+
+ private:
+  static double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+
+  void take(std::optional<Revisit>& best, Heading heading, std::size_t index,
+            double distance) const {
+    const std::int64_t earlier = truth_[index].frame;
+    const bool better = !best || distance < best->distance_m ||
+                        (distance == best->distance_m && earlier < best->earlier);
+    if (better) best = Revisit{frame_, earlier, heading, distance};
+  }
+
+  const evaluation::Trajectory& truth_;
+  const Eigen::Isometry3d& pose_;
+  std::int64_t frame_;
+  const RevisitRule& rule_;
+  double same_above_;
+  double opposite_below_;
+  std::array<std::optional<Revisit>, 2> best_;
+};
+
+}  // namespace
+
+std::vector<Revisit> findRevisits(const evaluation::Trajectory& truth, const RevisitRule& rule) {
+  std::vector<Revisit> revisits;
+  if (!(rule.distance_m > 0)) return revisits;
+  const std::vector<double> driven = evaluation::distances(truth);
+  std::size_t known = 0;  // poses that lie far enough back along the path; standing still adds none
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    while (known < i && driven[i] - driven[known] > rule.path_m) ++known;
+    Nearest nearest(truth, i, rule);
+    for (std::size_t earlier = 0; earlier < known; ++earlier) nearest.consider(earlier);
+    nearest.append(revisits);
+  }
+  return revisits;
+}
+
+std::string loopsText(std::span<const Revisit> revisits, const RevisitRule& rule) {
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "# frame earlier same|opposite distance_m; within %g m after more than %g m\n",
+                rule.distance_m, rule.path_m);
+  std::string text = line;
+  for (const Revisit& r : revisits) {
+    std::snprintf(line, sizeof line, "%lld %lld %s %.3f\n", static_cast<long long>(r.frame),
+                  static_cast<long long>(r.earlier), enumName(r.heading).data(), r.distance_m);
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace tolman::dataset

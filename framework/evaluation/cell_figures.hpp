@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the cells of a run said and how their units fired: `cells` of metrics.json.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/unit_scores.hpp"
+
+namespace tolman::evaluation {
+
+/// A population of head direction cells.
+struct RingFigures {
+  std::string array;
+  std::size_t units = 0;
+  std::optional<ErrorFigures> error_deg;  ///< of the population vector against the true heading
+  RingScores scores;
+};
+
+/// A population of grid cells: one module.
+struct SheetFigures {
+  std::string array;
+  std::size_t units = 0;
+  double period = 0;
+  std::string unit;  ///< of the period
+  SheetScores scores;
+};
+
+struct CellFigures {
+  bool truth =
+      false;  ///< units are scored at the true places and headings; else at those of the map
+  std::string reason;      ///< why there are no errors
+  std::uint64_t seed = 1;  ///< of the shuffles
+  std::size_t shuffles = 0;
+  double least_shift_s = 0;
+  std::vector<RingFigures> rings;
+  std::vector<SheetFigures> sheets;
+  std::optional<ErrorFigures> position_m;  ///< of the position that all modules decode
+  double modulo_m = 0;  ///< one module tells positions modulo its period; 0: several modules
+  std::string position_reason;  ///< why the modules tell no position
+};
+
+/// Unknown numbers are null, with the cause in `reason`.
+nlohmann::ordered_json toJson(const CellFigures& cells);
+
+}  // namespace tolman::evaluation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Standard measurements of single units: firing rate map, head direction tuning curve, spatial
+// information and firing fields.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+namespace tolman::evaluation {
+
+inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< in a radian
+
+/// Position, heading and rate of a unit at one frame.
+struct Sample {
+  Eigen::Vector2d position;  ///< m, right and forward
+  double heading = 0;        ///< rad, positive to the left
+  double rate = 0;
+};
+
+/// Mean rate in square bins of the plane.
+struct RateMap {
+  Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< m, of bin (0, 0)
+  double bin = 1;                                    ///< m
+  Eigen::MatrixXd rate;  ///< (right, forward); NaN in bins without visits
+  Eigen::MatrixXd visits;
+};
+RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side);
+/// The highest rate of all bins; 0 without any.
+double highestRate(const RateMap& map);
+
+/// Mean rate by heading, in bins from 0 on; 0 in bins without visits.
+struct TuningCurve {
+  std::vector<double> rate;
+  /// Length and direction of the mean vector of the curve: 1 for one direction only, 0 for none.
+  double mean_vector_length = 0;
+  double preferred = 0;  ///< rad in [0, 2 pi)
+  /// rad, half the width of the curve at half of its peak, as the rat's head direction cells are
+  /// measured (Taube, Muller, Ranck 1990); pi for a curve that never falls to half. Bins without
+  /// visits are interpolated. None where fewer than half of all bins were visited.
+  std::optional<double> half_width;
+};
+TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins);
+
+/// Spatial information, bits per spike (Skaggs et al., "An information-theoretic approach to
+/// deciphering the hippocampal code", NIPS 1992): sum of p_i r_i/r log2(r_i/r).
+double spatialInformation(const RateMap& map);
+
+/// The centres, weighted by rate, of all fields: bins that touch and fire above `share` of the
+/// highest rate. A fifth of the peak is a usual limit of a field.
+std::vector<Eigen::Vector2d> fields(const RateMap& map, double share = 0.2);
+
+}  // namespace tolman::evaluation

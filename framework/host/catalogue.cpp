@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/catalogue.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "config/nearest_name.hpp"
+
+namespace tolman::host {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The plugin folders of the tree that the executable lies in: <prefix>/bin/tolman.
+std::vector<fs::path> treeOf(const fs::path& executable) {
+  const fs::path prefix = executable.parent_path().parent_path();
+  if (fs::exists(prefix / "CMakeCache.txt")) return {prefix / "plugins"};
+  std::vector<fs::path> folders;
+  for (const char* library_folder : {"lib", "lib/x86_64-linux-gnu", "lib64"}) {
+    const fs::path folder = prefix / library_folder / "tolman/plugins";
+    if (fs::is_directory(folder)) folders.push_back(folder);
+  }
+  return folders;
+}
+
+std::vector<fs::path> librariesIn(const fs::path& place) {
+  std::error_code error;
+  if (fs::is_regular_file(place, error)) return {place};
+  std::vector<fs::path> files;
+  for (fs::directory_iterator it(place, error), end; !error && it != end; it.increment(error)) {
+    if (it->path().extension() == ".so") files.push_back(it->path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::vector<fs::path> searchPath(const std::vector<std::string>& command_line,
+                                 const char* environment, const fs::path& executable) {
+  std::vector<fs::path> path(command_line.begin(), command_line.end());
+  std::istringstream list(environment != nullptr ? environment : "");
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) path.emplace_back(folder);
+  }
+  const auto tree = treeOf(executable);
+  path.insert(path.end(), tree.begin(), tree.end());
+  return path;
+}
+
+Catalogue::Catalogue(std::vector<fs::path> search_path) : search_path_(std::move(search_path)) {
+  std::set<fs::path>
+      seen;  // the search path may contain a folder twice, also as two different paths
+  for (const fs::path& place : search_path_) {
+    for (const fs::path& file : librariesIn(place)) {
+      std::error_code error;
+      const fs::path real = fs::weakly_canonical(file, error);
+      if (seen.insert(error ? file : real).second) addLibrary(file);
+    }
+  }
+}
+
+void Catalogue::addLibrary(const fs::path& file) {
+  auto read = readManifests(file);
+  if (auto* refusal = std::get_if<Refusal>(&read)) {
+    broken_.push_back({file, *refusal});
+    return;
+  }
+  for (Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
+    manifests_.push_back(std::move(manifest));
+  }
+}
+
+OrRefusal<Manifest> Catalogue::find(const std::string& id, Role role) const {
+  auto found = find(id);
+  auto* manifest = std::get_if<Manifest>(&found);
+  if (manifest == nullptr) {
+    const bool is_there = std::get<Refusal>(found).id == "plugin/ambiguous";
+    return is_there ? found : notFound(id, role);
+  }
+  if (manifest->role == role) return found;
+  return Refusal{"plugin/wrong-role",
+                 "plugin '" + id + "' (" + manifest->file.string() + ") has the role " +
+                     std::string(enumName(manifest->role)) + ", not " + std::string(enumName(role)),
+                 "`tolman plugins list` shows the plugins of each role"};
+}
+
+OrRefusal<Manifest> Catalogue::find(const std::string& id) const {
+  const auto is_wanted = [&](const Manifest& manifest) { return manifest.id == id; };
+  const auto first = std::find_if(manifests_.begin(), manifests_.end(), is_wanted);
+  if (first == manifests_.end()) return notFound(id, std::nullopt);
+  const auto second = std::find_if(first + 1, manifests_.end(), is_wanted);
+  if (second != manifests_.end() && second->file.parent_path() == first->file.parent_path()) {
+    return Refusal{"plugin/ambiguous",
+                   "plugin '" + id + "' is in both " + first->file.string() + " and " +
+                       second->file.filename().string(),
+                   "remove one of the two files, or give the wanted one with --plugin-path FILE"};
+  }
+  return *first;
+}
+
+Refusal Catalogue::notFound(const std::string& id, std::optional<Role> role) const {
+  std::string kind = role ? std::string(enumName(*role)) + " plugin" : "plugin";
+  std::string message = "no " + kind + " '" + id + "' in";
+  for (const fs::path& place : search_path_) message += " " + place.string();
+  if (search_path_.empty()) message += " any folder: the search path is empty";
+  for (const BrokenLibrary& library : broken_) {
+    if (library.file.stem().string().find(id) == std::string::npos) continue;
+    message += "\n    " + library.file.string() +
+               " may be it, but cannot be used: " + library.refusal.text();
+  }
+  std::vector<std::string> known;
+  for (const Manifest& manifest : manifests_) {
+    if (!role || manifest.role == *role) known.push_back(manifest.id);
+  }
+  const std::optional<std::string> nearest = config::nearestName(id, known);
+  return {"plugin/not-found", message,
+          (nearest ? "did you mean '" + *nearest + "'? " : std::string()) +
+              "`tolman plugins list` shows the plugins found; --plugin-path adds a folder"};
+}
+
+}  // namespace tolman::host

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The manifests of all plugins on the search path. No library is opened.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/manifest.hpp"
+
+namespace tolman::host {
+
+/// The folders and library files to search, in order of precedence: those of the command line,
+/// those of TOLMAN_PLUGIN_PATH (`environment`: colon-separated; null when unset), then the build or
+/// install tree that contains `executable`.
+std::vector<std::filesystem::path> searchPath(const std::vector<std::string>& command_line,
+                                              const char* environment,
+                                              const std::filesystem::path& executable);
+
+/// A library on the search path without a readable manifest. It does not affect other plugins.
+struct BrokenLibrary {
+  std::filesystem::path file;
+  Refusal refusal;
+};
+
+class Catalogue {
+ public:
+  /// Reads the manifests of all *.so files along the path.
+  explicit Catalogue(std::vector<std::filesystem::path> search_path);
+
+  /// The manifest of `id` in `role`. Refusals: plugin/not-found (with the nearest known name and
+  /// the folders searched), plugin/wrong-role, plugin/ambiguous (twice in one folder).
+  OrRefusal<Manifest> find(const std::string& id, Role role) const;
+
+  /// The manifest of `id` in any role.
+  OrRefusal<Manifest> find(const std::string& id) const;
+
+  const std::vector<Manifest>& manifests() const { return manifests_; }
+  const std::vector<BrokenLibrary>& broken() const { return broken_; }
+
+ private:
+  void addLibrary(const std::filesystem::path& file);
+  Refusal notFound(const std::string& id, std::optional<Role> role) const;
+
+  std::vector<std::filesystem::path> search_path_;
+  std::vector<Manifest> manifests_;
+  std::vector<BrokenLibrary> broken_;
+};
+
+}  // namespace tolman::host

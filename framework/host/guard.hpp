@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The guard of every call into a plugin: exceptions become a Status, and a failure names plugin,
+// call and frame.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "tolman/status.hpp"
+
+namespace tolman::host {
+
+/// The stage, plugin, call and frame of a call.
+struct CallSite {
+  std::string_view instance;  ///< "odometry"
+  std::string_view plugin;    ///< "feature_stereo"
+  std::string_view call;      ///< "track"
+  std::int64_t frame = -1;    ///< -1: not for a frame
+};
+
+/// "odometry (feature_stereo), track, frame 12: "
+inline std::string prefix(const CallSite& site) {
+  std::string text(site.instance);
+  text.append(" (").append(site.plugin).append("), ").append(site.call);
+  if (site.frame >= 0) text += ", frame " + std::to_string(site.frame);
+  return text + ": ";
+}
+
+/// Calls `work`, which returns a Status, and converts an exception to a failure. The text of the
+/// exception is copied, because its object belongs to the plugin's library.
+template <class Work>
+Status contained(Work&& work) noexcept {
+  try {
+    return std::forward<Work>(work)();
+  } catch (const std::exception& error) {
+    return Status::failed(std::string("threw: ") + error.what());
+  } catch (...) {
+    return Status::failed("threw something that is not a std::exception");
+  }
+}
+
+/// The same, with the call site before the message of a failure.
+template <class Work>
+Status guarded(const CallSite& site, Work&& work) noexcept {
+  const Status status = contained(std::forward<Work>(work));
+  if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
+  return {status.code(), prefix(site).append(status.message())};
+}
+
+}  // namespace tolman::host

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/instance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace tolman::host {
+
+Refusal nullInstance(const Manifest& manifest) {
+  return {"plugin/null-instance", "plugin '" + manifest.id + "' created no object",
+          "let TOLMAN_PLUGIN write the factory"};
+}
+
+OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin,
+                                                      std::string name) {
+  PluginObject object;
+  const Status status = guarded({name, plugin.manifest.id, "construct", -1}, [&] {
+    object = plugin.descriptor->create();
+    if (plugin.descriptor->sdk_major == 0 && plugin.descriptor->sdk_minor < 2) {
+      object = {object.plugin, object.arrays,
+                object.state};  // SDK 0.1 plugins write only these members
+    }
+    return Status::ok();
+  });
+  if (!status.isOk()) {
+    return Refusal{"plugin/create-failed", status.message(),
+                   "a constructor must be cheap and must not throw: move work to configure()"};
+  }
+  if (object.plugin == nullptr) {
+    return nullInstance(plugin.manifest);
+  }
+  return adopt(plugin.manifest, std::move(name), object,
+               [descriptor = plugin.descriptor](Plugin* constructed) {
+                 descriptor->destroy(constructed);
+                 return Status::ok();
+               });
+}
+
+std::unique_ptr<Instance> Instance::adopt(Manifest manifest, std::string name, PluginObject object,
+                                          Destroy destroy) {
+  return std::unique_ptr<Instance>(
+      new Instance(std::move(manifest), std::move(name), object, std::move(destroy)));
+}
+
+Instance::Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy)
+    : manifest_(std::move(manifest)),
+      name_(std::move(name)),
+      object_(object),
+      destroy_(std::move(destroy)) {}
+
+Instance::~Instance() { (void)destroy(); }
+
+Status Instance::configure(const Context& context) {
+  return call<Plugin>("configure", -1, [&](Plugin& p) { return p.configure(context); });
+}
+
+Status Instance::reset() {
+  return call<Plugin>("reset", -1, [](Plugin& p) { return p.reset(); });
+}
+
+Status Instance::destroy() {
+  Plugin* object = std::exchange(object_, PluginObject{}).plugin;
+  if (object == nullptr) return Status::ok();
+  return guarded({name_, manifest_.id, "destroy", -1}, [&] { return destroy_(object); });
+}
+
+Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
+  arrays.clear();
+  if (object_.arrays == nullptr) return Status::ok();
+  return guarded({name_, manifest_.id, "arrays", frame}, [&] {
+    object_.arrays->arrays(arrays);
+    return checkArrays(arrays);
+  });
+}
+
+Status Instance::describe(std::vector<ArrayInfo>& arrays) {
+  if (object_.descriptions == nullptr) return Status::ok();
+  return guarded({name_, manifest_.id, "describe", -1},
+                 [&] { return object_.descriptions->describe(arrays); });
+}
+
+Result<std::string> Instance::url() {
+  if (object_.page == nullptr) return unsupported("serves no page");
+  std::string url;
+  const Status status = guarded({name_, manifest_.id, "url", -1}, [&] {
+    url = object_.page->url();
+    return Status::ok();
+  });
+  if (!status.isOk()) return status;
+  return url;
+}
+
+Result<std::string> Instance::save() {
+  if (object_.state == nullptr) return unsupported("cannot save its state");
+  std::ostringstream stream;
+  const Status status =
+      guarded({name_, manifest_.id, "save", -1}, [&] { return object_.state->save(stream); });
+  if (!status.isOk()) return status;
+  return std::move(stream).str();
+}
+
+Status Instance::load(const std::string& bytes) {
+  if (object_.state == nullptr) return unsupported("cannot save its state");
+  std::istringstream stream(bytes);
+  return guarded({name_, manifest_.id, "load", -1}, [&] { return object_.state->load(stream); });
+}
+
+Status Instance::unsupported(const std::string& what) const {
+  return Status::unsupported(name_ + " (" + manifest_.id + "): this plugin " + what);
+}
+
+Status Instance::checkArrays(const std::vector<NamedArray>& arrays) {
+  for (const NamedArray& array : arrays) {
+    std::size_t size = 1;
+    for (const int side : array.shape) size *= static_cast<std::size_t>(std::max(side, 0));
+    if (size != array.values.size()) {
+      return Status::failed("array '" + array.name + "' has a size that differs from its shape");
+    }
+    if (!std::all_of(array.values.begin(), array.values.end(),
+                     [](float value) { return std::isfinite(value); })) {
+      return Status::failed("array '" + array.name + "' has NaN or infinity");
+    }
+    const auto [known, is_new] = array_shapes_.try_emplace(array.name, array.shape);
+    if (!is_new && known->second != array.shape) {
+      return Status::failed("array '" + array.name + "' changed its shape");
+    }
+  }
+  return Status::ok();
+}
+
+}  // namespace tolman::host

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One plugin object behind the guard.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/guard.hpp"
+#include "host/library.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::host {
+
+/// plugin/null-instance.
+Refusal nullInstance(const Manifest& manifest);
+
+class Instance {
+ public:
+  /// Constructs the plugin's object. `name` is the stage in the configuration. Refusals:
+  /// plugin/create-failed, plugin/null-instance.
+  static OrRefusal<std::unique_ptr<Instance>> create(const LoadedPlugin& plugin, std::string name);
+
+  /// Destroys an object; an exception becomes the status.
+  using Destroy = std::function<Status(Plugin*)>;
+  /// Takes ownership of an object that was constructed elsewhere; `destroy` destroys it.
+  static std::unique_ptr<Instance> adopt(Manifest manifest, std::string name, PluginObject object,
+                                         Destroy destroy);
+
+  /// Destroys the object under the guard and ignores exceptions; destroy() returns them.
+  ~Instance();
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  Status configure(const Context& context);
+  Status reset();
+  Status destroy();
+
+  const std::string& name() const { return name_; }
+  const Manifest& manifest() const { return manifest_; }
+
+  /// Replaces `arrays` by the plugin's state; leaves it empty when it offers none.
+  Status arrays(std::int64_t frame, std::vector<NamedArray>& arrays);
+  /// Appends the descriptions of the plugin's arrays (for a source: of Frame::sensors); nothing
+  /// when it offers none. After configure().
+  Status describe(std::vector<ArrayInfo>& arrays);
+  /// Address of the page that an observer serves; Unsupported when it serves none. After begin().
+  Result<std::string> url();
+  /// Null when the plugin cannot save its state.
+  StateKeeper* state() { return object_.state; }
+  /// The state as bytes; Unsupported where there is none.
+  Result<std::string> save();
+  Status load(const std::string& bytes);
+
+  /// Calls `work(role)` under the guard, with the object as its role.
+  template <class RoleType, class Work>
+  Status call(std::string_view what, std::int64_t frame, Work&& work) {
+    return guarded({name_, manifest_.id, what, frame},
+                   [&]() -> Status { return work(static_cast<RoleType&>(*object_.plugin)); });
+  }
+
+ private:
+  Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy);
+  Status unsupported(const std::string& what) const;
+  Status checkArrays(const std::vector<NamedArray>& arrays);
+
+  Manifest manifest_;
+  std::string name_;
+  PluginObject object_;
+  Destroy destroy_;
+  std::map<std::string, std::vector<int>> array_shapes_;  // constant over a run
+};
+
+}  // namespace tolman::host

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/library.hpp"
+
+#include <dlfcn.h>
+
+#include <boost/dll/shared_library.hpp>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+namespace tolman::host {
+namespace {
+
+using Entry = const PluginDescriptor*();
+
+/// What helps against a message of the dynamic linker.
+std::string remedyFor(const std::string& message) {
+  const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
+  if (says("annot allocate") || says("Too many open files") || says("failed to map")) {
+    return "the limits of this process are too low for it: see `ulimit -a`";
+  }
+  if (says("undefined symbol")) {
+    return "link the plugin with -Wl,-z,defs (tolman_add_plugin() does) to find missing symbols at "
+           "build time";
+  }
+  return "`ldd` shows missing libraries; a damaged file must be built or copied again";
+}
+
+OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
+  namespace dll = boost::dll;
+  const std::string file = manifest.file.string();
+  try {
+    dll::shared_library library(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local);
+    // Keeps the library loaded; the header says why.
+    if (::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD | RTLD_NODELETE) != nullptr) {
+      return library;
+    }
+    throw std::runtime_error("it cannot be kept in memory");
+  } catch (const std::exception& error) {
+    return Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what())};
+  }
+}
+
+OrRefusal<const PluginDescriptor*> callEntry(const boost::dll::shared_library& library,
+                                             const Manifest& manifest) {
+  const std::string symbol = "tolman_plugin_" + manifest.id;
+  if (!library.has(symbol)) {
+    return Refusal{"plugin/entry-missing",
+                   manifest.file.string() + " has a manifest for '" + manifest.id +
+                       "' but no function " + symbol,
+                   "register the class with TOLMAN_PLUGIN, and keep the symbol visible"};
+  }
+  try {
+    const PluginDescriptor* descriptor = library.get<Entry>(symbol)();
+    if (descriptor != nullptr && descriptor->schema != nullptr && descriptor->create != nullptr &&
+        descriptor->destroy != nullptr) {
+      return descriptor;
+    }
+  } catch (...) {  // refused below
+  }
+  return Refusal{"plugin/entry-failed", manifest.file.string() + ": " + symbol + "() failed",
+                 "let TOLMAN_PLUGIN write the entry function"};
+}
+
+OrRefusal<LoadedPlugin> describe(const Manifest& manifest, const PluginDescriptor& descriptor) {
+  if (descriptor.id != manifest.id || descriptor.role != manifest.role ||
+      descriptor.schema_hash != manifest.schema_hash) {
+    return Refusal{
+        "plugin/stale-manifest",
+        manifest.file.string() + ": the manifest differs from the code of '" + manifest.id + "'",
+        "the library was assembled from two builds: build it again from clean"};
+  }
+  try {
+    return LoadedPlugin{manifest, &descriptor, descriptor.schema()};
+  } catch (const std::exception& error) {
+    return Refusal{"plugin/entry-failed",
+                   manifest.file.string() + ": the parameters of '" + manifest.id +
+                       "' cannot be listed: " + error.what(),
+                   "the constructor of its Parameters must not throw"};
+  }
+}
+
+}  // namespace
+
+OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host) {
+  if (auto refusal = checkGate(manifest, host)) return *refusal;
+  auto opened = openPinned(manifest);
+  if (auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
+  auto entry = callEntry(std::get<boost::dll::shared_library>(opened), manifest);
+  if (auto* refusal = std::get_if<Refusal>(&entry)) return *refusal;
+  return describe(manifest, *std::get<const PluginDescriptor*>(entry));
+}
+
+}  // namespace tolman::host

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens plugin libraries that passed the gate, and keeps them until the process ends.
+#pragma once
+
+#include <string>
+
+#include "host/gate.hpp"
+#include "host/manifest.hpp"
+#include "tolman/plugin.hpp"
+
+namespace tolman::host {
+
+/// A plugin whose library is open.
+struct LoadedPlugin {
+  Manifest manifest;
+  const PluginDescriptor* descriptor = nullptr;
+  Schema schema;
+};
+
+/// Checks the gate, opens the library (all symbols resolved, none exported to others), calls the
+/// entry function and reads the schema. The library stays loaded, because inline statics,
+/// thread-local variables and exceptions make unloading C++ code unsafe. Refusals: those of
+/// checkGate(), plugin/load-failed, plugin/entry-missing, plugin/entry-failed,
+/// plugin/stale-manifest.
+OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host);
+
+}  // namespace tolman::host

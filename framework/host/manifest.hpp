@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The manifest of a plugin, read from its library without executing anything.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/refusal.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::host {
+
+struct Manifest {
+  std::filesystem::path file;
+  std::string id;
+  Role role = Role::Source;
+  std::string version;
+  int sdk_major = 0;
+  int sdk_minor = 0;
+  std::string fingerprint;
+  std::string opencv;  ///< empty when the plugin does not use OpenCV
+  std::uint64_t schema_hash = 0;
+  std::string summary;
+  std::vector<std::string> extras;  ///< interfaces beside the role: arrays, state, page, ...
+
+  bool hasExtra(std::string_view name) const {
+    return std::find(extras.begin(), extras.end(), name) != extras.end();
+  }
+};
+
+/// All manifests of one library. Besides the refusals of readElfSection(): plugin/bad-manifest.
+OrRefusal<std::vector<Manifest>> readManifests(const std::filesystem::path& file);
+
+/// The manifest of plugin `id`. Besides the refusals of readManifests(): plugin/not-found.
+OrRefusal<Manifest> readManifest(const std::filesystem::path& file, const std::string& id);
+
+/// Parses one JSON manifest; `file` is for messages.
+OrRefusal<Manifest> parseManifest(const std::string& text, const std::filesystem::path& file);
+
+}  // namespace tolman::host

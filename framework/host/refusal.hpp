@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Why a plugin was not opened.
+#pragma once
+
+#include <string>
+#include <variant>
+
+namespace tolman::host {
+
+/// The ids are listed with their remedies in docs/errors.md.
+struct Refusal {
+  std::string id;       ///< e.g. "plugin/fingerprint"
+  std::string message;  ///< what was looked for, where, what was found
+  std::string remedy;   ///< what to do
+
+  std::string text() const { return "[" + id + "] " + message + "\n  remedy: " + remedy; }
+};
+
+/// A value or a refusal.
+template <class T>
+using OrRefusal = std::variant<T, Refusal>;
+
+}  // namespace tolman::host

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The roles as the host calls them: under the guard, and with every answer checked against the
+// contract (frame, stamp, finite values, order in time).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "host/instance.hpp"
+#include "tolman/roles.hpp"
+
+namespace tolman::host {
+
+/// Checks that a template id is dense or known. `templates`: number so far, -1 if not known.
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates);
+
+/// Owns the instance.
+class Stage {
+ public:
+  explicit Stage(std::unique_ptr<Instance> instance) : instance_(std::move(instance)) {}
+  Instance& instance() { return *instance_; }
+  const Instance& instance() const { return *instance_; }
+
+ protected:
+  std::unique_ptr<Instance> instance_;
+};
+
+class SourceStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status info(SourceInfo& info);
+  /// Checks that frames are dense from 0, stamps increase and images keep their size.
+  Status next(Frame& frame);
+  Status inspect(std::vector<Finding>& findings);
+  /// The next frame after reset() (the defaults), or after a saved state was loaded.
+  void expect(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
+  /// Number of the first frame of this session in the host; the plugin counts from 0.
+  void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
+
+ private:
+  Status check(const Frame& frame) const;
+  SourceInfo info_;
+  std::int64_t first_frame_ = 0;
+  std::int64_t next_frame_ = 0;  ///< as the plugin counts
+  std::int64_t last_stamp_ns_ = 0;
+};
+
+class OdometryStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status track(const Frame& frame, Motion& motion);
+  Status finish(std::vector<MotionRevision>& revisions);
+  /// As SourceStage::startAt(): odometry starts anew in each session.
+  void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
+
+ private:
+  Status track(Odometry& odometry, const Frame& frame, Motion& motion) const;
+  std::int64_t first_frame_ = 0;
+};
+
+class PlaceStage : public Stage {
+ public:
+  using Stage::Stage;
+  /// Constant after configure(); a throwing plugin counts as PlaceInput::Frame.
+  PlaceInput input();
+  /// Checks that template ids are dense and known.
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
+  Status finish();
+  /// Number of templates: 0 after reset(), -1 (not known) after a saved state was loaded. If it is
+  /// not known, the next novel answer determines it.
+  void expect(std::int64_t templates = 0) { templates_ = templates; }
+
+ private:
+  std::int64_t templates_ = 0;
+};
+
+class CellsStage : public Stage {
+ public:
+  using Stage::Stage;
+  /// Checks that experience ids are dense and known, heading and confidence in their ranges.
+  Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
+  Status finish();
+  /// Number of experiences after reset() (0), or after a saved state was loaded.
+  void expect(std::int64_t experiences = 0) { experiences_ = experiences; }
+
+ private:
+  Status check(const Decision& decision) const;
+  std::int64_t experiences_ = 0;
+};
+
+class MapStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status update(const Motion& motion, const Decision& decision, MapUpdate& update);
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera);
+  Status graph(MapGraph& graph);
+  Status finish(const std::vector<MotionRevision>& revisions);
+};
+
+class ObserverStage : public Stage {
+ public:
+  using Stage::Stage;
+  Status begin(const RunInfo& run);
+  Status observe(const Snapshot& snapshot);
+  Status finish(const MapGraph& graph);
+};
+
+}  // namespace tolman::host

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Main function of the process of an isolated plugin: loads the plugin and executes calls until the
+// host closes the connection or ends.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tolman/context.hpp"
+
+namespace tolman::isolation {
+
+/// Services of the plugin's context that other folders implement.
+struct ProcessServices {
+  const Clock& clock;
+  /// Creates the artefact writer of `instance` in the directory of a run.
+  std::function<std::unique_ptr<ArtefactWriter>(const std::filesystem::path& run_directory,
+                                                const std::string& instance)>
+      artefacts;
+};
+
+/// `descriptors` are the four that ProcessHandle appends to its command. Ends the process without
+/// returning, so that no static destructor of the plugin runs.
+[[noreturn]] void runPluginProcess(const std::vector<int>& descriptors,
+                                   const ProcessServices& services);
+
+}  // namespace tolman::isolation

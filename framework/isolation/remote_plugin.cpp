@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "isolation/remote_plugin.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace tolman::isolation {
+namespace {
+
+constexpr int kMaxRestarts = 10;
+constexpr std::size_t kCheckpointEvery = 20;  // calls: with images about 1 MB each
+
+const auto kNoData = [](auto&) {};
+
+/// Calls that change the state of a plugin. Only they are repeated after a restart.
+bool changesState(Call call) {
+  switch (call) {
+    case Call::Track:
+    case Call::Observe:
+    case Call::Step:
+    case Call::Update:
+    case Call::FinishOdometry:
+    case Call::FinishPlace:
+    case Call::FinishCells:
+    case Call::FinishMap:
+    case Call::Watch:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool isInitial(Call call) {
+  return call == Call::Configure || call == Call::OpenArtefacts || call == Call::Begin;
+}
+
+}  // namespace
+
+host::OrRefusal<std::shared_ptr<RemotePlugin>> RemotePlugin::start(const host::Manifest& manifest,
+                                                                   const LaunchOptions& launch) {
+  std::shared_ptr<RemotePlugin> remote(new RemotePlugin(manifest, launch));
+  if (auto refusal = remote->load()) return *refusal;
+  return remote;
+}
+
+std::optional<host::Refusal> RemotePlugin::load() {
+  try {
+    process_ = std::make_unique<ProcessHandle>(launch_);
+  } catch (const std::exception& error) {
+    return host::Refusal{"plugin/no-process",
+                         "no process for plugin '" + manifest_.id + "': " + error.what(),
+                         "run without `isolation: process`, or end other programs"};
+  }
+  const LoadMessage message{manifest_.file.string(), manifest_.id, launch_.memory_mib,
+                            launch_.threads};
+  host::Refusal refusal;  // an empty id means success
+  const Status status = process_->call(
+      Call::Load, [&](Encoder& encoder) { encoder.put(message); },
+      [&](Decoder& decoder) { decoder.getAll(refusal, schema_); });
+  if (!status.isOk()) {
+    return host::Refusal{
+        "plugin/died",
+        manifest_.file.string() + ": while the library was opened: " + status.message(),
+        "`tolman plugins validate FILE` shows more; static constructors of the "
+        "library run when it is opened"};
+  }
+  if (!refusal.id.empty()) return refusal;
+  return std::nullopt;
+}
+
+std::optional<host::Refusal> RemotePlugin::create() {
+  if (created_) return std::nullopt;
+  host::Refusal refusal;
+  const Status status = process_->call(Call::Create, kNoData, [&](Decoder& decoder) {
+    decoder.getAll(refusal, has_arrays_, has_state_);
+  });
+  if (!status.isOk()) {
+    return host::Refusal{"plugin/create-failed",
+                         "plugin '" + manifest_.id + "', construct: " + status.message(),
+                         "a constructor must be cheap: move work to configure()"};
+  }
+  if (!refusal.id.empty()) return refusal;
+  created_ = true;
+  return std::nullopt;
+}
+
+bool RemotePlugin::enableRestart() {
+  const bool needs_state =
+      manifest_.role == Role::Place || manifest_.role == Role::Cells || manifest_.role == Role::Map;
+  restart_enabled_ = manifest_.role != Role::Source && (has_state_ || !needs_state);
+  if (restart_enabled_) process_->recordRequests();
+  return restart_enabled_;
+}
+
+Status RemotePlugin::configure(const Context& context) {
+  log_ = &context.log;
+  cancellation_ = &context.cancellation;
+  process_->connect(log_, cancellation_);
+  const ContextMessage message = ContextMessage::of(context);
+  return call(Call::Configure, std::tie(message), std::tuple<>());
+}
+
+Status RemotePlugin::exchange(Call call, const ProcessHandle::Write& write,
+                              const ProcessHandle::Read& read) {
+  if (process_->hasEnded()) {
+    if (!canRestart()) {
+      return Status::failed("its process has ended: it " + process_->exitReason());
+    }
+    Status status = restart();
+    if (!status.isOk()) return status;
+  }
+  Status status = process_->call(call, write, read);
+  if (!process_->hasEnded()) {
+    record(call);
+    return status;
+  }
+  // Without begin() an observer must not be called again.
+  if (call == Call::Begin) restart_enabled_ = false;
+  if (!canRestart()) return status;
+  return {status.code(), status.message() + "; a new process will be started"};
+}
+
+void RemotePlugin::record(Call call) {
+  if (!restart_enabled_) return;
+  if (isInitial(call)) {
+    initial_calls_.push_back({call, process_->lastRequest()});
+  } else if (call == Call::Reset) {
+    calls_since_checkpoint_.clear();
+    checkpoint_.clear();
+  } else if (changesState(call) && has_state_) {
+    calls_since_checkpoint_.push_back({call, process_->lastRequest()});
+    if (calls_since_checkpoint_.size() >= kCheckpointEvery) checkpoint();
+  }
+}
+
+void RemotePlugin::checkpoint() {
+  std::string state;
+  const Status status =
+      process_->call(Call::Save, kNoData, [&](Decoder& decoder) { decoder.get(state); });
+  calls_since_checkpoint_.clear();
+  if (status.isOk()) {
+    checkpoint_ = std::move(state);
+    return;
+  }
+  restart_enabled_ = false;
+  log_->warning("its state cannot be saved, so it will not be restarted: " + status.message());
+}
+
+/// Calls since the checkpoint may fail: they failed before as well. Initial calls may not.
+Status RemotePlugin::repeat(const std::vector<RecordedCall>& calls) {
+  for (const RecordedCall& recorded : calls) {
+    Status status = process_->call(
+        recorded.call, [&](Encoder& encoder) { encoder.append(recorded.request); },
+        [](Decoder& decoder) { decoder.skip(); });
+    if (process_->hasEnded() || (isInitial(recorded.call) && !status.isOk())) return status;
+  }
+  return Status::ok();
+}
+
+Status RemotePlugin::startAndRestore() {
+  created_ = false;
+  auto refusal = load();
+  process_->connect(nullptr, cancellation_);  // the repeated calls were logged before
+  if (!refusal) refusal = create();
+  if (refusal) return Status::failed(refusal->message);
+  Status status = repeat(initial_calls_);
+  if (status.isOk() && !checkpoint_.empty()) {
+    status = process_->call(
+        Call::Restore, [&](Encoder& encoder) { encoder.put(checkpoint_); }, kNoData);
+  }
+  return status.isOk() ? repeat(calls_since_checkpoint_) : status;
+}
+
+Status RemotePlugin::restart() {
+  ++restarts_;
+  const Status status = startAndRestore();
+  if (!status.isOk()) return process_->end("could not be restored: " + status.message());
+  process_->recordRequests();
+  process_->connect(log_, cancellation_);
+  state_lost_ = !has_state_;
+  log_->warning(
+      fmt::format("a new process was started (restart {} of {})", restarts_, kMaxRestarts));
+  return Status::ok();
+}
+
+bool RemotePlugin::canRestart() const { return restart_enabled_ && restarts_ < kMaxRestarts; }
+
+Status RemotePlugin::destroy() {
+  if (process_->hasEnded()) return Status::ok();  // already reported
+  restart_enabled_ = false;
+  return call(Call::Destroy, std::tuple<>(), std::tuple<>());
+}
+
+}  // namespace tolman::isolation

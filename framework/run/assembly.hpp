@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stages of a run: plugin objects behind their guards, created and configured from a checked
+// system.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/stages.hpp"
+#include "pipeline/chain.hpp"
+#include "run/checked_system.hpp"
+#include "run/services.hpp"
+
+namespace tolman::run {
+
+/// Holds the stages that are in the scope of the checked system.
+class Assembly {
+ public:
+  struct Observer {
+    host::ObserverStage stage;
+    config::FailurePolicy policy;
+  };
+
+  /// Throws Failed.
+  Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
+           const Cancellation& cancellation);
+
+  /// From here on plugins can write artefacts, into the run directory.
+  void openArtefacts(const std::filesystem::path& run_directory);
+  /// Destroys all stages in the reverse order of the flow; returns what their destructors threw.
+  std::vector<Status> teardown();
+
+  const CheckedSystem& system() const { return checked_; }
+  const SourceInfo& sourceInfo() const { return info_; }
+  /// Appends descriptions of the source's sensors and of the arrays of the cells.
+  Status describeArrays(std::vector<ArrayInfo>& arrays);
+  /// The name of a stage in the configuration; that of the role where there is none.
+  std::string stageName(Role role) const;
+  Failure failureOf(const pipeline::StageFailure& failure) const;
+  /// Of odometry, place, cells and map.
+  pipeline::Policies policies() const;
+  /// Of the whole chain, which must be in the scope.
+  pipeline::Stages stages() { return {*source_, *odometry_, *place_, *cells_, *map_}; }
+  host::SourceStage& source() { return *source_; }
+  host::OdometryStage& odometry() { return *odometry_; }
+  host::PlaceStage& place() { return *place_; }
+  host::CellsStage& cells() { return *cells_; }
+  host::MapStage& map() { return *map_; }
+  std::vector<Observer>& observers() { return observers_; }
+
+ private:
+  /// What one stage's Context refers to.
+  struct Services {
+    Services(RunLog& run_log, const std::string& instance)
+        : log(run_log, instance), artefacts(instance) {}
+    StageLogger log;
+    StageArtefacts artefacts;
+  };
+
+  void add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage);
+  const config::StageConfig* stageOf(Role role) const;
+  std::vector<host::Instance*> instances();
+
+  CheckedSystem checked_;
+  SourceInfo info_;
+  std::vector<std::unique_ptr<Services>> services_;
+  std::unique_ptr<host::SourceStage> source_;
+  std::unique_ptr<host::OdometryStage> odometry_;
+  std::unique_ptr<host::PlaceStage> place_;
+  std::unique_ptr<host::CellsStage> cells_;
+  std::unique_ptr<host::MapStage> map_;
+  std::vector<Observer> observers_;
+};
+
+}  // namespace tolman::run

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/checked_system.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "config/loader.hpp"
+#include "config/problem.hpp"
+
+namespace tolman::run {
+namespace {
+
+using Kind = config::Problem::Kind;
+
+constexpr std::array<std::string_view, 4> kChain = {"odometry", "place", "cells", "map"};
+
+/// Removes the stages that are outside the scope from the configuration.
+void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
+  if (scope == Scope::All) return;
+  loaded.tree.erase("observers");
+  if (scope == Scope::WithoutObservers) return;
+  std::vector<std::string_view> needed = {"source"};
+  if (scope == Scope::SourceAndOdometry) needed.emplace_back("odometry");
+  for (const std::string_view stage : kChain) {
+    if (stage != needed.back()) loaded.tree.erase(stage);
+  }
+  for (const std::string_view stage : needed) {
+    if (!loaded.complete || loaded.tree.find(stage) != nullptr) continue;
+    problems.push_back({loaded.tree.origin, std::string(stage),
+                        "the stage is missing; add '" + std::string(stage) +
+                            ": {plugin: ...}' ('tolman plugins list' shows the plugins)"});
+  }
+  loaded.complete = false;  // the other stages may be missing
+}
+
+/// Appends observers, by the ids of their plugins, that the configuration does not name itself.
+void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugins) {
+  for (const std::string& plugin : plugins) {
+    config::Node* list = loaded.tree.find("observers");
+    const config::Origin origin{config::Origin::Kind::CommandLine, "--view", 0, 0, {}};
+    const auto child = [&](config::Node& parent, config::Node::Kind kind, const std::string& key) {
+      config::Node node;
+      node.kind = kind;
+      node.key = key;
+      node.key_origin = node.origin = origin;
+      parent.children.push_back(node);
+      return &parent.children.back();
+    };
+    if (list == nullptr) list = child(loaded.tree, config::Node::Kind::Sequence, "observers");
+    if (list->kind == config::Node::Kind::Null) list->kind = config::Node::Kind::Sequence;
+    if (!list->isSequence()) continue;  // parsing reports the problem
+    const bool named = std::ranges::any_of(list->children, [&](const config::Node& stage) {
+      const config::Node* id = stage.find("plugin");
+      return id != nullptr && id->text == plugin;
+    });
+    if (named) continue;
+    config::Node* stage =
+        child(*list, config::Node::Kind::Map, std::to_string(list->children.size()));
+    child(*stage, config::Node::Kind::Scalar, "plugin")->text = plugin;
+  }
+}
+
+struct Opened {
+  host::LoadedPlugin plugin;
+  std::shared_ptr<isolation::RemotePlugin> remote;
+};
+
+host::OrRefusal<Opened> openInProcess(const host::Catalogue& catalogue,
+                                      const config::StageConfig& stage,
+                                      const config::SystemConfig& config,
+                                      const std::vector<std::string>& stage_program) {
+  auto manifest = catalogue.find(stage.plugin, stage.role);
+  if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
+  const isolation::LaunchOptions launch{stage_program, config.isolation.deadline,
+                                        static_cast<std::uint64_t>(config.isolation.memory_limit),
+                                        config.general.threads};
+  auto started = isolation::RemotePlugin::start(std::get<host::Manifest>(manifest), launch);
+  if (auto* refusal = std::get_if<host::Refusal>(&started)) return *refusal;
+  auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
+  return Opened{{remote->manifest(), nullptr, remote->schema()}, remote};
+}
+
+host::OrRefusal<Opened> open(const host::Catalogue& catalogue, const config::StageConfig& stage,
+                             const config::SystemConfig& config, const SystemOptions& options) {
+  if (options.apart || stage.isolation == config::Isolation::Process) {
+    return openInProcess(catalogue, stage, config, options.stage_program);
+  }
+  auto loaded = loadFrom(catalogue, stage.plugin, stage.role);
+  if (auto* refusal = std::get_if<host::Refusal>(&loaded)) return *refusal;
+  return Opened{std::move(std::get<host::LoadedPlugin>(loaded)), nullptr};
+}
+
+/// Whether a plugin saves its state is known only of its object, which is therefore created here.
+void prepareRestart(const config::StageConfig& stage, isolation::RemotePlugin& remote,
+                    config::Problems& problems) {
+  const config::Origin origin = stage.given.find("on_failure")->origin;
+  if (const auto refusal = remote.create()) {
+    problems.push_back({origin, stage.path + ".plugin", refusal->text(), Kind::Plugin});
+  } else if (!remote.enableRestart()) {
+    problems.push_back(
+        {origin, stage.path + ".on_failure",
+         "plugin '" + stage.plugin +
+             "' cannot be restarted in a new process (a source never can; place, cells and map "
+             "plugins must save their state); use 'skip' or 'stop'"});
+  }
+}
+
+/// Whether there is a flag of this name.
+bool declares(const Schema& schema, std::string_view name) {
+  return std::ranges::any_of(schema, [&](const ParameterInfo& p) {
+    return p.name == name && p.type == ParameterType::Bool;
+  });
+}
+
+}  // namespace
+
+host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
+  std::error_code ignored;
+  const auto executable = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  return host::Catalogue(
+      host::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
+}
+
+host::OrRefusal<host::LoadedPlugin> loadFrom(const host::Catalogue& catalogue,
+                                             const std::string& id, Role role) {
+  auto manifest = catalogue.find(id, role);
+  if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
+  return host::loadPlugin(std::get<host::Manifest>(manifest), host::HostIdentity::ofThisBuild());
+}
+
+bool hasChain(const SystemOptions& options) {
+  const config::Loaded loaded =
+      config::load(options.config, options.overrides, config::processEnvironment());
+  return std::any_of(kChain.begin(), kChain.end(),
+                     [&](std::string_view stage) { return loaded.tree.find(stage) != nullptr; });
+}
+
+std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, Scope scope) {
+  config::Loaded loaded =
+      config::load(options.config, options.overrides, config::processEnvironment());
+  config::Problems problems = loaded.problems;
+  addObservers(loaded, options.observers);
+  confine(loaded, scope, problems);
+  CheckedSystem checked;
+  checked.config = config::parse(loaded, problems);
+  const host::Catalogue catalogue = openCatalogue(options.plugin_paths);
+  for (const config::StageConfig& stage : checked.config.stages) {
+    if (stage.plugin.empty()) continue;  // already a problem
+    auto found = open(catalogue, stage, checked.config, options);
+    if (auto* refusal = std::get_if<host::Refusal>(&found)) {
+      problems.push_back(
+          {stage.pluginOrigin(), stage.path + ".plugin", refusal->text(), Kind::Plugin});
+      continue;
+    }
+    auto& opened = std::get<Opened>(found);
+    ParameterValues& values = checked.values[stage.instance];
+    values = config::check(stage, opened.plugin.schema, checked.config.folders, problems);
+    if (options.quiet && stage.role == Role::Observer && declares(opened.plugin.schema, "quiet")) {
+      values["quiet"] = true;
+    }
+    if (opened.remote && stage.on_failure == config::FailurePolicy::Restart) {
+      prepareRestart(stage, *opened.remote, problems);
+    }
+    checked.plugins.push_back(std::move(opened.plugin));
+    checked.remotes.push_back(std::move(opened.remote));
+  }
+  if (problems.empty()) return checked;
+  const bool only_plugins = std::ranges::all_of(
+      problems, [](const config::Problem& p) { return p.kind == Kind::Plugin; });
+  return Failure{only_plugins ? FailureKind::Plugin : FailureKind::Configuration,
+                 config::format(problems)};
+}
+
+}  // namespace tolman::run

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Why something of a run failed, as data: what kind of failure, in which stage, and the message for
+// a person. The command line derives its exit codes from the kind (docs/errors.md).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "host/refusal.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::run {
+
+enum class FailureKind : std::uint8_t {
+  Configuration,  ///< a file, an override or a parameter is wrong
+  Plugin,         ///< a plugin cannot be loaded, created or configured
+  Dataset,        ///< the data of the source are missing, damaged or inconsistent
+  Stage,          ///< a plugin failed while the run was going
+  Record,         ///< the run directory or the record in it cannot be written
+  Continuation,   ///< the map of an earlier run cannot be continued
+};
+inline constexpr std::array<std::string_view, 6> kFailureKindNames = {
+    "configuration", "plugin", "dataset", "stage", "record", "continuation"};
+constexpr std::span<const std::string_view> enumNames(FailureKind) { return kFailureKindNames; }
+
+struct Failure {
+  FailureKind kind = FailureKind::Configuration;
+  std::string message;
+  std::string stage{};  ///< its name in the configuration; empty when no stage is concerned
+};
+
+/// Carries a failure to the boundary of the program: Run::execute(), or the end of a command.
+struct Failed : std::runtime_error {
+  explicit Failed(Failure f) : std::runtime_error(f.message), failure(std::move(f)) {}
+  Failure failure;
+};
+
+// Each returns the value, or throws Failed where there is none.
+inline void require(const Status& status, FailureKind kind, const std::string& stage = {}) {
+  if (!status.isOk()) throw Failed({kind, status.message(), stage});
+}
+template <class T>
+T require(Result<T> result, FailureKind kind) {
+  require(result.status(), kind);
+  return std::move(result).value();
+}
+template <class T>
+T require(std::variant<T, Failure> answer) {
+  if (auto* failure = std::get_if<Failure>(&answer)) throw Failed(std::move(*failure));
+  return std::get<T>(std::move(answer));
+}
+template <class T>
+T require(host::OrRefusal<T> answer, const std::string& stage = {}) {
+  const auto* refusal = std::get_if<host::Refusal>(&answer);
+  if (refusal != nullptr) throw Failed({FailureKind::Plugin, refusal->text(), stage});
+  return std::get<T>(std::move(answer));
+}
+
+}  // namespace tolman::run

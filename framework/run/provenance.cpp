@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/provenance.hpp"
+
+#include <sys/utsname.h>
+
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <thread>
+
+#include "record/digest.hpp"
+#include "run/build_info.hpp"
+#include "run/run.hpp"
+#include "tolman/version.hpp"
+
+namespace tolman::run {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string processorName() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+Json machine() {
+  utsname system{};
+  ::uname(&system);
+  return {{"host", system.nodename},
+          {"system", std::string(system.sysname) + " " + system.release},
+          {"processor", processorName()},
+          {"cores", std::thread::hardware_concurrency()}};
+}
+
+Json pluginList(const CheckedSystem& system) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
+    const host::Manifest& manifest = system.plugins[i].manifest;
+    const auto digest = record::fileDigest(manifest.file);
+    list.push_back({{"stage", system.config.stages[i].instance},
+                    {"id", manifest.id},
+                    {"role", enumName(manifest.role)},
+                    {"version", manifest.version},
+                    {"file", manifest.file.string()},
+                    {"sha256", digest.isOk() ? digest.value() : "unreadable"}});
+  }
+  return list;
+}
+
+}  // namespace
+
+std::int64_t utcSeconds() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::seconds>(now).count();
+}
+
+std::string utcText(std::int64_t seconds) {
+  const std::time_t time = seconds;
+  std::tm parts{};
+  ::gmtime_r(&time, &parts);
+  std::string text(20, '\0');
+  std::strftime(text.data(), text.size() + 1, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+Json provenance(const CheckedSystem& system, const SourceInfo& source,
+                const std::vector<std::string>& command_line) {
+  Json json;
+  json["name"] = system.config.general.name;
+  json["started"] = utcText(utcSeconds());
+  json["command_line"] = command_line;
+  json["seed"] = system.config.general.seed;
+  json["threads"] = system.config.general.threads;
+  json["tolman"] = {{"version", kVersion},       {"revision", kRevision},
+                    {"compiler", kCompiler},     {"build_type", kBuildType},
+                    {"sdk", TOLMAN_SDK_VERSION}, {"fingerprint", TOLMAN_FINGERPRINT}};
+  json["machine"] = machine();
+  json["source"] = {{"description", source.description}, {"frames", source.frames},
+                    {"has_truth", source.has_truth},     {"width", source.rig.width},
+                    {"height", source.rig.height},       {"baseline_m", source.rig.baseline}};
+  json["plugins"] = pluginList(system);
+  return json;
+}
+
+void addOutcome(Json& json, const Outcome& outcome) {
+  const pipeline::RunCounters& n = outcome.counters;
+  json["ended"] = utcText(utcSeconds());
+  json["message"] = outcome.failure    ? outcome.failure->message
+                    : n.neverTracked() ? std::string(pipeline::kNeverTracked)
+                                       : "";
+  if (outcome.failure) {
+    json["failure"] = {{"kind", enumName(outcome.failure->kind)},
+                       {"stage", outcome.failure->stage}};
+  }
+  json["counters"] = {{"frames", n.frames},
+                      {"dropped", n.dropped},
+                      {"skipped", n.skipped},
+                      {"defects", n.defects},
+                      {"initialising", n.initialising},
+                      {"lost", n.lost},
+                      {"place_left_out", n.place_left_out},
+                      {"templates", n.templates},
+                      {"experiences", n.experiences},
+                      {"loop_decisions", n.loop_decisions},
+                      {"links", n.links},
+                      {"loop_links", n.loop_links}};
+  Json finish = Json::object();
+  for (std::size_t role = 0; role < outcome.finish_times_ns.size(); ++role) {
+    const std::int64_t ns = outcome.finish_times_ns[role];
+    if (ns > 0) finish[std::string(kRoleNames[role])] = 1e-9 * static_cast<double>(ns);
+  }
+  json["finish_s"] = finish;
+}
+
+}  // namespace tolman::run

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The contents of run.json: what was run, by which versions, on which machine, and how it ended.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "run/checked_system.hpp"
+
+namespace tolman::run {
+
+/// Versions, machine, seeds, command line, plugins with the SHA-256 of their files, data set.
+nlohmann::ordered_json provenance(const CheckedSystem& system, const SourceInfo& source,
+                                  const std::vector<std::string>& command_line);
+
+struct Outcome;  // run.hpp
+
+/// Adds how the run ended: failure, counters, times of finish().
+void addOutcome(nlohmann::ordered_json& json, const Outcome& outcome);
+
+/// Seconds since 1970, and the same as "2026-11-21T10:30:00Z".
+std::int64_t utcSeconds();
+std::string utcText(std::int64_t seconds);
+
+}  // namespace tolman::run

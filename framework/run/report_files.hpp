@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// report.html and the figures of runs, as files.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "record/run_reader.hpp"
+#include "report/drawn_units.hpp"
+#include "report/run_data.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::run {
+
+/// Writes report.html, figures/*.svg and figures/neurons.json into `folder`, each atomically; with
+/// several runs the figures go to figures/RUN. Each run is evaluated by the settings in its own
+/// resolved configuration. Returns the files, the page first. InvalidParameter when a run has no
+/// such unit.
+Result<std::vector<std::filesystem::path>> writeReport(
+    const std::vector<std::filesystem::path>& runs, const std::filesystem::path& folder,
+    const report::UnitChoice& units = {});
+
+/// The same for one run whose record was read already, into its own directory, without PNG files.
+Status writeReport(const record::RunReader& reader, report::RunData data);
+
+}  // namespace tolman::run

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/results.hpp"
+
+#include <utility>
+
+#include "record/atomic_file.hpp"
+#include "record/digest.hpp"
+#include "record/export.hpp"
+#include "report/map_picture.hpp"
+#include "run/cell_scoring.hpp"
+
+namespace tolman::run {
+
+Result<Results> writeResults(const std::filesystem::path& directory,
+                             const config::EvaluationSettings& settings, std::uint64_t seed) {
+  auto opened = record::RunReader::open(directory);
+  if (!opened.isOk()) return opened.status();
+  const record::RunReader& reader = *opened.value();
+  Status status = record::exportRun(reader, directory).status();
+  if (!status.isOk()) return status;
+  auto run = report::readRun(reader, settings);
+  if (!run.isOk()) return run.status();
+  auto cells = scoreCells(reader, run.value(), seed);
+  if (!cells.isOk()) return cells.status();
+  run.value().metrics.cells = std::move(cells).value();
+  const report::RunData& data = run.value();
+  status = record::writeAtomically(directory / "metrics.json",
+                                   evaluation::toJson(data.metrics).dump(2) + "\n");
+  if (status.isOk()) {
+    status = record::writeAtomically(
+        directory / "map.svg",
+        report::svgText({data.name, data.truth, data.odometry, data.map, data.graph}));
+  }
+  if (status.isOk()) status = record::writeResultsDigest(directory);
+  if (!status.isOk()) return status;
+  return Results{std::move(opened).value(), std::move(run).value()};
+}
+
+}  // namespace tolman::run

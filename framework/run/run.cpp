@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "config/resolved.hpp"
+#include "record/atomic_file.hpp"
+#include "run/provenance.hpp"
+#include "run/report_files.hpp"
+#include "run/results.hpp"
+#include "run/saved_state.hpp"
+
+namespace tolman::run {
+namespace {
+
+record::RunState stateOf(const Outcome& outcome) {
+  if (outcome.failure) return record::RunState::Failed;
+  return outcome.interrupted ? record::RunState::Interrupted : record::RunState::Finished;
+}
+
+Failure recordFailure(const Status& status) { return {FailureKind::Record, status.message()}; }
+
+[[noreturn]] void refuseToContinue(const std::string& message) {
+  throw Failed({FailureKind::Continuation, message});
+}
+
+}  // namespace
+
+Outcome Run::execute(CheckedSystem system) {
+  Outcome outcome;
+  try {
+    prepare(std::move(system));
+  } catch (const Failed& failed) {
+    outcome.failure = failed.failure;
+  }
+  if (directory_) outcome.directory = directory_->path();
+  if (outcome.failure) {
+    if (!run_file_.is_null()) writeRunFile(outcome);  // it may say "running"
+    return outcome;
+  }
+  drive(outcome);
+  conclude(outcome);
+  return outcome;
+}
+
+void Run::prepare(CheckedSystem system) {
+  assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, cancellation_);
+  require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
+  continueEarlierRun();
+  openDirectory();
+  openRecord();
+}
+
+/// Loads the map of the earlier run that `continue` names, if any.
+void Run::continueEarlierRun() {
+  const std::string& directory = config().general.continue_from;
+  if (directory.empty()) return;
+  std::error_code ignored;
+  if (!options_.out.empty() && std::filesystem::equivalent(options_.out, directory, ignored)) {
+    refuseToContinue(directory +
+                     ": a run cannot continue in its own directory; give another one with --out");
+  }
+  earlier_ = require(record::RunReader::open(directory), FailureKind::Continuation);
+  require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
+  const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
+  const SessionProgress before = loadState(*assembly_, directory);
+  if (frames != before.frames) {
+    refuseToContinue(
+        fmt::format("{}: run.sqlite has {} frames, the saved map {}; they are not of one run",
+                    directory, frames, before.frames));
+  }
+  first_frame_ = before.frames;
+  assembly_->source().startAt(first_frame_);
+  assembly_->odometry().startAt(first_frame_);
+  assembly_->place().expect(before.templates);
+  assembly_->cells().expect(before.experiences);
+}
+
+/// The earlier sessions, and this one.
+void Run::recordSessions() {
+  record::RecordedSession session{0, first_frame_, config().general.name,
+                                  assembly_->sourceInfo().description};
+  if (earlier_) {
+    const auto sessions = require(earlier_->sessions(), FailureKind::Record);
+    session.id = static_cast<std::int64_t>(sessions.size());
+    require(recorder_->inherit(*earlier_), FailureKind::Record);
+    earlier_.reset();
+  }
+  require(recorder_->session(session), FailureKind::Record);
+}
+
+/// The run directory is made last, so that a start that fails does not touch an earlier run.
+void Run::openDirectory() {
+  record::RunDirectoryOptions options;
+  options.name = config().general.name;
+  options.utc_seconds = utcSeconds();
+  if (!options_.out.empty()) options.out = options_.out;
+  options.replace = options_.replace;
+  directory_ = std::make_unique<record::RunDirectory>(
+      require(record::RunDirectory::create(options), FailureKind::Record));
+  require(log_.openFile(directory_->path() / "log.txt"), FailureKind::Record);
+  assembly_->openArtefacts(directory_->path());
+}
+
+void Run::openRecord() {
+  run_file_ = provenance(assembly_->system(), assembly_->sourceInfo(), options_.command_line);
+  if (!config().general.continue_from.empty()) {
+    run_file_["continued"] = {{"directory", config().general.continue_from},
+                              {"first_frame", first_frame_}};
+  }
+  require(record::writeAtomically(directory_->path() / "config.resolved.yaml",
+                                  config::resolvedYaml(config(), assembly_->system().values)),
+          FailureKind::Record);
+  require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
+  recorder_ = require(record::Recorder::open(directory_->path()), FailureKind::Record);
+  recordSessions();
+  require(recorder_->meta("name", config().general.name), FailureKind::Record);
+}
+
+void Run::drive(Outcome& outcome) {
+  const std::int64_t begin_ns = clock_.steadyNs();
+  RunListener listener(*recorder_, assembly_->observers(), log_, config().record.arrays_every);
+  pipeline::Chain chain(assembly_->stages(), assembly_->policies(), listener);
+  const Status begun = listener.begin(
+      {config().general.name, directory_->path().string(), assembly_->sourceInfo(), arrays_});
+  if (!begun.isOk()) chain.fail(Role::Observer, begun);
+  const pipeline::DriveResult result =
+      pipeline::drive(chain, config().pipeline, config().general.threads, cancellation_);
+  const std::optional<Failure> unsaved = saveState(result, listener);
+  for (const Status& status : assembly_->teardown()) {
+    listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
+  }
+  outcome.failure = failureOf(result.failure, listener);
+  if (!outcome.failure) outcome.failure = unsaved;
+  const Status closed = recorder_->close();
+  if (!closed.isOk() && listener.recordStatus().isOk()) outcome.failure = recordFailure(closed);
+  outcome.interrupted = result.interrupted;
+  outcome.counters = result.counters;
+  outcome.finish_times_ns = result.finish_times_ns;
+  outcome.wall_s = 1e-9 * static_cast<double>(clock_.steadyNs() - begin_ns);
+}
+
+std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure>& stage,
+                                      const RunListener& listener) const {
+  if (!listener.recordStatus().isOk()) return recordFailure(listener.recordStatus());
+  if (!stage) return std::nullopt;
+  Failure failure = assembly_->failureOf(*stage);
+  if (stage->role == Role::Observer) failure.stage = listener.failedObserver();
+  return failure;
+}
+
+/// For a later run that continues this one. The state of a failed stage is not saved; that a stage
+/// cannot save its own does not fail the run.
+std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunListener& listener) {
+  const pipeline::RunCounters& n = result.counters;
+  if (result.failure || n.frames == 0 || !listener.recordStatus().isOk()) return std::nullopt;
+  const auto unsaved =
+      run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
+  if (!unsaved || unsaved->kind == FailureKind::Record) return unsaved;
+  listener.onEvent({-1, LogLevel::Warning, "state", unsaved->message});
+  return std::nullopt;
+}
+
+void Run::conclude(Outcome& outcome) {
+  Result<Results> results = Status::failed("no frame was processed");
+  if (outcome.counters.frames > 0) {
+    results = writeResults(directory_->path(), config().evaluation,
+                           static_cast<std::uint64_t>(config().general.seed));
+    check(outcome, results.status());
+  }
+  if (results.isOk()) {  // of the record: earlier sessions included, as in metrics.json
+    outcome.metrics = results.value().data.metrics;
+    const evaluation::MapCounts& counts = outcome.metrics->counts;
+    outcome.counters.links = counts.links;
+    outcome.counters.loop_links = counts.loop_links;
+    outcome.counters.loop_decisions = counts.loop_decisions;
+  }
+  check(outcome, log_.status());
+  writeRunFile(outcome);
+  if (!results.isOk()) return;
+  const Status reported = writeReport(*results.value().reader, results.value().data);
+  if (reported.isOk()) return;
+  check(outcome, reported);
+  writeRunFile(outcome);  // it said that the run was complete
+}
+
+void Run::writeRunFile(Outcome& outcome) {
+  addOutcome(run_file_, outcome);
+  if (options_.exit_code) run_file_["exit_code"] = options_.exit_code(outcome);
+  check(outcome, directory_->writeRunFile(run_file_, stateOf(outcome)));
+}
+
+/// A file of the run that is not whole fails the run. The first failure is in the outcome, which
+/// the caller shows.
+void Run::check(Outcome& outcome, const Status& written) {
+  if (written.isOk()) return;
+  log_.write(LogLevel::Error, "record", written.message(), outcome.failure.has_value());
+  if (!outcome.failure) outcome.failure = recordFailure(written);
+}
+
+}  // namespace tolman::run

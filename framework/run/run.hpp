@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One recorded run: from a checked system to the outcome. The stages are created and driven over
+// all frames of the source, and everything is recorded in a run directory. Nothing is printed
+// except by the log that is handed in, so any program can embed a run; docs/embed.md shows one.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluation/metrics.hpp"
+#include "pipeline/drive.hpp"
+#include "record/recorder.hpp"
+#include "record/run_directory.hpp"
+#include "record/run_reader.hpp"
+#include "run/assembly.hpp"
+#include "run/run_listener.hpp"
+
+namespace tolman::run {
+
+/// How a run ended. A failed or interrupted run also has counters, and figures of the frames that
+/// were recorded. It has a directory unless it failed before the directory was made.
+struct Outcome {
+  std::optional<Failure> failure;
+  bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
+  std::filesystem::path directory;  ///< absolute; empty when the run failed before it had one
+  pipeline::RunCounters counters;   ///< among them whether odometry was lost at the end
+  StageTimes finish_times_ns{};     ///< time that finish() of each stage took
+  std::optional<evaluation::Metrics> metrics;  ///< of the recorded frames, if there are any
+  double wall_s = 0;  ///< s, from the start of the observers until run.sqlite is closed
+};
+
+struct RunOptions {
+  std::filesystem::path out{};  ///< run directory; empty: runs/NAME-TIME in the working directory
+  bool replace = false;         ///< the run that `out` holds is removed
+  std::vector<std::string> command_line{};  ///< for run.json
+  /// For run.json: the exit code that the program will give this outcome. Null: none is written.
+  std::function<int(const Outcome&)> exit_code{};
+};
+
+class Run {
+ public:
+  /// The objects behind the references must outlive this one. Cancellation ends the run between two
+  /// frames.
+  Run(RunLog& log, const Clock& clock, const Cancellation& cancellation, RunOptions options = {})
+      : log_(log), clock_(clock), cancellation_(cancellation), options_(std::move(options)) {}
+
+  /// Runs `system` to its end. Call it once.
+  Outcome execute(CheckedSystem system);
+
+ private:
+  const config::SystemConfig& config() const { return assembly_->system().config; }
+  // Each throws Failed.
+  void prepare(CheckedSystem system);
+  void continueEarlierRun();
+  void openDirectory();
+  void openRecord();
+  void recordSessions();
+
+  void drive(Outcome& outcome);
+  std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
+                                   const RunListener& listener) const;
+  std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
+  void conclude(Outcome& outcome);
+  void writeRunFile(Outcome& outcome);
+  void check(Outcome& outcome, const Status& written);
+
+  RunLog& log_;
+  const Clock& clock_;
+  const Cancellation& cancellation_;
+  RunOptions options_;
+  std::unique_ptr<Assembly> assembly_;
+  std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
+  std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
+  std::int64_t first_frame_ = 0;
+  std::unique_ptr<record::RunDirectory> directory_;
+  nlohmann::ordered_json run_file_;  ///< contents of run.json
+  std::unique_ptr<record::Recorder> recorder_;
+};
+
+}  // namespace tolman::run

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/run_listener.hpp"
+
+#include <utility>
+
+namespace tolman::run {
+template <class Call>
+Status RunListener::callObservers(std::int64_t frame, Call&& call) {
+  for (Assembly::Observer& observer : observers_) {
+    if (!failed_observer_.empty()) break;
+    const Status status = call(observer.stage);
+    if (status.isOk()) continue;
+    const std::string& name = observer.stage.instance().name();
+    if (observer.policy == config::FailurePolicy::Stop) {
+      failed_observer_ = name;
+      return status;
+    }
+    const auto report = failures_.count(name);
+    if (report == pipeline::FailureTally::Report::No) continue;
+    const char* last =
+        report == pipeline::FailureTally::Report::Last ? "; further ones are not reported" : "";
+    onEvent({frame, LogLevel::Warning, name, status.message() + last});
+  }
+  return Status::ok();
+}
+
+Status RunListener::begin(const RunInfo& run) {
+  record_status_ = recorder_.begin(run);
+  if (!record_status_.isOk()) return record_status_;
+  return callObservers(-1, [&](host::ObserverStage& o) { return o.begin(run); });
+}
+
+Status RunListener::record(const Snapshot& snapshot) {
+  Snapshot recorded = snapshot;
+  const StageTimes& times = snapshot.stage_times_ns;
+  const std::int64_t frame = snapshot.frame->frame;
+  if (arrays_every_ == 0 || frame % arrays_every_ != 0) recorded.cells = nullptr;
+  Status status = recorder_.snapshot(recorded);
+  if (status.isOk()) last_recorded_ = frame;
+  for (std::size_t role = 0; role < times.size() && status.isOk(); ++role) {
+    if (times[role] > 0) status = recorder_.timing(frame, kRoleNames[role], times[role]);
+  }
+  return status;
+}
+
+std::vector<RunEvent> RunListener::takeEvents() {
+  const std::lock_guard lock(events_mutex_);
+  return std::exchange(events_, {});
+}
+
+Status RunListener::onFrame(const Snapshot& snapshot) {
+  if (!record_status_.isOk()) return record_status_;
+  record_status_ = record(snapshot);
+  if (!record_status_.isOk()) return record_status_;
+  const std::vector<RunEvent> events = takeEvents();
+  Snapshot observed = snapshot;
+  observed.events = &events;
+  return callObservers(snapshot.frame->frame,
+                       [&](host::ObserverStage& o) { return o.observe(observed); });
+}
+
+void RunListener::onEvent(const pipeline::Event& event) {
+  // A failure that stops the run is in the outcome, which the caller shows.
+  log_.write(event.level, event.source, event.message, event.level != LogLevel::Error);
+  (void)recorder_.event(event.frame, event.level, event.source, event.message);
+  if (observers_.empty()) return;
+  const std::lock_guard lock(events_mutex_);
+  events_.push_back(event);
+}
+
+Status RunListener::onTrajectory(const std::vector<pipeline::FramePose>& poses) {
+  std::vector<record::FinalPose> rows;
+  rows.reserve(poses.size());
+  for (const auto& pose : poses) {
+    if (pose.frame <= last_recorded_) rows.push_back({pose.frame, pose.T_world_camera});
+  }
+  if (record_status_.isOk()) record_status_ = recorder_.finalPoses(rows);
+  return record_status_;
+}
+
+Status RunListener::onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) {
+  if (!record_status_.isOk()) return record_status_;
+  record_status_ = recorder_.revisions(revisions);
+  if (record_status_.isOk()) record_status_ = recorder_.graph(graph);
+  if (!record_status_.isOk()) return record_status_;
+  return callObservers(-1, [&](host::ObserverStage& o) { return o.finish(graph); });
+}
+
+}  // namespace tolman::run

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Passes what happens in a run to the recorder, the log and the observers.
+#pragma once
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "pipeline/failure_tally.hpp"
+#include "pipeline/listener.hpp"
+#include "record/recorder.hpp"
+#include "run/assembly.hpp"
+
+namespace tolman::run {
+
+class RunListener : public pipeline::Listener {
+ public:
+  RunListener(record::Recorder& recorder, std::vector<Assembly::Observer>& observers, RunLog& log,
+              int arrays_every)
+      : recorder_(recorder), observers_(observers), log_(log), arrays_every_(arrays_every) {}
+
+  Status begin(const RunInfo& run);
+  Status onFrame(const Snapshot& snapshot) override;
+  void onEvent(const pipeline::Event& event) override;
+  Status onTrajectory(const std::vector<pipeline::FramePose>& poses) override;
+  Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
+
+  /// One more than the last frame that was recorded.
+  std::int64_t nextFrame() const { return last_recorded_ + 1; }
+  /// The first failure of the record itself, e.g. a full disk.
+  const Status& recordStatus() const { return record_status_; }
+  /// Name of the observer that stopped the run; empty when none did.
+  const std::string& failedObserver() const { return failed_observer_; }
+
+ private:
+  Status record(const Snapshot& snapshot);
+  std::vector<RunEvent> takeEvents();
+  /// Runs `call` for each observer; failures follow the observer's policy.
+  template <class Call>
+  Status callObservers(std::int64_t frame, Call&& call);
+
+  record::Recorder& recorder_;
+  std::vector<Assembly::Observer>& observers_;
+  RunLog& log_;
+  int arrays_every_;
+  std::int64_t last_recorded_ = -1;  ///< frame
+  Status record_status_;
+  pipeline::FailureTally failures_;  // by observer
+  std::mutex events_mutex_;          // they come from any thread
+  std::vector<RunEvent> events_;     ///< not yet passed to observers
+  std::string failed_observer_;  ///< observers are not called any more; frames are still recorded
+};
+
+}  // namespace tolman::run

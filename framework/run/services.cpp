@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/services.hpp"
+
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <csignal>
+#include <mutex>
+#include <vector>
+
+#include "record/artefacts.hpp"
+
+namespace tolman::run {
+namespace {
+
+spdlog::level::level_enum levelOf(LogLevel level) {
+  constexpr std::array kLevels = {spdlog::level::debug, spdlog::level::info, spdlog::level::warn,
+                                  spdlog::level::err};
+  return kLevels.at(static_cast<std::size_t>(level));
+}
+
+sigset_t interruptSignals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  struct sigaction hangup {};
+  ::sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) sigaddset(&signals, SIGHUP);
+  return signals;
+}
+
+}  // namespace
+
+struct RunLog::Implementation {
+  struct Line {
+    LogLevel level;
+    std::string text;
+  };
+  std::mutex mutex;
+  spdlog::logger terminal{"tolman", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
+  std::unique_ptr<spdlog::logger> file;
+  std::vector<Line> backlog;  // until there is a file
+  Status status;              // of the file
+};
+
+RunLog::RunLog(bool quiet) : implementation_(std::make_unique<Implementation>()) {
+  implementation_->terminal.set_level(quiet ? spdlog::level::err : spdlog::level::warn);
+  implementation_->terminal.set_pattern("%^%l%$: %v");
+}
+
+RunLog::~RunLog() = default;
+
+void RunLog::write(LogLevel level, std::string_view source, std::string_view message,
+                   bool on_terminal) {
+  const std::lock_guard lock(implementation_->mutex);
+  std::string text = std::string(source) + ": " + std::string(message);
+  if (on_terminal) implementation_->terminal.log(levelOf(level), text);
+  if (implementation_->file) {
+    implementation_->file->log(levelOf(level), text);
+  } else {
+    implementation_->backlog.push_back({level, std::move(text)});
+  }
+}
+
+Status RunLog::openFile(const std::filesystem::path& file) {
+  const std::lock_guard lock(implementation_->mutex);
+  std::unique_ptr<spdlog::logger> logger;
+  try {
+    logger = std::make_unique<spdlog::logger>(
+        "run", std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true));
+  } catch (const spdlog::spdlog_ex& error) {
+    return implementation_->status = Status::failed(error.what());
+  }
+  logger->set_error_handler([this](const std::string& message) {  // with the mutex held
+    implementation_->status = Status::failed(message + "; look for a full disk");
+  });
+  logger->set_level(spdlog::level::debug);
+  logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e %l %v");
+  logger->flush_on(spdlog::level::info);
+  for (const auto& line : implementation_->backlog) logger->log(levelOf(line.level), line.text);
+  implementation_->backlog.clear();
+  implementation_->file = std::move(logger);
+  return implementation_->status;
+}
+
+Status RunLog::status() const {
+  const std::lock_guard lock(implementation_->mutex);
+  return implementation_->status;
+}
+
+std::int64_t SteadyClock::steadyNs() const {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();
+}
+
+Interrupts::Interrupts() {
+  const sigset_t signals = interruptSignals();
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // threads made later inherit this
+  thread_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
+}
+
+Interrupts::~Interrupts() {
+  thread_.request_stop();
+  thread_.join();
+  const sigset_t signals = interruptSignals();
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
+
+void Interrupts::listen(const std::stop_token& stop) {
+  const sigset_t signals = interruptSignals();
+  const timespec timeout = {0, 50'000'000};
+  while (!stop.stop_requested()) {
+    const int signal = sigtimedwait(&signals, nullptr, &timeout);
+    if (signal < 0) continue;
+    if (!requested_.exchange(true) || signal == SIGHUP) continue;
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // the second signal ends the process
+    ::raise(signal);
+  }
+}
+
+void StageArtefacts::open(const std::filesystem::path& run_directory) {
+  folder_ = std::make_unique<record::ArtefactFolder>(run_directory, instance_);
+}
+
+Status StageArtefacts::write(std::string_view name, std::span<const std::byte> bytes) {
+  if (folder_) return folder_->write(name, bytes);
+  return Status::failed("there is no run directory yet; write artefacts after configure()");
+}
+
+}  // namespace tolman::run

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The services of a run: its log, a steady clock, cancellation by signals, artefacts of plugins.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "tolman/context.hpp"
+
+namespace tolman::run {
+
+/// The log of one run: warnings and errors go to stderr (with `quiet` errors only), everything goes
+/// to log.txt; lines that are written before the file is opened are kept and written then.
+class RunLog {
+ public:
+  explicit RunLog(bool quiet = false);
+  ~RunLog();
+  RunLog(const RunLog&) = delete;
+  RunLog& operator=(const RunLog&) = delete;
+  void write(LogLevel level, std::string_view source, std::string_view message,
+             bool on_terminal = true);
+  Status openFile(const std::filesystem::path& file);
+  /// Whether the file has all lines.
+  Status status() const;
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// The logger of one plugin: writes to the run's log under the name of the stage.
+class StageLogger : public Logger {
+ public:
+  StageLogger(RunLog& log, std::string source) : log_(log), source_(std::move(source)) {}
+  void write(LogLevel level, std::string_view message) override {
+    log_.write(level, source_, message);
+  }
+
+ private:
+  RunLog& log_;
+  std::string source_;
+};
+
+class SteadyClock : public Clock {
+ public:
+  std::int64_t steadyNs() const override;
+};
+
+/// Cancellation by SIGINT, SIGTERM and SIGHUP (unless ignored, as by nohup): the first signal
+/// requests cancellation, the second ends the process; a closed terminal may send SIGHUP several
+/// times, so that it never ends the process. A thread of its own waits for them. Create it before
+/// any other thread, so that all threads inherit the signal mask.
+class Interrupts : public Cancellation {
+ public:
+  Interrupts();
+  ~Interrupts() override;
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+  bool requested() const override { return requested_; }
+
+ private:
+  void listen(const std::stop_token& stop);
+  std::atomic<bool> requested_ = false;
+  std::jthread thread_;
+};
+
+/// Artefacts of one stage. The run directory is made after configure(), when all checks have
+/// passed; before that, writing fails.
+class StageArtefacts : public ArtefactWriter {
+ public:
+  explicit StageArtefacts(std::string instance) : instance_(std::move(instance)) {}
+  void open(const std::filesystem::path& run_directory);
+  Status write(std::string_view name, std::span<const std::byte> bytes) override;
+
+ private:
+  std::string instance_;
+  std::unique_ptr<ArtefactWriter> folder_;
+};
+
+}  // namespace tolman::run

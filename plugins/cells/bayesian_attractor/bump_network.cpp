@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bump_network.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+/// 99 % of chi-square with three degrees of freedom: a view within it agrees with a bump.
+constexpr double kAgrees = 11.345;
+/// m around the path that count as explored, and the smallest explored area, m^2.
+constexpr double kMargin = 20;
+constexpr double kLeastArea = 1e4;
+/// Calibration bumps below this energy are gone: a share of less than 0.04 %.
+constexpr double kGone = -8;
+/// Bounds of the learned share of right views.
+constexpr double kLeastPrior = 0.001;
+constexpr double kMostPrior = 0.9;
+
+double logGaussian(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance) {
+  return -0.5 * (squaredMahalanobis(difference, covariance) + std::log(covariance.determinant()) +
+                 3 * std::log(kTurn));
+}
+
+/// Student's t in three dimensions: a Gaussian of uncertain width.
+double logStudent(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance, double nu) {
+  return std::lgamma((nu + 3) / 2) - std::lgamma(nu / 2) - 1.5 * std::log(nu * std::numbers::pi) -
+         0.5 * std::log(covariance.determinant()) -
+         (nu + 3) / 2 * std::log1p(squaredMahalanobis(difference, covariance) / nu);
+}
+
+/// The symmetric matrix with the absolute eigenvalues.
+Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spectrum(symmetric);
+  const Eigen::Matrix3d& V = spectrum.eigenvectors();
+  return V * spectrum.eigenvalues().cwiseAbs().asDiagonal() * V.transpose();
+}
+
+}  // namespace
+
+BumpNetwork::BumpNetwork(const NetworkSettings& settings)
+    : settings_(settings),
+      code_(GridCode(settings.period, settings.modules, settings.phase_sigma)) {
+  state_.integrator.centre = code_.origin();
+  state_.anchor = state_.integrator;
+}
+
+void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed) {
+  const double length = std::hypot(step.x, step.y);
+  const double along = settings_.drift_position * settings_.drift_position * length;
+  const double turn = settings_.drift_heading * settings_.drift_heading * length;
+  Eigen::Matrix3d noise = claimed;
+  noise.diagonal() += Eigen::Vector3d(along, along, turn);
+  code_.move(state_.integrator, step, noise);
+  for (CalibrationBump& c : state_.calibration) {
+    code_.move(c.bump, step, noise);
+    c.energy -= settings_.inhibition * length;
+  }
+  state_.travel += length;
+  const Eigen::Vector2d here = code_.difference(code_.origin(), state_.integrator.centre).head<2>();
+  state_.least = state_.least.cwiseMin(here);
+  state_.most = state_.most.cwiseMax(here);
+  std::erase_if(state_.calibration, [](const CalibrationBump& c) { return c.energy < kGone; });
+}
+
+/// A new hypothesis takes the place of the weakest when there are too many. Null: it is weaker.
+CalibrationBump* BumpNetwork::found(const CalibrationBump& bump) {
+  auto& bumps = state_.calibration;
+  if (bumps.size() == kMostBumps) {
+    const auto weakest = std::ranges::min_element(bumps, {}, &CalibrationBump::energy);
+    if (weakest->energy >= bump.energy) return nullptr;
+    bumps.erase(weakest);
+  }
+  bumps.push_back(bump);
+  return &bumps.back();
+}
+
+void BumpNetwork::startPart() {
+  state_.part = state_.parts++;
+  ++state_.stretch;
+  state_.integrator.covariance.setZero();
+  state_.anchor = state_.integrator;
+  state_.calibration.clear();
+  // How many views are right has been counted at another place.
+  state_.views = state_.right = 0;
+}
+
+LearnedPattern BumpNetwork::present() const {
+  return {state_.integrator.centre, state_.part, state_.stretch, total()};
+}
+
+/// Covariance of the integrator from the origin of its part.
+Eigen::Matrix3d BumpNetwork::total() const {
+  return state_.integrator.covariance + carriedTo(state_.integrator.centre, state_.anchor);
+}
+
+double BumpNetwork::prior() const {
+  const double share =
+      (settings_.prior * settings_.prior_views + static_cast<double>(state_.right)) /
+      (settings_.prior_views + static_cast<double>(state_.views));
+  return std::clamp(share, kLeastPrior, kMostPrior);
+}
+
+/// Log density of a look-alike: anywhere in the explored rectangle, facing anywhere.
+double BumpNetwork::lookAlike() const {
+  const Eigen::Vector2d sides = state_.most - state_.least + Eigen::Vector2d::Constant(2 * kMargin);
+  return -std::log(kTurn * std::max(sides.prod(), kLeastArea));
+}
+
+/// Covariance of the bump's centre, carried on to another pattern.
+Eigen::Matrix3d BumpNetwork::carriedTo(const FiringPattern& there, const Bump& bump) const {
+  const Eigen::Matrix3d J = carried(code_.difference(bump.centre, there).head<2>());
+  return J * bump.covariance * J.transpose();
+}
+
+/// Covariance of the way from where the view was learned to here: along this stretch of the path,
+/// or over its beginning. Along one way the covariance at the later end contains that at the
+/// earlier one; what it has more is of the way between.
+Eigen::Matrix3d BumpNetwork::uncertainty(const LearnedPattern& link) const {
+  const Bump learned = {link.pattern, link.covariance};
+  if (link.stretch == state_.stretch) {
+    return absolute(total() - carriedTo(state_.integrator.centre, learned));
+  }
+  return state_.integrator.covariance +
+         absolute(link.covariance - carriedTo(link.pattern, state_.anchor));
+}
+
+/// Log-likelihood ratio of a view that no bump agrees with: right against look-alike.
+double BumpNetwork::founding(const LearnedPattern& link, const FiringPattern& seen,
+                             const Eigen::Matrix3d& covariance) const {
+  // Path integration says nothing; that the place is a known one at all has the same prior again.
+  if (link.part != state_.part) return std::log(settings_.prior);
+  const Eigen::Vector3d difference = code_.difference(state_.integrator.centre, seen);
+  return logStudent(difference, uncertainty(link) + covariance, settings_.tail) - lookAlike();
+}
+
+CalibrationBump* BumpNetwork::agreeing(const FiringPattern& seen, const Eigen::Matrix3d& covariance,
+                                       std::int64_t part, double& log_density) {
+  CalibrationBump* best = nullptr;
+  for (CalibrationBump& c : state_.calibration) {
+    if (c.part != part) continue;
+    const Eigen::Vector3d difference = code_.difference(c.bump.centre, seen);
+    const Eigen::Matrix3d sum = c.bump.covariance + covariance;
+    if (squaredMahalanobis(difference, sum) > kAgrees) continue;
+    const double density = logGaussian(difference, sum);
+    if (best != nullptr && density <= log_density) continue;
+    best = &c;
+    log_density = density;
+  }
+  return best;
+}
+
+Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& offset,
+                                  const Eigen::Matrix3d& measured) {
+  const FiringPattern seen = code_.displaced(link.pattern, offset);
+  const Eigen::Matrix3d covariance = turned(measured, seen.heading) + code_.readout();
+  ++state_.views;
+  double log_density = 0;
+  CalibrationBump* bump = agreeing(seen, covariance, link.part, log_density);
+  if (bump != nullptr) {
+    const double fresh = std::min(1.0, (state_.travel - bump->fed_at) / settings_.view_spacing);
+    const double ratio = settings_.injection * (log_density - lookAlike());
+    bump->energy += fresh * std::min(ratio, settings_.agreement);
+    code_.fuse(bump->bump, seen, covariance);
+  } else {
+    const double odds = std::log(prior() / (1 - prior()));
+    const double energy = odds + settings_.injection * founding(link, seen, covariance);
+    bump = found({{seen, covariance}, energy, link.part, 0, 0});
+    if (bump == nullptr) return {};
+  }
+  ++bump->views;
+  bump->fed_at = state_.travel;
+  if (share(bump->energy) <= settings_.threshold) return {};
+  const CalibrationBump winner = *bump;
+  return adopt(winner, link);
+}
+
+/// The integrator takes the place of the winner. A new stretch of the path begins.
+Recalibration BumpNetwork::adopt(const CalibrationBump& winner, const LearnedPattern& link) {
+  Recalibration calibrated;
+  calibrated.won = true;
+  calibrated.share = share(winner.energy);
+  calibrated.part = winner.part;
+  calibrated.from = state_.integrator.centre;
+  calibrated.to = winner.bump.centre;
+  calibrated.views = winner.views;
+  calibrated.offset = code_.between(link.pattern, winner.bump.centre);
+  calibrated.covariance = turned(winner.bump.covariance, -winner.bump.centre.heading);
+  calibrated.origin = link.covariance;
+  if (winner.part != state_.part) calibrated.joined_part = state_.part;
+  state_.part = winner.part;
+  state_.integrator = winner.bump;
+  state_.anchor = {link.pattern, link.covariance};
+  ++state_.stretch;
+  state_.right += winner.views;
+  state_.calibration.clear();
+  return calibrated;
+}
+
+void BumpNetwork::rejoin(const Recalibration& calibrated, LearnedPattern& link) const {
+  if (link.part != calibrated.joined_part) return;
+  link.pattern = code_.displaced(calibrated.to, code_.between(calibrated.from, link.pattern));
+  link.covariance += calibrated.origin;
+  link.part = calibrated.part;
+}
+
+double BumpNetwork::share(double energy) const {
+  double rivals = std::exp(-energy);
+  for (const CalibrationBump& c : state_.calibration) rivals += std::exp(c.energy - energy);
+  return 1 / rivals;
+}
+
+}  // namespace tolman::bayesian_attractor

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The attractor network: one integrator bump and several calibration bumps that compete.
+//
+// The integrator bump follows path integration alone. Each calibration bump is a hypothesis that
+// the robot is at a known place. Path integration moves and widens all bumps. A familiar view
+// injects energy at the pattern that it is linked to: into the calibration bump that it agrees
+// with, or as a new bump. Energies are in nats: logarithms of odds against the hypothesis of the
+// integrator, whose energy is 0. Global inhibition keeps the shares exp(E) summing up to one. A
+// bump whose share passes the threshold wins: the integrator takes its place.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "conjunctive_code.hpp"
+
+namespace tolman::bayesian_attractor {
+
+/// Most calibration bumps at a time; the weakest gives way.
+inline constexpr std::size_t kMostBumps = 16;
+
+struct NetworkSettings {
+  double period = 150;            ///< m, of the smallest grid module
+  int modules = 4;                ///< grid modules
+  double phase_sigma = 0.005;     ///< periods
+  double drift_position = 0.06;   ///< m / sqrt(m)
+  double drift_heading = 0.0012;  ///< rad / sqrt(m)
+  double tail = 4;                ///< degrees of freedom of Student's t
+  double prior = 0.05;            ///< share of familiar views that are right, before any was seen
+  double prior_views = 100;       ///< views that weigh as much as this expectation
+  double injection = 1;           ///< of a view's log-likelihood ratio
+  double agreement = 3;           ///< nats, most that a further view adds
+  double inhibition = 0.02;       ///< nats / m that each calibration bump loses
+  double threshold = 0.98;        ///< share of the energy at which a bump wins
+  double view_spacing = 5;        ///< m after which the next view is new evidence
+};
+
+/// What a view was linked to when it was learned.
+struct LearnedPattern {
+  FiringPattern pattern;
+  std::int64_t part = 0;     ///< of the world: parts are not joined with each other
+  std::int64_t stretch = 0;  ///< of the path: from one won calibration to the next
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< from the origin of its part
+};
+
+/// A hypothesis.
+struct CalibrationBump {
+  Bump bump;
+  double energy = 0;       ///< nats
+  std::int64_t part = 0;   ///< of the world that the bump stands in
+  std::int64_t views = 0;  ///< that have fed it
+  double fed_at = 0;       ///< m of travel
+};
+
+/// Everything that changes.
+struct NetworkState {
+  Bump integrator;
+  std::vector<CalibrationBump> calibration;
+  std::int64_t part = 0;
+  std::int64_t parts = 1;
+  std::int64_t stretch = 0;
+  Bump anchor;        ///< where the stretch begins, with its covariance from the origin of the part
+  double travel = 0;  ///< m
+  Eigen::Vector2d least = Eigen::Vector2d::Zero();  ///< explored rectangle, m from the origin
+  Eigen::Vector2d most = Eigen::Vector2d::Zero();
+  std::int64_t views = 0;  ///< familiar views that injected
+  std::int64_t right = 0;  ///< of these, views of bumps that won
+};
+
+/// Outcome of an injection. When a bump has won: where it stands, and how the patterns of a part of
+/// the world that has been joined with another move.
+struct Recalibration {
+  bool won = false;
+  double share = 0;        ///< of the winner in the energy
+  std::int64_t views = 0;  ///< that fed the winner
+  PlanarPose offset;       ///< of the winner from where its last view was learned
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of that, in the robot's axes
+  std::int64_t joined_part = -1;                     ///< patterns of this part move; -1: of none
+  FiringPattern from, to;                            ///< as `from` moves to `to`
+  std::int64_t part = 0;                             ///< the part they are of then
+  Eigen::Matrix3d origin = Eigen::Matrix3d::Zero();  ///< covariance to add to theirs
+};
+
+class BumpNetwork {
+ public:
+  explicit BumpNetwork(const NetworkSettings& settings);
+
+  /// `claimed`: covariance of the step by odometry, in the robot's axes.
+  void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed);
+  /// The robot has been carried to an unknown place.
+  void startPart();
+  /// A familiar view that puts the robot at `offset` from where it was learned.
+  Recalibration inject(const LearnedPattern& link, const PlanarPose& offset,
+                       const Eigen::Matrix3d& covariance);
+  LearnedPattern present() const;
+  /// Moves a learned pattern of a part that has been joined with another.
+  void rejoin(const Recalibration& calibrated, LearnedPattern& link) const;
+
+  double share(double energy) const;
+  const ConjunctiveCode& code() const { return code_; }
+  const NetworkState& state() const { return state_; }
+  void restore(NetworkState state) { state_ = std::move(state); }
+
+ private:
+  double prior() const;
+  double lookAlike() const;
+  double founding(const LearnedPattern& link, const FiringPattern& seen,
+                  const Eigen::Matrix3d& covariance) const;
+  Eigen::Matrix3d total() const;
+  Eigen::Matrix3d carriedTo(const FiringPattern& there, const Bump& bump) const;
+  Eigen::Matrix3d uncertainty(const LearnedPattern& link) const;
+  CalibrationBump* agreeing(const FiringPattern& seen, const Eigen::Matrix3d& covariance,
+                            std::int64_t part, double& log_density);
+  Recalibration adopt(const CalibrationBump& winner, const LearnedPattern& link);
+  CalibrationBump* found(const CalibrationBump& bump);
+
+  NetworkSettings settings_;
+  ConjunctiveCode code_;
+  NetworkState state_;
+};
+
+}  // namespace tolman::bayesian_attractor

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conjunctive_code.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+
+Eigen::Vector2d turned(double x, double y, double angle) {
+  return Eigen::Rotation2Dd(angle) * Eigen::Vector2d(x, y);
+}
+
+}  // namespace
+
+FiringPattern ConjunctiveCode::displaced(const FiringPattern& pattern,
+                                         const PlanarPose& step) const {
+  FiringPattern there = pattern;
+  grid_.move(there.phases, turned(step.x, step.y, pattern.heading));
+  there.heading = wrapPeriod(pattern.heading + step.theta, kTurn);
+  return there;
+}
+
+Eigen::Vector3d ConjunctiveCode::difference(const FiringPattern& from,
+                                            const FiringPattern& to) const {
+  Eigen::Vector3d difference;
+  difference << grid_.displacement(from.phases, to.phases), wrapAngle(to.heading - from.heading);
+  return difference;
+}
+
+PlanarPose ConjunctiveCode::between(const FiringPattern& from, const FiringPattern& to) const {
+  const Eigen::Vector3d way = difference(from, to);
+  const Eigen::Vector2d own = turned(way.x(), way.y(), -from.heading);
+  return {own.x(), own.y(), way.z()};
+}
+
+void ConjunctiveCode::move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise) const {
+  const double heading = bump.centre.heading;
+  const Eigen::Matrix3d J = carried(turned(step.x, step.y, heading));
+  bump.covariance = J * bump.covariance * J.transpose() + turned(noise, heading);
+  bump.centre = displaced(bump.centre, step);
+}
+
+void ConjunctiveCode::fuse(Bump& bump, const FiringPattern& seen,
+                           const Eigen::Matrix3d& covariance) const {
+  const Eigen::Matrix3d sum = bump.covariance + covariance;
+  const Eigen::Matrix3d gain = bump.covariance * sum.inverse();
+  const Eigen::Vector3d correction = gain * difference(bump.centre, seen);
+  grid_.move(bump.centre.phases, correction.head<2>());
+  bump.centre.heading = wrapPeriod(bump.centre.heading + correction.z(), kTurn);
+  bump.covariance = gain * covariance;
+}
+
+Eigen::Matrix3d ConjunctiveCode::readout() const {
+  const double heading = grid_.phaseSigma() * kTurn;
+  return Eigen::Vector3d(grid_.sigma(), grid_.sigma(), heading).cwiseAbs2().asDiagonal();
+}
+
+Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  R.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(angle).toRotationMatrix();
+  return R * covariance * R.transpose();
+}
+
+Eigen::Matrix3d carried(const Eigen::Vector2d& way) {
+  Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
+  J(0, 2) = -way.y();
+  J(1, 2) = way.x();
+  return J;
+}
+
+double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance) {
+  const Eigen::Vector3d chord(difference.x(), difference.y(), 2 * std::sin(0.5 * difference.z()));
+  return chord.dot(covariance.inverse() * chord);
+}
+
+}  // namespace tolman::bayesian_attractor

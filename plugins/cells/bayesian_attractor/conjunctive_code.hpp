@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Firing patterns of the conjunctive population (head direction by position, as in entorhinal
+// layers III and V), and Gaussian bumps over them.
+//
+// A pattern is a heading on the ring and a phase on the torus of each grid module. A bump is a
+// Gaussian around a pattern, with covariance of (x m, y m, heading rad) in the axes of heading 0;
+// in heading it is the von Mises distribution of the same precision.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "grid_code.hpp"
+#include "tolman/geometry.hpp"
+
+namespace tolman::bayesian_attractor {
+
+struct FiringPattern {
+  double heading = 0;  ///< rad in [0, 2 pi)
+  Phases phases;
+};
+
+struct Bump {
+  FiringPattern centre;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+class ConjunctiveCode {
+ public:
+  explicit ConjunctiveCode(const GridCode& grid) : grid_(grid) {}
+
+  const GridCode& grid() const { return grid_; }
+  /// Covariance with which ring and modules read a pattern.
+  Eigen::Matrix3d readout() const;
+  FiringPattern origin() const { return {0, grid_.origin()}; }
+
+  /// `pattern` after a step that is given in the robot's own axes.
+  FiringPattern displaced(const FiringPattern& pattern, const PlanarPose& step) const;
+  /// (x, y, heading) from one pattern to another in the axes of heading 0, as the modules read it.
+  Eigen::Vector3d difference(const FiringPattern& from, const FiringPattern& to) const;
+  /// The pose of `to` in the axes of `from`.
+  PlanarPose between(const FiringPattern& from, const FiringPattern& to) const;
+
+  /// Path integration: the bump moves, an error of heading leans on position, noise widens it.
+  /// `noise`: covariance of the step in the robot's own axes.
+  void move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise) const;
+  /// Product of two Gaussians: precisions add (the paper's equation of injection, in matrices).
+  void fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance) const;
+
+ private:
+  GridCode grid_;
+};
+
+/// `covariance` of (x, y, heading) seen from axes that are turned by -`angle`.
+Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle);
+/// How an error of the pose (x, y, heading) grows when it is carried on by `way`, m.
+Eigen::Matrix3d carried(const Eigen::Vector2d& way);
+/// y' S^-1 y, with the chord instead of the arc in heading, as von Mises has it.
+double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance);
+
+}  // namespace tolman::bayesian_attractor

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "paper_attractor.hpp"
+
+#include "activity.hpp"
+
+namespace tolman::paper_attractor {
+namespace {
+
+NetworkSettings networkSettings(const PaperAttractorParameters& p, double energy) {
+  NetworkSettings settings;
+  settings.period = p.period;
+  settings.energy = energy;
+  settings.initial_calibration = p.initial_calibration;
+  settings.floor = p.floor;
+  settings.inhibition_of_calibration = p.inhibition_of_calibration;
+  settings.inhibition_of_integrator = p.inhibition_of_integrator;
+  return settings;
+}
+
+/// Where the view puts the robot, seen from its template.
+Eigen::Isometry3d fromTemplate(const PlaceObservation& observation) {
+  return observation.has_relative_pose ? observation.T_template_current
+                                       : fromPlanar({0, 0, observation.relative_yaw});
+}
+
+}  // namespace
+
+Status PaperAttractor::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = bound.value();
+  return reset();
+}
+
+PaperAttractor::State PaperAttractor::freshState() const {
+  const Parameters& p = parameters_;
+  const HabituationSettings habituation = {p.habituation_increment, p.habituation_recovery,
+                                           p.newest_ignored, p.first_views_ignored};
+  const ExperienceSettings experience = {p.experience_spacing, p.experience_turn, p.novel_spacing,
+                                         p.loop_minimum_travel, p.loop_spacing};
+  return {SpatialCells(HeadDirectionRing(networkSettings(p, p.energy_heading)),
+                       GridTorus(networkSettings(p, p.energy_position), p.metres_per_cell),
+                       {p.decision_heading, p.decision_position}),
+          ViewLinks(habituation), ExperienceLog(experience)};
+}
+
+Status PaperAttractor::reset() {
+  state_.emplace(freshState());
+  return Status::ok();
+}
+
+/// Frames arrive with the motion that leads to their view, so path integration comes before
+/// injection; the other order would inject one step behind.
+Status PaperAttractor::step(const Motion& motion, const PlaceObservation& observation,
+                            Decision& decision) {
+  const bool seen = observation.recognition != Recognition::None;
+  if (seen && observation.template_id < 0) {
+    return Status::invalidInput("a view was recognised, but its template_id is negative");
+  }
+  decision.frame = motion.frame;
+  decision.stamp_ns = motion.stamp_ns;
+  decision.template_id = seen ? observation.template_id : -1;
+
+  integrate(motion);
+  const bool injected = perceive(motion, observation);
+  const ViewLink* const link = seen ? state_->links.find(observation.template_id) : nullptr;
+  const bool familiar = injected && state_->cells.familiar();
+  if (familiar && state_->log.allowsLoopTo(link->experience)) {
+    closeLoop(observation, *link, decision);
+  } else if (state_->log.wantsNew(seen && link == nullptr)) {
+    decision.action = Action::CreateExperience;
+    state_->log.create();
+  }
+  if (familiar) state_->cells.adoptEstimate();
+  if (seen && link == nullptr) learn(observation.template_id);
+
+  decision.experience = state_->log.current();
+  decision.heading = state_->cells.estimate().heading;
+  if (decision.action != Action::CloseLoop) {
+    decision.relative_yaw = toPlanar(state_->log.fromCurrent()).theta;
+  }
+  return Status::ok();
+}
+
+void PaperAttractor::integrate(const Motion& motion) {
+  const bool initialising = motion.state == TrackingState::Initialising;
+  if (initialising && !state_->initialising) {  // the robot was carried away
+    state_->cells.restartCalibrations();
+    state_->log.startPart();
+    state_->links.startPart();
+  }
+  state_->initialising = initialising;
+  state_->cells.integrate(toPlanar(motion.T_previous_current));
+  state_->log.advance(motion.T_previous_current);
+}
+
+/// Injection, then inhibition and estimation with each view.
+bool PaperAttractor::perceive(const Motion& motion, const PlaceObservation& observation) {
+  if (observation.recognition == Recognition::None) return false;
+  SpatialCells& cells = state_->cells;
+  state_->links.countView();
+  const bool injects = observation.recognition == Recognition::Familiar &&
+                       state_->links.activate(observation.template_id);
+  if (injects) {
+    const ViewLink& link = *state_->links.find(observation.template_id);
+    cells.inject(cells.displaced(link.learned, toPlanar(fromTemplate(observation))),
+                 parameters_.injected_strength);
+  }
+  if (motion.state == TrackingState::Lost) cells.weakenIntegrators(parameters_.lost_trust);
+  cells.settle();
+  return injects;
+}
+
+void PaperAttractor::closeLoop(const PlaceObservation& observation, const ViewLink& link,
+                               Decision& decision) {
+  decision.action = Action::CloseLoop;
+  decision.has_relative_pose = observation.has_relative_pose;
+  decision.T_experience_current =
+      normalised(link.T_experience_template * fromTemplate(observation));
+  if (observation.has_relative_pose) decision.covariance = observation.covariance;
+  decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
+  decision.confidence = state_->cells.calibrationShare();
+  state_->log.closeLoopTo(link.experience, decision.T_experience_current);
+}
+
+/// One-shot learning: the new local view cell is linked to the present firing pattern.
+void PaperAttractor::learn(std::int64_t template_id) {
+  ViewLink link;
+  link.learned = state_->cells.estimate();
+  link.experience = state_->log.current();
+  link.T_experience_template = state_->log.fromCurrent();
+  state_->links.learn(template_id, link);
+}
+
+void PaperAttractor::arrays(std::vector<NamedArray>& arrays) const {
+  appendArrays(state_->cells, arrays);
+}
+
+Status PaperAttractor::describe(std::vector<ArrayInfo>& arrays) const {
+  describeArrays(state_->cells, arrays);
+  return Status::ok();
+}
+
+}  // namespace tolman::paper_attractor

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "dead_reckoning.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace tolman::experience_map {
+
+Status DeadReckoning::check(const Motion& motion) const {
+  if (frames_.empty() || motion.frame > frames_.back().frame) return Status::ok();
+  return Status::invalidInput("motion of frame " + std::to_string(motion.frame) +
+                              " comes after that of frame " + std::to_string(frames_.back().frame) +
+                              "; frames must come in order");
+}
+
+void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
+  ReckonedFrame logged;
+  logged.frame = motion.frame;
+  logged.stamp_ns = motion.stamp_ns;
+  logged.anchor = anchor;
+  logged.initialising = motion.state == TrackingState::Initialising;
+  if (!frames_.empty()) {
+    logged.gap = logged.initialising && !frames_.back().initialising;
+    logged.motion = {motion.T_previous_current, motion.covariance};
+    if (motion.state != TrackingState::Tracking) {
+      logged.motion.covariance +=
+          isotropic(parameters_.lost_sigma_translation, parameters_.lost_sigma_rotation);
+    }
+    logged.T_start_camera = normalised(frames_.back().T_start_camera * logged.motion.T);
+  }
+  frames_.push_back(logged);
+}
+
+std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std::size_t& unknown) {
+  std::size_t first = frames_.size();
+  unknown = 0;
+  for (const MotionRevision& revision : revisions) {
+    const std::optional<std::size_t> slot = slotOf(revision.frame);
+    if (!slot) ++unknown;
+    // The first frame and the frame after a gap have no motion.
+    if (!slot || *slot == 0 || frames_[*slot].gap) continue;
+    frames_[*slot].motion = {revision.T_previous_current, revision.covariance};
+    first = std::min(first, *slot);
+  }
+  reckon(first);
+  return first;
+}
+
+void DeadReckoning::reckon(std::size_t first) {
+  for (std::size_t slot = first; slot < frames_.size(); ++slot) {
+    frames_[slot].T_start_camera =
+        normalised(frames_[slot - 1].T_start_camera * frames_[slot].motion.T);
+  }
+}
+
+void DeadReckoning::restore(std::vector<ReckonedFrame> frames) {
+  frames_ = std::move(frames);
+  if (!frames_.empty()) reckon(1);
+}
+
+std::optional<std::size_t> DeadReckoning::slotOf(std::int64_t frame) const {
+  const auto found = std::ranges::lower_bound(frames_, frame, {}, &ReckonedFrame::frame);
+  if (found == frames_.end() || found->frame != frame) return std::nullopt;
+  return static_cast<std::size_t>(found - frames_.begin());
+}
+
+UncertainPose DeadReckoning::between(std::size_t from, std::size_t to) const {
+  UncertainPose way;
+  double length = 0;
+  for (std::size_t slot = from + 1; slot <= to; ++slot) {
+    way = compose(way, frames_[slot].motion);
+    length += frames_[slot].motion.T.translation().norm();
+  }
+  way.T = frames_[from].T_start_camera.inverse() * frames_[to].T_start_camera;
+  // Systematic drift, which covariances between frames do not contain. The minimal length keeps the
+  // covariance of a link at standstill regular.
+  constexpr double kLeast = 0.01;  // m
+  const double drifting = std::max(length, kLeast);
+  way.covariance +=
+      isotropic(parameters_.drift_translation * drifting, parameters_.drift_rotation * drifting);
+  return way;
+}
+
+double DeadReckoning::seconds(std::size_t from, std::size_t to) const {
+  return 1e-9 * static_cast<double>(frames_[to].stamp_ns - frames_[from].stamp_ns);
+}
+
+}  // namespace tolman::experience_map

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "http_response.hpp"
+
+#include <charconv>
+#include <optional>
+
+#include "bundle.hpp"
+
+namespace tolman::web_viewer {
+namespace {
+
+constexpr std::size_t kMaxRows = 4096;  // of one response
+constexpr const char* kBinary = "application/octet-stream";
+
+/// A non-negative decimal number; nothing for any other text.
+std::optional<std::int64_t> number(std::string_view text) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  if (!whole || text.starts_with('-')) return std::nullopt;
+  return value;
+}
+
+HttpResponse history(std::string_view query, const RunStore& store) {
+  std::size_t from = 0;
+  std::size_t count = kMaxRows;
+  while (!query.empty()) {
+    const std::string_view part = query.substr(0, query.find('&'));
+    query.remove_prefix(std::min(query.size(), part.size() + 1));
+    const std::size_t equals = part.find('=');
+    if (equals == std::string_view::npos) return errorResponse(400);
+    const auto value = number(part.substr(equals + 1));
+    const std::string_view key = part.substr(0, equals);
+    if (!value || (key != "from" && key != "count")) return errorResponse(400);
+    (key == "from" ? from : count) = static_cast<std::size_t>(*value);
+  }
+  const HistoryHeader header{static_cast<std::int64_t>(from),
+                             static_cast<std::int64_t>(store.rows().size())};
+  return {
+      200, kBinary,
+      encodeContainer(headerJson(header), {store.rows().read(from, std::min(count, kMaxRows))})};
+}
+
+HttpResponse storedFrame(std::string_view text, const RunStore& store) {
+  const auto frame = number(text);
+  if (!frame) return errorResponse(400);
+  const auto stored = store.frames().atOrBefore(*frame);
+  if (!stored) return errorResponse(404);
+  return {200, kBinary, *store.frames().at(*stored)};
+}
+
+HttpResponse templateImage(std::string_view text, const RunStore& store) {
+  const auto id = number(text);
+  if (!id) return errorResponse(400);
+  auto image = store.templateImages().at(*id);
+  if (!image) return errorResponse(404);
+  return {200, "image/jpeg", *std::move(image)};
+}
+
+HttpResponse api(std::string_view path, std::string_view query, const RunStore& store) {
+  constexpr std::string_view kFrame = "/api/frame/";
+  constexpr std::string_view kTemplate = "/api/template/";
+  if (path == "/api/history") return history(query, store);
+  if (!query.empty()) return errorResponse(400);
+  if (path == "/api/run") return {200, "application/json", jsonText(headerJson(store.hello()))};
+  if (path.starts_with(kFrame)) return storedFrame(path.substr(kFrame.size()), store);
+  if (path.starts_with(kTemplate)) return templateImage(path.substr(kTemplate.size()), store);
+  if (path != "/api/graph") return errorResponse(404);
+  if (!store.graph()) return {200, kBinary, FlatGraph().encode()};
+  return {200, kBinary, *store.graph()};
+}
+
+HttpResponse file(std::string_view path) {
+  const std::string_view wanted = path == "/" ? "index.html" : path.substr(1);
+  for (const BundleFile& known : bundle()) {
+    if (known.path != wanted) continue;
+    return {200, std::string(mediaType(known.path)), std::string(known.bytes), true};
+  }
+  return errorResponse(404);
+}
+
+}  // namespace
+
+HttpResponse errorResponse(unsigned status) {
+  switch (status) {
+    case 400:
+      return {400, "text/plain; charset=utf-8", "Unknown request.\n"};
+    case 403:
+      return {403, "text/plain; charset=utf-8",
+              "The viewer serves requests to its own address only; the log has the address.\n"};
+    case 404:
+      return {404, "text/plain; charset=utf-8", "Not found.\n"};
+    case 405:
+      return {405, "text/plain; charset=utf-8", "Only GET and HEAD are allowed.\n"};
+    case 431:
+      return {431, "text/plain; charset=utf-8", "The header of the request is too large.\n"};
+    default:
+      return {503, "text/plain; charset=utf-8",
+              "The viewer has the maximum number of clients; see its parameter 'clients'.\n"};
+  }
+}
+
+HttpResponse respond(std::string_view method, std::string_view target, const RunStore& store) {
+  if (method != "GET" && method != "HEAD") return errorResponse(405);
+  if (!target.starts_with('/')) return errorResponse(400);
+  const std::size_t mark = target.find('?');
+  const std::string_view path = target.substr(0, mark);
+  const std::string_view query =
+      mark == std::string_view::npos ? std::string_view() : target.substr(mark + 1);
+  if (path.starts_with("/api/")) return api(path, query, store);
+  return file(path);
+}
+
+}  // namespace tolman::web_viewer

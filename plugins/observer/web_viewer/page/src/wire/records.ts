@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Generated from the records' field lists by scripts/build-page; do not edit.
+
+export interface Camera {
+  readonly width: number; // px
+  readonly height: number; // px
+  readonly calibrated: boolean;
+  readonly 'pinhole.fx': number; // px
+  readonly 'pinhole.fy': number; // px
+  readonly 'pinhole.cx': number; // px
+  readonly 'pinhole.cy': number; // px
+  readonly baseline: number; // m
+}
+
+export interface SourceInfo {
+  readonly description: string;
+  readonly rig: Camera;
+  readonly frames: number;
+  readonly has_truth: boolean;
+}
+
+export interface ArrayAxis {
+  readonly name: string;
+  readonly unit: string;
+  readonly first: number;
+  readonly step: number;
+  readonly period: number;
+  readonly labels: readonly string[];
+}
+
+export interface ArrayInfo {
+  readonly name: string;
+  readonly kind: 'values' | 'activity' | 'bump' | 'depth_image';
+  readonly unit: string;
+  readonly doc: string;
+  readonly population: string;
+  readonly axes: readonly ArrayAxis[];
+}
+
+export interface RunInfo {
+  readonly name: string;
+  readonly directory: string;
+  readonly source: SourceInfo;
+  readonly arrays: readonly ArrayInfo[];
+}
+
+export interface Column {
+  readonly name: string;
+  readonly unit: string;
+  readonly doc: string;
+}
+
+export interface HelloHeader {
+  readonly type: 'hello';
+  readonly run: RunInfo;
+  readonly live: boolean;
+  readonly rows: number;
+  readonly columns: readonly Column[];
+}
+
+export interface RunEvent {
+  readonly frame: number;
+  readonly level: 'debug' | 'info' | 'warning' | 'error';
+  readonly source: string;
+  readonly message: string;
+}
+
+export interface FrameHeader {
+  readonly type: 'frame';
+  readonly frame: number;
+  readonly points_frame: number;
+  readonly rows_from: number;
+  readonly dropped: number;
+  readonly events: readonly RunEvent[];
+}
+
+export interface HistoryHeader {
+  readonly type: 'history';
+  readonly from: number;
+  readonly total: number;
+}
+
+export interface GraphHeader {
+  readonly type: 'graph';
+  readonly version: number;
+  readonly frame: number;
+}
+
+export interface EndHeader {
+  readonly type: 'end';
+  readonly state: string;
+  readonly frames: number;
+}
+
+/** Columns of a history row, in the order of its values. */
+export const kColumns = [
+  'frame.frame',
+  'frame.time',
+  'frame.source_index',
+  'frame.has_truth',
+  'motion.state',
+  'motion.dt',
+  'motion.v',
+  'motion.omega',
+  'motion.scale_known',
+  'motion.tracked',
+  'motion.is_keyframe',
+  'motion.points_frame',
+  'place.recognition',
+  'place.template_id',
+  'place.score',
+  'place.relative_yaw',
+  'place.has_relative_pose',
+  'decision.action',
+  'decision.experience',
+  'decision.template_id',
+  'decision.relative_yaw',
+  'decision.has_relative_pose',
+  'decision.heading',
+  'decision.confidence',
+  'map_update.experience',
+  'map_update.version',
+  'map_update.experiences',
+  'map_update.links',
+  'map_update.loops',
+  'odometry.x',
+  'odometry.y',
+  'odometry.z',
+  'map.x',
+  'map.y',
+  'map.z',
+  'truth.x',
+  'truth.y',
+  'truth.z',
+  'duration.source',
+  'duration.odometry',
+  'duration.place',
+  'duration.cells',
+  'duration.map',
+] as const;
+export type ColumnName = (typeof kColumns)[number];
+
+export const kUnits: Readonly<Record<ColumnName, string>> = {
+  'frame.frame': '',
+  'frame.time': 's',
+  'frame.source_index': '',
+  'frame.has_truth': '',
+  'motion.state': '',
+  'motion.dt': 's',
+  'motion.v': 'm/s',
+  'motion.omega': 'rad/s',
+  'motion.scale_known': '',
+  'motion.tracked': '',
+  'motion.is_keyframe': '',
+  'motion.points_frame': '',
+  'place.recognition': '',
+  'place.template_id': '',
+  'place.score': '',
+  'place.relative_yaw': 'rad',
+  'place.has_relative_pose': '',
+  'decision.action': '',
+  'decision.experience': '',
+  'decision.template_id': '',
+  'decision.relative_yaw': 'rad',
+  'decision.has_relative_pose': '',
+  'decision.heading': 'rad',
+  'decision.confidence': '',
+  'map_update.experience': '',
+  'map_update.version': '',
+  'map_update.experiences': '',
+  'map_update.links': '',
+  'map_update.loops': '',
+  'odometry.x': 'm',
+  'odometry.y': 'm',
+  'odometry.z': 'm',
+  'map.x': 'm',
+  'map.y': 'm',
+  'map.z': 'm',
+  'truth.x': 'm',
+  'truth.y': 'm',
+  'truth.z': 'm',
+  'duration.source': 'ms',
+  'duration.odometry': 'ms',
+  'duration.place': 'ms',
+  'duration.cells': 'ms',
+  'duration.map': 'ms',
+};
+
+/** Names of the values of columns that hold an enumeration. */
+export const kChoices = {
+  'motion.state': ['initialising', 'tracking', 'lost'],
+  'place.recognition': ['none', 'novel', 'familiar'],
+  'decision.action': ['stay', 'create_experience', 'close_loop'],
+} as const;

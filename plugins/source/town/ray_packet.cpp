@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ray_packet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "material.hpp"
+#include "noise.hpp"
+
+namespace tolman::town {
+namespace {
+
+// Beyond these metres pixels are wider than clumps of leaves, and see lit and shaded ones alike.
+constexpr float kClumpsMerge = 25;
+constexpr float kClumpsMerged = 45;
+
+}  // namespace
+
+/// Where one ray of the packet ended.
+struct RayPacket::Meeting {
+  bool hit = false;
+  float lit = 0;  // share that sees the sun
+  float t = 0;
+  Vec3 point;   // town axes
+  Vec3 normal;  // town axes, unit, towards the camera
+  Scene::Owner owner = {0, nullptr};
+  std::uint32_t instance = 0;
+};
+
+void RayPacket::trace(std::array<Meeting, kRaysPerPacket>& meetings) {
+  alignas(32) std::array<int, kRaysPerPacket> valid{};
+  RTCRayHit8 rays;
+  for (int i = 0; i < kRaysPerPacket; ++i) {
+    const Vec3& d = directions_[static_cast<std::size_t>(std::min(i, count_ - 1))];
+    valid[static_cast<std::size_t>(i)] = i < count_ ? -1 : 0;
+    rays.ray.org_x[i] = around_.origin.x;
+    rays.ray.org_y[i] = around_.origin.y;
+    rays.ray.org_z[i] = around_.origin.z;
+    rays.ray.dir_x[i] = d.x;
+    rays.ray.dir_y[i] = d.y;
+    rays.ray.dir_z[i] = d.z;
+    rays.ray.tnear[i] = 0.05F;
+    rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
+    rays.ray.time[i] = 0;
+    rays.ray.mask[i] = ~0U;
+    rays.ray.flags[i] = 0;
+    rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+  }
+  around_.scene->intersect(valid.data(), rays);
+  for (int i = 0; i < count_; ++i) {
+    Meeting& meeting = meetings[static_cast<std::size_t>(i)];
+    meeting.hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
+    if (!meeting.hit) continue;
+    const Vec3& d = directions_[static_cast<std::size_t>(i)];
+    meeting.t = rays.ray.tfar[i];
+    meeting.point = around_.origin + d * meeting.t;
+    meeting.instance = rays.hit.instID[0][i];
+    meeting.owner = around_.scene->ownerOf(meeting.instance, rays.hit.primID[i]);
+    Vec3 normal = normalised({rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]});
+    if (meeting.owner.instance) normal = meeting.owner.instance->placement.rotate(normal);
+    meeting.normal = dot(normal, d) > 0 ? normal * -1 : normal;
+  }
+}
+
+void RayPacket::castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const {
+  const Vec3& to_sun = around_.light->to_sun;
+  if (around_.light->sun <= 0) return;
+  alignas(32) std::array<int, kRaysPerPacket> valid{};
+  RTCRay8 rays;
+  for (int i = 0; i < kRaysPerPacket; ++i) {
+    const Meeting& meeting = meetings[static_cast<std::size_t>(i)];
+    const bool faces = i < count_ && meeting.hit && dot(meeting.normal, to_sun) > 0 &&
+                       !(meeting.t > kClumpsMerged && isFoliage(meeting));
+    valid[static_cast<std::size_t>(i)] = faces ? -1 : 0;
+    const Vec3 from = meeting.point + meeting.normal * (2e-3F + 1e-4F * meeting.t);
+    rays.org_x[i] = from.x;
+    rays.org_y[i] = from.y;
+    rays.org_z[i] = from.z;
+    rays.dir_x[i] = to_sun.x;
+    rays.dir_y[i] = to_sun.y;
+    rays.dir_z[i] = to_sun.z;
+    rays.tnear[i] = 0;
+    rays.tfar[i] = 300;
+    rays.time[i] = 0;
+    rays.mask[i] = ~0U;
+    rays.flags[i] = 0;
+  }
+  if (std::all_of(valid.begin(), valid.end(), [](int v) { return v == 0; })) return;
+  around_.scene->occlude(valid.data(), rays);
+  for (std::size_t i = 0; i < kRaysPerPacket; ++i) {
+    meetings[i].lit = valid[i] != 0 && rays.tfar[i] >= 0 ? 1.0F : 0.0F;
+  }
+}
+
+Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const {
+  if (!meeting.hit) {
+    return {around_.light->fromSky(direction, norm(around_.pixel_x)), 0, 0};
+  }
+  const Surface& surface = around_.scene->surface(meeting.owner.surface);
+  // The footprint on the tangent plane; at grazing angles it is long, but not endless.
+  float slope = dot(meeting.normal, direction);
+  slope = std::min(slope, -0.01F * norm(direction));
+  const auto onPlane = [&](const Vec3& pixel) {
+    return (pixel - direction * (dot(meeting.normal, pixel) / slope)) * meeting.t;
+  };
+  SurfaceHit hit;
+  hit.point = meeting.point;
+  hit.normal = meeting.normal;
+  hit.dx = onPlane(around_.pixel_x);
+  hit.dy = onPlane(around_.pixel_y);
+  hit.seed = surface.seed;
+  if (const MeshInstance* instance = meeting.owner.instance) {
+    const Placement& placement = instance->placement;
+    hit.point = placement.toLocal(meeting.point);
+    hit.normal = placement.unrotate(meeting.normal);
+    hit.dx = placement.unrotate(hit.dx) * (1 / placement.scale);
+    hit.dy = placement.unrotate(hit.dy) * (1 / placement.scale);
+    hit.seed = hash(surface.seed, instance->seed);
+  }
+  // Leaves point every way: the lump that stands for them must not show its facets.
+  const bool foliage = surface.material == Material::Leaves;
+  const Vec3 facing = foliage
+                          ? meeting.normal * 0.3F + around_.light->to_sun * 0.35F + Vec3{0, 0, 0.3F}
+                          : meeting.normal;
+  float lit = meeting.lit;
+  if (foliage) lit += (0.5F - lit) * smoothstep(kClumpsMerge, kClumpsMerged, meeting.t);
+  const float light = around_.light->onto(facing, lit);
+  const float radiance = albedo(surface, hit, *around_.plan) * light;
+  return {around_.light->through(radiance, meeting.t * norm(direction)), meeting.t,
+          seenAs(meeting)};
+}
+
+bool RayPacket::isFoliage(const Meeting& meeting) const {
+  return around_.scene->surface(meeting.owner.surface).material == Material::Leaves;
+}
+
+std::uint32_t RayPacket::seenAs(const Meeting& meeting) const {
+  const std::uint32_t thing = hash(meeting.owner.surface + 1, meeting.instance) << 3U;
+  const std::uint32_t kind = isFoliage(meeting) ? kFoliage : (meeting.lit > 0 ? 1U : 0U);
+  return thing | 4U | kind;  // never 0, which is the sky
+}
+
+std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
+  std::array<Shaded, kRaysPerPacket> result{};
+  if (count_ == 0) return result;
+  std::array<Meeting, kRaysPerPacket> meetings{};
+  trace(meetings);
+  castShadows(meetings);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    result[i] = shadeOne(meetings[i], directions_[i]);
+  }
+  count_ = 0;
+  return result;
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Traces and shades up to kRaysPerPacket camera rays together: radiance (see light.hpp) and depth
+// of each ray.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "light.hpp"
+#include "scene.hpp"
+#include "street_plan.hpp"
+#include "vec3.hpp"
+
+namespace tolman::town {
+
+/// Scene, light and camera that the rays of a packet share.
+struct Surroundings {
+  const Scene* scene = nullptr;
+  const StreetPlan* plan = nullptr;
+  const Light* light = nullptr;
+  Vec3 origin;   ///< of all rays
+  Vec3 pixel_x;  ///< change of a ray's direction from one pixel to the next
+  Vec3 pixel_y;
+};
+
+struct Shaded {
+  float radiance = 0;
+  float depth = 0;         ///< in lengths of the direction; 0 for sky
+  std::uint32_t seen = 0;  ///< differs between objects, and between light and shadow
+};
+
+/// Bit of Shaded::seen: foliage, whose edges are not smoothed: it consists of edges, and none is a
+/// straight line on which aliasing shows.
+inline constexpr std::uint32_t kFoliage = 2;
+
+class RayPacket {
+ public:
+  explicit RayPacket(const Surroundings& around) : around_(around) {}
+
+  void add(const Vec3& direction) { directions_[static_cast<std::size_t>(count_++)] = direction; }
+  bool isFull() const { return count_ == kRaysPerPacket; }
+  int size() const { return count_; }
+  /// Traces what was added; the packet is empty afterwards.
+  std::array<Shaded, kRaysPerPacket> shade();
+
+ private:
+  struct Meeting;
+  void trace(std::array<Meeting, kRaysPerPacket>& meetings);
+  void castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const;
+  Shaded shadeOne(const Meeting& meeting, const Vec3& direction) const;
+  bool isFoliage(const Meeting& meeting) const;
+  std::uint32_t seenAs(const Meeting& meeting) const;
+
+  const Surroundings& around_;
+  std::array<Vec3, kRaysPerPacket> directions_;
+  int count_ = 0;
+};
+
+}  // namespace tolman::town

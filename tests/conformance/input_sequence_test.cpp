@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <catch2/catch.hpp>
+#include <cstring>
+
+#include "conformance/contract.hpp"
+#include "conformance/input_faults.hpp"
+#include "conformance/transcript.hpp"
+
+using namespace tolman;
+using namespace tolman::conformance;
+
+namespace {
+
+InputSequence withLoops() {
+  SequenceOptions options;
+  options.frames = 150;
+  options.turn = 60;
+  options.images = false;
+  return makeSequence(options);
+}
+
+InputSequence withImages() {
+  SequenceOptions options;
+  options.frames = 30;
+  options.width = 64;
+  options.height = 24;
+  return makeSequence(options);
+}
+
+std::uint64_t hash(const auto& value) {
+  BitHash hash;
+  hash.add(value);
+  return hash.value();
+}
+
+/// The generated records satisfy the contract that the kit checks.
+void checkContract(const InputSequence& sequence) {
+  const Frame* previous = nullptr;
+  for (const FrameInput& input : sequence.inputs) {
+    CHECK(checkMotion(input.motion, input.frame, previous).message().empty());
+    CHECK(firstInvalidField(input.motion).empty());
+    CHECK(firstInvalidField(input.place).empty());
+    CHECK(firstInvalidField(input.decision).empty());
+    previous = &input.frame;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a sequence keeps the contract: dense ids, non-zero motions, consistent decisions") {
+  const InputSequence sequence = withLoops();
+  checkContract(sequence);
+  std::int64_t templates = 0;
+  std::int64_t at = -1;
+  std::int64_t version = 0;
+  MapGraph graph;
+  for (const FrameInput& input : sequence.inputs) {
+    CHECK(checkPlace(input.place, templates).message().empty());
+    CHECK(checkDecision(input.decision, at).message().empty());
+    at = input.decision.experience;
+    if (input.graph) graph = *input.graph;
+    CHECK(checkUpdate(input.map, graph, version).message().empty());
+    version = input.map.version;
+  }
+  CHECK(templates == 24);
+  CHECK(version > 20);  // the second time round, each view closes a loop
+}
+
+TEST_CASE("the motions add up to the ground truth within their noise") {
+  const InputSequence sequence = withLoops();
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  for (const FrameInput& input : sequence.inputs) T = T * input.motion.T_previous_current;
+  const Eigen::Isometry3d& truth = sequence.inputs.back().frame.T_world_camera_truth;
+  CHECK((T.translation() - truth.translation()).norm() < 1);
+  CHECK((T.translation() - truth.translation()).norm() > 0);
+}
+
+TEST_CASE("the sensor arrays hold the true motion and the frame of the previous circle") {
+  const InputSequence sequence = withLoops();
+  PlanarPose pose;
+  for (const FrameInput& input : sequence.inputs) {
+    REQUIRE(input.frame.sensors.size() == 2);
+    const std::vector<float>& step = input.frame.sensors[0].values;
+    pose = compose(pose, {step.at(0), step.at(1), step.at(2)});
+    const PlanarPose truth = toPlanar(input.frame.T_world_camera_truth);
+    CHECK(pose.x == Approx(truth.x).margin(1e-4));
+    CHECK(pose.y == Approx(truth.y).margin(1e-4));
+    const std::vector<float>& candidate = input.frame.sensors[1].values;
+    if (input.frame.frame < 60) {
+      CHECK(candidate.empty());
+    } else {
+      const auto earlier = static_cast<std::size_t>(candidate.at(0));
+      CHECK(close(sequence.inputs[earlier].frame.T_world_camera_truth,
+                  input.frame.T_world_camera_truth));
+    }
+  }
+}
+
+TEST_CASE("a seed determines the sequence") {
+  SequenceOptions options;
+  options.frames = 4;
+  const auto left = [&] { return hash(makeSequence(options).inputs[3].frame.left); };
+  const auto motion = [&] { return hash(makeSequence(options).inputs[3].motion); };
+  const auto first = std::pair(left(), motion());
+  CHECK(first == std::pair(left(), motion()));
+  options.seed = 2;
+  CHECK(first.first != left());
+  CHECK(first.second != motion());
+}
+
+TEST_CASE("images are removed in pairs, with a defect") {
+  InputSequence sequence = withImages();
+  removeImages(sequence);
+  int lost = 0;
+  for (const FrameInput& input : sequence.inputs) {
+    CHECK(input.frame.left.empty() == input.frame.right.empty());
+    CHECK(input.frame.left.empty() != input.frame.defect.empty());
+    lost += input.frame.left.empty() ? 1 : 0;
+  }
+  CHECK(lost > 5);
+  CHECK_FALSE(sequence.inputs.front().frame.left.empty());
+  CHECK(sequence.inputs.back().frame.left.empty());
+}
+
+TEST_CASE("records of skipped stages keep the contract: Lost, None, Stay") {
+  for (const auto& fault : {&loseTracking, &loseFirstFrames}) {
+    InputSequence sequence = withLoops();
+    fault(sequence);
+    checkContract(sequence);
+    std::int64_t templates = 0;
+    std::int64_t at = -1;
+    for (const FrameInput& input : sequence.inputs) {
+      CHECK(checkPlace(input.place, templates).message().empty());
+      CHECK(checkDecision(input.decision, at).message().empty());
+      at = input.decision.experience;
+    }
+    CHECK(templates == 24);
+  }
+}
+
+TEST_CASE("the motion after dropped frames spans the gap") {
+  const InputSequence whole = withLoops();
+  InputSequence gaps = whole;
+  dropFrames(gaps);
+  checkContract(gaps);
+  CHECK(gaps.inputs.size() < whole.inputs.size());
+  Eigen::Isometry3d T_gaps = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d T_whole = Eigen::Isometry3d::Identity();
+  for (const FrameInput& input : gaps.inputs) T_gaps = T_gaps * input.motion.T_previous_current;
+  for (const FrameInput& input : whole.inputs) {
+    if (input.frame.frame > gaps.inputs.back().frame.frame) break;
+    T_whole = T_whole * input.motion.T_previous_current;
+  }
+  CHECK(close(T_gaps, T_whole));
+}
+
+TEST_CASE("padding changes the stride and no pixel") {
+  const InputSequence plain = withImages();
+  InputSequence padded = plain;
+  padRows(padded);
+  for (std::size_t i = 0; i < plain.inputs.size(); ++i) {
+    const Image& image = padded.inputs[i].frame.right;
+    CHECK(image.stride() > image.width());
+    CHECK(hash(image) == hash(plain.inputs[i].frame.right));
+  }
+}
+
+TEST_CASE("textureless images have one grey level") {
+  InputSequence sequence = withImages();
+  makeTextureless(sequence);
+  for (const FrameInput& input : sequence.inputs) {
+    const Image& image = input.frame.left;
+    CHECK(image.width() == sequence.rig.width);
+    CHECK(std::memcmp(image.row(0), image.row(1), static_cast<std::size_t>(image.width())) == 0);
+  }
+}
+
+TEST_CASE("illegal input violates the contract") {
+  InputSequence sequence = withImages();
+  reverseStamps(sequence);
+  CHECK(sequence.inputs[2].frame.stamp_ns == sequence.inputs[1].frame.stamp_ns);
+  CHECK(sequence.inputs[5].frame.stamp_ns < sequence.inputs[0].frame.stamp_ns);
+  sequence = withImages();
+  resizeImages(sequence);
+  CHECK(sequence.inputs[2].frame.left.width() != sequence.rig.width);
+  removeRightImages(sequence);
+  CHECK(sequence.rig.isStereo());
+  CHECK(sequence.inputs[0].frame.right.empty());
+}

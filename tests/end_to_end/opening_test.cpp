@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What Tolman opens to look at it: plugins that crash, hang or pretend, and pipes in place of
+// files.
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <fstream>
+
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+#include "tolman/context.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+
+/// Ends with 124 where `tolman` hangs.
+Finished bounded(std::vector<std::string> words) {
+  const std::vector<std::string> begin = {"timeout", "120", tolmanProgram().string()};
+  words.insert(words.begin(), begin.begin(), begin.end());
+  return run(words);
+}
+
+fs::path pipeAt(const fs::path& path) {
+  REQUIRE(::mkfifo(path.c_str(), 0600) == 0);
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("plugins that crash, hang or pretend when they are opened are refused") {
+  const std::string trap = GENERATE("abort", "exit", "hang");
+  const std::string folder = kFixtures + "dies_on_load";
+  TemporaryFolder work;
+  const std::string config = work.path() / "trap.yaml";
+  std::ofstream(config) << "source: {plugin: kitti, path: .}\nodometry: {plugin: dies_on_load}\n"
+                        << "place: {plugin: view_templates}\nmap: {plugin: experience_map}\n"
+                        << "cells: {plugin: bayesian_attractor}\nisolation: {deadline: 15}\n";
+  ::setenv("TOLMAN_TRAP", trap.c_str(), 1);
+  const auto refused = [&](const std::vector<std::string>& words) {
+    const Finished finished = bounded(words);
+    CAPTURE(trap, words, finished.out, finished.err);
+    CHECK(finished.exit_code == 4);
+    CHECK(contains(finished.err, "plugin/died"));
+  };
+  refused({"plugins", "doctor", folder + "/tolman_odometry_dies_on_load.so"});
+  refused({"plugins", "describe", "dies_on_load", "--plugin-path", folder});
+  refused({"check", config, "--plugin-path", folder});
+  ::unsetenv("TOLMAN_TRAP");
+}
+
+TEST_CASE("damaged libraries are refused or work; they never end the doctor") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "mutant.so";
+  const std::string sound = readText(kFixtures + "steady/tolman_odometry_steady.so");
+  tolman::RandomStream random(17);
+  int refused = 0;
+  for (int mutant = 0; mutant < 40; ++mutant) {
+    std::string bytes = sound;
+    for (int i = 0; i < 200; ++i) {
+      bytes[64 + random.below(bytes.size() - 64)] = static_cast<char>(random.below(256));
+    }
+    std::ofstream(file, std::ios::binary) << bytes;
+    const Finished finished = bounded({"plugins", "doctor", file.string()});
+    CAPTURE(mutant, finished.out, finished.err);
+    CHECK((finished.exit_code == 0 || finished.exit_code == 4));
+    CHECK((finished.exit_code == 0) == contains(finished.out, "construct  made and destroyed"));
+    CHECK((finished.exit_code == 4) == contains(finished.err, "plugin/"));
+    refused += finished.exit_code == 4 ? 1 : 0;
+  }
+  CHECK(refused > 0);
+}
+
+TEST_CASE("a pipe in place of a file is refused, not waited for") {
+  const TemporaryFolder folder;
+  const std::string pipe = pipeAt(folder.path() / "pipe.so").string();
+  CHECK(bounded({"plugins", "doctor", pipe}).exit_code == 4);
+  CHECK(contains(bounded({"plugins", "list", "--plugin-path", folder.path().string()}).out,
+                 "plugin/unreadable"));
+  CHECK(bounded({"eval", pipe, pipe}).exit_code == 5);
+  CHECK(bounded({"check", pipe}).exit_code == 3);
+  pipeAt(folder.path() / "odometry.g2o");
+  const Finished log =
+      bounded({"dataset", "check", folder.path().string(), "--source", "motion_log"});
+  INFO(log.out << log.err);
+  CHECK(log.exit_code == 5);
+}
