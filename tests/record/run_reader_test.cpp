@@ -70,10 +70,10 @@ TEST_CASE("poses without tracking are marked; the last before a track is its ori
     REQUIRE(recorder->snapshot(snapshot).isOk());
   }
   REQUIRE(recorder->close().isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  const auto poses = reader->odometry().value();
   std::string tracked;
-  for (const auto& pose : RunReader::open(folder.path()).value()->odometry().value()) {
-    tracked += pose.tracked ? '+' : '-';
-  }
+  for (const auto& pose : poses) tracked += pose.tracked ? '+' : '-';
   CHECK(tracked == "-++--+++-");
 }
 
