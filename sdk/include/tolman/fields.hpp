@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -146,10 +147,7 @@ bool allFinite(const T& value);
 
 template <class T>
 bool allFinite(const std::vector<T>& values) {
-  for (const T& value : values) {
-    if (!allFinite(value)) return false;
-  }
-  return true;
+  return std::ranges::all_of(values, [](const T& value) { return allFinite(value); });
 }
 
 template <class T>

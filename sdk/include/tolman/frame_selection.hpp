@@ -47,15 +47,14 @@ struct FrameSelection {
 /// Their declaration for a Parameters struct that derives from FrameSelection.
 template <std::derived_from<FrameSelection> P>
 constexpr auto selectionParameters() {
-  constexpr double kMost = 1e9;
   return parameters(
       parameter<P, std::int64_t>("first", &P::first)
-          .range(0, kMost)
+          .range(0, 1e9)
           .doc("First frame of the data set to use, from 0."),
       parameter<P, std::int64_t>("last", &P::last)
-          .range(-1, kMost)
+          .range(-1, 1e9)
           .doc("Last frame of the data set to use, inclusive; -1 for the end."),
-      parameter<P, std::int64_t>("step", &P::step).range(1, kMost).doc("Use every step-th frame."),
+      parameter<P, std::int64_t>("step", &P::step).range(1, 1e9).doc("Use every step-th frame."),
       parameter<P, FrameOrder>("order", &P::order)
           .doc("forward, backward, or pingpong: forward and backward alternately."),
       parameter<P, std::int64_t>("passes", &P::passes)

@@ -124,14 +124,10 @@ struct Motion {
 template <class = void>
 void setPlanarVelocity(Motion& motion, double dt) {
   motion.dt = dt;
-  if (!(dt > 0)) {
-    motion.v = motion.omega = 0;
-    return;
-  }
   const Eigen::Vector3d t = motion.T_previous_current.translation();
   const double distance = std::hypot(t.x(), t.z());
-  motion.v = (t.z() < 0 ? -distance : distance) / dt;
-  motion.omega = toPlanar(motion.T_previous_current).theta / dt;
+  motion.v = dt > 0 ? (t.z() < 0 ? -distance : distance) / dt : 0;
+  motion.omega = dt > 0 ? toPlanar(motion.T_previous_current).theta / dt : 0;
 }
 
 enum class Recognition : std::uint8_t {
@@ -178,6 +174,23 @@ inline constexpr std::array<std::string_view, 3> kActionNames = {"stay", "create
                                                                  "close_loop"};
 constexpr std::span<const std::string_view> enumNames(Action) { return kActionNames; }
 
+/// A loop that was seen at an earlier frame and is believed only now.
+struct EarlierLoop {
+  static constexpr const char* kRecord = "earlier_loop";
+  std::int64_t frame = -1;       ///< at which it was seen
+  std::int64_t experience = -1;  ///< that the robot was back at
+  Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
+  Matrix6d covariance = Matrix6d::Zero();
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(frame, "", "the frame at which the loop was seen");
+    TOLMAN_FIELD(experience, "", "the experience that the robot was back at");
+    TOLMAN_FIELD(T_experience_camera, "m", "pose of that frame in the frame of the experience");
+    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+  }
+};
+
 /// Answer of the spatial cells for one frame.
 ///
 /// - CreateExperience: `experience` is the next id; the first frame creates experience 0.
@@ -201,6 +214,10 @@ struct Decision {
   /// rad in [0, 2 pi), positive to the left, 0 at the first frame: the head direction estimate
   double heading = 0;
   double confidence = 1;  ///< in [0, 1]
+  /// With any action: loops of earlier frames, whose relative poses were all measured, by frame.
+  /// Evidence often adds up over several views before a loop is believed; these are the views
+  /// before the last one. A map that cannot change its past may ignore them.
+  std::vector<EarlierLoop> earlier;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -215,6 +232,7 @@ struct Decision {
     TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
     TOLMAN_FIELD(heading, "rad", "head direction estimate");
     TOLMAN_FIELD(confidence, "", "of the decision, 0 to 1");
+    TOLMAN_FIELD(earlier, "", "loops of earlier frames that are believed only now");
   }
 };
 
@@ -326,10 +344,9 @@ template <class = void>
 Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) {
   const double metres = lost_frames * (0.1 + 0.3 * motion.translation().norm());
   const double radians = lost_frames * 0.03;
-  Vector6d variances;
-  variances << Eigen::Vector3d::Constant(metres * metres),
-      Eigen::Vector3d::Constant(radians * radians);
-  return variances.asDiagonal();
+  Vector6d sigma = Vector6d::Constant(radians);
+  sigma.head<3>().setConstant(metres);
+  return sigma.cwiseAbs2().asDiagonal();
 }
 
 /// Poses of recent frames of a keyframe odometry, and the motions that it reported for them.
@@ -360,12 +377,8 @@ class MotionHistory {
   Eigen::Isometry3d add(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                         std::int64_t keyframe, const Eigen::Isometry3d& T_keyframe_world,
                         const Matrix6d& covariance) {
-    Entry entry{frame,
-                keyframe,
-                normalised(T_keyframe_world * T_world_camera),
-                T_world_camera,
-                Eigen::Isometry3d::Identity(),
-                covariance};
+    Entry entry{frame, keyframe, covariance, normalised(T_keyframe_world * T_world_camera),
+                T_world_camera};
     if (!empty()) entry.reported = normalised(lastPose().inverse() * T_world_camera);
     entries_.push_back(entry);
     if (entries_.size() > kMaxFrames) entries_.pop_front();
@@ -378,9 +391,8 @@ class MotionHistory {
   /// Recomputes the poses of all frames from the present poses of their keyframes.
   void followKeyframes(const auto& find_keyframe) {
     for (Entry& entry : entries_) {
-      const auto T_world_keyframe = find_keyframe(entry.keyframe);
-      if (!T_world_keyframe) continue;
-      entry.T_world_camera = normalised(*T_world_keyframe * entry.T_keyframe_camera);
+      if (const auto T_world_keyframe = find_keyframe(entry.keyframe))
+        entry.T_world_camera = normalised(*T_world_keyframe * entry.T_keyframe_camera);
     }
   }
 
@@ -426,10 +438,10 @@ class MotionHistory {
   struct Entry {
     std::int64_t frame = -1;
     std::int64_t keyframe = -1;  ///< its frame index
+    Matrix6d covariance;         ///< of `reported`
     Eigen::Isometry3d T_keyframe_camera;
     Eigen::Isometry3d T_world_camera;
-    Eigen::Isometry3d reported;  ///< motion from the frame before
-    Matrix6d covariance;         ///< of `reported`
+    Eigen::Isometry3d reported = Eigen::Isometry3d::Identity();  ///< motion from the frame before
   };
 
   /// Revisions of the frames before `end` that changed by more than these; they count as reported.
