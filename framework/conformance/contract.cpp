@@ -90,6 +90,11 @@ Status checkDecision(const Decision& decision, std::int64_t last) {
     return Status::failed(
         fmt::format("stays at experience {}, but was at {}", decision.experience, last));
   }
+  for (const EarlierLoop& loop : decision.earlier) {
+    Status status = checkPose(loop.T_experience_camera, "earlier.T_experience_camera");
+    if (status.isOk()) status = checkMeasured(loop.covariance);
+    if (!status.isOk()) return status;
+  }
   if (decision.action != Action::CloseLoop || !decision.has_relative_pose) return Status::ok();
   const Status status = checkPose(decision.T_experience_current, "T_experience_current");
   return status.isOk() ? checkMeasured(decision.covariance) : status;

@@ -111,6 +111,7 @@ void dropFrames(InputSequence& sequence) {
     if (isChosen(i) && !needed) continue;
     input.motion.T_previous_current = T_dropped;
     input.motion.revisions.clear();  // they may refer to frames that were left out
+    input.decision.earlier.clear();
     setPlanarVelocity(input.motion, dt);
     T_dropped.setIdentity();
     dt = 0;

@@ -162,6 +162,11 @@ class SequenceGenerator {
     decision.covariance = seen.covariance;
     decision.heading = wrapPeriod(angle(static_cast<int>(seen.frame)), 2 * std::numbers::pi);
     decision.confidence = 0.9;
+    if (decision.action == Action::CloseLoop && seen_before_.frame >= 0) {
+      decision.earlier = {seen_before_};
+    }
+    seen_before_ = {seen.frame, seen.template_id, seen.T_template_current, seen.covariance};
+    if (!seen.has_relative_pose) seen_before_.frame = -1;
   }
 
   void addMap(FrameInput& input) {
@@ -207,6 +212,7 @@ class SequenceGenerator {
   std::vector<double> angle_of_template_;
   int made_ = 0;
   std::int64_t last_view_ = -1;
+  EarlierLoop seen_before_;  ///< by the frame before; frame -1 for none
   std::int64_t at_ = -1;
 };
 

@@ -213,6 +213,15 @@ Status CellsStage::check(const Decision& decision) const {
   } else if (id < (decision.action == Action::Stay ? -1 : 0) || id >= experiences_) {
     return failed("decided for experience {}, which does not exist", id);
   }
+  for (const EarlierLoop& loop : decision.earlier) {
+    if (loop.frame < 0 || loop.frame >= decision.frame) {
+      return failed("told a loop of frame {}, which is not an earlier frame", loop.frame);
+    }
+    if (loop.experience < 0 || loop.experience >= experiences_) {
+      return failed("told a loop of frame {} to experience {}, which does not exist", loop.frame,
+                    loop.experience);
+    }
+  }
   if (decision.heading < 0 || decision.heading >= 2 * std::numbers::pi) {
     return failed("heading {:f} is not in [0, 2 pi)", decision.heading);
   }

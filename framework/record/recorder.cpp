@@ -60,6 +60,7 @@ Database createDatabase(const std::filesystem::path& file) {
   for (const Table& table : schema()) database.exec(createSql(table));
   database.exec(
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
+      "CREATE INDEX \"earlier_loop_announced\" ON \"earlier_loop\" (\"announced_at\");"
       "INSERT INTO \"run\" VALUES ('schema_version', '" +
       std::to_string(kSchemaVersion) + "'); COMMIT");
   return database;

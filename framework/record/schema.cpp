@@ -27,20 +27,20 @@ Table frameTable(std::string doc) {
   return table<R>(std::move(doc), primaryKey("frame") + frameReference());
 }
 
-Table revisionTable() {
-  Table revisions = table<MotionRevision>(
-      "improved motions of earlier frames, in the order of arrival (rowid); the last one of a "
-      "frame is valid",
-      frameReference() + reference("announced_at", "frame", "frame"));
-  revisions.columns.insert(revisions.columns.begin(), announcedAt());
-  return revisions;
+/// A table of records that a record of a later frame brings.
+template <Record R>
+Table announcedTable(std::string doc) {
+  Table announced =
+      table<R>(std::move(doc), frameReference() + reference("announced_at", "frame", "frame"));
+  announced.columns.insert(announced.columns.begin(), announcedAt());
+  return announced;
 }
 
 }  // namespace
 
 Column announcedAt() {
   return {"announced_at", "INTEGER NULL", "",
-          "the frame whose motion brought it; NULL after the last frame"};
+          "the frame whose record brought it; NULL after the last frame"};
 }
 
 std::vector<Table> schema() {
@@ -55,9 +55,12 @@ std::vector<Table> schema() {
       table<CameraRig>("the cameras; one row", ""),
       table<Frame>("exposures, without the images", primaryKey("frame")),
       frameTable<Motion>("answers of odometry; points only where points_frame is new"),
-      revisionTable(),
+      announcedTable<MotionRevision>(
+          "improved motions of earlier frames, in the order of arrival (rowid); the last one of a "
+          "frame is valid"),
       frameTable<PlaceObservation>("answers of place recognition"),
       frameTable<Decision>("decisions of the spatial cells"),
+      announcedTable<EarlierLoop>("loops of earlier frames that a decision believes"),
       frameTable<MapUpdate>("answers of the map"),
       frameTable<FinalPose>("pose of each frame in the finished map"),
       table<Experience>("nodes of the experience map, latest values",

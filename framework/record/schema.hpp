@@ -11,7 +11,7 @@
 
 namespace tolman::record {
 
-inline constexpr std::int64_t kSchemaVersion = 3;
+inline constexpr std::int64_t kSchemaVersion = 4;
 
 struct Table {
   std::string name;

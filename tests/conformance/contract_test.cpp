@@ -89,6 +89,19 @@ TEST_CASE("Stay keeps the experience of the last decision") {
   CHECK_FALSE(checkDecision(decision, 3).isOk());
 }
 
+TEST_CASE("loops of earlier frames have a pose and a covariance") {
+  Decision decision;
+  decision.experience = 4;
+  EarlierLoop& loop = decision.earlier.emplace_back();
+  CHECK(checkDecision(decision, 4).message() ==
+        "has_relative_pose with zero covariance claims an exact pose; set its covariance");
+  loop.covariance.setIdentity();
+  CHECK(checkDecision(decision, 4).isOk());
+  loop.T_experience_camera.linear().setZero();
+  CHECK(checkDecision(decision, 4).message() ==
+        "the rotation of 'earlier.T_experience_camera' is not orthonormal; use normalised()");
+}
+
 TEST_CASE("a relative pose needs a covariance") {
   const std::string exact =
       "has_relative_pose with zero covariance claims an exact pose; set its covariance";

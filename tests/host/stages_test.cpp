@@ -118,9 +118,10 @@ struct PuppetStage {
     loaded.descriptor = &kDescriptor;
     return std::move(std::get<std::unique_ptr<Instance>>(Instance::create(loaded, "cells")));
   }
-  std::string say(Action action, std::int64_t experience, double heading = 0,
-                  double confidence = 1) {
+  std::string say(Action action, std::int64_t experience, double heading = 0, double confidence = 1,
+                  std::vector<EarlierLoop> earlier = {}) {
     Puppet::says = {};
+    Puppet::says.earlier = std::move(earlier);
     Puppet::says.action = action;
     Puppet::says.experience = experience;
     Puppet::says.heading = heading;
@@ -154,6 +155,24 @@ TEST_CASE("decisions of cells are checked before the map sees them") {
   CHECK(cells.say(Action::Stay, 1) == "decided for experience 1, which does not exist");
   CHECK(cells.say(Action::Stay, 0, -7) == "heading -7.000000 is not in [0, 2 pi)");
   CHECK(cells.say(Action::Stay, 0, 0, 42) == "confidence 42.000000 is not in [0, 1]");
+}
+
+TEST_CASE("loops of earlier frames name a past frame and a known experience") {
+  PuppetStage cells;
+  const auto tell = [&](std::int64_t frame, std::int64_t experience) {
+    const EarlierLoop loop{frame, experience, Eigen::Isometry3d::Identity(), Matrix6d::Identity()};
+    return cells.say(Action::Stay, 0, 0, 1, {loop});
+  };
+  REQUIRE(cells.say(Action::CreateExperience, 0).empty());
+  CHECK(tell(0, 0).empty());
+  CHECK(tell(2, 0) == "told a loop of frame 2, which is not an earlier frame");
+  CHECK(tell(-1, 0) == "told a loop of frame -1, which is not an earlier frame");
+  CHECK(tell(1, 1) == "told a loop of frame 1 to experience 1, which does not exist");
+  EarlierLoop wrong;
+  wrong.frame = wrong.experience = 0;
+  wrong.covariance(2, 2) = std::nan("");
+  CHECK(cells.say(Action::Stay, 0, 0, 1, {wrong}) ==
+        "the answer has NaN, infinity or an illegal value in 'earlier'");
 }
 
 TEST_CASE("arrays hold finite numbers and keep their shapes") {

@@ -126,8 +126,8 @@ void checkDamage() {
 }  // namespace
 
 TEMPLATE_TEST_CASE("records and other arguments are decoded to what was encoded", "", Frame, Motion,
-                   MotionRevision, PlaceObservation, Decision, MapUpdate, MapGraph, CameraRig,
-                   SourceInfo, RunInfo, std::vector<Finding>, std::vector<NamedArray>,
+                   MotionRevision, PlaceObservation, EarlierLoop, Decision, MapUpdate, MapGraph,
+                   CameraRig, SourceInfo, RunInfo, std::vector<Finding>, std::vector<NamedArray>,
                    std::vector<MotionRevision>, LoadMessage, host::Refusal) {
   checkRoundTrip<TestType>();
 }

@@ -148,7 +148,7 @@ TEST_CASE("timing, events and facts are kept; a closed recorder refuses") {
   const auto reader = RunReader::open(folder.path()).value();
   CHECK(reader->timing().value().at("odometry") == std::vector<std::int64_t>{5, 7});
   CHECK(reader->meta().value().at("name") == "two");
-  CHECK(reader->meta().value().at("schema_version") == "3");
+  CHECK(reader->meta().value().at("schema_version") == "4");
   // A closed run is one plain file.
   CHECK_FALSE(std::filesystem::exists(folder.path() / "run.sqlite-wal"));
 }

@@ -72,6 +72,7 @@ TEST_CASE("every record survives the round trip, bit by bit but for rotations") 
   checkRoundTrip<MotionRevision>(random);
   checkRoundTrip<PlaceObservation>(random);
   checkRoundTrip<Decision>(random);
+  checkRoundTrip<EarlierLoop>(random);
   checkRoundTrip<MapUpdate>(random);
   checkRoundTrip<Experience>(random);
   checkRoundTrip<Link>(random);

@@ -68,6 +68,24 @@ TEST_CASE("revisions come back with the motion that brought them, in their order
   CHECK(tables.rows<MotionRevision>("WHERE announced_at IS NULL").size() == 1);
 }
 
+TEST_CASE("loops of earlier frames come back with the decision that told them") {
+  Tables tables;
+  RandomStream random(5);
+  Decision decision;
+  decision.frame = 2;
+  for (const std::int64_t frame : {0, 1}) {
+    decision.earlier.push_back({frame, frame + 20, test::randomPose(random), Matrix6d::Identity()});
+  }
+  tables.store.insert(decision);
+  const auto read = tables.rows<Decision>();
+  REQUIRE(read.size() == 1);
+  REQUIRE(read[0].earlier.size() == 2);
+  CHECK(read[0].earlier[1].frame == 1);
+  CHECK(read[0].earlier[1].experience == 21);
+  CHECK(read[0].earlier[0].T_experience_camera.isApprox(decision.earlier[0].T_experience_camera));
+  CHECK(read[0].earlier[0].covariance == Matrix6d::Identity());
+}
+
 TEST_CASE("arrays keep name, shape and every bit, and know their source") {
   Tables tables;
   const std::vector<NamedArray> arrays = {

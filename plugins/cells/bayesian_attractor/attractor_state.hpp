@@ -6,6 +6,7 @@
 
 #include "bump_network.hpp"
 #include "experience_log.hpp"
+#include "waiting_loops.hpp"
 
 namespace tolman::bayesian_attractor {
 
@@ -21,6 +22,7 @@ struct ViewLink {
 struct AttractorState {
   BumpNetwork network;
   ExperienceLog log;
+  WaitingLoops waiting;
   std::map<std::int64_t, ViewLink> links = {};  ///< by template
   bool initialising = true;                     ///< odometry had no motion yet
 };

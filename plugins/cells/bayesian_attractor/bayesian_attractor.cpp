@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bayesian_attractor.hpp"
 
-#include <array>
-
 #include "activity.hpp"
 #include "saved_state.hpp"
 
@@ -10,18 +8,9 @@ namespace tolman::bayesian_attractor {
 
 namespace {
 
-/// Covariance of (x, y, heading) on the plane in the axes of the camera: x is z, y is -x, heading
-/// turns about -y.
-void setPlanar(const Eigen::Matrix3d& planar, Matrix6d& covariance) {
-  constexpr std::array<Eigen::Index, 3> kAxis = {2, 0, 4};
-  const Eigen::Vector3d sign(1, -1, -1);
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const auto a = static_cast<Eigen::Index>(i);
-      const auto b = static_cast<Eigen::Index>(j);
-      covariance(kAxis[i], kAxis[j]) = sign(a) * sign(b) * planar(a, b);
-    }
-  }
+/// Variance of (x, y, heading) on the plane: x is the camera's z, y its -x, heading turns about -y.
+Eigen::Matrix3d planarVariance(const Matrix6d& covariance) {
+  return Eigen::Vector3d(covariance(2, 2), covariance(0, 0), covariance(4, 4)).asDiagonal();
 }
 
 }  // namespace
@@ -41,7 +30,7 @@ AttractorState BayesianAttractor::freshState() const {
       p.inhibition, p.threshold, p.experience_spacing};
   const ExperienceSettings experiences = {p.experience_spacing, p.experience_turn, 1,
                                           p.loop_minimum_travel, p.loop_spacing};
-  return {BumpNetwork(network), ExperienceLog(experiences), {}, true};
+  return {BumpNetwork(network), ExperienceLog(experiences), WaitingLoops(p.loop_spacing), {}, true};
 }
 
 Status BayesianAttractor::reset() {
@@ -65,8 +54,11 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   if (calibrated.joined_part >= 0) {
     for (auto& [id, other] : state_->links) state_->network.rejoin(calibrated, other.learned);
   }
+  if (calibrated.won) {
+    decision.earlier = state_->waiting.of(calibrated.bump, state_->network.state().travel);
+  }
   if (calibrated.won && state_->log.allowsLoopTo(link->second.experience)) {
-    closeLoop(observation, link->second, calibrated, decision);
+    closeLoop(observation, link->second, calibrated.share, decision);
   } else if (state_->log.wantsNew(seen && !known)) {
     decision.action = Action::CreateExperience;
     state_->log.create();
@@ -87,51 +79,48 @@ void BayesianAttractor::integrate(const Motion& motion) {
     state_->log.startPart();
   }
   state_->initialising = initialising;
-  // Along the plane are x and z, up is -y; order translation, rotation.
-  const Matrix6d& claimed = motion.covariance;
-  const Eigen::Vector3d planar(claimed(2, 2), claimed(0, 0), claimed(4, 4));
-  state_->network.integrate(toPlanar(motion.T_previous_current), planar.asDiagonal());
+  state_->network.integrate(toPlanar(motion.T_previous_current), planarVariance(motion.covariance));
+  state_->waiting.keep(state_->network.state().calibration);
   state_->log.advance(motion.T_previous_current);
 }
 
-Recalibration BayesianAttractor::perceive(const PlaceObservation& observation) {
-  const ViewLink& link = state_->links.at(observation.template_id);
-  const Parameters& p = parameters_;
-  const double travel = state_->network.state().travel;
-  if (observation.recognition != Recognition::Familiar) return {};
-  if (link.learned.part == state_->network.state().part &&
-      travel - link.travel < p.loop_minimum_travel)
-    return {};
-  Eigen::Vector3d sigma(p.view_sigma_position, p.view_sigma_position, p.view_sigma_heading);
-  PlanarPose offset{0, 0, observation.relative_yaw};
-  Eigen::Vector3d claimed = Eigen::Vector3d::Zero();
-  if (observation.has_relative_pose) {
-    offset = toPlanar(observation.T_template_current);
-    const Matrix6d& c = observation.covariance;
-    claimed = Eigen::Vector3d(c(2, 2), c(0, 0), c(4, 4));
-    sigma.setZero();
-  }
-  const Eigen::Vector3d variance = sigma.cwiseAbs2() + claimed;
-  return state_->network.inject(link.learned, offset, variance.asDiagonal());
+/// Where the view says that the robot is, from where its template was made. A view without measured
+/// pose says: near there, turned by the relative yaw.
+BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& view) const {
+  if (view.has_relative_pose) return {view.T_template_current, view.covariance};
+  Vector6d sigma = Vector6d::Constant(parameters_.view_sigma_heading);
+  sigma.head<3>().setConstant(parameters_.view_sigma_position);
+  return {fromPlanar({0, 0, view.relative_yaw}), sigma.cwiseAbs2().asDiagonal()};
 }
 
-void BayesianAttractor::closeLoop(const PlaceObservation& observation, const ViewLink& link,
-                                  const Recalibration& calibrated, Decision& decision) {
+Recalibration BayesianAttractor::perceive(const PlaceObservation& view) {
+  const ViewLink& link = state_->links.at(view.template_id);
+  const double travel = state_->network.state().travel;
+  if (view.recognition != Recognition::Familiar) return {};
+  if (link.learned.part == state_->network.state().part &&
+      travel - link.travel < parameters_.loop_minimum_travel)
+    return {};
+  const SeenPose seen = seenPose(view);
+  const Recalibration fed = state_->network.inject(link.learned, toPlanar(seen.T_template_current),
+                                                   planarVariance(seen.covariance));
+  if (fed.bump < 0 || fed.won || !state_->log.allowsLoopTo(link.experience)) return fed;
+  state_->waiting.add(
+      {fed.bump,
+       travel,
+       {view.frame, link.experience,
+        normalised(link.T_experience_template * seen.T_template_current), seen.covariance}});
+  return fed;
+}
+
+void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
+                                  Decision& decision) {
+  const SeenPose seen = seenPose(view);
   decision.action = Action::CloseLoop;
-  decision.has_relative_pose = observation.has_relative_pose;
-  // Without a measured pose: where the template was made, turned by the relative yaw.
-  Eigen::Isometry3d T_template_current = observation.has_relative_pose
-                                             ? observation.T_template_current
-                                             : fromPlanar({0, 0, observation.relative_yaw});
-  if (observation.has_relative_pose) decision.covariance = observation.covariance;
-  if (calibrated.views > 1) {  // the bump knows better than its last view
-    const PlanarPose correction = between(toPlanar(T_template_current), calibrated.offset);
-    T_template_current = T_template_current * fromPlanar(correction);
-    if (observation.has_relative_pose) setPlanar(calibrated.covariance, decision.covariance);
-  }
-  decision.T_experience_current = normalised(link.T_experience_template * T_template_current);
+  decision.has_relative_pose = view.has_relative_pose;
+  if (view.has_relative_pose) decision.covariance = view.covariance;
+  decision.T_experience_current = normalised(link.T_experience_template * seen.T_template_current);
   decision.relative_yaw = toPlanar(decision.T_experience_current).theta;
-  decision.confidence = calibrated.share;
+  decision.confidence = share;
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
 }
 

@@ -34,9 +34,14 @@ class BayesianAttractor final : public Cells,
  private:
   AttractorState freshState() const;
   void integrate(const Motion& motion);
-  Recalibration perceive(const PlaceObservation& observation);
-  void closeLoop(const PlaceObservation& observation, const ViewLink& link,
-                 const Recalibration& calibrated, Decision& decision);
+  struct SeenPose {
+    Eigen::Isometry3d T_template_current;
+    Matrix6d covariance;
+  };
+  SeenPose seenPose(const PlaceObservation& view) const;
+  Recalibration perceive(const PlaceObservation& view);
+  void closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
+                 Decision& decision);
   void learn(std::int64_t template_id);
 
   Parameters parameters_;

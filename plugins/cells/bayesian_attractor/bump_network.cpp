@@ -170,12 +170,15 @@ Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& 
   } else {
     const double odds = std::log(prior() / (1 - prior()));
     const double energy = odds + settings_.injection * founding(link, seen, covariance);
-    bump = found({{seen, covariance}, energy, link.part, 0, 0});
+    bump = found({state_.bumps, {seen, covariance}, energy, link.part, 0, 0});
     if (bump == nullptr) return {};
+    ++state_.bumps;
   }
   ++bump->views;
   bump->fed_at = state_.travel;
-  if (share(bump->energy) <= settings_.threshold) return {};
+  Recalibration fed;
+  fed.bump = bump->id;
+  if (share(bump->energy) <= settings_.threshold) return fed;
   const CalibrationBump winner = *bump;
   return adopt(winner, link);
 }
@@ -183,14 +186,13 @@ Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& 
 /// The integrator takes the place of the winner. A new stretch of the path begins.
 Recalibration BumpNetwork::adopt(const CalibrationBump& winner, const LearnedPattern& link) {
   Recalibration calibrated;
+  calibrated.bump = winner.id;
   calibrated.won = true;
   calibrated.share = share(winner.energy);
   calibrated.part = winner.part;
   calibrated.from = state_.integrator.centre;
   calibrated.to = winner.bump.centre;
   calibrated.views = winner.views;
-  calibrated.offset = code_.between(link.pattern, winner.bump.centre);
-  calibrated.covariance = turned(winner.bump.covariance, -winner.bump.centre.heading);
   calibrated.origin = link.covariance;
   if (winner.part != state_.part) calibrated.joined_part = state_.part;
   state_.part = winner.part;

@@ -46,6 +46,7 @@ struct LearnedPattern {
 
 /// A hypothesis.
 struct CalibrationBump {
+  std::int64_t id = -1;  ///< dense from 0 in the order of founding
   Bump bump;
   double energy = 0;       ///< nats
   std::int64_t part = 0;   ///< of the world that the bump stands in
@@ -57,6 +58,7 @@ struct CalibrationBump {
 struct NetworkState {
   Bump integrator;
   std::vector<CalibrationBump> calibration;
+  std::int64_t bumps = 0;  ///< calibration bumps founded so far
   std::int64_t part = 0;
   std::int64_t parts = 1;
   std::int64_t stretch = 0;
@@ -68,14 +70,13 @@ struct NetworkState {
   std::int64_t right = 0;  ///< of these, views of bumps that won
 };
 
-/// Outcome of an injection. When a bump has won: where it stands, and how the patterns of a part of
-/// the world that has been joined with another move.
+/// Outcome of an injection: the bump that the view fed, and whether it has won. If it has, how the
+/// patterns of a part of the world that has been joined with another move.
 struct Recalibration {
+  std::int64_t bump = -1;  ///< CalibrationBump::id; -1: the view founded none, it was too weak
   bool won = false;
-  double share = 0;        ///< of the winner in the energy
-  std::int64_t views = 0;  ///< that fed the winner
-  PlanarPose offset;       ///< of the winner from where its last view was learned
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of that, in the robot's axes
+  double share = 0;                                  ///< of the winner in the energy
+  std::int64_t views = 0;                            ///< that fed the winner
   std::int64_t joined_part = -1;                     ///< patterns of this part move; -1: of none
   FiringPattern from, to;                            ///< as `from` moves to `to`
   std::int64_t part = 0;                             ///< the part they are of then

@@ -10,7 +10,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 4;
+constexpr std::uint64_t kStateVersion = 5;
 
 /// Writes what it is called with.
 class Saver {
@@ -75,6 +75,7 @@ void network(Archive& archive, State& state, const Bump& fresh) {
   for (auto* number : {&state.part, &state.parts, &state.stretch, &state.views, &state.right}) {
     archive(*number);
   }
+  archive(state.bumps);
   archive(state.travel);
   numbers(archive, state.least);
   numbers(archive, state.most);
@@ -82,6 +83,7 @@ void network(Archive& archive, State& state, const Bump& fresh) {
   for (std::int64_t i = 0; i < count && goesOn(archive); ++i) {
     if constexpr (Archive::kLoads) state.calibration.push_back({.bump = fresh});
     auto& hypothesis = state.calibration[static_cast<std::size_t>(i)];
+    archive(hypothesis.id);
     bump(archive, hypothesis.bump);
     archive(hypothesis.energy);
     archive(hypothesis.part);
@@ -99,6 +101,21 @@ void link(Archive& archive, Link& link) {
   archive(link.travel);
   archive(link.experience);
   numbers(archive, link.T_experience_template.matrix());
+}
+
+template <class Archive, class Waiting>
+void waitingLoops(Archive& archive, Waiting& list) {
+  const std::int64_t count = counted(archive, list.size());
+  for (std::int64_t i = 0; i < count && goesOn(archive); ++i) {
+    if constexpr (Archive::kLoads) list.emplace_back();
+    auto& waiting = list[static_cast<std::size_t>(i)];
+    archive(waiting.bump);
+    archive(waiting.travel);
+    archive(waiting.loop.frame);
+    archive(waiting.loop.experience);
+    numbers(archive, waiting.loop.T_experience_camera.matrix());
+    numbers(archive, waiting.loop.covariance);
+  }
 }
 
 template <class Archive, class Log>
@@ -124,6 +141,9 @@ bool isSound(const AttractorState& state) {
   for (const auto& [id, link] : state.links) {
     if (id < 0 || !exists(link.experience)) return false;
   }
+  for (const WaitingLoop& waiting : state.waiting.list()) {
+    if (waiting.loop.frame < 0 || !exists(waiting.loop.experience)) return false;
+  }
   const NetworkState& network = state.network.state();
   return network.parts > network.part && network.part >= 0 && network.right >= 0 &&
          network.views >= 0;
@@ -143,6 +163,7 @@ Status saveState(const AttractorState& state, std::ostream& stream) {
   }
   const ExperienceLog::State log = state.log.state();
   experiences(saver, log);
+  waitingLoops(saver, state.waiting.list());
   saver(state.initialising);
   return saver.writer.write(stream, kMagic, kStateVersion);
 }
@@ -169,6 +190,9 @@ Status loadState(std::istream& stream, AttractorState& state) {
   ExperienceLog::State log;
   experiences(loader, log);
   state.log.restore(log);
+  std::vector<WaitingLoop> waiting;
+  waitingLoops(loader, waiting);
+  state.waiting.restore(std::move(waiting));
   loader(state.initialising);
   if (!loader.reader.complete()) {
     return Status::invalidInput("the saved state is damaged: wrong length");

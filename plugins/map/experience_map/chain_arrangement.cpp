@@ -59,10 +59,10 @@ PathParts ExperienceChain::parts() const {
   return parts;
 }
 
-/// The last anchor is a visit. If it is the first one between two parts (`before`: without it),
-/// moves the later part, with all parts joined to it, so that the visit's loop has no residual.
-void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& before) {
-  const auto visit = static_cast<std::size_t>(current());
+/// If the visit is the first one between two parts (`before`: without it), moves the later part,
+/// with all parts joined to it, so that the visit's loop has no residual.
+void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& before,
+                                std::size_t visit) {
   const std::size_t here = before.first(before.of(visit));
   const std::size_t there = before.first(before.of(originOf(anchors_[visit])));
   if (here == there) return;

@@ -32,11 +32,10 @@ Anchor& ExperienceChain::append(const DeadReckoning& log) {
 void ExperienceChain::addExperience(const DeadReckoning& log, std::int64_t template_id) {
   const Anchor& last = anchors_.back();
   const bool begins_part = last.slot == log.last() && (last.gap || current() == 0);
-  const bool linked = !begins_part && last.experience >= 0;
   Anchor& anchor = begins_part ? anchors_.back() : append(log);
   anchor.experience = experiences();
   anchor.template_id = template_id;
-  if (linked) ++links_;
+  countLink(static_cast<std::size_t>(current()), 1);
   of_experience_.push_back(static_cast<std::size_t>(current()));
 }
 
@@ -63,17 +62,15 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
 void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
                                const UncertainPose& offset, bool assumed) {
   const PathParts before = parts();
-  const std::int64_t last = anchors_.back().experience;
-  const bool folded = last >= 0 && last != experience;  // no link from a node to itself
   Anchor& anchor = append(log);
   anchor.experience = experience;
   anchor.visit = true;
   anchor.assumed = assumed;
   anchor.offset = offset;
-  if (folded) ++links_, ++loops_;
   last_visit_ = static_cast<std::size_t>(current());
+  countLink(last_visit_, 1);
   pending_ = true;
-  if (before.count() > 1) alignPart(log, before);
+  if (before.count() > 1) alignPart(log, before, last_visit_);
 }
 
 void ExperienceChain::refresh(const DeadReckoning& log, std::size_t first) {

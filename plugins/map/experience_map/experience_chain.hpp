@@ -68,6 +68,11 @@ class ExperienceChain {
   /// ... or at an unknown offset of which only the heading is known.
   void addVisit(const DeadReckoning& log, std::int64_t experience, double relative_yaw);
 
+  /// The frame at an earlier slot, at which the experience was already known, visited it at a
+  /// measured offset. Moves the frames of `log` to the renumbered anchors.
+  void insertVisit(DeadReckoning& log, std::size_t slot, std::int64_t experience,
+                   const UncertainPose& measured);
+
   /// Recomputes odometry links whose motions have changed from slot `first` on.
   void refresh(const DeadReckoning& log, std::size_t first);
   bool visited() const { return last_visit_ > 0; }
@@ -79,6 +84,8 @@ class ExperienceChain {
   /// min_loop_weight.
   Status correctFinally(const DeadReckoning& log, int iterations, double tolerance);
 
+  /// Slot of the frame that created the experience.
+  std::size_t slotOf(std::int64_t experience) const { return origin(experience).slot; }
   Eigen::Isometry3d T_world_camera(const DeadReckoning& log, std::size_t slot) const;
   Eigen::Isometry3d T_world_experience(const DeadReckoning& log, std::int64_t experience) const;
   /// Relative to the experience of the last anchor whose loop is not rejected.
@@ -109,7 +116,9 @@ class ExperienceChain {
   Anchor& append(const DeadReckoning& log);
   PathParts parts() const;
   std::size_t originOf(const Anchor& visit) const;
-  void alignPart(const DeadReckoning& log, const PathParts& before);
+  void alignPart(const DeadReckoning& log, const PathParts& before, std::size_t visit);
+  void countLink(std::size_t i, int sign);
+  void renumber(DeadReckoning& log, std::size_t i);
   PlanarGraph planarGraph(const DeadReckoning& log) const;
   void rearrange(const PathParts& parts, const PlanarGraph& start, OptimiserOptions options,
                  std::size_t attempts, PlanarGraph& best, OptimiserOutcome& outcome) const;

@@ -38,6 +38,7 @@ Status ExperienceMap::update(const Motion& motion, const Decision& decision, Map
   motions_.append(motion, chain_.current());
   if (motions_[motions_.last()].gap) startPart();
   applyDecision(decision);
+  insertEarlier(decision.earlier);
   if (correctionDue()) correct();
   report(update);
   return Status::ok();
@@ -62,7 +63,37 @@ Status ExperienceMap::check(const Motion& motion, const Decision& decision) cons
                                 ") names experience " + id + ", but there are only " +
                                 std::to_string(known));
   }
+  for (const EarlierLoop& loop : decision.earlier) {
+    if (Status status = check(loop); !status.isOk()) return status;
+  }
   return Status::ok();
+}
+
+/// The map keeps the order of creation: an experience cannot be visited before it is made.
+Status ExperienceMap::check(const EarlierLoop& loop) const {
+  const bool known = loop.experience >= 0 && loop.experience < chain_.experiences();
+  const std::optional<std::size_t> slot = motions_.slotOf(loop.frame);
+  if (known && (!slot || *slot > chain_.slotOf(loop.experience))) return Status::ok();
+  return Status::invalidInput("the decision tells a loop of frame " + std::to_string(loop.frame) +
+                              " to experience " + std::to_string(loop.experience) +
+                              ", which did not exist then");
+}
+
+/// After the decision of this frame, so that parts of the path are joined as it says.
+void ExperienceMap::insertEarlier(const std::vector<EarlierLoop>& loops) {
+  std::size_t unknown = 0;
+  for (const EarlierLoop& loop : loops) {
+    const std::optional<std::size_t> slot = motions_.slotOf(loop.frame);
+    if (slot) {
+      chain_.insertVisit(motions_, *slot, loop.experience,
+                         {loop.T_experience_camera, loop.covariance});
+    } else {
+      ++unknown;
+    }
+  }
+  if (unknown == 0) return;
+  log_->warning("ignored " + std::to_string(unknown) +
+                " loops of frames that the map has not seen");
 }
 
 void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {

@@ -33,9 +33,11 @@ class ExperienceMap final : public Map, public StateKeeper {
 
  private:
   Status check(const Motion& motion, const Decision& decision) const;
+  Status check(const EarlierLoop& loop) const;
   void revise(const std::vector<MotionRevision>& revisions);
   void startPart();
   void applyDecision(const Decision& decision);
+  void insertEarlier(const std::vector<EarlierLoop>& loops);
   void correct();
   void noteCorrection(const Status& status);
   bool correctionDue() const;

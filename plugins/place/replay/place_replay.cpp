@@ -10,7 +10,7 @@ namespace tolman::place_replay {
 namespace {
 
 constexpr std::string_view kMagic = "TLMPLRPL";
-constexpr std::uint64_t kStateVersion = 3;
+constexpr std::uint64_t kStateVersion = 4;
 constexpr std::int64_t kNothing = -1;
 constexpr float kUnknownDrive = -1;
 using RandomWords = std::array<std::uint64_t, sizeof(RandomStream) / sizeof(std::uint64_t)>;
@@ -39,6 +39,8 @@ Status PlaceReplay::reset() {
   drive_.reset();
   last_compared_.reset();
   pending_.reset();
+  run_end_ = -1;
+  run_offset_ = 0;
   return Status::ok();
 }
 
@@ -107,15 +109,30 @@ bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
   return false;
 }
 
-bool PlaceReplay::reportFalseMatch(const Frame& frame, PlaceObservation& observation) {
-  if (!(parameters_.invented > 0) || random_.uniform() >= parameters_.invented) return false;
-  const auto young = views_.lower_bound(frame.source_index - parameters_.invented_age);
+std::optional<PlaceReplay::ReplayedView> PlaceReplay::lookAlike(std::int64_t source_index) {
+  if (source_index < run_end_) {
+    const auto next = views_.find(source_index + run_offset_);
+    if (next == views_.end()) return std::nullopt;
+    return next->second;
+  }
+  // A run has a match at each frame that the detector had compared.
+  const int matches = std::max(parameters_.invented_run / parameters_.view_step, 1);
+  if (random_.uniform() >= parameters_.invented / matches) return std::nullopt;
+  const auto young = views_.lower_bound(source_index - parameters_.invented_age);
   const auto old = std::distance(views_.begin(), young);
-  if (old == 0) return false;
+  if (old == 0) return std::nullopt;
   const auto pick = random_.below(static_cast<std::uint64_t>(old));
-  reportMatch(std::next(views_.begin(), static_cast<std::ptrdiff_t>(pick))->second, {},
-              observation);
-  return true;
+  const auto& [index, view] = *std::next(views_.begin(), static_cast<std::ptrdiff_t>(pick));
+  run_end_ = source_index + parameters_.invented_run;
+  run_offset_ = index - source_index;
+  return view;
+}
+
+bool PlaceReplay::reportFalseMatch(const Frame& frame, PlaceObservation& observation) {
+  if (!(parameters_.invented > 0)) return false;
+  const std::optional<ReplayedView> view = lookAlike(frame.source_index);
+  if (view) reportMatch(*view, {}, observation);
+  return view.has_value();
 }
 
 Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
@@ -150,6 +167,8 @@ Status PlaceReplay::save(std::ostream& stream) const {
   writer.put(drive_.value_or(kUnknownDrive));
   writer.put(last_compared_.value_or(kNothing));
   writer.put(pending_.value_or(kNothing));
+  writer.put(run_end_);
+  writer.put(run_offset_);
   writer.put(static_cast<std::int64_t>(views_.size()));
   for (const auto& [source_index, view] : views_) {
     writer.put(source_index);
@@ -180,7 +199,11 @@ Status PlaceReplay::read(StateReader& reader) {
   if (last_look != kNothing) last_compared_ = last_look;
   const auto owed = reader.get<std::int64_t>();
   if (owed != kNothing) pending_ = owed;
-  bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; });
+  run_end_ = reader.get<std::int64_t>();
+  run_offset_ = reader.get<std::int64_t>();
+  constexpr std::int64_t kMostOffset = std::int64_t{1} << 62;
+  bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) &&
+               run_offset_ > -kMostOffset && run_offset_ < kMostOffset;
   const auto count = reader.get<std::int64_t>();
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
     const auto source_index = reader.get<std::int64_t>();

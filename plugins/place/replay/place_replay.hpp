@@ -21,6 +21,7 @@ struct PlaceReplayParameters {
   double kept = 1;
   double invented = 0;
   int invented_age = 100;
+  int invented_run = 1;
 
   static constexpr auto declaration() {
     using P = PlaceReplayParameters;
@@ -49,16 +50,20 @@ struct PlaceReplayParameters {
         parameter("invented_age", &P::invented_age)
             .range(1, 1e9)
             .unit("frames")
-            .doc("Smallest age of the view of a false match."));
+            .doc("Smallest age of the view of a false match."),
+        parameter("invented_run", &P::invented_run)
+            .range(1, 1e6)
+            .unit("frames")
+            .doc("False matches come in runs of so many frames: the frames after the first match "
+                 "the views after the first one's, as along two streets that look alike."));
   }
 };
 
 /// A candidate "frame i resembles frame j" becomes an observation of the template of j at frame i.
 /// The recorded detector compared a frame every `view_step` frames and wherever the source marks
-/// one
-/// (`place.looked`). Such a frame without candidate makes a template. One with a candidate makes
-/// its own template at the next frame, since one frame gives one observation, so that later frames
-/// can match it as well.
+/// one (`place.looked`). Such a frame without candidate makes a template. One with a candidate
+/// makes its own template at the next frame, since one frame gives one observation, so that later
+/// frames can match it as well.
 class PlaceReplay final : public Place, public StateKeeper {
  public:
   using Parameters = PlaceReplayParameters;
@@ -85,8 +90,10 @@ class PlaceReplay final : public Place, public StateKeeper {
   /// Whether the recorded detector compared this frame.
   bool isCompared(const Frame& frame);
   bool recognise(const Frame& frame, PlaceObservation& observation);
-  /// Reports a false match: some old view, with the pose of its frame.
+  /// Reports a false match: some old view, or the next one of a run, with the pose of its frame.
   bool reportFalseMatch(const Frame& frame, PlaceObservation& observation);
+  /// The view that a false match of this frame names.
+  std::optional<ReplayedView> lookAlike(std::int64_t source_index);
   void reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
                    PlaceObservation& observation) const;
 
@@ -101,7 +108,9 @@ class PlaceReplay final : public Place, public StateKeeper {
   std::optional<float> drive_;                 ///< motion.drive of the views
   std::optional<std::int64_t> last_compared_;  ///< source index
   std::optional<std::int64_t>
-      pending_;  ///< source index of a recognised view that has no template yet
+      pending_;                  ///< source index of a recognised view that has no template yet
+  std::int64_t run_end_ = -1;    ///< source index before which a run of false matches goes on
+  std::int64_t run_offset_ = 0;  ///< from a frame of the run to the frame whose view it matches
 };
 
 }  // namespace tolman::place_replay

@@ -214,9 +214,9 @@ struct Decision {
   /// rad in [0, 2 pi), positive to the left, 0 at the first frame: the head direction estimate
   double heading = 0;
   double confidence = 1;  ///< in [0, 1]
-  /// With any action: loops of earlier frames, whose relative poses were all measured, by frame.
-  /// Evidence often adds up over several views before a loop is believed; these are the views
-  /// before the last one. A map that cannot change its past may ignore them.
+  /// With any action: loops of earlier frames, in the order of their frames. Evidence often adds up
+  /// over several views before a loop is believed; these are the views before the last one. A map
+  /// that cannot change its past may ignore them.
   std::vector<EarlierLoop> earlier;
 
   template <class Self, class Visit>

@@ -86,21 +86,50 @@ TEST_CASE("a loop of one view has its measured pose, seen from the experience") 
   CHECK(decision.covariance == seen.covariance);
 }
 
-TEST_CASE("a loop of several views has the pose and the precision of their bump") {
+TEST_CASE("when a bump of several views wins, the loops of all its views are told") {
   BayesianAttractor plugin;
   REQUIRE(configure(plugin, {}).isOk());
   for (int frame = 0; frame < 40; ++frame) lapFrame(plugin, frame, frame == 20 ? 0.5 : 0);
   Motion carried = motionOf({0, 0, 0}, 40);
   carried.state = TrackingState::Initialising;
   step(plugin, carried, nothing());
-  int frame = 45;
+  const int first = 45;
+  int frame = first;
   Decision decision;
   while (decision.action != Action::CloseLoop && frame < 60) {
+    CHECK(decision.earlier.empty());
     decision = lapFrame(plugin, frame++);
   }
   REQUIRE(decision.action == Action::CloseLoop);
-  CHECK(decision.covariance(4, 4) < measured(0).covariance(4, 4));
-  CHECK(toPlanar(decision.T_experience_current).x == Approx(0).margin(1));
+  CHECK(toPlanar(decision.T_experience_current).x == Approx(0).margin(1e-9));
+  // Views come each 4 m, loops at most each 5 m: every second view, and none of the last 5 m.
+  REQUIRE(decision.earlier.size() == static_cast<std::size_t>((frame - first) / 2));
+  for (std::size_t i = 0; i < decision.earlier.size(); ++i) {
+    const EarlierLoop& loop = decision.earlier[i];
+    CHECK(loop.frame == first + 2 * static_cast<std::int64_t>(i));
+    CHECK(loop.experience == loop.frame % 40);  // each template was made at its own experience
+    CHECK(loop.T_experience_camera.isApprox(Eigen::Isometry3d::Identity()));
+    CHECK(loop.covariance == measured(0).covariance);
+  }
+  CHECK(plugin.state().waiting.of(0, 1e9).size() <= decision.earlier.size() + 1);
+  CHECK(lapFrame(plugin, frame).earlier.empty());
+  CHECK(plugin.state().waiting.list().empty());
+}
+
+TEST_CASE("views without measured pose wait as loops as uncertain as they are") {
+  BayesianAttractor plugin;
+  REQUIRE(configure(plugin, {}).isOk());
+  for (int frame = 0; frame < 40; ++frame) lapFrame(plugin, frame, frame == 20 ? 0.5 : 0);
+  Motion carried = motionOf({0, 0, 0}, 40);
+  carried.state = TrackingState::Initialising;
+  step(plugin, carried, nothing());
+  step(plugin, motionOf({4, 0, 2 * std::numbers::pi / 40}, 41), familiar(5, 0.1));
+  const std::vector<WaitingLoop>& waiting = plugin.state().waiting.list();
+  REQUIRE(waiting.size() == 1);
+  CHECK(waiting[0].loop.frame == 41);
+  CHECK(toPlanar(waiting[0].loop.T_experience_camera).theta == Approx(0.1));
+  CHECK(waiting[0].loop.covariance(0, 0) == Approx(9));
+  CHECK(waiting[0].loop.covariance(4, 4) == Approx(0.04));
 }
 
 TEST_CASE("without any view the map still gets its experiences") {

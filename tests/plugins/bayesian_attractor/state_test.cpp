@@ -52,6 +52,12 @@ TEST_CASE("a loaded instance decides as the saved one would, among open hypothes
     CHECK(a.heading == b.heading);
     CHECK(a.confidence == b.confidence);
     CHECK(a.T_experience_current.matrix() == b.T_experience_current.matrix());
+    REQUIRE(a.earlier.size() == b.earlier.size());
+    for (std::size_t i = 0; i < a.earlier.size(); ++i) {
+      CHECK(a.earlier[i].frame == b.earlier[i].frame);
+      CHECK(a.earlier[i].experience == b.earlier[i].experience);
+      CHECK(a.earlier[i].covariance == b.earlier[i].covariance);
+    }
     loops += a.action == Action::CloseLoop ? 1 : 0;
   }
   CHECK(loops > 5);

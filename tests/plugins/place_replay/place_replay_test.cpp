@@ -139,8 +139,33 @@ TEST_CASE("candidates can be dropped and look-alikes invented, by the seed") {
   CHECK(lies == answers(lying));
 }
 
+TEST_CASE("look-alikes can come in runs that follow an earlier path") {
+  Replay replay({{"relative_pose", true},
+                 {"view_step", std::int64_t{1}},
+                 {"invented", 0.2},
+                 {"invented_run", std::int64_t{20}}});
+  std::vector<std::int64_t> frames;
+  std::vector<std::int64_t> templates;
+  for (int i = 0; i < 3000; ++i) {
+    const PlaceObservation seen = replay.look();
+    if (seen.recognition != Recognition::Familiar) continue;
+    frames.push_back(i);
+    templates.push_back(seen.template_id);
+  }
+  CHECK(frames.size() > 300);
+  CHECK(frames.size() < 900);
+  int following = 0;
+  for (std::size_t k = 1; k < frames.size(); ++k) {
+    following += frames[k] == frames[k - 1] + 1 && templates[k] == templates[k - 1] + 1 ? 1 : 0;
+  }
+  CHECK(following > 9 * static_cast<int>(frames.size()) / 10);
+}
+
 TEST_CASE("saved views are recognised in the next session, and the random stream goes on") {
-  const ParameterValues values = {{"relative_pose", true}, {"kept", 0.5}, {"invented", 0.5}};
+  const ParameterValues values = {{"relative_pose", true},
+                                  {"kept", 0.5},
+                                  {"invented", 0.5},
+                                  {"invented_run", GENERATE(as<std::int64_t>(), 1, 30)}};
   Replay saved(values);
   for (int i = 0; i < 203; ++i)
     saved.look(i > 20 && i % 5 == 0 ? std::vector<float>{10, 2, 0, 0} : std::vector<float>{});

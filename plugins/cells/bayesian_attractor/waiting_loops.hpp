@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loops of views whose calibration bump has not won yet.
+//
+// A bump wins after several views have fed it; each of these views saw a known place. Their loops
+// wait here, at most one per `spacing` metres and bump, until the bump wins or is gone.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "bump_network.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::bayesian_attractor {
+
+struct WaitingLoop {
+  std::int64_t bump = -1;  ///< CalibrationBump::id
+  double travel = 0;       ///< m, at the view
+  EarlierLoop loop;
+};
+
+class WaitingLoops {
+ public:
+  explicit WaitingLoops(double spacing) : spacing_(spacing) {}
+
+  void add(const WaitingLoop& loop);
+  /// Forgets loops of bumps that are gone.
+  void keep(std::span<const CalibrationBump> bumps);
+  /// Loops of the bump up to `spacing` before `travel`, in the order of their frames.
+  std::vector<EarlierLoop> of(std::int64_t bump, double travel) const;
+
+  const std::vector<WaitingLoop>& list() const { return loops_; }
+  void restore(std::vector<WaitingLoop> loops) { loops_ = std::move(loops); }
+
+ private:
+  double spacing_;
+  std::vector<WaitingLoop> loops_;  ///< in the order of their frames
+};
+
+}  // namespace tolman::bayesian_attractor
