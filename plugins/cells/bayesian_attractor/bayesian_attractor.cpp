@@ -50,7 +50,7 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   integrate(motion);
   const auto link = state_->links.find(observation.template_id);
   const bool known = seen && link != state_->links.end();
-  const Recalibration calibrated = known ? perceive(observation) : Recalibration{};
+  const Recalibration calibrated = known ? perceive(observation, motion.frame) : Recalibration{};
   if (calibrated.joined_part >= 0) {
     for (auto& [id, other] : state_->links) state_->network.rejoin(calibrated, other.learned);
   }
@@ -93,7 +93,7 @@ BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& 
   return {fromPlanar({0, 0, view.relative_yaw}), sigma.cwiseAbs2().asDiagonal()};
 }
 
-Recalibration BayesianAttractor::perceive(const PlaceObservation& view) {
+Recalibration BayesianAttractor::perceive(const PlaceObservation& view, std::int64_t frame) {
   const ViewLink& link = state_->links.at(view.template_id);
   const double travel = state_->network.state().travel;
   if (view.recognition != Recognition::Familiar) return {};
@@ -107,8 +107,8 @@ Recalibration BayesianAttractor::perceive(const PlaceObservation& view) {
   state_->waiting.add(
       {fed.bump,
        travel,
-       {view.frame, link.experience,
-        normalised(link.T_experience_template * seen.T_template_current), seen.covariance}});
+       {frame, link.experience, normalised(link.T_experience_template * seen.T_template_current),
+        seen.covariance}});
   return fed;
 }
 

@@ -39,7 +39,7 @@ class BayesianAttractor final : public Cells,
     Matrix6d covariance;
   };
   SeenPose seenPose(const PlaceObservation& view) const;
-  Recalibration perceive(const PlaceObservation& view);
+  Recalibration perceive(const PlaceObservation& view, std::int64_t frame);
   void closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
                  Decision& decision);
   void learn(std::int64_t template_id);

@@ -8,12 +8,13 @@ namespace tolman::bayesian_attractor {
 
 void ExperienceLog::advance(const Eigen::Isometry3d& T_previous_current) {
   T_experience_current_ = normalised(T_experience_current_ * T_previous_current);
+  T_made_current_ = normalised(T_made_current_ * T_previous_current);
   travel_ += T_previous_current.translation().norm();
 }
 
 bool ExperienceLog::wantsNew(bool view_is_novel) const {
   if (current_ < 0 || new_part_) return true;
-  const PlanarPose since = toPlanar(T_experience_current_);
+  const PlanarPose since = toPlanar(T_made_current_);
   const double moved = std::hypot(since.x, since.y);
   if (view_is_novel && moved >= settings_.novel_spacing) return true;
   return moved >= settings_.spacing || std::abs(since.theta) >= settings_.turn;
@@ -45,6 +46,7 @@ std::int64_t ExperienceLog::create() {
   const auto id = static_cast<std::int64_t>(travel_when_left_.size());
   travel_when_left_.push_back(travel_);
   arriveAt(id, Eigen::Isometry3d::Identity());
+  T_made_current_.setIdentity();
   return id;
 }
 
@@ -55,12 +57,14 @@ void ExperienceLog::closeLoopTo(std::int64_t experience,
 }
 
 ExperienceLog::State ExperienceLog::state() const {
-  return {current_, T_experience_current_, travel_, travel_at_loop_, travel_when_left_, new_part_};
+  return {current_,        T_experience_current_, T_made_current_, travel_,
+          travel_at_loop_, travel_when_left_,     new_part_};
 }
 
 void ExperienceLog::restore(const State& state) {
   current_ = state.current;
   T_experience_current_ = state.T_experience_current;
+  T_made_current_ = state.T_made_current;
   travel_ = state.travel;
   travel_at_loop_ = state.travel_at_loop;
   travel_when_left_ = state.travel_when_left;

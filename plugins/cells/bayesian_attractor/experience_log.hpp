@@ -24,8 +24,8 @@ class ExperienceLog {
 
   void advance(const Eigen::Isometry3d& T_previous_current);
 
-  /// The first one (also of a new part), or the distance on the manifold (by path integration) is
-  /// above its threshold, or the view is novel.
+  /// The first one (also of a new part), or the last one was made too far back by path integration,
+  /// or the view is novel. Loops do not count: were one false, the map would have a hole there.
   bool wantsNew(bool view_is_novel) const;
   /// Not to where the robot is or has just been, and not one after the other.
   bool allowsLoopTo(std::int64_t experience) const;
@@ -44,6 +44,7 @@ class ExperienceLog {
   struct State {
     std::int64_t current = -1;
     Eigen::Isometry3d T_experience_current = Eigen::Isometry3d::Identity();
+    Eigen::Isometry3d T_made_current = Eigen::Isometry3d::Identity();
     double travel = 0;
     double travel_at_loop = 0;
     std::vector<double> travel_when_left;
@@ -58,7 +59,8 @@ class ExperienceLog {
   ExperienceSettings settings_;
   std::int64_t current_ = -1;
   Eigen::Isometry3d T_experience_current_ = Eigen::Isometry3d::Identity();
-  double travel_ = 0;                     ///< m since the start
+  Eigen::Isometry3d T_made_current_ = Eigen::Isometry3d::Identity();  ///< from the newest one
+  double travel_ = 0;                                                 ///< m since the start
   double travel_at_loop_ = 0;             ///< when the last loop link was made
   std::vector<double> travel_when_left_;  ///< of each experience
   bool new_part_ = false;                 ///< and not at any experience since

@@ -122,6 +122,7 @@ template <class Archive, class Log>
 void experiences(Archive& archive, Log& log) {
   archive(log.current);
   numbers(archive, log.T_experience_current.matrix());
+  numbers(archive, log.T_made_current.matrix());
   archive(log.travel);
   archive(log.travel_at_loop);
   archive(log.new_part);

@@ -103,7 +103,7 @@ TEST_CASE("when a bump of several views wins, the loops of all its views are tol
   REQUIRE(decision.action == Action::CloseLoop);
   CHECK(toPlanar(decision.T_experience_current).x == Approx(0).margin(1e-9));
   // Views come each 4 m, loops at most each 5 m: every second view, and none of the last 5 m.
-  REQUIRE(decision.earlier.size() == static_cast<std::size_t>((frame - first) / 2));
+  REQUIRE(decision.earlier.size() == static_cast<std::size_t>((frame - 1 - first) / 2));
   for (std::size_t i = 0; i < decision.earlier.size(); ++i) {
     const EarlierLoop& loop = decision.earlier[i];
     CHECK(loop.frame == first + 2 * static_cast<std::int64_t>(i));

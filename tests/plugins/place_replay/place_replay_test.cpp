@@ -208,12 +208,12 @@ TEST_CASE("damaged views are refused and leave a fresh instance") {
   std::ostringstream stream;
   REQUIRE(saved.place.save(stream).isOk());
   const auto with = [](std::int64_t random_word) {
-    StateWriter writer;  // four words, templates, drive, last look, owed, views
+    StateWriter writer;  // four words, templates, drive, last look, owed, run, views
     for (int i = 0; i < 5; ++i) writer.put(i < 4 ? random_word : 0);
     writer.put(-1.0F);
-    for (int i = 0; i < 3; ++i) writer.put(std::int64_t{0});
+    for (int i = 0; i < 5; ++i) writer.put(std::int64_t{0});
     std::ostringstream bytes;
-    REQUIRE(writer.write(bytes, "TLMPLRPL", 3).isOk());
+    REQUIRE(writer.write(bytes, "TLMPLRPL", 4).isOk());
     return bytes.str();
   };
   Replay sound;
