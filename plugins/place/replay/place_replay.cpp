@@ -112,19 +112,19 @@ bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
 std::optional<PlaceReplay::ReplayedView> PlaceReplay::lookAlike(std::int64_t source_index) {
   if (source_index < run_end_) {
     const auto next = views_.find(source_index + run_offset_);
-    if (next == views_.end()) return std::nullopt;
-    return next->second;
+    if (next != views_.end()) return next->second;
   }
-  // A run has a match at each frame that the detector had compared.
-  const int matches = std::max(parameters_.invented_run / parameters_.view_step, 1);
-  if (random_.uniform() >= parameters_.invented / matches) return std::nullopt;
+  if (random_.uniform() >= parameters_.invented) return std::nullopt;
   const auto young = views_.lower_bound(source_index - parameters_.invented_age);
   const auto old = std::distance(views_.begin(), young);
   if (old == 0) return std::nullopt;
   const auto pick = random_.below(static_cast<std::uint64_t>(old));
   const auto& [index, view] = *std::next(views_.begin(), static_cast<std::ptrdiff_t>(pick));
-  run_end_ = source_index + parameters_.invented_run;
-  run_offset_ = index - source_index;
+  if (parameters_.invented_run > 1 && source_index >= run_end_) {
+    const auto more = random_.below(static_cast<std::uint64_t>(parameters_.invented_run));
+    run_end_ = source_index + static_cast<std::int64_t>(more) * parameters_.view_step + 1;
+    run_offset_ = index - source_index;
+  }
   return view;
 }
 

@@ -53,9 +53,9 @@ struct PlaceReplayParameters {
             .doc("Smallest age of the view of a false match."),
         parameter("invented_run", &P::invented_run)
             .range(1, 1e6)
-            .unit("frames")
-            .doc("False matches come in runs of so many frames: the frames after the first match "
-                 "the views after the first one's, as along two streets that look alike."));
+            .unit("views")
+            .doc("False matches also come in runs of one to so many: the frames after the first "
+                 "match the views after its view, as along two streets that look alike."));
   }
 };
 
