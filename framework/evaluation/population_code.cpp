@@ -17,20 +17,6 @@ constexpr double kTurn = 2 * std::numbers::pi;
 /// A population vector shorter than this share of all activity is rounding.
 constexpr double kLeastLength = 1e-6;
 
-template <class Rate>
-std::optional<double> vectorOf(std::span<const Rate> rates, const ArrayAxis& axis) {
-  std::complex<double> sum = 0;
-  double total = 0;
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    const double value = axis.first + axis.step * static_cast<double>(i);
-    const auto rate = static_cast<double>(rates[i]);
-    sum += std::polar(1.0, kTurn * value / axis.period) * rate;
-    total += std::abs(rate);
-  }
-  if (!(std::abs(sum) > kLeastLength * total)) return std::nullopt;
-  return wrapPeriod(std::arg(sum) / kTurn * axis.period, axis.period);
-}
-
 /// Position along one axis modulo a period.
 struct Residue {
   double value = 0;
@@ -78,11 +64,15 @@ std::size_t unitsAlong(const ArrayAxis& axis) {
 }
 
 std::optional<double> populationVector(std::span<const double> rates, const ArrayAxis& axis) {
-  return vectorOf(rates, axis);
-}
-
-std::optional<double> populationVector(std::span<const float> rates, const ArrayAxis& axis) {
-  return vectorOf(rates, axis);
+  std::complex<double> sum = 0;
+  double total = 0;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    const double value = axis.first + axis.step * static_cast<double>(i);
+    sum += std::polar(1.0, kTurn * value / axis.period) * rates[i];
+    total += std::abs(rates[i]);
+  }
+  if (!(std::abs(sum) > kLeastLength * total)) return std::nullopt;
+  return wrapPeriod(std::arg(sum) / kTurn * axis.period, axis.period);
 }
 
 std::string noPositionReason(const ArrayInfo& sheet) {

@@ -20,7 +20,6 @@ std::size_t unitsAlong(const ArrayAxis& axis);
 /// Kettner 1986), in the unit of the axis, in [0, period). None where it has no direction: no
 /// activity, or the same everywhere.
 std::optional<double> populationVector(std::span<const double> rates, const ArrayAxis& axis);
-std::optional<double> populationVector(std::span<const float> rates, const ArrayAxis& axis);
 
 /// Position modulo a period, as one grid module tells it by its population vectors.
 struct ModulePhase {

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "evaluation/grid_score.hpp"
+#include <type_traits>
 
 namespace tolman::evaluation {
 namespace {
@@ -14,6 +13,7 @@ constexpr int kTuningBins = 36;
 /// of bins of an autocorrelogram can be counted in a millisecond.
 constexpr double kBinsOfPeriod = 8;
 constexpr double kMostBins = 40;
+constexpr double kMostDrawnBins = 70;
 
 /// Linear between the neighbours.
 double percentile(const std::vector<double>& sorted, double share) {
@@ -32,34 +32,47 @@ std::vector<Sample> samplesOf(const RecordedUnits& units, std::size_t unit, std:
   return samples;
 }
 
-/// Calls measure(samples, shifted) for each unit, then for units shifted in time.
+template <class Unit>
+struct Measured {
+  std::vector<Unit> units;
+  std::vector<Unit> shuffled;  ///< units shifted in time
+};
+
+/// Of all units, and of some shifted in time, what measure(samples) gives.
 template <class Measure>
-void measureAll(const RecordedUnits& units, const Shuffling& shuffling, Measure&& measure) {
-  for (std::size_t unit = 0; unit < units.rates.size(); ++unit) {
-    measure(samplesOf(units, unit, 0), false);
+auto measureAll(const RecordedUnits& units, const Shuffling& shuffling, Measure&& measure) {
+  Measured<std::invoke_result_t<Measure, const std::vector<Sample>&>> measured;
+  const std::size_t count = units.rates.size();
+  for (std::size_t unit = 0; unit < count; ++unit) {
+    measured.units.push_back(measure(samplesOf(units, unit, 0)));
   }
   const std::size_t length = units.walk.size();
   const std::size_t least = std::max<std::size_t>(shuffling.least_samples, 1);
-  if (units.rates.empty() || length < 2 * least) return;
+  if (count == 0 || length < 2 * least) return measured;
   RandomStream random(shuffling.seed);
   for (std::size_t i = 0; i < shuffling.count; ++i) {
     const std::size_t later = least + random.below(length - 2 * least + 1);
-    measure(samplesOf(units, i % units.rates.size(), later), true);
+    measured.shuffled.push_back(measure(samplesOf(units, i * count / shuffling.count, later)));
   }
+  return measured;
 }
 
-/// Values of one score: of the units, and by chance.
-struct Values {
-  std::vector<double> units, shuffled;
-
-  void add(double value, bool shifted) { (shifted ? shuffled : units).push_back(value); }
-  std::optional<UnitScore> score(Better better = Better::More) {
-    return againstChance(std::move(units), std::move(shuffled), better);
-  }
-};
+/// value(unit) is none for a unit without the score.
+template <class Unit, class Value>
+std::optional<UnitScore> scoreOf(const Measured<Unit>& measured, Value&& value,
+                                 Better better = Better::More) {
+  const auto known = [&](const std::vector<Unit>& units) {
+    std::vector<double> values;
+    for (const Unit& unit : units) {
+      if (const std::optional<double> score = value(unit)) values.push_back(*score);
+    }
+    return values;
+  };
+  return againstChance(known(measured.units), known(measured.shuffled), better);
+}
 
 /// Bins on the long side of a rate map. They are wider than the steps of the walk.
-int binsFor(const std::vector<Sample>& walk, double period) {
+int binsFor(const std::vector<Sample>& walk, double least_bin, double most_bins) {
   Eigen::AlignedBox2d box;
   double length = 0;
   for (std::size_t i = 0; i < walk.size(); ++i) {
@@ -68,11 +81,23 @@ int binsFor(const std::vector<Sample>& walk, double period) {
   }
   if (walk.size() < 2 || !(length > 0)) return 1;
   const double step = length / static_cast<double>(walk.size() - 1);
-  const double bin = std::max(1.5 * step, period / kBinsOfPeriod);
-  return static_cast<int>(std::clamp(box.sizes().maxCoeff() / bin, 1.0, kMostBins));
+  const double bin = std::max(1.5 * step, least_bin);
+  return static_cast<int>(std::clamp(box.sizes().maxCoeff() / bin, 1.0, most_bins));
+}
+
+int scoredBins(const std::vector<Sample>& walk, double period) {
+  return binsFor(walk, period / kBinsOfPeriod, kMostBins);
 }
 
 }  // namespace
+
+RateMap firingMap(const RecordedUnits& units, std::size_t unit) {
+  return rateMap(samplesOf(units, unit, 0), binsFor(units.walk, 0, kMostDrawnBins));
+}
+
+RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period) {
+  return rateMap(samplesOf(units, unit, 0), scoredBins(units.walk, period));
+}
 
 std::optional<ErrorFigures> errorFigures(std::vector<double> errors) {
   if (errors.empty()) return std::nullopt;
@@ -95,36 +120,40 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
 }
 
 RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
-  Values vectors;
-  Values widths;
-  Values bits;
-  const int bins = binsFor(units.walk, 0);
-  measureAll(units, shuffling, [&](const std::vector<Sample>& samples, bool shifted) {
-    bits.add(spatialInformation(rateMap(samples, bins)), shifted);
-    const TuningCurve curve = tuningCurve(samples, kTuningBins);
-    if (!curve.half_width) return;  // too few headings
-    vectors.add(curve.mean_vector_length, shifted);
-    widths.add(*curve.half_width * kDegrees, shifted);
+  const int bins = binsFor(units.walk, 0, kMostDrawnBins);
+  auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
+    return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins))};
   });
-  return {vectors.score(), widths.score(Better::Less), bits.score()};
+  using Value = std::optional<double>;
+  const auto length = [](const RingUnit& unit) {  // none where there are too few headings
+    return unit.tuning.half_width ? Value(unit.tuning.mean_vector_length) : Value();
+  };
+  const auto width = [](const RingUnit& unit) {
+    return unit.tuning.half_width ? Value(*unit.tuning.half_width * kDegrees) : Value();
+  };
+  const auto bits = [](const RingUnit& unit) { return Value(unit.information_bits); };
+  return {scoreOf(measured, length), scoreOf(measured, width, Better::Less),
+          scoreOf(measured, bits), std::move(measured.units)};
 }
 
 SheetScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling) {
-  Values square;
-  Values sargolini;
-  Values langston;
-  Values bits;
-  const int bins = binsFor(units.walk, period);
-  measureAll(units, shuffling, [&](const std::vector<Sample>& samples, bool shifted) {
+  const int bins = scoredBins(units.walk, period);
+  auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
     const RateMap map = rateMap(samples, bins);
-    bits.add(spatialInformation(map), shifted);
-    const auto scores = gridScores(map);
-    if (!scores) return;
-    square.add(scores->square, shifted);
-    sargolini.add(scores->sargolini, shifted);
-    langston.add(scores->langston, shifted);
+    return SheetUnit{gridScores(map), spatialInformation(map), 0};
   });
-  return {square.score(), sargolini.score(), langston.score(), bits.score()};
+  for (std::size_t i = 0; i < units.rates.size(); ++i) {
+    measured.units[i].fields = fields(firingMap(units, i)).size();
+  }
+  using Value = std::optional<double>;
+  const auto score = [&](double GridScores::*member) {
+    return scoreOf(measured, [=](const SheetUnit& unit) {
+      return unit.scores ? Value((*unit.scores).*member) : Value();
+    });
+  };
+  const auto bits = [](const SheetUnit& unit) { return Value(unit.information_bits); };
+  return {score(&GridScores::square), score(&GridScores::sargolini), score(&GridScores::langston),
+          scoreOf(measured, bits), std::move(measured.units)};
 }
 
 }  // namespace tolman::evaluation

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "evaluation/firing_rate.hpp"
+#include "evaluation/grid_score.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::evaluation {
@@ -38,7 +39,14 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
 struct RecordedUnits {
   std::vector<Sample> walk;               ///< without rates
   std::vector<std::vector<float>> rates;  ///< one row a unit, as long as the walk
+  double seconds = 0;                     ///< from the first moment to the last
 };
+
+/// The firing rate map of unit `unit` as it is drawn: in bins that are wider than the steps of the
+/// walk; otherwise each visit would be its own field.
+RateMap firingMap(const RecordedUnits& units, std::size_t unit);
+/// The bins for grid scores: a field of this period, m, spans four. 0: not known.
+RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period);
 
 /// Circular shifts in time pair each place with the activity of another moment: what a unit scores
 /// then is chance (Boccara et al. 2010; Langston et al. 2010).
@@ -48,18 +56,24 @@ struct Shuffling {
   std::uint64_t seed = 1;
 };
 
+struct RingUnit {
+  TuningCurve tuning;
+  double information_bits = 0;
+};
 struct RingScores {
-  std::optional<UnitScore> mean_vector_length;
-  std::optional<UnitScore> half_width_deg;  ///< narrower is better
-  std::optional<UnitScore> information_bits;
+  std::optional<UnitScore> mean_vector_length, half_width_deg, information_bits;
+  std::vector<RingUnit> units;
 };
 RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling);
 
+struct SheetUnit {
+  std::optional<GridScores> scores;
+  double information_bits = 0;
+  std::size_t fields = 0;  ///< of the firingMap()
+};
 struct SheetScores {
-  std::optional<UnitScore> square;
-  std::optional<UnitScore> sargolini;
-  std::optional<UnitScore> langston;
-  std::optional<UnitScore> information_bits;
+  std::optional<UnitScore> square, sargolini, langston, information_bits;
+  std::vector<SheetUnit> units;
 };
 /// `period`, m: of the units; 0 if not known. It sets the bins of the rate maps.
 SheetScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling);

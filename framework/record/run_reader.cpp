@@ -35,11 +35,6 @@ void RunReader::checkVersion() const {
                std::to_string(kSchemaVersion) + "; run again to record it anew");
 }
 
-Result<std::vector<NamedArray>> RunReader::arrays(std::int64_t frame,
-                                                  std::string_view source) const {
-  return answered(name_, [&] { return readArrays(database_, frame, source); });
-}
-
 Result<std::vector<ArrayInfo>> RunReader::arrayInfos() const {
   return answered(name_, [&] {
     std::vector<ArrayInfo> infos;

@@ -38,13 +38,13 @@ class RunReader {
       return rows;
     });
   }
-  /// The named arrays of a frame: source "sensors" or "cells".
-  Result<std::vector<NamedArray>> arrays(std::int64_t frame, std::string_view source) const;
-  /// Calls visit(const RecordedArray&) for each array of the cells, frame by frame.
+  /// Calls visit(frame, NamedArray) for each array of the cells, frame by frame.
   template <class Visit>
   Status visitCellArrays(Visit&& visit) const {
-    return guarded(
-        name_, [&] { forEachRow<RecordedArray>(database_, "WHERE \"source\" = 'cells'", visit); });
+    return guarded(name_, [&] {
+      forEachRow<RecordedArray>(database_, "WHERE \"source\" = 'cells'",
+                                [&](const RecordedArray& row) { visit(row.frame, arrayOf(row)); });
+    });
   }
   /// Their descriptions, in the order of RunInfo::arrays.
   Result<std::vector<ArrayInfo>> arrayInfos() const;

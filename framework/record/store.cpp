@@ -68,15 +68,19 @@ void StoreWriter::insertArrays(std::int64_t frame, std::string_view source,
   }
 }
 
+NamedArray arrayOf(const RecordedArray& row) {
+  NamedArray array{row.name, shapeOf(row.shape), {row.values.begin(), row.values.end()}};
+  checkSize(array);
+  return array;
+}
+
 std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
                                    std::string_view source) {
   std::vector<NamedArray> arrays;
   const std::string condition = "WHERE \"frame\" = " + std::to_string(frame) +
                                 " AND \"source\" = '" + std::string(source) + "'";
-  forEachRow<RecordedArray>(database, condition, [&](const RecordedArray& row) {
-    arrays.push_back({row.name, shapeOf(row.shape), {row.values.begin(), row.values.end()}});
-    checkSize(arrays.back());
-  });
+  forEachRow<RecordedArray>(database, condition,
+                            [&](const RecordedArray& row) { arrays.push_back(arrayOf(row)); });
   return arrays;
 }
 

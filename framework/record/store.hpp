@@ -81,6 +81,9 @@ class StoreWriter {
   std::map<std::string, Statement, std::less<>> statements_;
 };
 
+struct RecordedArray;
+/// Throws BadRow where the shape does not fit the values.
+NamedArray arrayOf(const RecordedArray& row);
 /// The arrays of a frame, by name.
 std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,
                                    std::string_view source);

@@ -4,28 +4,28 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "report/axes.hpp"
 #include "report/colour_map.hpp"
 #include "report/figures.hpp"
+#include "report/raster.hpp"
 
 namespace tolman::report {
 namespace {
 
+using evaluation::CellHistory;
+using evaluation::PopulationHistory;
+
 constexpr std::size_t kMoments = 4;
 constexpr double kPanel = 225;  // px
 constexpr double kRing = 170;
+constexpr double kRow = kRing + 40;
 constexpr double kTop = 60;
 
 float highest(const std::vector<float>& values) {
   float most = 1e-9F;
   for (const float value : values) most = std::isfinite(value) ? std::max(most, value) : most;
   return most;
-}
-
-double shareOf(float value, float most) {
-  return std::isfinite(value) ? static_cast<double>(value) / most : 0;
 }
 
 /// Units as sectors in the direction of their heading: 0 is up, positive to the left. The length of
@@ -40,8 +40,8 @@ void drawRing(Svg& svg, const Eigen::Vector2d& centre, const ArrayAxis& axis,
   svg.circle(centre, inner, "none", "#bbbbbb");
   const float most = highest(activity);
   for (std::size_t i = 0; i < activity.size(); ++i) {
-    const double angle = axisAngle(axis, i);
-    const double share = shareOf(activity[i], most);
+    const double angle = evaluation::axisAngle(axis, i);
+    const double share = std::isfinite(activity[i]) ? activity[i] / most : 0;
     svg.line(at(angle, inner), at(angle, inner + share * (outer - inner)), rateColour(share), 6);
   }
   svg.line(centre, at(heading, inner), kVermilion, 2.5);
@@ -49,33 +49,35 @@ void drawRing(Svg& svg, const Eigen::Vector2d& centre, const ArrayAxis& axis,
 
 void drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory& sheet,
                const std::vector<float>& activity) {
-  const int rows = sheet.shape[0];
-  const int columns = sheet.shape[1];
-  const double cell = kRing / std::max(rows, columns);
-  const float most = highest(activity);
-  for (int r = 0; r < rows; ++r) {
-    for (int c = 0; c < columns; ++c) {
-      const std::size_t i = static_cast<std::size_t>(r) * static_cast<std::size_t>(columns) +
-                            static_cast<std::size_t>(c);
-      // Slightly larger than a cell, against visible seams.
-      svg.rectangle(corner + cell * Eigen::Vector2d(r, columns - 1 - c), {cell + 0.4, cell + 0.4},
-                    rateColour(shareOf(activity[i], most)));
-    }
+  const Eigen::Map<const Eigen::Matrix<float, -1, -1, Eigen::RowMajor>> rates(
+      activity.data(), sheet.shape[0], sheet.shape[1]);
+  svg.image(corner,
+            kRing / std::max(sheet.shape[0], sheet.shape[1]) *
+                Eigen::Vector2d(sheet.shape[0], sheet.shape[1]),
+            pngUrl(ratePixels(rates.cast<double>(), static_cast<double>(highest(activity)))));
+}
+
+/// Nothing where the population was not recorded at the frame.
+void drawAt(Svg& svg, const Eigen::Vector2d& centre, const PopulationHistory& population,
+            std::int64_t frame, double heading) {
+  const auto at = std::ranges::lower_bound(population.frames, frame);
+  if (at == population.frames.end() || *at != frame) return;
+  const auto& activity =
+      population.activity[static_cast<std::size_t>(at - population.frames.begin())];
+  if (population.shape.size() == 1) {
+    drawRing(svg, centre, population.info.axes[0], activity, heading);
+  } else {
+    drawSheet(svg, centre - Eigen::Vector2d::Constant(kRing / 2), population, activity);
   }
 }
 
-std::string captionOf(const CellHistory& cells) {
-  std::string text;
-  if (!cells.ring.empty()) {
-    text = fmt::format("{}: {} 0 is up, positive to the left", cells.ring.info.name,
-                       cells.ring.info.axes[0].name);
+std::string captionOf(const ArrayInfo& info) {
+  if (info.axes.size() == 1) {
+    return fmt::format("{}: {} 0 is up, positive to the left", info.name, info.axes[0].name);
   }
-  if (!cells.sheet.empty()) {
-    const auto& axes = cells.sheet.info.axes;
-    text += fmt::format("{}{}: {} to the right, {} up", text.empty() ? "" : "; ",
-                        cells.sheet.info.name, axes[0].name, axes[1].name);
-  }
-  return text;
+  const ArrayAxis& right = info.axes[0];
+  return fmt::format("{}, one period of {:.4g} {}: {} to the right, {} up", info.name, right.period,
+                     right.unit, right.name, info.axes[1].name);
 }
 
 std::vector<std::size_t> moments(std::size_t count) {
@@ -89,32 +91,36 @@ std::vector<std::size_t> moments(std::size_t count) {
 }  // namespace
 
 std::string activityFigure(const CellHistory& cells, const std::vector<Decision>& decisions) {
-  if (cells.ring.empty() && cells.sheet.empty()) return "";
+  std::vector<const PopulationHistory*> rows;
+  for (const PopulationHistory& ring : cells.rings) rows.push_back(&ring);
+  for (const PopulationHistory& sheet : cells.sheets) rows.push_back(&sheet);
+  if (rows.empty()) return "";
   std::map<std::int64_t, double> headings;
   for (const Decision& decision : decisions) headings[decision.frame] = decision.heading;
-  Svg svg(kMoments * kPanel, 485);
+  const double bottom = kTop + kRow * static_cast<double>(rows.size());
+  Svg svg(kMoments * kPanel, bottom + 25);
   svg.text({kMoments * kPanel / 2, 26}, "Activity of head direction cells and grid cells",
            {TextAnchor::Middle, 13, 0, true});
-  const auto& frames = cells.ring.empty() ? cells.sheet.frames : cells.ring.frames;
   double x = 0;
-  for (const std::size_t i : moments(frames.size())) {
-    const double heading = headings[frames[i]];
+  for (const std::size_t i : moments(rows[0]->frames.size())) {
+    const std::int64_t frame = rows[0]->frames[i];
     svg.text(
         {x + kPanel / 2, kTop - 12},
-        fmt::format("frame {}, heading {:.1f} deg", frames[i], heading * 180 / std::numbers::pi),
+        fmt::format("frame {}, heading {:.1f} deg", frame, headings[frame] * evaluation::kDegrees),
         {TextAnchor::Middle, 11});
-    if (i < cells.ring.frames.size()) {
-      drawRing(svg, {x + kPanel / 2, kTop + kRing / 2}, cells.ring.info.axes[0],
-               cells.ring.activity[i], heading);
-    }
-    if (i < cells.sheet.frames.size()) {
-      drawSheet(svg, {x + (kPanel - kRing) / 2, kTop + kRing + 30}, cells.sheet,
-                cells.sheet.activity[i]);
+    double y = kTop;
+    for (const PopulationHistory* row : rows) {
+      drawAt(svg, {x + kPanel / 2, y + kRing / 2}, *row, frame, headings[frame]);
+      y += kRow;
     }
     x += kPanel;
   }
-  svg.text({kMoments * kPanel / 2, 448}, captionOf(cells), {TextAnchor::Middle, 11});
-  colourBar(svg, {kMoments * kPanel / 2, 468}, "activity 0", "maximum of each picture");
+  double y = kTop + kRing + 20;
+  for (const PopulationHistory* row : rows) {
+    svg.text({kMoments * kPanel / 2, y}, captionOf(row->info), {TextAnchor::Middle, 11});
+    y += kRow;
+  }
+  colourBar(svg, {kMoments * kPanel / 2, bottom + 8}, "activity 0", "maximum of each picture");
   return svg.take();
 }
 

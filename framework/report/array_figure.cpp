@@ -9,9 +9,12 @@
 #include "report/axes.hpp"
 #include "report/colour_map.hpp"
 #include "report/figures.hpp"
+#include "report/raster.hpp"
 
 namespace tolman::report {
 namespace {
+
+using evaluation::PopulationHistory;
 
 constexpr double kPanel = 190;             // px, height of the panel of one array
 constexpr std::size_t kMostColumns = 100;  // cells of a heat map
@@ -65,26 +68,23 @@ void drawHeatMap(Svg& svg, double top, const PopulationHistory& array) {
                         frameRange(array),
                         {0, static_cast<double>(size)},
                         panelBox(top)});
-  const Eigen::Vector2d corner = axes.box().min();
-  const Eigen::Vector2d cell = axes.box().sizes().cwiseQuotient(
-      Eigen::Vector2d(static_cast<double>(columns), static_cast<double>(rows)));
+  Eigen::MatrixXd shown(columns, rows);
   for (std::size_t c = 0; c < columns; ++c) {
     const auto& row = array.activity[c * array.activity.size() / columns];
     for (std::size_t r = 0; r < rows; ++r) {
-      const double value = row[(rows - 1 - r) * size / rows];
-      if (!std::isfinite(value)) continue;
-      const Eigen::Vector2d at(static_cast<double>(c), static_cast<double>(r));
-      svg.rectangle(corner + at.cwiseProduct(cell), cell + Eigen::Vector2d(0.3, 0.3),
-                    rateColour((value - values.low) / std::max(values.length(), 1e-12)));
+      const double value = row[r * size / rows];
+      shown(static_cast<Eigen::Index>(c), static_cast<Eigen::Index>(r)) =
+          std::isfinite(value) ? value - values.low : NAN;
     }
   }
+  svg.image(axes.box().min(), axes.box().sizes(), pngUrl(ratePixels(shown, values.length())));
   colourBar(svg, {axes.box().center().x(), axes.box().min().y() - 8},
             fmt::format("{:.2g}", values.low), fmt::format("{:.2g}", values.high));
 }
 
 }  // namespace
 
-std::string arrayFigure(const std::vector<PopulationHistory>& arrays) {
+std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays) {
   if (arrays.empty()) return "";
   Svg svg(900, kPanel * static_cast<double>(arrays.size()));
   double top = 0;

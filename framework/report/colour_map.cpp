@@ -9,7 +9,9 @@
 
 namespace tolman::report {
 
-std::string rateColour(double value) {
+namespace {
+
+std::uint32_t colourOf(double value) {
   static constexpr std::array<int, 9> kAnchors = {0x440154, 0x472c7a, 0x3b518b, 0x2c718e, 0x21908d,
                                                   0x27ad81, 0x5cc863, 0xaadc32, 0xfde725};
   const double place =
@@ -21,7 +23,20 @@ std::string rateColour(double value) {
     const auto channel = [&](std::size_t i) { return kAnchors.at(i) >> shift & 0xff; };
     colour = colour << 8 | std::lround((1 - part) * channel(below) + part * channel(below + 1));
   }
-  return fmt::format("#{:06x}", colour);
+  return static_cast<std::uint32_t>(colour);
+}
+
+}  // namespace
+
+std::string rateColour(double value) { return fmt::format("#{:06x}", colourOf(value)); }
+
+Pixels ratePixels(const Eigen::MatrixXd& rates, double most) {
+  constexpr double kLevels = 32;  // few colours make a small picture
+  const auto pixel = [&](double rate) {
+    if (std::isnan(rate)) return 0U;
+    return 0xff000000 | colourOf(std::round(kLevels * rate / std::max(most, 1e-12)) / kLevels);
+  };
+  return rates.transpose().colwise().reverse().unaryExpr(pixel);
 }
 
 void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,

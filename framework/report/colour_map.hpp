@@ -3,6 +3,7 @@
 // colours: perceptually uniform, also with colour blindness.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,11 @@ namespace tolman::report {
 
 /// "#rrggbb" for a value in [0, 1]; outside values take the nearest end.
 std::string rateColour(double value);
+
+/// 0xaarrggbb, row by row from the top.
+using Pixels = Eigen::Matrix<std::uint32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// Of rates (right, up): yellow for `most`; NaN is transparent.
+Pixels ratePixels(const Eigen::MatrixXd& rates, double most);
 
 /// The colours from 0 to 1 as a bar between two labels, centred at `middle`.
 void colourBar(Svg& svg, const Eigen::Vector2d& middle, std::string_view low,

@@ -6,63 +6,89 @@
 namespace tolman::report {
 namespace {
 
-/// Size of an axis; 0 for an empty population.
-std::size_t sizeOf(const PopulationHistory& population, std::size_t axis) {
-  return population.empty() ? 0 : static_cast<std::size_t>(population.shape[axis]);
+using evaluation::axisAngle;
+using evaluation::axisValue;
+using evaluation::kDegrees;
+using evaluation::PopulationHistory;
+using evaluation::RecordedUnits;
+
+constexpr evaluation::Shuffling kNoShuffling{0, 1, 1};
+
+/// Size of an axis of the first population; 0 without one.
+std::size_t sizeOf(const std::vector<PopulationHistory>& populations, std::size_t axis) {
+  return populations.empty() ? 0 : static_cast<std::size_t>(populations[0].shape[axis]);
 }
 
-/// "(0, 2.5) m".
-std::string phaseText(const ArrayInfo& sheet, const UnitChoice& choice) {
-  const std::string unit = sheet.axes[0].unit.empty() ? "" : " " + sheet.axes[0].unit;
-  return fmt::format("({:.3g}, {:.3g}){}", axisValue(sheet.axes[0], choice.row),
-                     axisValue(sheet.axes[1], choice.column), unit);
+DrawnUnit headDirectionUnit(const PopulationHistory& ring, std::size_t unit,
+                            const evaluation::StampedPoses& poses) {
+  const RecordedUnits one = unitsAt(ring, poses, {unit});
+  const evaluation::TuningCurve curve = scoreRing(one, kNoShuffling).units[0].tuning;
+  const std::string width =
+      curve.half_width ? fmt::format(", half width {:.0f} deg", *curve.half_width * kDegrees) : "";
+  return {fmt::format("head direction unit {} of {}, {:.3g} deg", unit + 1, ring.shape[0],
+                      axisAngle(ring.info.axes[0], unit) * kDegrees),
+          fmt::format("mean vector length {:.2f} towards {:.0f} deg{}", curve.mean_vector_length,
+                      curve.preferred * kDegrees, width),
+          firingMap(one, 0),
+          {}};
 }
 
-Status checkChoice(const CellHistory& cells, const UnitChoice& choice) {
-  const std::size_t directions = sizeOf(cells.ring, 0);
+DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
+                   const evaluation::StampedPoses& poses) {
+  const PopulationHistory& sheet = run.cells.sheets[0];
+  const auto& axes = sheet.info.axes;
+  const std::size_t unit = choice.row * sizeOf(run.cells.sheets, 1) + choice.column;
+  const RecordedUnits one = unitsAt(sheet, poses, {unit});
+  const auto measured = scoreSheet(one, periodInMetres(sheet), kNoShuffling).units[0];
+  const auto& module = run.metrics.cells->sheets[0].scores.square;
+  const std::string score = measured.scores && module
+                                ? fmt::format(", square grid score {:.2f} (chance {:.2f})",
+                                              measured.scores->square, module->chance)
+                                : ", too narrow an area for grid scores";
+  DrawnUnit drawn{fmt::format("grid unit ({}, {})", choice.row + 1, choice.column + 1),
+                  "",
+                  firingMap(one, 0),
+                  {}};
+  drawn.fields = evaluation::fields(drawn.rates);
+  drawn.measures = fmt::format("phase ({:.3g}, {:.3g}) {}, {} field{}, {:.2f} bits{}",
+                               axisValue(axes[0], choice.row), axisValue(axes[1], choice.column),
+                               axes[0].unit, measured.fields, measured.fields == 1 ? "" : "s",
+                               measured.information_bits, score);
+  return drawn;
+}
+
+Status checkChoice(const evaluation::CellHistory& cells, const UnitChoice& choice) {
+  std::string refusal;
+  const std::size_t directions = sizeOf(cells.rings, 0);
   if (choice.head_direction > 0 && choice.head_direction >= directions) {
-    return {StatusCode::InvalidParameter,
-            fmt::format("there is no head direction unit {}: this run has {}",
-                        choice.head_direction + 1, directions)};
+    refusal = fmt::format("there is no head direction unit {}: this run has {}",
+                          choice.head_direction + 1, directions);
   }
-  const std::size_t rows = sizeOf(cells.sheet, 0);
-  const std::size_t columns = sizeOf(cells.sheet, 1);
+  const std::size_t rows = sizeOf(cells.sheets, 0);
+  const std::size_t columns = sizeOf(cells.sheets, 1);
   if (choice.row + choice.column > 0 && (choice.row >= rows || choice.column >= columns)) {
-    return {StatusCode::InvalidParameter,
-            fmt::format("there is no grid unit {},{}: this run has {} by {}", choice.row + 1,
-                        choice.column + 1, rows, columns)};
+    refusal = fmt::format("there is no grid unit {},{}: this run has {} by {}", choice.row + 1,
+                          choice.column + 1, rows, columns);
   }
-  return Status::ok();
+  return refusal.empty() ? Status::ok() : Status(StatusCode::InvalidParameter, refusal);
 }
 
 }  // namespace
 
-Result<std::vector<DrawnUnit>> drawnUnits(const CellHistory& cells,
-                                          const evaluation::Trajectory& map,
-                                          const UnitChoice& choice) {
-  const Status possible = checkChoice(cells, choice);
+Result<std::vector<DrawnUnit>> drawnUnits(const RunData& run, const UnitChoice& choice) {
+  const Status possible = checkChoice(run.cells, choice);
   if (!possible.isOk()) return possible;
   std::vector<DrawnUnit> units;
-  if (map.empty()) return units;
-  if (!cells.ring.empty()) {
-    const ActivityPath walk(cells.ring, map);
-    const ArrayAxis& axis = cells.ring.info.axes[0];
-    const std::size_t size = sizeOf(cells.ring, 0);
+  const auto poses = evaluation::stampedPosesOf(run.places());
+  if (poses.empty()) return units;
+  if (!run.cells.rings.empty()) {
+    const std::size_t size = sizeOf(run.cells.rings, 0);
     for (const std::size_t turn : {std::size_t{0}, size / 2}) {
       const std::size_t unit = (choice.head_direction + turn) % size;
-      units.push_back({Population::Ring, unit,
-                       fmt::format("head direction unit {} of {}, {:.3g} deg", unit + 1, size,
-                                   axisAngle(axis, unit) * kDegrees),
-                       walk.rates(unit), ""});
+      units.push_back(headDirectionUnit(run.cells.rings[0], unit, poses));
     }
   }
-  if (!cells.sheet.empty()) {
-    const std::size_t unit = choice.row * sizeOf(cells.sheet, 1) + choice.column;
-    units.push_back({Population::Sheet, unit,
-                     fmt::format("grid unit ({}, {})", choice.row + 1, choice.column + 1),
-                     ActivityPath(cells.sheet, map).rates(unit),
-                     phaseText(cells.sheet.info, choice)});
-  }
+  if (!run.cells.sheets.empty()) units.push_back(gridUnit(run, choice, poses));
   return units;
 }
 

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "report/cell_history.hpp"
 #include "report/drawn_units.hpp"
-#include "report/neurons.hpp"
 #include "report/run_data.hpp"
 
 namespace tolman::report {
@@ -19,14 +17,18 @@ std::string errorFigure(const RunData& run);
 /// familiar ones below it.
 std::string templateFigure(const std::vector<PlaceObservation>& places);
 
-/// Activity of head direction ring and grid sheet at the start, and at thirds of the run.
-std::string activityFigure(const CellHistory& cells, const std::vector<Decision>& decisions);
+/// Activity of head direction rings and grid modules at the start, and at thirds of the run.
+std::string activityFigure(const evaluation::CellHistory& cells,
+                           const std::vector<Decision>& decisions);
 
 /// Each array over time: lines for up to five values, else a heat map.
-std::string arrayFigure(const std::vector<PopulationHistory>& arrays);
+std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays);
 
-/// Where single units fire on the path of the map, with the tuning curve of the first.
-std::string firingFigure(const Neurons& neurons, const std::vector<DrawnUnit>& units);
+/// Where single units fire.
+std::string firingFigure(const std::vector<DrawnUnit>& units);
+
+/// How all units fire: tuning curves of each ring, and the sheet of rate maps of each grid module.
+std::string unitsFigure(const RunData& run);
 
 /// Time of each stage, median and 90th percentile.
 std::string timingFigure(const evaluation::Metrics& metrics);

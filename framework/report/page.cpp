@@ -10,6 +10,7 @@
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
 #include "report/map_picture.hpp"
+#include "report/neurons.hpp"
 #include "report/svg.hpp"
 
 namespace tolman::report {
@@ -40,24 +41,19 @@ void addFigure(RunPage& page, const char* file, std::string caption, std::string
   if (!svg.empty()) page.figures.push_back({file, std::move(caption), std::move(svg)});
 }
 
-/// Where single units fire, as picture and as numbers.
-Status addNeurons(RunPage& page, const CellHistory& cells, const UnitChoice& choice) {
-  const auto units = drawnUnits(cells, page.data.map, choice);
+/// Where single units fire, as pictures and as numbers.
+Status addNeurons(RunPage& page, const UnitChoice& choice) {
+  const auto units = drawnUnits(page.data, choice);
   if (!units.isOk()) {
     return {units.status().code(), page.directory + ": " + units.status().message()};
   }
-  if (units.value().empty()) return Status::ok();
-  const Neurons neurons = measureNeurons(cells, page.data.map);
-  std::string caption = "Firing rate of single units along the path; dark is low.";
-  if (neurons.chance) {
-    caption +=
-        fmt::format(" {:.0f} % of the {} grid units fit a square lattice better than chance.",
-                    100 * neurons.periodicShare(), neurons.sheet.size());
-  }
-  addFigure(page, "firing", std::move(caption), firingFigure(neurons, units.value()));
-  page.neurons = toJson(neurons);
-  for (const DrawnUnit& unit : units.value())
-    page.neurons["rate_maps"][unit.name] = toJson(unit.rates);
+  addFigure(page, "firing", "Firing rate of single units along the path.",
+            firingFigure(units.value()));
+  addFigure(page, "units",
+            "All units. Tuning curves of head direction units, each relative to its peak; red is "
+            "the mean vector. Firing rate maps of grid units at their places in the module.",
+            unitsFigure(page.data));
+  page.neurons = neuronsJson(page.data, units.value());
   return Status::ok();
 }
 
@@ -74,15 +70,12 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
             templateFigure(places.value()));
   const auto decisions = reader.records<Decision>();
   if (!decisions.isOk()) return decisions.status();
-  const auto cells = readCells(reader, decisions.value());
-  if (!cells.isOk()) return cells.status();
   addFigure(
       page, "activity",
       "State of the attractor networks at four moments; the red line is the estimated heading.",
-      activityFigure(cells.value(), decisions.value()));
-  addFigure(page, "arrays", "Other arrays of the cells over time.",
-            arrayFigure(cells.value().others));
-  const Status neurons = addNeurons(page, cells.value(), units);
+      activityFigure(data.cells, decisions.value()));
+  addFigure(page, "arrays", "Other arrays of the cells over time.", arrayFigure(data.cells.others));
+  const Status neurons = addNeurons(page, units);
   if (!neurons.isOk()) return neurons;
   addFigure(page, "timing", "Time that each stage took for a frame, ms.",
             timingFigure(data.metrics));
@@ -198,14 +191,16 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data, const Un
                record::RunDirectory::wasKilled(directory)};
   const Status drawn = addFigures(page, reader, units);
   if (!drawn.isOk()) return drawn;
+  page.data.cells = {};  // large, and drawn
   return page;
 }
 
 Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings, const UnitChoice& units) {
+                         const config::EvaluationSettings& settings, const UnitChoice& units,
+                         std::uint64_t seed) {
   const auto opened = record::RunReader::open(directory);
   if (!opened.isOk()) return opened.status();
-  auto data = readRun(*opened.value(), settings);
+  auto data = readRun(*opened.value(), settings, seed);
   if (!data.isOk()) return data.status();
   return makePage(*opened.value(), std::move(data).value(), units);
 }

@@ -23,8 +23,7 @@ struct RunPage {
   RunData data;
   std::string directory;  ///< its name without the path; distinguishes the runs of one page
   std::vector<PageFigure> figures;
-  /// Measurements of all units, and the rate maps of the firing figure.
-  nlohmann::ordered_json neurons;     ///< null without cells
+  nlohmann::ordered_json neurons;     ///< neuronsJson()
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml
   bool killed = false;                ///< the run did not end by itself
@@ -36,7 +35,8 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data,
                          const UnitChoice& units = {});
 /// The same from the record alone.
 Result<RunPage> makePage(const std::filesystem::path& directory,
-                         const config::EvaluationSettings& settings, const UnitChoice& units = {});
+                         const config::EvaluationSettings& settings, const UnitChoice& units = {},
+                         std::uint64_t seed = 1);
 
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);

@@ -31,6 +31,13 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned size) {
   return CAIRO_STATUS_SUCCESS;
 }
 
+/// Empty where it cannot be encoded.
+std::string encoded(cairo_surface_t* surface) {
+  std::string bytes;
+  if (cairo_surface_write_to_png_stream(surface, append, &bytes) != CAIRO_STATUS_SUCCESS) return "";
+  return bytes;
+}
+
 }  // namespace
 
 Result<std::string> pngOf(const std::string& svg, double zoom) {
@@ -54,13 +61,20 @@ Result<std::string> pngOf(const std::string& svg, double zoom) {
   if (rsvg_handle_render_document(handle.get(), context.get(), &whole, &error) == 0) {
     return failure(error);
   }
-  std::string bytes;
-  const cairo_status_t written = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
-  if (written != CAIRO_STATUS_SUCCESS) {
-    return Status::failed(std::string("a figure cannot be written as PNG: ") +
-                          cairo_status_to_string(written));
-  }
+  std::string bytes = encoded(surface.get());
+  if (bytes.empty()) return Status::failed("a figure cannot be written as PNG");
   return bytes;
+}
+
+std::string pngUrl(Pixels pixels) {
+  const Owned<cairo_surface_t> surface(cairo_image_surface_create_for_data(
+      reinterpret_cast<unsigned char*>(pixels.data()), CAIRO_FORMAT_ARGB32,
+      static_cast<int>(pixels.cols()), static_cast<int>(pixels.rows()),
+      static_cast<int>(4 * pixels.cols())));
+  const std::string bytes = encoded(surface.get());
+  const std::unique_ptr<gchar, decltype(&g_free)> text(
+      g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size()), g_free);
+  return std::string("data:image/png;base64,") + text.get();
 }
 
 }  // namespace tolman::report

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders a figure to PNG, with librsvg.
+// Figures and pixels as PNG, with librsvg and cairo.
 #pragma once
 
 #include <string>
 
+#include "report/colour_map.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::report {
@@ -11,5 +12,8 @@ namespace tolman::report {
 /// The bytes of a PNG file with `zoom` pixels per unit of the SVG. Failed for text that is no SVG,
 /// and for pictures that are too large.
 Result<std::string> pngOf(const std::string& svg, double zoom = 2);
+
+/// A picture within an SVG: "data:image/png;base64,...".
+std::string pngUrl(Pixels pixels);
 
 }  // namespace tolman::report

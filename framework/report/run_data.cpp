@@ -7,6 +7,7 @@
 
 #include "evaluation/alignment.hpp"
 #include "evaluation/association.hpp"
+#include "evaluation/cell_scoring.hpp"
 #include "record/graph_parts.hpp"
 
 namespace tolman::report {
@@ -132,6 +133,15 @@ ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Traj
   return series;
 }
 
+evaluation::CellHistory cellsOf(const record::RunReader& reader) {
+  evaluation::CellHistory cells(must(reader.arrayInfos()));
+  const Status status = reader.visitCellArrays(
+      [&](std::int64_t frame, NamedArray array) { cells.add(frame, std::move(array)); });
+  if (!status.isOk()) throw std::runtime_error(status.message());
+  cells.dropEmpty();
+  return cells;
+}
+
 std::string nameOf(const record::RunReader& reader) {
   const auto meta = must(reader.meta());
   const auto name = meta.find("name");
@@ -140,8 +150,8 @@ std::string nameOf(const record::RunReader& reader) {
 
 }  // namespace
 
-Result<RunData> readRun(const record::RunReader& reader,
-                        const config::EvaluationSettings& settings) {
+Result<RunData> readRun(const record::RunReader& reader, const config::EvaluationSettings& settings,
+                        std::uint64_t seed) {
   try {
     const auto sessions = must(reader.sessions());
     const std::int64_t own = sessions.empty() ? 0 : sessions.back().first_frame;
@@ -154,6 +164,9 @@ Result<RunData> readRun(const record::RunReader& reader,
     data.graph = must(reader.graph());
     data.metrics = measure(reader, truth, data, settings);
     data.truth = truthOnMap(truth, data.map, data.metrics.alignment);
+    data.cells = cellsOf(reader);
+    data.metrics.cells =
+        evaluation::scoreCells(data.cells, data.map, data.truth, data.metrics.map, seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
     data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
     return data;

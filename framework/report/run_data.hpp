@@ -8,6 +8,7 @@
 
 #include "config/settings.hpp"
 #include "evaluation/metrics.hpp"
+#include "evaluation/recorded_cells.hpp"
 #include "evaluation/trajectory.hpp"
 #include "record/run_reader.hpp"
 
@@ -28,10 +29,14 @@ struct RunData {
   ErrorSeries map_error;
   MapGraph graph;
   evaluation::Metrics metrics;
+  evaluation::CellHistory cells;
+
+  /// Where the activity of the cells is measured.
+  const evaluation::Trajectory& places() const { return metrics.map.scores ? truth : map; }
 };
 
-/// InvalidInput for a record that is damaged or empty.
-Result<RunData> readRun(const record::RunReader& reader,
-                        const config::EvaluationSettings& settings);
+/// InvalidInput for a record that is damaged or empty. `seed`: of the run, for what chance gives.
+Result<RunData> readRun(const record::RunReader& reader, const config::EvaluationSettings& settings,
+                        std::uint64_t seed = 1);
 
 }  // namespace tolman::report

@@ -53,6 +53,14 @@ void Svg::rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size,
       corner.x(), corner.y(), size.x(), size.y(), fill, stroke);
 }
 
+void Svg::image(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view url) {
+  body_ += fmt::format(
+      "<image x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
+      "preserveAspectRatio=\"none\" "
+      "image-rendering=\"optimizeSpeed\" href=\"{}\"/>\n",
+      corner.x(), corner.y(), size.x(), size.y(), url);
+}
+
 void Svg::text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style) {
   const char* anchor = style.anchor == TextAnchor::Start    ? "start"
                        : style.anchor == TextAnchor::Middle ? "middle"

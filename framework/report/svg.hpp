@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,7 @@ class Svg {
   Svg(double width, double height);
   double width() const { return width_; }
   double height() const { return height_; }
+  void extendTo(double height) { height_ = std::max(height_, height); }
 
   void line(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::string_view colour,
             double thickness = 1);
@@ -43,6 +45,8 @@ class Svg {
               std::string_view stroke = "none");
   void rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view fill,
                  std::string_view stroke = "none");
+  /// `url` of the picture, as of pngUrl().
+  void image(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view url);
   void text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style = {});
 
   std::string take() const;

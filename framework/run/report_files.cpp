@@ -16,16 +16,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Settings of the run; the defaults where its configuration cannot be read.
-config::EvaluationSettings settingsOf(const fs::path& run) {
+/// Configuration of the run; the defaults where it cannot be read.
+config::SystemConfig systemOf(const fs::path& run) {
   const fs::path file = run / "config.resolved.yaml";
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return {};
   const config::Loaded loaded =
       config::load(file.string(), {}, [](const std::string&) { return std::nullopt; });
   config::Problems problems = loaded.problems;
-  const config::SystemConfig system = config::parse(loaded, problems);
-  return problems.empty() ? system.evaluation : config::EvaluationSettings{};
+  config::SystemConfig system = config::parse(loaded, problems);
+  return problems.empty() ? system : config::SystemConfig{};
 }
 
 /// Name of the run directory, also for "runs/demo/"; a number makes equal names unique.
@@ -81,7 +81,9 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, con
   std::set<std::string> taken;
   std::vector<fs::path> written{folder / "report.html"};
   for (const fs::path& run : runs) {
-    auto page = report::makePage(run, settingsOf(run), units);
+    const config::SystemConfig system = systemOf(run);
+    const auto seed = static_cast<std::uint64_t>(system.general.seed);
+    auto page = report::makePage(run, system.evaluation, units, seed);
     if (!page.isOk()) return page.status();
     const std::string name = folderOf(run, taken);
     page.value().directory = name;

@@ -7,7 +7,6 @@
 #include "record/digest.hpp"
 #include "record/export.hpp"
 #include "report/map_picture.hpp"
-#include "run/cell_scoring.hpp"
 
 namespace tolman::run {
 
@@ -18,11 +17,8 @@ Result<Results> writeResults(const std::filesystem::path& directory,
   const record::RunReader& reader = *opened.value();
   Status status = record::exportRun(reader, directory).status();
   if (!status.isOk()) return status;
-  auto run = report::readRun(reader, settings);
+  auto run = report::readRun(reader, settings, seed);
   if (!run.isOk()) return run.status();
-  auto cells = scoreCells(reader, run.value(), seed);
-  if (!cells.isOk()) return cells.status();
-  run.value().metrics.cells = std::move(cells).value();
   const report::RunData& data = run.value();
   status = record::writeAtomically(directory / "metrics.json",
                                    evaluation::toJson(data.metrics).dump(2) + "\n");

@@ -180,7 +180,7 @@ void Run::conclude(Outcome& outcome) {
   check(outcome, log_.status());
   writeRunFile(outcome);
   if (!results.isOk()) return;
-  const Status reported = writeReport(*results.value().reader, results.value().data);
+  const Status reported = writeReport(*results.value().reader, std::move(results.value().data));
   if (reported.isOk()) return;
   check(outcome, reported);
   writeRunFile(outcome);  // it said that the run was complete

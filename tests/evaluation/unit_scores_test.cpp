@@ -71,6 +71,10 @@ TEST_CASE("an ideal von Mises ring: width and vector of the closed form, all abo
       kShuffling);
   REQUIRE(scores.half_width_deg);
   CHECK(scores.half_width_deg->median == Approx(45).margin(2));
+  REQUIRE(scores.units.size() == 12);
+  for (const RingUnit& unit : scores.units) {
+    CHECK(*unit.tuning.half_width * kDegrees == Approx(45).margin(4));
+  }
   // I1/I0 of the concentration.
   REQUIRE(scores.mean_vector_length);
   CHECK(scores.mean_vector_length->median ==
@@ -95,6 +99,12 @@ TEST_CASE("ideal grids score above chance by their own definition") {
   const UnitScore& other = hexagonal ? *scores.square : *scores.sargolini;
   CHECK(own.median > 0.9);
   CHECK(own.share_above == 1);
+  REQUIRE(scores.units.size() == 8);
+  for (const SheetUnit& unit : scores.units) {
+    REQUIRE(unit.scores);
+    CHECK(unit.scores->spacing == Approx(12).margin(1.5));
+    CHECK(unit.fields >= 6);
+  }
   CHECK(own.chance < 0.9);
   CHECK(own.shuffled_median < 0.3);
   CHECK(other.median < 0.3);

@@ -46,7 +46,7 @@ TEST_CASE("a whole snapshot is stored and read back, lists included") {
   REQUIRE(motions.size() == 1);
   REQUIRE(motions[0].revisions.size() == 2);
   CHECK(motions[0].revisions[1].frame == 1);
-  CHECK(reader->arrays(1, "cells").value().at(0).values == std::vector<float>{1, 2, 3});
+  CHECK(readArrays(reader->database(), 1, "cells").at(0).values == std::vector<float>{1, 2, 3});
 }
 
 TEST_CASE("points are stored once for each frame that they belong to") {

@@ -39,3 +39,14 @@ TEST_CASE("a colour bar runs from dark to bright, between its labels") {
   CHECK(place("none") != std::string::npos);
   CHECK(place("most") != std::string::npos);
 }
+
+TEST_CASE("rates become pixels: right is right, up is up, unknown is transparent") {
+  Eigen::MatrixXd rates(2, 3);  // right, up
+  rates << 0, NAN, 2, 0, 1, 0;
+  const Pixels pixels = ratePixels(rates, 2);
+  REQUIRE((pixels.rows() == 3 && pixels.cols() == 2));
+  CHECK(pixels(2, 0) == 0xff440154);
+  CHECK(pixels(1, 0) == 0);
+  CHECK(pixels(0, 0) == 0xfffde725);
+  CHECK(pixels(1, 1) == 0xff21908d);
+}

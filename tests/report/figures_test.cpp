@@ -2,9 +2,12 @@
 // The figures show the numbers of the record.
 #include "report/figures.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <regex>
 
+#include "report/recorded_walk.hpp"
 #include "report/sample_pages.hpp"
 #include "report/svg.hpp"
 #include "support/data.hpp"
@@ -56,61 +59,62 @@ TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
 
 TEST_CASE("the activity of every unit is drawn at four moments") {
   const RecordedRun sample;
-  const CellHistory cells =
-      readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
-  REQUIRE(cells.ring.frames.size() == 12);
-  REQUIRE(cells.sheet.shape == std::vector<int>{2, 2});
+  const evaluation::CellHistory& cells = sample.data.cells;
+  REQUIRE((cells.rings.size() == 1 && cells.sheets.size() == 1));
   const std::string svg = activityFigure(cells, sample.reader->records<Decision>().value());
   CHECK(count(svg, "stroke-width=\"6\"") == 4 * 4);
-  CHECK(count(svg, "<rect x") == 4 * 4 + 24);  // and the colour bar
+  CHECK(count(svg, "<image") == 4);
   CHECK(svg.find("frame 11, heading 0.0 deg") != std::string::npos);
-}
-
-TEST_CASE("records without descriptions keep the convention of their names") {
-  const test::TemporaryFolder folder;
-  auto recorder = record::Recorder::open(folder.path()).value();
-  REQUIRE(test::recordFrame(*recorder, 0).isOk());
-  REQUIRE(recorder->close().isOk());
-  Decision decision;
-  decision.frame = 0;
-  const auto reader = record::RunReader::open(folder.path()).value();
-  const CellHistory cells = readCells(*reader, {decision}).value();
-  REQUIRE(cells.ring.info.axes.size() == 1);
-  CHECK(axisAngle(cells.ring.info.axes[0], 1) == Approx(2 * M_PI / 3));
-  CHECK(cells.sheet.empty());
-  CHECK(cells.others.empty());
+  CHECK(svg.find("grid.activity, one period of 30 m: x to the right, y up") != std::string::npos);
 }
 
 TEST_CASE("arrays that no figure knows are drawn as they are, and one by one") {
   const RecordedRun sample;
-  const CellHistory cells =
-      readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
-  REQUIRE(cells.others.size() == 1);
-  const std::string svg = arrayFigure(cells.others);
+  REQUIRE(sample.data.cells.others.size() == 1);
+  const std::string svg = arrayFigure(sample.data.cells.others);
   CHECK(svg.find("noise (2)") != std::string::npos);
   CHECK(count(svg, "<polyline") == 2);
-  PopulationHistory large = cells.others[0];
+  evaluation::PopulationHistory large = sample.data.cells.others[0];
   large.info = {"place", ArrayKind::Values, "Hz", "rates of places", "", {}};
   large.shape = {2, 6};
   for (auto& values : large.activity) values.assign(12, 1);
   large.activity[3][5] = NAN;
   const std::string heat_map = arrayFigure({large});
   CHECK(heat_map.find("place (2 x 6, Hz): rates of places") != std::string::npos);
-  CHECK(count(heat_map, "<rect x") > 12 * 12 - 1);
+  CHECK(count(heat_map, "<image") == 1);
   CHECK(heat_map.find("nan") == std::string::npos);
 }
 
 TEST_CASE("rates of two opposite head direction units and one grid unit") {
   const RecordedRun sample;
-  const CellHistory cells =
-      readCells(*sample.reader, sample.reader->records<Decision>().value()).value();
-  const std::string svg = firingFigure(measureNeurons(cells, sample.data.map),
-                                       drawnUnits(cells, sample.data.map, {}).value());
+  const std::string svg = firingFigure(drawnUnits(sample.data, {}).value());
   CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
   CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
-  CHECK(svg.find("grid unit (1, 1), phase (0, 0) m: 1 field, 0.00 bits") != std::string::npos);
-  CHECK(svg.find("the path is too narrow to measure a square lattice") != std::string::npos);
+  CHECK(svg.find("phase (0, 0) m, 1 field, 0.00 bits, too narrow an area for grid scores") !=
+        std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);
+}
+
+TEST_CASE("all units: a dial for each of every ring, a picture for every module") {
+  const RunData run = test::readWalk({});
+  const std::string svg = unitsFigure(run);
+  CHECK(count(svg, "<polyline") == 24);
+  CHECK(count(svg, "<image") == 2);
+  CHECK(svg.find("hd.activity: 24 head direction units") != std::string::npos);
+  CHECK(svg.find("grid0.activity: 144 grid units, period 20 m") != std::string::npos);
+  CHECK(svg.find("grid1.activity: 144 grid units, period 28.4 m") != std::string::npos);
+  CHECK(svg.find("50 m; each map ") != std::string::npos);
+  const auto chance = run.metrics.cells->sheets[1].scores.square->chance;
+  CHECK(svg.find(fmt::format("chance {:.2f}", chance)) != std::string::npos);
+}
+
+TEST_CASE("grid unit and chance are those of the metrics") {
+  const RunData run = test::readWalk({});
+  const std::string svg = firingFigure(drawnUnits(run, {0, 2, 3}).value());
+  const auto& sheet = run.metrics.cells->sheets[0].scores;
+  CHECK(svg.find(fmt::format("square grid score {:.2f} (chance {:.2f})",
+                             sheet.units[2 * 12 + 3].scores->square, sheet.square->chance)) !=
+        std::string::npos);
 }
 
 TEST_CASE("times of stages are those recorded") {
@@ -123,6 +127,7 @@ TEST_CASE("a run that has nothing of a kind has no figure of it") {
   CHECK(templateFigure({}).empty());
   CHECK(activityFigure({}, {}).empty());
   CHECK(arrayFigure({}).empty());
-  CHECK(firingFigure({}, {}).empty());
+  CHECK(firingFigure({}).empty());
+  CHECK(unitsFigure({}).empty());
   CHECK(timingFigure({}).empty());
 }

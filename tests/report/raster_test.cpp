@@ -47,6 +47,20 @@ TEST_CASE("text is drawn: a font is there") {
   CHECK(darkPixels(decoded(png.value()), {60, 0, 40, 30}) == 0);
 }
 
+TEST_CASE("pixels within a picture keep their places and colours, and need no other file") {
+  Pixels pixels = Pixels::Constant(2, 3, 0xffffffff);
+  pixels(0, 2) = 0xffd55e00;  // above, to the right
+  Svg svg(30, 20);
+  svg.image({0, 0}, {30, 20}, pngUrl(pixels));
+  CHECK(svg.take().find("href=\"data:image/png;base64,") != std::string::npos);
+  const auto png = pngOf(svg.take(), 1);
+  REQUIRE(png.isOk());
+  const cv::Mat image = decoded(png.value());
+  CHECK(image.at<cv::Vec3b>(2, 28) == cv::Vec3b(0x00, 0x5e, 0xd5));
+  CHECK(image.at<cv::Vec3b>(17, 28) == cv::Vec3b(255, 255, 255));
+  CHECK(image.at<cv::Vec3b>(2, 5) == cv::Vec3b(255, 255, 255));
+}
+
 TEST_CASE("what is no picture, or too large a one, is an error") {
   CHECK_FALSE(pngOf("").isOk());
   CHECK_FALSE(pngOf("<html></html>").isOk());

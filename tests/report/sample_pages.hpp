@@ -27,13 +27,13 @@ inline ArrayInfo sheetInfo(int side, double period) {
 }
 
 /// Straight ahead at 1 m a frame; the truth is 1 cm farther at every odd frame. Every second view
-/// is novel. A ring of 4 units and a sheet of 2x2 fire; array `noise` has no
+/// is novel. A ring of 4 units and a sheet of 3x3 fire; array `noise` has no
 /// description.
 inline void recordRichRun(const std::filesystem::path& folder, std::int64_t frames,
                           const std::string& name) {
   auto recorder = record::Recorder::open(folder).value();
   RunInfo run;
-  run.arrays = {test::ringInfo(4), test::sheetInfo(2, 25)};
+  run.arrays = {test::ringInfo(4), test::sheetInfo(3, 30)};
   REQUIRE(recorder->begin(run).isOk());
   REQUIRE(recorder->meta("name", name).isOk());
   for (std::int64_t i = 0; i < frames; ++i) {
@@ -56,9 +56,10 @@ inline void recordRichRun(const std::filesystem::path& folder, std::int64_t fram
     update.experience = 0;
     update.T_experience_camera.translation().z() = static_cast<double>(i);
     const MapGraph graph{0, {experienceAt(0, 0, 0)}, {}, {}};
-    const std::vector<NamedArray> cells = {{"hd.activity", {4}, {1, 0, 0.5F, 0}},
-                                           {"grid.activity", {2, 2}, {1, 0, 0, 0.25F}},
-                                           {"noise", {2}, {0, static_cast<float>(i)}}};
+    const std::vector<NamedArray> cells = {
+        {"hd.activity", {4}, {1, 0, 0.5F, 0}},
+        {"grid.activity", {3, 3}, {1, 0, 0, 0.25F, 0, 0, 0, 0, 0}},
+        {"noise", {2}, {0, static_cast<float>(i)}}};
     Snapshot snapshot;
     snapshot.frame = &frame;
     snapshot.motion = &motion;

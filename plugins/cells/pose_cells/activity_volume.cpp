@@ -94,6 +94,16 @@ float ActivityVolume::total() const {
   return sum;
 }
 
+float ActivityVolume::around(int x, int y, int theta, int radius) const {
+  float sum = 0;
+  for (int k = -radius; k <= radius; ++k) {
+    for (int j = -radius; j <= radius; ++j) {
+      for (int i = -radius; i <= radius; ++i) sum += at(x + i, y + j, theta + k);
+    }
+  }
+  return sum;
+}
+
 void ActivityVolume::silence(Sheet& sheet) const {
   for (std::size_t r = 0; r < sheet.active.size(); ++r) {
     if (sheet.active[r] != 0) std::fill_n(row(sheet, r), side_, 0.0F);

@@ -31,6 +31,8 @@ class ActivityVolume {
   float at(int x, int y, int theta) const;
   void add(int x, int y, int theta, float activity);
   float total() const;
+  /// Activity of the cells at most `radius` away on each axis.
+  float around(int x, int y, int theta, int radius) const;
 
   /// Every cell spreads its activity: a product of three kernels, so one axis after the other.
   void excite(std::span<const float> kernel);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of the pose cells; the defaults are those published for the car data set.
+// The parameters of the pose cells; the defaults are those published for the car data set, but for
+// the shift and the injection, chosen on recorded motion.
 #pragma once
 
 #include "tolman/parameters.hpp"
@@ -15,7 +16,9 @@ struct PoseCellParameters {
   int inhibition_width = 5;
   double inhibition_variance = 2;
   double global_inhibition = 2e-5;
-  double injected_energy = 0.15;
+  double least_shift = 1;
+  double injected_energy = 0.25;
+  double unsupported = 0.1;
   double active_decay = 1;
   double restore = 0.04;
   int newest_ignored = 10;
@@ -49,9 +52,17 @@ struct PoseCellParameters {
         parameter("global_inhibition", &P::global_inhibition)
             .range(0, 1)
             .doc("Taken from every cell in each step; the total activity is 1."),
+        parameter("least_shift", &P::least_shift)
+            .range(0, 2)
+            .unit("cells")
+            .doc(
+                "Motions and turns are added up until they are so long; 0, as published: at once."),
         parameter("injected_energy", &P::injected_energy)
             .range(0, 10)
-            .doc("What a rested familiar view adds."),
+            .doc("What a rested familiar view adds where the packet is; 0.15 as published."),
+        parameter("unsupported", &P::unsupported)
+            .range(0, 1)
+            .doc("Share of it that a view adds where all cells are silent; 1, as published: all."),
         parameter("active_decay", &P::active_decay)
             .range(0, 30)
             .doc("Habituation at rest, and what an immediate repetition adds."),

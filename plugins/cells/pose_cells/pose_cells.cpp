@@ -9,7 +9,8 @@
 namespace tolman::pose_cells {
 namespace {
 
-constexpr int kPeakRadius = 3;  // cells round the strongest one that count for the estimate
+constexpr int kPeakRadius = 3;     // cells round the strongest one that count for the estimate
+constexpr int kSupportRadius = 4;  // cells round a view's place whose activity supports it
 
 void scaleToPeak(std::vector<float>& rates) {
   const float peak = *std::ranges::max_element(rates);
@@ -36,6 +37,7 @@ Status PoseCells::reset() {
   state_.emplace(State{ActivityVolume(p.side, p.headings),
                        ViewMemory({p.injected_energy, p.active_decay, p.restore, p.newest_ignored}),
                        ExperienceMemory(p.experience_threshold),
+                       {},
                        {}});
   // In the middle, heading along x, as RatSLAM starts.
   state_->volume.add(p.side / 2, p.side / 2, 0, 1);
@@ -55,10 +57,50 @@ void PoseCells::attract() {
   volume.normalise();
 }
 
+// A shift by a small part of a cell is mostly undone by the attractor, so motions are added up
+// first.
 void PoseCells::integrate(const Motion& motion) {
-  const PlanarPose step = toPlanar(motion.T_previous_current);
-  state_->volume.move(step.x / parameters_.cell_size, step.y / parameters_.cell_size);
-  state_->volume.turn(headingCells(step.theta));
+  PlanarPose& pending = state_->pending;
+  pending = compose(pending, toPlanar(motion.T_previous_current));
+  const double cell = parameters_.cell_size;
+  if (std::hypot(pending.x, pending.y) >= parameters_.least_shift * cell) {
+    state_->volume.move(pending.x / cell, pending.y / cell);
+    pending.x = 0;
+    pending.y = 0;
+  }
+  const double turn = headingCells(pending.theta);
+  if (std::abs(turn) >= parameters_.least_shift) {
+    state_->volume.turn(turn);
+    pending = compose({0, 0, -pending.theta}, pending);
+  }
+}
+
+CellPose PoseCells::moved(const CellPose& place, const PlanarPose& motion) const {
+  const double cell = parameters_.cell_size;
+  const double heading = place.theta / parameters_.headings * 2 * std::numbers::pi;
+  const PlanarPose end = compose({place.x * cell, place.y * cell, heading}, motion);
+  return {wrapPeriod(end.x / cell, parameters_.side), wrapPeriod(end.y / cell, parameters_.side),
+          wrapPeriod(place.theta + headingCells(motion.theta), parameters_.headings)};
+}
+
+CellPose PoseCells::estimate() const {
+  return moved(state_->volume.peak(kPeakRadius), state_->pending);
+}
+
+// The packet has the pending motion still to make, so the energy goes where that motion ends at the
+// view's place. Views that agree with activity add all of it: look-alikes contradict, and each
+// other.
+void PoseCells::inject(const ViewMemory::Injection& injection, double turned) {
+  CellPose place = injection.place;
+  place.theta += turned;
+  place = moved(place, between(state_->pending, {}));
+  const auto x = static_cast<int>(std::lround(place.x));
+  const auto y = static_cast<int>(std::lround(place.y));
+  const auto theta = static_cast<int>(std::lround(place.theta));
+  ActivityVolume& volume = state_->volume;
+  const auto alone = static_cast<float>(parameters_.unsupported);
+  const float support = std::min(1.0F, volume.around(x, y, theta, kSupportRadius));
+  volume.add(x, y, theta, static_cast<float>(injection.energy) * (alone + (1 - alone) * support));
 }
 
 Status PoseCells::step(const Motion& motion, const PlaceObservation& observation,
@@ -73,17 +115,11 @@ Status PoseCells::step(const Motion& motion, const PlaceObservation& observation
   integrate(motion);  // the motion leads to the view, so it comes first
   const double turned = seen ? headingCells(observation.relative_yaw) : 0;
   if (seen) {
-    const auto injection = state.views.see(observation.template_id, state.volume.peak(kPeakRadius));
-    if (injection) {
-      const CellPose& place = injection->place;
-      state.volume.add(static_cast<int>(std::lround(place.x)),
-                       static_cast<int>(std::lround(place.y)),
-                       static_cast<int>(std::lround(place.theta + turned)),
-                       static_cast<float>(injection->energy));
-    }
+    const auto injection = state.views.see(observation.template_id, estimate());
+    if (injection) inject(*injection, turned);
   }
   attract();
-  state.estimate = state.volume.peak(kPeakRadius);
+  state.estimate = estimate();
 
   if (seen) {
     decision.template_id = observation.template_id;
@@ -106,7 +142,11 @@ void PoseCells::arrays(std::vector<NamedArray>& arrays) const {
   const auto layer = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   std::vector<float> ring(static_cast<std::size_t>(headings));
   std::vector<float> sheet(layer);
-  const std::span<const float> values = state_->volume.values();
+  ActivityVolume volume = state_->volume;  // as it is after the pending motion
+  const PlanarPose& pending = state_->pending;
+  volume.move(pending.x / parameters_.cell_size, pending.y / parameters_.cell_size);
+  volume.turn(headingCells(pending.theta));
+  const std::span<const float> values = volume.values();
   for (std::size_t i = 0; i < values.size(); ++i) {
     ring[i / layer] += values[i];
     sheet[i % layer] += values[i];

@@ -31,11 +31,16 @@ class PoseCells final : public Cells, public ArraySource, public ArrayDescriptio
     ActivityVolume volume;
     ViewMemory views;
     ExperienceMemory experiences;
+    PlanarPose pending;  ///< motion that the packet has not made yet, seen from the packet
     CellPose estimate;
   };
 
   void attract();
   void integrate(const Motion& motion);
+  void inject(const ViewMemory::Injection& injection, double turned);
+  /// The cell reached from `place` by a motion.
+  CellPose moved(const CellPose& place, const PlanarPose& motion) const;
+  CellPose estimate() const;
   double headingCells(double angle) const;
 
   Parameters parameters_;

@@ -107,20 +107,59 @@ TEST_CASE("stamps are the data's (defect 9), and a reset gives the same answers 
   for (std::size_t i = 0; i < first.size(); ++i) CHECK(first[i].values == second[i].values);
 }
 
-TEST_CASE("one look-alike does not move the packet, three in a row do") {
-  Fixture fixture({{"newest_ignored", std::int64_t{0}}});
-  for (int k = 0; k < 12; ++k) fixture.drive({2, 0, 0}, view(k, false));
-  for (int k = 0; k < 3; ++k) fixture.drive({2, 0, 0});
+namespace {
+
+const ParameterValues kPublished = {
+    {"least_shift", 0.0}, {"unsupported", 1.0}, {"injected_energy", 0.15}};
+
+/// How far the estimate moves along x, in cells, while `known` views in a row, one every
+/// `interval` frames, show a street that was left behind 20 m before.
+float movedBy(ParameterValues values, int known, int interval) {
+  values["newest_ignored"] = std::int64_t{0};
+  Fixture fixture(values);
   const auto x = [&] {
     std::vector<NamedArray> arrays;
     fixture.cells.arrays(arrays);
     return arrays[2].values[0];
   };
+  for (int k = 0; k < 20; ++k) fixture.drive({k == 0 ? 0.0 : 1.0, 0, 0}, view(k, false));
+  for (int k = 0; k < 15; ++k) fixture.drive({1, 0, 0});
   const float before = x();
-  fixture.drive({0, 0, 0}, view(2, true));
-  CHECK(std::abs(x() - before) < 0.5F);
-  for (int k = 3; k < 6; ++k) fixture.drive({2, 0, 0}, view(k, true));
-  CHECK(std::abs(x() - before) > 5);
+  for (int k = 0; k < known * interval; ++k) {
+    fixture.drive({0, 0, 0},
+                  k % interval == 0 ? view(k / interval % 2 + 4, true) : PlaceObservation{});
+  }
+  return std::abs(x() - before);
+}
+
+}  // namespace
+
+TEST_CASE("as published, three look-alikes in a row move the packet; now many are needed") {
+  CHECK(movedBy(kPublished, 1, 1) < 0.5F);
+  CHECK(movedBy(kPublished, 3, 1) > 5);
+  for (const int known : {1, 2, 3}) CHECK(movedBy({}, known, 1) < 0.5F);
+  for (const int known : {1, 2, 3, 4}) CHECK(movedBy({}, known, 5) < 0.5F);
+  CHECK(movedBy({}, 15, 1) > 5);
+}
+
+TEST_CASE("slow turns and motions are integrated in full, as published they fall short") {
+  const double step = GENERATE(0.01, 0.03, 0.05);  // cells a frame, or headings
+  const int frames = static_cast<int>(std::lround(8 / step));
+  const auto turned = [&](const ParameterValues& values) {
+    Fixture fixture(values);
+    double heading = 0;
+    for (int k = 0; k < frames; ++k) {
+      heading = fixture.drive({0, 0, step * std::numbers::pi / 18}).heading;
+    }
+    return heading * 18 / std::numbers::pi;
+  };
+  CHECK(turned({}) == Approx(8).epsilon(0.03));
+  CHECK(turned(kPublished) < 8 * 0.95);
+  Fixture straight;
+  for (int k = 0; k < frames; ++k) straight.drive({2 * step, 0, 0});
+  std::vector<NamedArray> arrays;
+  straight.cells.arrays(arrays);
+  CHECK(arrays[2].values[0] - 15 == Approx(8).epsilon(0.03));
 }
 
 TEST_CASE("wrong input and parameters are refused with the reason") {

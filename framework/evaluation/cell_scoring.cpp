@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/cell_scoring.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "evaluation/population_code.hpp"
+
+namespace tolman::evaluation {
+namespace {
+
+constexpr std::size_t kShuffles = 200;
+/// Shortest shift of a unit's activity (Boccara et al. 2010). A run shorter than ten times this is
+/// shifted by at least a tenth.
+constexpr double kLeastShift = 20;  // s
+constexpr double kMargin = 0.1;     // of the extent, around the positions that a code may tell
+
+Eigen::Vector2d positionOf(const StampedPose& at) { return {at.pose.x, at.pose.y}; }
+
+std::vector<double> headingErrorsDeg(const PopulationHistory& ring, const StampedPoses& truth) {
+  std::vector<double> errors;
+  const ArrayAxis& axis = ring.info.axes[0];
+  for (std::size_t i = 0; i < ring.frames.size(); ++i) {
+    const auto at = truth.find(ring.frames[i]);
+    const auto said = populationVector(
+        std::vector<double>(ring.activity[i].begin(), ring.activity[i].end()), axis);
+    if (!said || at == truth.end()) continue;
+    const double heading = *said * 2 * std::numbers::pi / axis.period;
+    errors.push_back(std::abs(wrapAngle(heading - at->second.pose.theta)) * kDegrees);
+  }
+  return errors;
+}
+
+/// By frame, where all modules have a phase.
+std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
+    const std::vector<PopulationHistory>& sheets) {
+  std::map<std::int64_t, std::vector<ModulePhase>> phases;
+  for (const PopulationHistory& sheet : sheets) {
+    for (std::size_t i = 0; i < sheet.frames.size(); ++i) {
+      const auto phase = modulePhase(sheet.activity[i], sheet.info);
+      if (phase) phases[sheet.frames[i]].push_back(*phase);
+    }
+  }
+  std::erase_if(phases, [&](const auto& at) { return at.second.size() != sheets.size(); });
+  return phases;
+}
+
+/// The code's frame is that of the run: the map's pose, `position`, at the first frame.
+PositionDecoder decoderFrom(const std::vector<ModulePhase>& modules,
+                            const Eigen::Vector2d& position, const StampedPoses& truth) {
+  Eigen::AlignedBox2d box;
+  for (const auto& [frame, at] : truth) box.extend(positionOf(at));
+  const Eigen::Vector2d margin =
+      Eigen::Vector2d::Constant(kMargin * box.sizes().maxCoeff() + modules[0].period / 2);
+  return {modules, position, box.min() - margin, box.max() + margin};
+}
+
+void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPoses& map,
+                   const StampedPoses& truth, double scale, CellFigures& figures) {
+  if (sheets.empty()) figures.position_reason = "no grid module was recorded";
+  for (const PopulationHistory& sheet : sheets) {
+    if (figures.position_reason.empty()) figures.position_reason = noPositionReason(sheet.info);
+  }
+  if (!figures.position_reason.empty()) return;
+  std::vector<double> errors;
+  std::optional<PositionDecoder> decoder;
+  for (const auto& [frame, modules] : phasesOf(sheets)) {
+    const auto mapped = map.find(frame);
+    if (mapped == map.end()) continue;
+    if (!decoder) decoder = decoderFrom(modules, positionOf(mapped->second), truth);
+    const auto at = truth.find(frame);
+    if (at == truth.end()) continue;
+    errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
+  }
+  figures.position_m = errorFigures(std::move(errors));
+  if (sheets.size() == 1 && figures.position_m) {
+    figures.modulo_m = scale * sheets[0].info.axes[0].period;
+  }
+}
+
+/// Of all populations the longest of the shortest shifts is told.
+Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
+  const double least = std::min(kLeastShift, units.seconds / 10);
+  const double share = units.seconds > 0 ? least / units.seconds : 0.1;
+  figures.least_shift_s = std::max(figures.least_shift_s, least);
+  return {kShuffles,
+          static_cast<std::size_t>(std::ceil(share * static_cast<double>(units.walk.size()))),
+          figures.seed};
+}
+
+}  // namespace
+
+std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,
+                                      const Trajectory& truth, const TrajectoryMetrics& scored,
+                                      std::uint64_t seed) {
+  if (cells.rings.empty() && cells.sheets.empty()) return std::nullopt;
+  CellFigures figures;
+  figures.truth = scored.scores.has_value();
+  figures.seed = seed;
+  figures.shuffles = kShuffles;
+  const StampedPoses mapped = stampedPosesOf(map);
+  const StampedPoses places = figures.truth ? stampedPosesOf(truth) : mapped;
+  if (figures.truth) {
+    scorePosition(cells.sheets, mapped, places, scored.scores->scale, figures);
+  } else {
+    figures.reason = figures.position_reason = scored.reason;
+  }
+  for (const PopulationHistory& ring : cells.rings) {
+    const RecordedUnits units = unitsAt(ring, places, measuredUnits(ring));
+    auto errors = figures.truth ? headingErrorsDeg(ring, places) : std::vector<double>();
+    figures.rings.push_back({ring.info.name, ring.activity[0].size(),
+                             errorFigures(std::move(errors)),
+                             scoreRing(units, shufflingOf(units, figures))});
+  }
+  for (const PopulationHistory& sheet : cells.sheets) {
+    const RecordedUnits units = unitsAt(sheet, places, measuredUnits(sheet));
+    const ArrayAxis& axis = sheet.info.axes[0];
+    figures.sheets.push_back(
+        {sheet.info.name, sheet.activity[0].size(), axis.period, axis.unit,
+         scoreSheet(units, periodInMetres(sheet), shufflingOf(units, figures))});
+  }
+  return figures;
+}
+
+}  // namespace tolman::evaluation

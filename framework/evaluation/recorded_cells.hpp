@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The recorded arrays of the spatial cells, told apart by their descriptions (ArrayInfo): bounded
+// in size, however long the run.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "evaluation/trajectory.hpp"
+#include "evaluation/unit_scores.hpp"
+#include "tolman/fields.hpp"
+#include "tolman/geometry.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::evaluation {
+
+/// Planar pose of the camera at one frame.
+struct StampedPose {
+  PlanarPose pose;
+  std::int64_t stamp_ns = 0;
+};
+using StampedPoses = std::unordered_map<std::int64_t, StampedPose>;
+/// Poses farther away than 10,000 km are left out.
+StampedPoses stampedPosesOf(const Trajectory& trajectory);
+
+/// One array at evenly spaced frames.
+struct PopulationHistory {
+  ArrayInfo info;  ///< the name alone where the array has no description
+  std::vector<int> shape;
+  std::vector<std::int64_t> frames;
+  std::vector<std::vector<float>> activity;  ///< one row per frame, as large as the shape
+  std::size_t stride = 1;                    ///< every stride-th array was kept
+  std::size_t seen = 0;
+
+  /// Keeps at most `most` arrays, and none of another shape.
+  void add(std::int64_t frame, NamedArray&& array, std::size_t most);
+};
+
+struct CellHistory {
+  std::vector<PopulationHistory> rings;   ///< head direction: activity over one axis of angles
+  std::vector<PopulationHistory> sheets;  ///< grid modules: activity over two periodic axes
+  std::vector<PopulationHistory> others;  ///< all other arrays, at 240 frames at most
+
+  CellHistory() = default;
+  explicit CellHistory(const std::vector<ArrayInfo>& infos);
+  /// The arrays of the cells, frame by frame.
+  void add(std::int64_t frame, NamedArray&& array);
+  /// Removes what was described and not recorded.
+  void dropEmpty();
+};
+
+inline constexpr int kMostUnitsAlongAxis = 32;
+/// The units that are measured, row by row: all of a ring up to 72, of a sheet up to 32 by 32;
+/// of larger ones as many, evenly spaced.
+std::vector<std::size_t> measuredUnits(const PopulationHistory& population);
+
+/// Some units at the frames that have a pose.
+RecordedUnits unitsAt(const PopulationHistory& population, const StampedPoses& poses,
+                      const std::vector<std::size_t>& chosen);
+
+/// Of a sheet; 0 where it is not in metres.
+double periodInMetres(const PopulationHistory& sheet);
+
+/// What index `i` of an axis stands for, within [0, period) of a periodic axis.
+double axisValue(const ArrayAxis& axis, std::size_t i);
+/// The same in radians, for an axis of angles in "deg" or "rad".
+double axisAngle(const ArrayAxis& axis, std::size_t i);
+
+}  // namespace tolman::evaluation

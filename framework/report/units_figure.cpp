@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "report/axes.hpp"
+#include "report/colour_map.hpp"
+#include "report/figures.hpp"
+#include "report/raster.hpp"
+
+namespace tolman::report {
+namespace {
+
+using evaluation::axisAngle;
+using evaluation::PopulationHistory;
+using evaluation::RateMap;
+
+constexpr double kPanel = 900;  // px, of the maps of a module; two stand beside each other
+constexpr double kMargin = 30;
+constexpr double kColumn = kPanel + 2 * kMargin;
+constexpr double kDial = 105;  // px, of a tuning curve
+constexpr double kTitle = 60;
+constexpr double kBelow = 50;
+constexpr int kGap = 1;  // px between rate maps
+constexpr std::uint32_t kPaper = 0xffffffff;
+constexpr std::uint32_t kUnvisited = 0xff1a0a24;  // less than any colour of a rate
+
+void drawTitle(Svg& svg, const Eigen::Vector2d& middle, const std::string& title,
+               const std::string& scores) {
+  svg.text(middle, title, {TextAnchor::Middle, 15, 0, true});
+  svg.text(middle + Eigen::Vector2d(0, 20), scores, {TextAnchor::Middle, 13});
+}
+
+std::string scoreText(const char* name, const std::optional<evaluation::UnitScore>& score) {
+  if (!score) return fmt::format("{} not measurable here", name);
+  return fmt::format("{} {:.2f} in the median, chance {:.2f}, {:.0f} % above", name, score->median,
+                     score->chance, 100 * score->share_above);
+}
+
+/// Polar tuning curve: heading 0 is up, positive to the left.
+void drawDial(Svg& svg, const Eigen::Vector2d& centre, const evaluation::TuningCurve& curve,
+              double nominal) {
+  constexpr double kRadius = 0.36 * kDial;
+  const auto at = [&](double angle, double share) -> Eigen::Vector2d {
+    return centre + share * kRadius * Eigen::Vector2d(-std::sin(angle), -std::cos(angle));
+  };
+  const double peak = std::max(*std::ranges::max_element(curve.rate), 1e-12);
+  const double bin = 2 * std::numbers::pi / static_cast<double>(curve.rate.size());
+  std::vector<Eigen::Vector2d> outline;
+  for (std::size_t i = 0; i <= curve.rate.size(); ++i) {
+    outline.push_back(
+        at((static_cast<double>(i) + 0.5) * bin, curve.rate[i % curve.rate.size()] / peak));
+  }
+  svg.circle(centre, kRadius, "none", "#cccccc");
+  svg.polyline(outline, kBlue, 1.5);
+  svg.line(centre, at(curve.preferred, curve.mean_vector_length), kVermilion, 2);
+  svg.text(centre + Eigen::Vector2d(0, kRadius + 12),
+           fmt::format("{:.3g}°, peak {:.2g}", nominal * evaluation::kDegrees, peak),
+           {TextAnchor::Middle, 10});
+}
+
+/// Returns its lower end.
+double drawRing(Svg& svg, double top, const PopulationHistory& ring,
+                const evaluation::RingFigures& figures) {
+  const auto& width = figures.scores.half_width_deg;
+  drawTitle(svg, {svg.width() / 2, top + 25},
+            fmt::format("{}: {} head direction units", ring.info.name, figures.units),
+            scoreText("mean vector length", figures.scores.mean_vector_length) +
+                (width ? fmt::format("; half width {:.0f}° in the median", width->median) : ""));
+  const auto measured = measuredUnits(ring);
+  Eigen::Vector2d centre(0, top + kTitle - kDial / 2);
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    centre.x() += kDial;
+    if (i == 0 || centre.x() > svg.width() - kDial / 2)
+      centre = {kDial / 2 + 15, centre.y() + kDial};
+    drawDial(svg, centre, figures.scores.units[i].tuning,
+             axisAngle(ring.info.axes[0], measured[i]));
+  }
+  return centre.y() + kDial / 2 + kBelow;
+}
+
+/// The rate maps of a module, units of a row of the sheet above each other: forward is up in each.
+Pixels tiled(const std::vector<RateMap>& maps, Eigen::Index rows, double most) {
+  const auto columns = static_cast<Eigen::Index>(maps.size()) / rows;
+  const Eigen::Index right = maps[0].rate.rows() + kGap;
+  const Eigen::Index up = maps[0].rate.cols() + kGap;
+  Pixels pixels = Pixels::Constant(columns * up - kGap, rows * right - kGap, kPaper);
+  for (Eigen::Index i = 0; i < rows * columns; ++i) {
+    pixels.block((columns - 1 - i % columns) * up, i / columns * right, up - kGap, right - kGap) =
+        ratePixels(maps[static_cast<std::size_t>(i)].rate, most).cwiseMax(kUnvisited);
+  }
+  return pixels;
+}
+
+/// What directions, lengths and colours mean. `tile`: px, width of a rate map.
+void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, const RateMap& map,
+             double tile, double peak) {
+  const double width = map.bin * static_cast<double>(map.rate.rows());
+  const double metres = ticks({0, width}, 1).back();
+  const double end = corner.x() + tile * metres / width;
+  const double y = corner.y() + 18;
+  svg.line({corner.x(), y}, {end, y}, "#333333", 3);
+  svg.text({end + 8, y + 4},
+           fmt::format("{:g} m; each map {:.0f} m by {:.0f} m, forward is up. Units: {} to the "
+                       "right, {} up.",
+                       metres, width, map.bin * static_cast<double>(map.rate.cols()),
+                       info.axes[0].name, info.axes[1].name));
+  colourBar(svg, {corner.x() + kPanel - 110, y}, "rate 0", fmt::format("peak {:.2g}", peak));
+}
+
+/// Returns its lower end.
+double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory& sheet,
+                 const evaluation::SheetFigures& figures, const evaluation::StampedPoses& poses) {
+  const ArrayAxis& axis = sheet.info.axes[0];
+  drawTitle(svg, corner + Eigen::Vector2d(kPanel / 2, 25),
+            fmt::format("{}: {} grid units, period {:.4g} {}", sheet.info.name, figures.units,
+                        axis.period, axis.unit),
+            scoreText("grid score square", figures.scores.square));
+  const auto units = unitsAt(sheet, poses, measuredUnits(sheet));
+  std::vector<RateMap> maps;
+  double peak = 1e-12;
+  for (std::size_t i = 0; i < units.rates.size(); ++i) {
+    maps.push_back(scoredMap(units, i, periodInMetres(sheet)));
+    peak = std::max(peak, evaluation::highestRate(maps.back()));
+  }
+  const int rows = std::min(sheet.shape[0], evaluation::kMostUnitsAlongAxis);
+  const Pixels pixels = tiled(maps, rows, peak);
+  const auto width = static_cast<double>(pixels.cols());
+  const auto height = static_cast<double>(pixels.rows());
+  const double zoom = kPanel / std::max(width, height);
+  const Eigen::Vector2d place = corner + Eigen::Vector2d(0, kTitle);
+  svg.image(place, zoom * Eigen::Vector2d(width, height), pngUrl(pixels));
+  drawKey(svg, place + Eigen::Vector2d(0, zoom * height), sheet.info, maps[0],
+          zoom * ((width + kGap) / rows - kGap), peak);
+  return place.y() + zoom * height + kBelow;
+}
+
+}  // namespace
+
+std::string unitsFigure(const RunData& run) {
+  const auto poses = evaluation::stampedPosesOf(run.places());
+  if (!run.metrics.cells || poses.empty()) return "";
+  const auto& sheets = run.cells.sheets;
+  const std::size_t across = std::clamp<std::size_t>(sheets.size(), 1, 2);
+  Svg svg(kColumn * static_cast<double>(across), 0);
+  double top = 0;
+  for (std::size_t i = 0; i < run.cells.rings.size(); ++i) {
+    top = drawRing(svg, top, run.cells.rings[i], run.metrics.cells->rings[i]);
+  }
+  double left = kMargin;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    const double bottom =
+        drawSheet(svg, {left, top}, sheets[i], run.metrics.cells->sheets[i], poses);
+    svg.extendTo(bottom);
+    left += kColumn;
+    if (left < svg.width()) continue;
+    left = kMargin;
+    top = svg.height();
+  }
+  svg.extendTo(top);
+  return svg.take();
+}
+
+}  // namespace tolman::report
