@@ -45,15 +45,14 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
                                 ? fmt::format(", square grid score {:.2f} (chance {:.2f})",
                                               measured.scores->square, module->chance)
                                 : ", too narrow an area for grid scores";
-  DrawnUnit drawn{fmt::format("grid unit ({}, {})", choice.row + 1, choice.column + 1),
-                  "",
+  DrawnUnit drawn{fmt::format("grid unit ({}, {}), phase ({:.3g}, {:.3g}) {}", choice.row + 1,
+                              choice.column + 1, axisValue(axes[0], choice.row),
+                              axisValue(axes[1], choice.column), axes[0].unit),
+                  fmt::format("{} field{}, {:.2f} bits{}", measured.fields,
+                              measured.fields == 1 ? "" : "s", measured.information_bits, score),
                   firingMap(one, 0),
                   {}};
   drawn.fields = evaluation::fields(drawn.rates);
-  drawn.measures = fmt::format("phase ({:.3g}, {:.3g}) {}, {} field{}, {:.2f} bits{}",
-                               axisValue(axes[0], choice.row), axisValue(axes[1], choice.column),
-                               axes[0].unit, measured.fields, measured.fields == 1 ? "" : "s",
-                               measured.information_bits, score);
   return drawn;
 }
 

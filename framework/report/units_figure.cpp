@@ -98,7 +98,7 @@ Pixels tiled(const std::vector<RateMap>& maps, Eigen::Index rows, double most) {
 void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, const RateMap& map,
              double tile, double peak) {
   const double width = map.bin * static_cast<double>(map.rate.rows());
-  const double metres = ticks({0, width}, 1).back();
+  const double metres = ticks({0, width}, 3).back();
   const double end = corner.x() + tile * metres / width;
   const double y = corner.y() + 18;
   svg.line({corner.x(), y}, {end, y}, "#333333", 3);

@@ -90,8 +90,7 @@ TEST_CASE("rates of two opposite head direction units and one grid unit") {
   const std::string svg = firingFigure(drawnUnits(sample.data, {}).value());
   CHECK(svg.find("head direction unit 1 of 4") != std::string::npos);
   CHECK(svg.find("head direction unit 3 of 4") != std::string::npos);
-  CHECK(svg.find("phase (0, 0) m, 1 field, 0.00 bits, too narrow an area for grid scores") !=
-        std::string::npos);
+  CHECK(svg.find("1 field, 0.00 bits, too narrow an area for grid scores") != std::string::npos);
   CHECK(svg.find("nan") == std::string::npos);
 }
 
@@ -103,7 +102,7 @@ TEST_CASE("all units: a dial for each of every ring, a picture for every module"
   CHECK(svg.find("hd.activity: 24 head direction units") != std::string::npos);
   CHECK(svg.find("grid0.activity: 144 grid units, period 20 m") != std::string::npos);
   CHECK(svg.find("grid1.activity: 144 grid units, period 28.4 m") != std::string::npos);
-  CHECK(svg.find("50 m; each map ") != std::string::npos);
+  CHECK(std::regex_search(svg, std::regex("[1-9]0? m; each map 6")));
   const auto chance = run.metrics.cells->sheets[1].scores.square->chance;
   CHECK(svg.find(fmt::format("chance {:.2f}", chance)) != std::string::npos);
 }

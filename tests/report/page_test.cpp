@@ -78,7 +78,7 @@ TEST_CASE("the firing figure comes with its numbers, and a unit beyond the run's
   REQUIRE(page.isOk());
   CHECK(page.value().neurons["head_direction"].size() == 4);
   CHECK(page.value().neurons["rate_maps"].contains("head direction unit 2 of 4, 90 deg"));
-  CHECK(page.value().neurons["rate_maps"].contains("grid unit (1, 2)"));
+  CHECK(page.value().neurons["rate_maps"].contains("grid unit (1, 2), phase (0, 10) m"));
   const auto refused = makePage(folder.path(), {}, {4, 0, 0});
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().code() == StatusCode::InvalidParameter);
