@@ -8,6 +8,8 @@
 namespace tolman::evaluation {
 namespace {
 
+using Value = std::optional<double>;
+
 constexpr int kTuningBins = 36;
 /// Bins of a rate map: a grid field, half a period wide, spans four; and never more than the pairs
 /// of bins of an autocorrelogram can be counted in a millisecond.
@@ -58,13 +60,13 @@ auto measureAll(const RecordedUnits& units, const Shuffling& shuffling, Measure&
 }
 
 /// value(unit) is none for a unit without the score.
-template <class Unit, class Value>
-std::optional<UnitScore> scoreOf(const Measured<Unit>& measured, Value&& value,
+template <class Unit, class ValueOf>
+std::optional<UnitScore> scoreOf(const Measured<Unit>& measured, ValueOf&& value,
                                  Better better = Better::More) {
   const auto known = [&](const std::vector<Unit>& units) {
     std::vector<double> values;
     for (const Unit& unit : units) {
-      if (const std::optional<double> score = value(unit)) values.push_back(*score);
+      if (const Value score = value(unit)) values.push_back(*score);
     }
     return values;
   };
@@ -124,7 +126,6 @@ RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
   auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
     return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins))};
   });
-  using Value = std::optional<double>;
   const auto length = [](const RingUnit& unit) {  // none where there are too few headings
     return unit.tuning.half_width ? Value(unit.tuning.mean_vector_length) : Value();
   };
@@ -145,7 +146,6 @@ SheetScores scoreSheet(const RecordedUnits& units, double period, const Shufflin
   for (std::size_t i = 0; i < units.rates.size(); ++i) {
     measured.units[i].fields = fields(firingMap(units, i)).size();
   }
-  using Value = std::optional<double>;
   const auto score = [&](double GridScores::*member) {
     return scoreOf(measured, [=](const SheetUnit& unit) {
       return unit.scores ? Value((*unit.scores).*member) : Value();

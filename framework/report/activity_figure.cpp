@@ -13,7 +13,6 @@
 namespace tolman::report {
 namespace {
 
-using evaluation::CellHistory;
 using evaluation::PopulationHistory;
 
 constexpr std::size_t kMoments = 4;
@@ -90,7 +89,8 @@ std::vector<std::size_t> moments(std::size_t count) {
 
 }  // namespace
 
-std::string activityFigure(const CellHistory& cells, const std::vector<Decision>& decisions) {
+std::string activityFigure(const evaluation::CellHistory& cells,
+                           const std::vector<Decision>& decisions) {
   std::vector<const PopulationHistory*> rows;
   for (const PopulationHistory& ring : cells.rings) rows.push_back(&ring);
   for (const PopulationHistory& sheet : cells.sheets) rows.push_back(&sheet);

@@ -10,7 +10,6 @@ using evaluation::axisAngle;
 using evaluation::axisValue;
 using evaluation::kDegrees;
 using evaluation::PopulationHistory;
-using evaluation::RecordedUnits;
 
 constexpr evaluation::Shuffling kNoShuffling{0, 1, 1};
 
@@ -21,7 +20,7 @@ std::size_t sizeOf(const std::vector<PopulationHistory>& populations, std::size_
 
 DrawnUnit headDirectionUnit(const PopulationHistory& ring, std::size_t unit,
                             const evaluation::StampedPoses& poses) {
-  const RecordedUnits one = unitsAt(ring, poses, {unit});
+  const auto one = unitsAt(ring, poses, {unit});
   const evaluation::TuningCurve curve = scoreRing(one, kNoShuffling).units[0].tuning;
   const std::string width =
       curve.half_width ? fmt::format(", half width {:.0f} deg", *curve.half_width * kDegrees) : "";
@@ -38,7 +37,7 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
   const PopulationHistory& sheet = run.cells.sheets[0];
   const auto& axes = sheet.info.axes;
   const std::size_t unit = choice.row * sizeOf(run.cells.sheets, 1) + choice.column;
-  const RecordedUnits one = unitsAt(sheet, poses, {unit});
+  const auto one = unitsAt(sheet, poses, {unit});
   const auto measured = scoreSheet(one, periodInMetres(sheet), kNoShuffling).units[0];
   const auto& module = run.metrics.cells->sheets[0].scores.square;
   const std::string score = measured.scores && module

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/neurons.hpp"
 
-#include <optional>
-
 namespace tolman::report {
 namespace {
 

@@ -49,10 +49,11 @@ Status addNeurons(RunPage& page, const UnitChoice& choice) {
   }
   addFigure(page, "firing", "Firing rate of single units along the path.",
             firingFigure(units.value()));
-  addFigure(page, "units",
-            "All units. Tuning curves of head direction units, each relative to its peak; red is "
-            "the mean vector. Firing rate maps of grid units at their places in the module.",
-            unitsFigure(page.data));
+  addFigure(
+      page, "units",
+      "All units: tuning curves, each relative to its peak, with the mean vector in red; rate "
+      "maps of grid units at their places in the module.",
+      unitsFigure(page.data));
   page.neurons = neuronsJson(page.data, units.value());
   return Status::ok();
 }

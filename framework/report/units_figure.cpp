@@ -73,8 +73,7 @@ double drawRing(Svg& svg, double top, const PopulationHistory& ring,
   Eigen::Vector2d centre(0, top + kTitle - kDial / 2);
   for (std::size_t i = 0; i < measured.size(); ++i) {
     centre.x() += kDial;
-    if (i == 0 || centre.x() > svg.width() - kDial / 2)
-      centre = {kDial / 2 + 15, centre.y() + kDial};
+    if (i == 0 || centre.x() > svg.width() - kDial / 2) centre = {67, centre.y() + kDial};
     drawDial(svg, centre, figures.scores.units[i].tuning,
              axisAngle(ring.info.axes[0], measured[i]));
   }
