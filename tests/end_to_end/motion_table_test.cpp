@@ -98,7 +98,7 @@ TEST_CASE("KITTI motion: the map reaches its bar and closes no loop between dist
   const double map = metrics["map"]["ate"]["rmse_m"].get<double>();
   const double odometry = metrics["odometry"]["ate"]["rmse_m"].get<double>();
   CHECK(map <= (measured ? bar.rmse : bar.unmeasured));
-  CHECK(map <= odometry);
+  CHECK(map < odometry + 1e-6);
   CHECK(falseLoops(*folder, run) == 0);
   // 07 has one true candidate: alone and without a pose it decides nothing.
   if (measured) CHECK_FALSE(loopsOf(run).empty());
