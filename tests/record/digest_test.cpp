@@ -39,6 +39,7 @@ void recordEverything(const std::filesystem::path& folder) {
   place.frame = 3;
   Decision decision;
   decision.frame = 3;
+  decision.earlier = {{1, 0, Eigen::Isometry3d::Identity(), Matrix6d::Identity()}};
   Snapshot snapshot;
   snapshot.frame = &frame;
   snapshot.place = &place;

@@ -238,7 +238,7 @@ TEST_CASE("another schema version is refused") {
     test::queryByHand(folder.path(),
                       "UPDATE run SET value = '" + version + "' WHERE key = 'schema_version'");
     CHECK(refusal(folder.path()) == "/run.sqlite: has schema version " + version +
-                                        ", this program reads 3; run again to record it anew");
+                                        ", this program reads 4; run again to record it anew");
   }
 }
 
