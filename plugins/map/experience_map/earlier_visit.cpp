@@ -36,9 +36,7 @@ void ExperienceChain::insertVisit(DeadReckoning& log, std::size_t slot, std::int
   visit.slot = slot;
   visit.experience = experience;
   visit.visit = true;
-  visit.offset = {measured.T,
-                  measured.covariance + isotropic(parameters_.measured_sigma_translation,
-                                                  parameters_.measured_sigma_rotation)};
+  visit.offset = withModel(measured);
   visit.way = log.between(before.slot, slot);
   visit.correction = before.correction;
   countLink(i, -1);

@@ -39,11 +39,15 @@ void ExperienceChain::addExperience(const DeadReckoning& log, std::int64_t templ
   of_experience_.push_back(static_cast<std::size_t>(current()));
 }
 
+/// Place recognition reports covariances that tend to be too small.
+UncertainPose ExperienceChain::withModel(const UncertainPose& measured) const {
+  return {measured.T, measured.covariance + isotropic(parameters_.measured_sigma_translation,
+                                                      parameters_.measured_sigma_rotation)};
+}
+
 void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
                                const UncertainPose& measured) {
-  const Matrix6d model =
-      isotropic(parameters_.measured_sigma_translation, parameters_.measured_sigma_rotation);
-  addVisit(log, experience, {measured.T, measured.covariance + model}, false);
+  addVisit(log, experience, withModel(measured), false);
 }
 
 void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,

@@ -114,6 +114,7 @@ class ExperienceChain {
     std::vector<PlanarLink> links;  ///< odometry links, then loop links
   };
   Anchor& append(const DeadReckoning& log);
+  UncertainPose withModel(const UncertainPose& measured) const;
   PathParts parts() const;
   std::size_t originOf(const Anchor& visit) const;
   void alignPart(const DeadReckoning& log, const PathParts& before, std::size_t visit);

@@ -91,22 +91,22 @@ void ExperienceMap::insertEarlier(const std::vector<EarlierLoop>& loops) {
       ++unknown;
     }
   }
-  if (unknown == 0) return;
-  log_->warning("ignored " + std::to_string(unknown) +
-                " loops of frames that the map has not seen");
+  warnOfUnknown(unknown, "loops of frames");
 }
 
 void ExperienceMap::revise(const std::vector<MotionRevision>& revisions) {
   if (revisions.empty()) return;
   std::size_t unknown = 0;
   const std::size_t first = motions_.revise(revisions, unknown);
-  if (unknown > 0) {
-    log_->warning("ignored " + std::to_string(unknown) +
-                  " revisions of motions that the map has not seen");
-  }
+  warnOfUnknown(unknown, "revisions of motions");
   if (first == motions_.size()) return;
   chain_.refresh(motions_, first);
   ++version_;
+}
+
+void ExperienceMap::warnOfUnknown(std::size_t count, const char* what) const {
+  if (count == 0) return;
+  log_->warning("ignored " + std::to_string(count) + " " + what + " that the map has not seen");
 }
 
 void ExperienceMap::startPart() {

@@ -35,6 +35,7 @@ class ExperienceMap final : public Map, public StateKeeper {
   Status check(const Motion& motion, const Decision& decision) const;
   Status check(const EarlierLoop& loop) const;
   void revise(const std::vector<MotionRevision>& revisions);
+  void warnOfUnknown(std::size_t count, const char* what) const;
   void startPart();
   void applyDecision(const Decision& decision);
   void insertEarlier(const std::vector<EarlierLoop>& loops);
