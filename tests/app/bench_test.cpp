@@ -6,6 +6,7 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -26,7 +27,7 @@ struct Track {
     words.push_back(config.string());
     for (const char* plugin : {"steady", "painted"}) {
       words.emplace_back("--plugin-path");
-      words.push_back(std::string(TOLMAN_BINARY_DIR "/tests/fixtures/plugins/") + plugin);
+      words.push_back(inBuild("tests/fixtures/plugins/") + plugin);
     }
     words.insert(words.end(), more.begin(), more.end());
     return tolman::test::tolman(words);

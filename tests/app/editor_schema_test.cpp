@@ -7,13 +7,14 @@
 
 #include "end_to_end/process.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path kSource = TOLMAN_SOURCE_DIR;
+const fs::path kSource = inSource("");
 constexpr const char* kNoValidator = "SKIPPED: no python3-jsonschema and python3-yaml";
 
 void writeText(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }

@@ -4,12 +4,13 @@
 
 #include "end_to_end/process.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 
 TEST_CASE("the committed reference pages agree with the declarations") {
   const TemporaryFolder folder;
-  const std::filesystem::path source = TOLMAN_SOURCE_DIR;
+  const std::filesystem::path source = inSource("");
   const Finished made =
       run({"env", "-u", "TOLMAN_PLUGIN_PATH", (source / "scripts/generate-reference").string(),
            folder.path().string(), tolmanProgram().string()});

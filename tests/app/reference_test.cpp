@@ -7,8 +7,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/paths.hpp"
+
 TEST_CASE("docs/reference/records.md is up to date (scripts/generate-reference)") {
-  std::ifstream file(std::filesystem::path(TOLMAN_SOURCE_DIR) / "docs/reference/records.md");
+  std::ifstream file(tolman::test::inSource("docs/reference/records.md"));
   std::ostringstream text;
   text << file.rdbuf();
   CHECK(text.str() == tolman::record::recordsMarkdown());

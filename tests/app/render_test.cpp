@@ -15,6 +15,7 @@
 #include "kitti_source.hpp"
 #include "support/context.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman;
 using namespace tolman::test;
@@ -22,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kPlugins = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/painted";
+const std::string kPlugins = inBuild("tests/fixtures/plugins/painted");
 
 /// A configuration of nothing but the painted source, and a folder to render to.
 struct Easel {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "author/workshop.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -35,8 +36,7 @@ int codeLinesOf(const fs::path& file) {
 TEST_CASE("the examples are short") {
   for (const char* name : {"hog_places", "hexagonal_grid_cells", "trajectory_writer"}) {
     INFO(name);
-    const int lines =
-        codeLinesOf(fs::path(TOLMAN_SOURCE_DIR) / "sdk/examples" / (std::string(name) + ".cpp"));
+    const int lines = codeLinesOf(inSource("sdk/examples/" + std::string(name) + ".cpp"));
     CHECK(lines > 50);
     CHECK(lines < 150);
   }

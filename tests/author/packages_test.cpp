@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "author/workshop.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -22,8 +23,8 @@ bool hasDpkg() {
 /// Builds the packages into `folder`/packages as tolman.deb and libtolman-sdk-dev.deb.
 void makePackages(const Workshop& workshop) {
   const Finished made =
-      workshop.shell("cpack --config " TOLMAN_BINARY_DIR
-                     "/CPackConfig.cmake -G DEB -B packages\n"
+      workshop.shell("cpack --config " + inBuild("CPackConfig.cmake") +
+                     " -G DEB -B packages\n"
                      "mv packages/tolman_*.deb packages/tolman.deb\n"
                      "mv packages/libtolman-sdk-dev_*.deb packages/libtolman-sdk-dev.deb\n");
   INFO(made.out << made.err);

@@ -5,6 +5,7 @@
 
 #include "author/markdown_script.hpp"
 #include "author/workshop.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -23,9 +24,9 @@ void replaceOnce(std::string& text, const std::string& from, const std::string& 
 
 TEST_CASE("the page's commands, one after the other, make a plugin that runs on the town") {
   const Workshop workshop;
-  std::string script = scriptOf(readText(fs::path(TOLMAN_SOURCE_DIR) / "docs/write-a-plugin.md"));
+  std::string script = scriptOf(readText(inSource("docs/write-a-plugin.md")));
   replaceOnce(script, "cmake --install build --prefix ~/tolman\nexport",
-              "cmake --install " TOLMAN_BINARY_DIR " --prefix ~/tolman\nexport");
+              "cmake --install " + inBuild("") + " --prefix ~/tolman\nexport");
   const fs::path home = workshop.folder();
   const Finished finished = workshop.shell(
       "unset CMAKE_PREFIX_PATH\nexport HOME=" + home.string() + "\n" + script, "/nonexistent");

@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
+#include "support/paths.hpp"
+
 namespace tolman::test {
 
 Workshop::Workshop() {
   std::filesystem::create_directories(folder());
   const Finished installed =
-      run({TOLMAN_CMAKE, "--install", TOLMAN_BINARY_DIR, "--prefix", prefix().string()});
+      run({TOLMAN_CMAKE, "--install", inBuild(""), "--prefix", prefix().string()});
   if (installed.exit_code != 0) throw std::runtime_error(installed.out + installed.err);
 }
 

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "support/paths.hpp"
+
 namespace tolman::test {
 namespace {
 
@@ -84,7 +86,7 @@ CheckedSystem checkSystem(const std::string& file, const std::vector<std::string
 
 std::string CheckedSystem::complaints() const { return withoutFolder(config::format(problems)); }
 
-std::string fixtures() { return TOLMAN_FIXTURES_DIR "/config/"; }
+std::string fixtures() { return inSource("tests/fixtures/config/"); }
 
 std::string withoutFolder(std::string text) {
   const std::string folder = fixtures();

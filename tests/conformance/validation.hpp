@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "end_to_end/process.hpp"
+#include "support/paths.hpp"
 
 namespace tolman::test {
 
 inline std::string fixtureLibrary(const std::string& name) {
-  return TOLMAN_BINARY_DIR "/tests/fixtures/plugins/" + name + "/tolman_odometry_" + name + ".so";
+  return inBuild("tests/fixtures/plugins/") + name + "/tolman_odometry_" + name + ".so";
 }
 
 struct Validation {

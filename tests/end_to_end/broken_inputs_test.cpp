@@ -5,6 +5,7 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -109,8 +110,8 @@ TEST_CASE("configurations that are wrong end with exit code 3 and all problems a
                       << "cells: {plugin: bayesian_atractor}\n"
                       << "map: {plugin: experience_map, on_failure: explode}\n"
                       << "observer: []\n";
-  const auto finished = tolman::test::tolman({"check", file.string(), "--plugin-path",
-                                              TOLMAN_BINARY_DIR "/tests/fixtures/plugins/steady"});
+  const auto finished = tolman::test::tolman(
+      {"check", file.string(), "--plugin-path", inBuild("tests/fixtures/plugins/steady")});
   INFO(finished.err);
   CHECK(finished.exit_code == 3);
   CHECK(contains(finished.err, ":2:"));

@@ -5,13 +5,14 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 /// Runs the tiny sequence with another odometry, from the fixture library `library`.
 struct Attempt {

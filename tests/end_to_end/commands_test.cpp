@@ -6,11 +6,12 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 
 namespace {
-const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 }
 
 TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
@@ -232,7 +233,7 @@ TEST_CASE("export of what is no run is one clear error") {
 }
 
 TEST_CASE("docs/reference/plugins.md is up to date (scripts/generate-reference)") {
-  const std::string page = readText(TOLMAN_SOURCE_DIR "/docs/reference/plugins.md");
+  const std::string page = readText(inSource("docs/reference/plugins.md"));
   for (const char* id : {"kitti", "images", "feature_stereo", "view_templates",
                          "bayesian_attractor", "experience_map", "progress"}) {
     INFO(id);

@@ -5,6 +5,7 @@
 
 #include "end_to_end/process.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 
@@ -14,9 +15,9 @@ TEST_CASE("the map of a street driven up and down is as good as its odometry", "
   if (!clip) return;
   const TemporaryFolder out;
   const Finished finished = tolman::test::tolman(
-      {"run", TOLMAN_SOURCE_DIR "/configs/" + config, "--set", "source.path=" + clip->string(),
-       "--set", "source.order=pingpong", "--set", "source.passes=4", "--set",
-       "record.arrays_every=0", "--out", (out.path() / "run").string(), "--quiet"});
+      {"run", inSource("configs/") + config, "--set", "source.path=" + clip->string(), "--set",
+       "source.order=pingpong", "--set", "source.passes=4", "--set", "record.arrays_every=0",
+       "--out", (out.path() / "run").string(), "--quiet"});
   INFO(config << " " << finished.err);
   REQUIRE(finished.exit_code == 0);
   const auto metrics = readJson(out.path() / "run/metrics.json");

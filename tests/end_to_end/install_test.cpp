@@ -5,6 +5,7 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -12,8 +13,7 @@ namespace fs = std::filesystem;
 TEST_CASE("install, build a stranger's plugin against the package, run it") {
   const TemporaryFolder folder;
   const auto prefix = (folder.path() / "prefix").string();
-  const Finished installed =
-      run({TOLMAN_CMAKE, "--install", TOLMAN_BINARY_DIR, "--prefix", prefix});
+  const Finished installed = run({TOLMAN_CMAKE, "--install", inBuild(""), "--prefix", prefix});
   INFO(installed.err);
   REQUIRE(installed.exit_code == 0);
   const std::string program = prefix + "/bin/tolman";
@@ -25,7 +25,7 @@ TEST_CASE("install, build a stranger's plugin against the package, run it") {
 
   const std::string source = (folder.path() / "stranger").string();
   const std::string build = (folder.path() / "stranger-build").string();
-  fs::copy(fs::path(TOLMAN_SOURCE_DIR) / "tests/end_to_end/external_plugin", source);
+  fs::copy(inSource("tests/end_to_end/external_plugin"), source);
   const Finished configured =
       run({TOLMAN_CMAKE, "-S", source, "-B", build, "-DCMAKE_PREFIX_PATH=" + prefix});
   INFO(configured.out << configured.err);

@@ -8,13 +8,14 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 std::vector<std::string> isolated(const std::vector<std::string>& stages) {
   std::vector<std::string> arguments;

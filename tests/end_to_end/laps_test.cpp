@@ -12,6 +12,7 @@
 #include "end_to_end/process.hpp"
 #include "end_to_end/record_rows.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -102,8 +103,8 @@ TEST_CASE("laps: the map keeps the gyroscope's heading better than odometry, wit
   const TemporaryFolder out;
   const fs::path run = out.path() / "run";
   const Finished finished = tolman::test::tolman(
-      {"run", TOLMAN_SOURCE_DIR "/configs/ratslam.yaml", "--set", "source.path=" + folder->string(),
-       "--set", "cells.plugin=" + cells, "--out", run.string(), "--quiet"});
+      {"run", inSource("configs/ratslam.yaml"), "--set", "source.path=" + folder->string(), "--set",
+       "cells.plugin=" + cells, "--out", run.string(), "--quiet"});
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
   const std::vector<double> gyro = gyroscope(*folder / "frames.csv");

@@ -9,6 +9,7 @@
 #include "end_to_end/process.hpp"
 #include "end_to_end/record_rows.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -52,7 +53,7 @@ using Settings = std::vector<std::string>;
 
 Finished runMotion(const std::string& config, const fs::path& folder, const fs::path& out,
                    const Settings& settings = {}) {
-  Settings arguments = {"run",    TOLMAN_SOURCE_DIR "/configs/" + config,
+  Settings arguments = {"run",    inSource("configs/") + config,
                         "--set",  "source.path=" + folder.string(),
                         "--out",  out.string(),
                         "--quiet"};

@@ -9,6 +9,7 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 #include "tolman/context.hpp"
 
 using namespace tolman::test;
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 /// Ends with 124 where `tolman` hangs.
 Finished bounded(std::vector<std::string> words) {

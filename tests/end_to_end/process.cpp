@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 namespace tolman::test {
 
@@ -48,9 +49,7 @@ Finished run(const std::vector<std::string>& command) {
   return Process(command, folder.path()).wait();
 }
 
-std::filesystem::path tolmanProgram() {
-  return std::filesystem::path(TOLMAN_BINARY_DIR) / "bin/tolman";
-}
+std::filesystem::path tolmanProgram() { return inBuild("bin/tolman"); }
 
 Finished tolman(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), tolmanProgram().string());

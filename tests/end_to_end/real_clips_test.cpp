@@ -4,13 +4,14 @@
 
 #include "end_to_end/process.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kConfig = TOLMAN_SOURCE_DIR "/configs/kitti.yaml";
+const std::string kConfig = inSource("configs/kitti.yaml");
 
 Finished runClip(const fs::path& clip, const fs::path& out,
                  const std::vector<std::string>& more = {}) {
@@ -66,7 +67,7 @@ TEST_CASE("one camera: place recognition runs, stereo odometry says what it need
   CHECK(contains(stereo.err, "feature_stereo"));
   const std::vector<std::string> steady = {"--set", "odometry={plugin: steady, speed: 8}",
                                            "--plugin-path",
-                                           TOLMAN_BINARY_DIR "/tests/fixtures/plugins/steady"};
+                                           inBuild("tests/fixtures/plugins/steady")};
   const Finished mono = runClip(*clip, folder.path() / "mono", steady);
   INFO(mono.err);
   CHECK(mono.exit_code == 0);

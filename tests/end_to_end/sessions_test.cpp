@@ -8,6 +8,7 @@
 #include "end_to_end/process.hpp"
 #include "end_to_end/record_rows.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -19,8 +20,7 @@ using Settings = std::vector<std::string>;
 /// Frames first ... last of a sequence; `settings` follow --set.
 Finished drive(const fs::path& data, const fs::path& out, int first, int last,
                const Settings& settings = {}, const std::string& earlier = "") {
-  Settings arguments = {"run", TOLMAN_SOURCE_DIR "/configs/motion.yaml", "--quiet", "--out",
-                        out.string()};
+  Settings arguments = {"run", inSource("configs/motion.yaml"), "--quiet", "--out", out.string()};
   Settings all = {"source.path=" + data.string(), "source.first=" + std::to_string(first),
                   "source.last=" + std::to_string(last), "source.truth_origin=data"};
   all.insert(all.end(), settings.begin(), settings.end());

@@ -7,6 +7,7 @@
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -39,8 +40,7 @@ TEST_CASE("output that cannot be written is exit code 8 of every command") {
   const Tiny tiny;
   const std::string config = writeTinyConfig(tiny.folder.path(), tiny.folder.path() / "sequence");
   const std::string truth = tiny.folder.path() / "sequence/poses.txt";
-  const std::vector<std::string> path = {"--plugin-path",
-                                         TOLMAN_BINARY_DIR "/tests/fixtures/plugins/steady"};
+  const std::vector<std::string> path = {"--plugin-path", inBuild("tests/fixtures/plugins/steady")};
   const auto code = [&](std::vector<std::string> words) {
     words.insert(words.end(), path.begin(), path.end());
     const Finished finished = run(script("exec", words, " >/dev/full"));

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
+#include "support/paths.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::test {
@@ -60,7 +61,7 @@ std::filesystem::path writeTinyConfig(const std::filesystem::path& folder,
 
 std::vector<std::string> tinyRun(const std::filesystem::path& config,
                                  const std::filesystem::path& out) {
-  const std::string fixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+  const std::string fixtures = inBuild("tests/fixtures/plugins/");
   return {"run",           config.string(),     "--out",         out.string(),
           "--plugin-path", fixtures + "steady", "--plugin-path", fixtures + "misbehaving"};
 }

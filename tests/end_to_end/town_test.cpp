@@ -6,13 +6,14 @@
 
 #include "process.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 namespace fs = std::filesystem;
 using namespace tolman::test;
 
 namespace {
 
-const std::string kConfigs = TOLMAN_SOURCE_DIR "/configs/";
+const std::string kConfigs = inSource("configs/");
 
 }  // namespace
 

@@ -10,11 +10,12 @@
 #include "host/catalogue.hpp"
 #include "host/instance.hpp"
 #include "host/library.hpp"
+#include "support/paths.hpp"
 
 namespace tolman::test {
 
 inline std::filesystem::path fixtureFolder(const std::string& name) {
-  return std::filesystem::path(TOLMAN_BINARY_DIR) / "tests/fixtures/plugins" / name;
+  return std::filesystem::path(inBuild("tests/fixtures/plugins")) / name;
 }
 
 inline std::filesystem::path fixtureFile(const std::string& name) {

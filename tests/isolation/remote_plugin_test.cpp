@@ -8,6 +8,7 @@
 #include "host/stages.hpp"
 #include "isolation/remote_roles.hpp"
 #include "support/context.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman;
 using namespace tolman::test;
@@ -15,7 +16,7 @@ using namespace tolman::test;
 namespace {
 
 isolation::LaunchOptions launch(double deadline_s = 60, std::uint64_t memory_mib = 4096) {
-  return {{TOLMAN_BINARY_DIR "/bin/tolman", "run-stage"}, deadline_s, memory_mib, 1};
+  return {{inBuild("bin/tolman"), "run-stage"}, deadline_s, memory_mib, 1};
 }
 
 host::OrRefusal<std::shared_ptr<isolation::RemotePlugin>> start(

@@ -8,6 +8,7 @@
 #include "end_to_end/tiny_kitti.hpp"
 #include "run/run.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman;
 using namespace tolman::test;
@@ -15,8 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kPlugins = TOLMAN_BINARY_DIR "/plugins";
-const std::string kFixtures = TOLMAN_BINARY_DIR "/tests/fixtures/plugins/";
+const std::string kPlugins = inBuild("plugins");
+const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 struct NeverCancelled : Cancellation {
   bool requested() const override { return false; }
@@ -45,8 +46,8 @@ struct Tiny {
 }  // namespace
 
 TEST_CASE("docs/embed.md shows the example as it is compiled") {
-  const std::string page = readText(TOLMAN_SOURCE_DIR "/docs/embed.md");
-  const std::string code = readText(TOLMAN_SOURCE_DIR "/tests/run/embed_example.cpp");
+  const std::string page = readText(inSource("docs/embed.md"));
+  const std::string code = readText(inSource("tests/run/embed_example.cpp"));
   CHECK(contains(page, code.substr(code.find("#include"))));
 }
 

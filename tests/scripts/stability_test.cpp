@@ -5,6 +5,7 @@
 
 #include "end_to_end/process.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -63,8 +64,8 @@ class Repository {
                                                 std::to_string(minor) + "\n");
   }
   Finished check() const {
-    return run({TOLMAN_SOURCE_DIR "/scripts/check-stability", "--repository",
-                folder_.path().string(), "--list"});
+    return run(
+        {inSource("scripts/check-stability"), "--repository", folder_.path().string(), "--list"});
   }
 
  private:

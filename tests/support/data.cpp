@@ -5,6 +5,8 @@
 #include <iostream>
 #include <string>
 
+#include "support/paths.hpp"
+
 namespace tolman::test {
 
 std::vector<std::string>& skips() {
@@ -14,9 +16,9 @@ std::vector<std::string>& skips() {
 
 std::optional<std::filesystem::path> dataOrSkip(std::string_view name) {
   const char* set = std::getenv("TOLMAN_DATA");
-  const std::filesystem::path root =
-      set != nullptr ? std::filesystem::path(set)
-                     : std::filesystem::path(TOLMAN_SOURCE_DIR) / "../shared/data";
+  const std::filesystem::path root = set != nullptr
+                                         ? std::filesystem::path(set)
+                                         : std::filesystem::path(inSource("../shared/data"));
   const auto path = root / name;
   if (std::filesystem::exists(path)) return std::filesystem::canonical(path);
   std::cerr << "SKIPPED: no data at " << path.string() << " (set TOLMAN_DATA)\n";
