@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Albedos of all materials: within [0, 1], continuous, and averaged over the pixel as the mean of
+// many small pixels would be.
+#include "material.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "drawn_route.hpp"
+#include "tolman/context.hpp"
+
+using namespace tolman;
+using namespace tolman::town;
+
+namespace {
+
+constexpr std::array<Material, 12> kMaterials = {
+    Material::Road,   Material::Kerb, Material::Land,  Material::Paint,
+    Material::Facade, Material::Roof, Material::Plain, Material::Wood,
+    Material::Leaves, Material::Bark, Material::Body,  Material::Board};
+
+/// With a street whose middle is 1.7 m left of the origin, so that x leads off it.
+const StreetPlan& thePlan() {
+  static const StreetPlan plan = StreetPlan::grow(test::builtIn("block"), 1.65).value();
+  return plan;
+}
+
+/// A surface in the plane of x and z (walls) or x and y (ground), 12 m by 6 m.
+struct Sheet {
+  Surface surface;
+  Vec3 axis_v;
+  Vec3 normal;
+
+  Sheet(Material material, std::uint32_t seed) {
+    const bool ground = material == Material::Road || material == Material::Land ||
+                        material == Material::Paint || material == Material::Kerb;
+    axis_v = ground ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    normal = ground ? Vec3{0, 0, 1} : Vec3{0, -1, 0};
+    surface.material = material;
+    surface.seed = seed;
+    surface.tone = material == Material::Leaves ? 0.2F : 0.3F;  // as large as plants have it
+    surface.axis_v = axis_v;
+    surface.width = 12;
+    surface.height = 6;
+  }
+  /// Seen by a square pixel of `size` m.
+  float at(float u, float v, float size) const {
+    SurfaceHit hit;
+    hit.point = Vec3{u, 0, 0} + axis_v * v;
+    hit.normal = normal;
+    hit.dx = {size, 0, 0};
+    hit.dy = axis_v * size;
+    hit.seed = surface.seed;
+    return albedo(surface, hit, thePlan());
+  }
+  /// The same square as the mean of n^2 small pixels.
+  float meanOf(float u, float v, float size, int n) const {
+    const float step = size / static_cast<float>(n);
+    const float first = 0.5F * step - 0.5F * size;
+    float sum = 0;
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        sum += at(u + first + static_cast<float>(i) * step,
+                  v + first + static_cast<float>(j) * step, step);
+      }
+    }
+    return sum / static_cast<float>(n * n);
+  }
+};
+
+float draw(RandomStream& random, double low, double high) {
+  return static_cast<float>(random.uniform(low, high));
+}
+
+}  // namespace
+
+TEST_CASE("no surface swallows or makes light, from whatever distance") {
+  RandomStream random(3);
+  for (const Material material : kMaterials) {
+    for (int i = 0; i < 3000; ++i) {
+      const Sheet sheet(material, static_cast<std::uint32_t>(i));
+      const float size = std::pow(10.0F, draw(random, -3, 1));
+      const float value = sheet.at(draw(random, -40, 40), draw(random, -5, 30), size);
+      CAPTURE(static_cast<int>(material), i, size, value);
+      REQUIRE(value > 0);
+      REQUIRE(value < 1);
+    }
+  }
+}
+
+TEST_CASE("a hair's breadth to the side a pixel sees nearly the same") {
+  RandomStream random(4);
+  for (const Material material : kMaterials) {
+    for (int i = 0; i < 3000; ++i) {
+      const Sheet sheet(material, static_cast<std::uint32_t>(i % 7));
+      const float size = 0.05F;
+      const float u = draw(random, 0.2, 11.8);
+      const float v = draw(random, 0.1, 5.9);
+      const float here = sheet.at(u, v, size);
+      CAPTURE(static_cast<int>(material), i, u, v);
+      REQUIRE(std::abs(sheet.at(u + 2e-4F, v, size) - here) < 0.02F);
+      REQUIRE(std::abs(sheet.at(u, v + 2e-4F, size) - here) < 0.02F);
+    }
+  }
+}
+
+// A texture that is sampled instead of averaged shimmers: seen from afar it would keep the contrast
+// of single points.
+TEST_CASE("a wide pixel sees about the mean of the small ones that it covers") {
+  RandomStream random(5);
+  for (const Material material : kMaterials) {
+    constexpr int kCount = 400;
+    constexpr float kWide = 0.5F;  // m
+    double error = 0;
+    double mean = 0;
+    double fine_mean = 0;
+    double squares = 0;
+    double squared_error = 0;
+    for (int i = 0; i < kCount; ++i) {
+      const Sheet sheet(material, static_cast<std::uint32_t>(i % 5));
+      const float u = draw(random, 0.5, 11.5);
+      const float v = draw(random, 0.5, 5.5);
+      const auto fine = static_cast<double>(sheet.meanOf(u, v, kWide, 10)) / kCount;
+      const auto coarse = static_cast<double>(sheet.at(u, v, kWide)) / kCount;
+      const auto point = static_cast<double>(sheet.at(u, v, 1e-3F)) / kCount;
+      error += coarse - fine;
+      squared_error += kCount * (coarse - fine) * (coarse - fine);
+      squares += kCount * point * point;
+      mean += point;
+      fine_mean += fine;
+    }
+    const double contrast = std::sqrt(squares - mean * mean);
+    CAPTURE(static_cast<int>(material), std::sqrt(squared_error), contrast, error, fine_mean);
+    CHECK(std::sqrt(squared_error) < 0.7 * contrast);
+    // Leaves lose their gaps and highlights unequally: up to a fifth of their brightness.
+    CHECK(std::abs(error) < (material == Material::Leaves ? 0.2 : 0.1) * fine_mean);
+  }
+}
+
+TEST_CASE("seen from very far a plain thing, a leaf and a road have one tone each") {
+  RandomStream random(6);
+  for (const Material material : {Material::Plain, Material::Leaves, Material::Bark}) {
+    const Sheet sheet(material, 3);
+    const float far = sheet.at(1, 1, 200);
+    for (int i = 0; i < 50; ++i) {
+      REQUIRE(sheet.at(draw(random, -30, 30), draw(random, -30, 30), 200) == Approx(far));
+    }
+  }
+}
+
+TEST_CASE("seeds change what a surface looks like, tones how bright it is") {
+  for (const Material material : kMaterials) {
+    double darker = 0;
+    double brighter = 0;
+    double other_seed = 0;
+    for (int i = 0; i < 200; ++i) {
+      const float u = 0.3F + 0.055F * static_cast<float>(i);
+      const float v = 1.3F + 0.017F * static_cast<float>(i);
+      Sheet sheet(material, 3);
+      const float value = sheet.at(u, v, 0.02F);
+      darker += static_cast<double>(value);
+      other_seed += std::abs(static_cast<double>(Sheet(material, 4).at(u, v, 0.02F) - value));
+      sheet.surface.tone *= 1.2F;
+      brighter += static_cast<double>(sheet.at(u, v, 0.02F));
+    }
+    CAPTURE(static_cast<int>(material), darker, brighter, other_seed);
+    CHECK(other_seed > 0.2);
+    if (material == Material::Land) {
+      CHECK(brighter == darker);  // its tones are those of pavement and grass
+    } else {
+      CHECK(brighter > darker);
+      CHECK(brighter <= 1.2 * darker + 1e-3);
+    }
+  }
+}

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Oncoming cars: on their lane, against the route, at steady speeds, and back at the start of it.
+#include "traffic.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+
+#include "drawn_route.hpp"
+
+using namespace tolman;
+using namespace tolman::town;
+
+namespace {
+
+StreetPlan planOf(const CameraRoute& route) {
+  return StreetPlan::grow(route, RouteOptions{}.camera_height).value();
+}
+
+/// `length` m straight ahead along Y, the ground rising by a tenth.
+CameraRoute straight(int length) {
+  CameraRoute route;
+  for (int i = 0; i <= length; ++i) {
+    route.stamps_ns.push_back(std::int64_t{i} * 100'000'000);
+    route.T_town_camera.push_back(
+        test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 0.1 * i));
+  }
+  return route;
+}
+
+Eigen::Vector2d placeOf(const Placement& p) {
+  return {static_cast<double>(p.position.x), static_cast<double>(p.position.y)};
+}
+
+/// m/s of car `index` between two times that it does not leave the road in.
+double speedOf(const Traffic& traffic, std::size_t index, double from, double to) {
+  return (placeOf(traffic.at(index, to)) - placeOf(traffic.at(index, from))).norm() / (to - from);
+}
+
+}  // namespace
+
+TEST_CASE("on a straight street every car comes down the left lane at its own steady speed") {
+  const CameraRoute route = straight(600);
+  const StreetPlan plan = planOf(route);
+  const Traffic traffic(route, plan, 20, 5);
+  REQUIRE(traffic.size() == 12);
+  std::vector<double> speeds;
+  for (std::size_t i = 0; i < traffic.size(); ++i) {
+    const double start = placeOf(traffic.at(i, 0)).y();
+    CHECK(start >= 50.0 * static_cast<double>(i));  // one car in each twelfth of the street
+    CHECK(start < 50.0 * static_cast<double>(i + 1));
+    if (start < 30) continue;  // turns over to the far end soon
+    const double speed = speedOf(traffic, i, 0, 1);
+    CHECK(speed > 6 - 1e-3);
+    CHECK(speed < 13 + 1e-3);
+    CHECK(speedOf(traffic, i, 1, 2) == Approx(speed).epsilon(1e-3));
+    speeds.push_back(speed);
+    for (const double t : {0.0, 0.7, 1.9}) {
+      const Placement at = traffic.at(i, t);
+      CHECK(at.position.x == Approx(-2 * StreetPlan::kLaneOffset).margin(1e-4));
+      CHECK(at.cosine == Approx(0).margin(1e-5));
+      CHECK(at.sine == Approx(-1));
+      CHECK(at.position.z == Approx(plan.height(at.position.x, at.position.y)).margin(1e-4));
+    }
+  }
+  std::sort(speeds.begin(), speeds.end());
+  CHECK(std::adjacent_find(speeds.begin(), speeds.end()) == speeds.end());
+}
+
+TEST_CASE("a car that reaches the beginning of the route comes again from its end") {
+  const CameraRoute route = straight(300);
+  const StreetPlan plan = planOf(route);
+  const Traffic traffic(route, plan, 10, 9);
+  REQUIRE(traffic.size() == 3);
+  const double speed = speedOf(traffic, 2, 0, 1);  // begins in the last third
+  const double round = 300 / speed;
+  for (const double t : {0.0, 3.3, 11.0}) {
+    const Eigen::Vector2d now = placeOf(traffic.at(2, t));
+    CHECK((placeOf(traffic.at(2, t + round)) - now).norm() < 0.05);
+    CHECK((placeOf(traffic.at(2, t + 5 * round)) - now).norm() < 0.2);
+  }
+  // Long after and long before the drive it is on the street all the same.
+  for (const double t : {-1e5, 1e6}) {
+    const Eigen::Vector2d p = placeOf(traffic.at(2, t));
+    CHECK(p.y() >= 0);
+    CHECK(p.y() <= 300);
+  }
+}
+
+TEST_CASE("through bends cars keep their lane and look where they drive") {
+  const CameraRoute route = test::builtIn("block");
+  const StreetPlan plan = planOf(route);
+  const Traffic traffic(route, plan, 15, 2);
+  REQUIRE(traffic.size() >= 4);
+  int in_bends = 0;
+  for (std::size_t i = 0; i < traffic.size(); ++i) {
+    for (double t = 0; t < 60; t += 0.93) {
+      const Placement now = traffic.at(i, t);
+      const Eigen::Vector2d step = placeOf(traffic.at(i, t + 0.02)) - placeOf(now);
+      if (step.norm() > 1) continue;  // from the beginning to the end
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const Eigen::Isometry3d& T : route.T_town_camera) {
+        nearest = std::min(nearest, (T.translation().head<2>() - placeOf(now)).norm());
+      }
+      CAPTURE(i, t);
+      REQUIRE(nearest > 2 * StreetPlan::kLaneOffset - 0.1);
+      REQUIRE(nearest < 2 * StreetPlan::kLaneOffset + 0.1);
+      const Eigen::Vector2d facing(static_cast<double>(now.cosine), static_cast<double>(now.sine));
+      REQUIRE(step.normalized().dot(facing) > 0.97);
+      in_bends += std::abs(facing.x()) > 0.2 && std::abs(facing.y()) > 0.2;
+    }
+  }
+  CHECK(in_bends > 10);
+}
+
+TEST_CASE("a seed makes one traffic; no density, no street and no drive make none") {
+  const CameraRoute route = straight(400);
+  const StreetPlan plan = planOf(route);
+  const auto places = [&](std::uint32_t seed) {
+    const Traffic traffic(route, plan, 10, seed);
+    std::vector<float> along;
+    for (std::size_t i = 0; i < traffic.size(); ++i) along.push_back(traffic.at(i, 4).position.y);
+    return along;
+  };
+  CHECK(places(1) == places(1));
+  CHECK(places(1) != places(2));
+  CHECK(Traffic(route, plan, 0, 1).size() == 0);
+  CHECK(Traffic(straight(0), plan, 10, 1).size() == 0);
+}
