@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Planar edges: what is written is read, chains are products of matrices, and files that are none.
+#include "g2o_edges.hpp"
+
+#include <sys/stat.h>
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "support/data.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::motion_log {
+namespace {
+
+struct EdgeFile {
+  explicit EdgeFile(const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+  std::string refusal() const {
+    const auto edges = readEdges(path);
+    REQUIRE_FALSE(edges.isOk());
+    REQUIRE(edges.status().code() == StatusCode::InvalidInput);
+    std::string message = edges.status().message();
+    REQUIRE(message.starts_with(path.string()));
+    return message.substr(path.string().size());
+  }
+
+  test::TemporaryFolder folder;
+  std::filesystem::path path = folder.path() / "edges.g2o";
+};
+
+std::string edgeText(const Edge& edge, const char* end = "\n") {
+  std::ostringstream text;
+  text << std::setprecision(17) << "EDGE_SE2 " << edge.from << ' ' << edge.to << ' '
+       << edge.motion.x << ' ' << edge.motion.y << ' ' << edge.motion.theta << end;
+  return text.str();
+}
+
+std::vector<Edge> randomChain(std::uint64_t seed, int count) {
+  RandomStream random(seed);
+  std::vector<Edge> edges;
+  for (int i = 0; i < count; ++i) {
+    edges.push_back(
+        {i, i + 1, {random.uniform(-2, 2), random.normal(), random.uniform(-3.1, 3.1)}, i + 1});
+  }
+  return edges;
+}
+
+}  // namespace
+
+TEST_CASE("edges come back to the last bit, with Windows line ends and any blanks too") {
+  for (const char* end : {"\n", "\r\n", " 1 0 0 1 0 1\r\n", "   \n\n", "\n# a comment\n\r\n"}) {
+    const std::vector<Edge> written = randomChain(3, 50);
+    std::string text;
+    for (const Edge& edge : written) text += edgeText(edge, end);
+    const EdgeFile file(text);
+    const auto read = readEdges(file.path);
+    CAPTURE(end, read.status().message());
+    REQUIRE(read.isOk());
+    REQUIRE(read.value().size() == written.size());
+    for (std::size_t i = 0; i < written.size(); ++i) {
+      REQUIRE(read.value()[i].from == written[i].from);
+      REQUIRE(read.value()[i].to == written[i].to);
+      REQUIRE(read.value()[i].motion.x == written[i].motion.x);
+      REQUIRE(read.value()[i].motion.y == written[i].motion.y);
+      REQUIRE(read.value()[i].motion.theta == written[i].motion.theta);
+    }
+  }
+}
+
+TEST_CASE("a chain is the product of its steps' matrices") {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const std::vector<Edge> edges = randomChain(seed, 300);
+    std::string text;
+    for (const Edge& edge : edges) text += edgeText(edge);
+    const EdgeFile file(text);
+    const auto poses = readChain(file.path);
+    REQUIRE(poses.isOk());
+    REQUIRE(poses.value().size() == 301);
+    Eigen::Isometry2d T = Eigen::Isometry2d::Identity();
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const PlanarPose& m = edges[i].motion;
+      T = T * Eigen::Translation2d(m.x, m.y) * Eigen::Rotation2Dd(m.theta);
+      const PlanarPose& pose = poses.value()[i + 1];
+      REQUIRE(pose.x == Approx(T.translation().x()).margin(1e-9));
+      REQUIRE(pose.y == Approx(T.translation().y()).margin(1e-9));
+      REQUIRE(std::cos(pose.theta) == Approx(T.linear()(0, 0)).margin(1e-9));
+      REQUIRE(std::sin(pose.theta) == Approx(T.linear()(1, 0)).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a line with too few, wild or wrong numbers is refused by its number") {
+  for (const char* line : {"EDGE_SE2", "EDGE_SE2 0 1", "EDGE_SE2 0 1 1 0", "EDGE_SE2 0 1 nan 0 0",
+                           "EDGE_SE2 0 1 0 inf 0", "EDGE_SE2 0 1 0 0 1e400", "EDGE_SE2 -1 0 0 0 0",
+                           "EDGE_SE2 0 -1 0 0 0", "EDGE_SE2 0 100000000 0 0 0",
+                           "EDGE_SE2 0 99999999999999999999 0 0 0", "EDGE_SE2 0.5 1 0 0 0",
+                           "EDGE_SE2 0 1 1,5 0 0", "EDGE_SE2 a b c d e"}) {
+    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0\n\n") + line + "\n");
+    CAPTURE(line);
+    CHECK(file.refusal() ==
+          ":3: needs two ids from 0 and three finite numbers (dx dy dtheta); correct it");
+  }
+  for (const char* line : {"EDGE_SE3:QUAT 0 1", "edge_se2 0 1 1 0 0", "0 1 1 0 0", "\xff\xfe",
+                           "EDGE_SE2_XY 0 1 1 0 0"}) {
+    const EdgeFile file(std::string("# first\n") + line);
+    CAPTURE(line);
+    CHECK(file.refusal() == ":2: is no EDGE_SE2; a motion log has planar edges only");
+  }
+}
+
+TEST_CASE("vertices, fixed ones and comments are passed over") {
+  const EdgeFile file("VERTEX_SE2 0 nan\nFIX 0\n#EDGE_SE2\n\n  \nVERTEX_TRACKXYZ 3\n");
+  const auto edges = readEdges(file.path);
+  REQUIRE(edges.isOk());
+  CHECK(edges.value().empty());
+  CHECK(readChain(file.path).status().message() == file.path.string() + " has no edges");
+}
+
+TEST_CASE("chains that skip, repeat or turn back are refused where they do") {
+  for (const char* second : {"EDGE_SE2 0 1 1 0 0", "EDGE_SE2 2 3 1 0 0", "EDGE_SE2 1 0 1 0 0",
+                             "EDGE_SE2 1 3 1 0 0", "EDGE_SE2 1 1 1 0 0"}) {
+    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0\n") + second + "\n");
+    CAPTURE(second);
+    CHECK(readChain(file.path).status().message() ==
+          file.path.string() + ":2: should lead from 1 to 2; sort the edges and fill the gaps");
+    CHECK(readEdges(file.path).isOk());  // loop candidates may
+  }
+}
+
+TEST_CASE("folders, pipes and files that are not there are refused without waiting") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  for (const std::filesystem::path& path : {folder.path(), pipe, folder.path() / "nothing"}) {
+    CHECK(readEdges(path).status().message() ==
+          path.string() + " is no file that can be read; check the path");
+  }
+}
+
+}  // namespace tolman::motion_log
