@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Less memory than is needed: one clear message and the exit code of the table, never a signal.
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+#include "support/paths.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// `tolman` with these arguments and at most `mib` of address space.
+Finished within(int mib, const std::vector<std::string>& words) {
+  std::string line =
+      "ulimit -v " + std::to_string(1024 * mib) + "; exec '" + tolmanProgram().string() + "'";
+  for (const std::string& word : words) line += " '" + word + "'";
+  return run({"bash", "-c", line});
+}
+
+}  // namespace
+
+TEST_CASE("data that do not fit into memory are said to be too much, not a defect") {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "long.txt";
+  {
+    std::ofstream poses(file);
+    for (int k = 0; k < 900'000; ++k) poses << k << " 0 0 0 0 0 0 1\n";
+  }
+  const Finished finished = within(300, {"eval", file.string(), file.string()});
+  CHECK(finished.exit_code == 70);
+  CHECK(finished.err == "tolman: out of memory; give it more (`ulimit -v`), or less to do\n");
+  CHECK(finished.out.empty());
+}
+
+TEST_CASE("a plugin that takes all memory fails alone: the frames before are recorded") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const std::string out = (folder.path() / "run").string();
+  const std::string fixtures = inBuild("tests/fixtures/plugins/");
+  const Finished finished =
+      within(1500, {"run", config.string(), "--out", out, "--plugin-path",
+                    fixtures + "process_faults", "--set", "odometry={plugin: eat_memory}"});
+  CAPTURE(finished.exit_code, finished.err);
+  CHECK(finished.exit_code == 7);
+  CHECK(contains(finished.err, "odometry (eat_memory), track, frame 3: threw: std::bad_alloc"));
+  const auto provenance = readJson(fs::path(out) / "run.json");
+  CHECK(provenance["status"] == "failed");
+  CHECK(provenance["counters"]["frames"] == 3);
+  CHECK(fs::exists(fs::path(out) / "report.html"));
+}
+
+TEST_CASE("libraries that find no room are refused as plugins, with the limits as the remedy") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 2);
+  const std::string config = writeTinyConfig(folder.path(), folder.path() / "sequence").string();
+  int refused = 0;
+  for (int mib = 90; mib <= 330; mib += 20) {
+    const Finished finished =
+        within(mib, {"check", config, "--plugin-path", inBuild("tests/fixtures/plugins/steady")});
+    CAPTURE(mib, finished.exit_code, finished.err);
+    // 127: the system's loader, before the program begins.
+    CHECK((finished.exit_code == 0 || finished.exit_code == 4 || finished.exit_code == 70 ||
+           finished.exit_code == 127));
+    if (finished.exit_code != 4) continue;
+    ++refused;
+    CHECK(contains(finished.err, "plugin/load-failed"));
+    CHECK(contains(finished.err, "limits of this process"));
+  }
+  CHECK(refused > 0);
+}
