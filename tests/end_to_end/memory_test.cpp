@@ -41,9 +41,9 @@ TEST_CASE("a plugin that takes all memory fails alone: the frames before are rec
   const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const std::string out = (folder.path() / "run").string();
   const std::string fixtures = inBuild("tests/fixtures/plugins/");
-  const Finished finished =
-      within(1500, {"run", config.string(), "--out", out, "--plugin-path",
-                    fixtures + "process_faults", "--set", "odometry={plugin: eat_memory}"});
+  const Finished finished = within(
+      1500, {"run", config.string(), "--out", out, "--plugin-path", fixtures + "process_faults",
+             "--set", "odometry={plugin: eat_memory}", "--set", "threads=2"});
   CAPTURE(finished.exit_code, finished.err);
   CHECK(finished.exit_code == 7);
   CHECK(contains(finished.err, "odometry (eat_memory), track, frame 3: threw: std::bad_alloc"));

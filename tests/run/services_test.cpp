@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The services of a run: the log keeps every line, artefacts wait for their folder, signals are
-// requests.
+// The services of a run: the log keeps every line, artefacts wait for their folder.
 #include "run/services.hpp"
 
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <regex>
 #include <thread>
 #include <vector>
@@ -110,24 +106,6 @@ TEST_CASE("artefacts are refused before there is a run directory, and never leav
   for (const char* name : {"", "/etc/a", "../a", "a/../../b", "a/", ".", "a//../b"}) {
     CAPTURE(name);
     CHECK_FALSE(artefacts.write(name, bytesOf("text")).isOk());
-  }
-}
-
-TEST_CASE("the first signal is a request, and so is every one of a closing terminal") {
-  Interrupts interrupts;
-  CHECK_FALSE(interrupts.requested());
-  const auto isPending = [] {
-    sigset_t pending;
-    ::sigpending(&pending);
-    return sigismember(&pending, SIGHUP) == 1;
-  };
-  for (int i = 0; i < 3; ++i) {
-    REQUIRE(::kill(::getpid(), SIGHUP) == 0);
-    while (isPending()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    for (int k = 0; k < 2000 && !interrupts.requested(); ++k) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    CHECK(interrupts.requested());
   }
 }
 
