@@ -205,7 +205,8 @@ Status PlaceReplay::read(StateReader& reader) {
   bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) &&
                run_offset_ > -kMostOffset && run_offset_ < kMostOffset;
   const auto count = reader.get<std::int64_t>();
-  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
+  // Fewer bytes than a number would never be read.
+  for (std::int64_t i = 0; i < count && reader.remaining() >= sizeof(std::int64_t); ++i) {
     const auto source_index = reader.get<std::int64_t>();
     ReplayedView& view = views_[source_index];
     view.template_id = reader.get<std::int64_t>();
@@ -214,6 +215,7 @@ Status PlaceReplay::read(StateReader& reader) {
     sound = sound && view.template_id >= 0 && view.template_id < templates_ &&
             std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
   }
+  sound = sound && static_cast<std::int64_t>(views_.size()) == count;
   if (sound && reader.complete()) return Status::ok();
   return Status::invalidInput("the saved views are damaged: numbers that cannot be");
 }

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Saved views whose envelope is right and whose contents are not: refused at once, or used without
+// harm.
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+#include "place_replay.hpp"
+#include "support/context.hpp"
+#include "tolman/state_stream.hpp"
+
+using namespace tolman;
+using namespace tolman::place_replay;
+
+namespace {
+
+constexpr std::size_t kHeader = sizeof(detail::StateHeader);
+
+/// A plugin that drops and invents candidates, so that all of its state is used.
+struct Replay {
+  Replay()
+      : context({{"relative_pose", true},
+                 {"kept", 0.7},
+                 {"invented", 0.5},
+                 {"invented_run", std::int64_t{20}}}) {
+    REQUIRE(place.configure(context).isOk());
+  }
+  PlaceObservation look(std::int64_t index) {
+    Frame frame;
+    frame.frame = frame.source_index = index;
+    frame.sensors.push_back({"place.candidate", {1, 4}, {10, 1, 0, 0}});
+    Motion motion;
+    motion.state = TrackingState::Tracking;
+    motion.T_previous_current = fromPlanar({1, 0, 0});
+    PlaceObservation observation;
+    REQUIRE(place.observe(frame, &motion, observation).isOk());
+    REQUIRE(firstInvalidField(observation).empty());
+    return observation;
+  }
+  Status load(const std::string& payload) {
+    StateWriter writer;
+    writer.putAll(std::span<const char>(payload.data(), payload.size()));
+    std::ostringstream out;
+    REQUIRE(writer.write(out, "TLMPLRPL", 4).isOk());
+    std::istringstream in(out.str());
+    return place.load(in);
+  }
+
+  test::TestContext context;
+  PlaceReplay place;
+};
+
+std::string payload() {
+  Replay replay;
+  for (std::int64_t i = 0; i < 150; ++i) replay.look(i);
+  std::ostringstream stream;
+  REQUIRE(replay.place.save(stream).isOk());
+  return stream.str().substr(kHeader);
+}
+
+}  // namespace
+
+TEST_CASE("every other length is refused at once, whatever the count of views says") {
+  const std::string sound = payload();
+  constexpr std::size_t kCount = 4 * 8 + 8 + 4 + 4 * 8;  // words, templates, drive, four indices
+  for (const std::int64_t count : {std::int64_t{0}, std::int64_t{0x7fffffffffffffff}}) {
+    std::string bytes = sound;
+    if (count > 0) std::memcpy(bytes.data() + kCount, &count, sizeof count);
+    for (std::size_t length = 0; length < bytes.size(); length += 3) {
+      Replay replay;
+      CAPTURE(count, length);
+      REQUIRE(replay.load(bytes.substr(0, length)).message() ==
+              "the saved views are damaged: numbers that cannot be");
+    }
+    for (std::size_t more = 1; more < 9; ++more) {
+      Replay replay;
+      REQUIRE_FALSE(replay.load(bytes + std::string(more, '\0')).isOk());
+    }
+  }
+  Replay replay;
+  CHECK(replay.load(sound).isOk());
+}
+
+TEST_CASE("wild numbers are refused, or views are reported that the host accepts") {
+  const std::string sound = payload();
+  int refused = 0;
+  int taken = 0;
+  for (std::size_t at = 0; at + 8 <= sound.size(); at += 4) {
+    for (const double wild : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300}) {
+      std::string bytes = sound;
+      std::memcpy(bytes.data() + at, &wild, sizeof wild);
+      Replay replay;
+      if (replay.load(bytes).isOk()) {
+        ++taken;
+        for (std::int64_t i = 150; i < 165; ++i) replay.look(i);
+      } else {
+        ++refused;
+        CHECK(replay.look(0).recognition == Recognition::Novel);  // as after reset
+      }
+    }
+  }
+  CHECK(refused > 50);
+  CHECK(taken > 50);
+}
