@@ -2,7 +2,11 @@
 #include "pipeline/bounded_queue.hpp"
 
 #include <catch2/catch.hpp>
+#include <deque>
 #include <thread>
+#include <vector>
+
+#include "tolman/context.hpp"
 
 using tolman::config::QueuePolicy;
 using tolman::pipeline::BoundedQueue;
@@ -37,5 +41,50 @@ TEST_CASE("a blocking queue waits for room and drops nothing") {
     if (const auto item = queue.pop()) CHECK(*item == expected++);
   }
   producer.join();
+  CHECK(queue.empty());
+}
+
+TEST_CASE("any sequence of calls does what a list would") {
+  for (const QueuePolicy policy : {QueuePolicy::DropNewest, QueuePolicy::DropOldest}) {
+    tolman::RandomStream random(19);
+    BoundedQueue<int> queue(4, policy);
+    std::deque<int> list;
+    for (int i = 0; i < 5000; ++i) {
+      if (random.below(2) == 0) {
+        const auto item = queue.pop();
+        REQUIRE(item.has_value() == !list.empty());
+        if (!item) continue;
+        REQUIRE(*item == list.front());
+        list.pop_front();
+      } else {
+        const auto dropped = queue.push(i);
+        list.push_back(i);
+        REQUIRE(dropped.has_value() == (list.size() > 4));
+        if (!dropped) continue;
+        const bool newest = policy == QueuePolicy::DropNewest;
+        REQUIRE(*dropped == (newest ? list.back() : list.front()));
+        newest ? list.pop_back() : list.pop_front();
+      }
+      REQUIRE(queue.empty() == list.empty());
+    }
+  }
+}
+
+TEST_CASE("of several producers nothing is lost or doubled, and each one's order is kept") {
+  BoundedQueue<std::pair<int, int>> queue(3, QueuePolicy::Block);
+  std::vector<std::thread> producers;
+  for (int p = 0; p < 4; ++p) {
+    producers.emplace_back([&queue, p] {
+      for (int i = 0; i < 500; ++i) (void)queue.push({p, i});
+    });
+  }
+  std::array<int, 4> next{};
+  for (int taken = 0; taken < 2000;) {
+    const auto item = queue.pop();
+    if (!item) continue;
+    CHECK(item->second == next[static_cast<std::size_t>(item->first)]++);
+    ++taken;
+  }
+  for (std::thread& producer : producers) producer.join();
   CHECK(queue.empty());
 }

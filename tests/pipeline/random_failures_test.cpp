@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Stages that fail at frames drawn at random: what is published, counted and said follows from the
+// draws alone, for any number of threads.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "pipeline/toy_stages.hpp"
+#include "tolman/context.hpp"
+
+using namespace tolman;
+using config::FailurePolicy;
+using tolman::test::Diary;
+using tolman::test::Hooks;
+using tolman::test::ToySystem;
+
+namespace {
+
+constexpr std::int64_t kFrames = 60;
+
+/// The frames at which each stage fails.
+struct Draws {
+  std::array<std::set<std::int64_t>, 4> failing;  ///< odometry, place, cells, map
+
+  Draws(RandomStream& random, double share) {
+    for (auto& frames : failing) {
+      for (std::int64_t frame = 1; frame < kFrames; ++frame) {
+        if (random.uniform() < share) frames.insert(frame);
+      }
+    }
+  }
+  void set(Hooks& hooks) const {
+    hooks.frames = kFrames;
+    const std::array stages = {&Hooks::odometry, &Hooks::place, &Hooks::cells, &Hooks::map};
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      hooks.*stages[i] = [frames = failing[i]](std::int64_t frame) {
+        return frames.contains(frame) ? Status::failed("broken") : Status::ok();
+      };
+    }
+  }
+};
+
+constexpr pipeline::Policies kSkipAll = {FailurePolicy::Skip, FailurePolicy::Skip,
+                                         FailurePolicy::Skip, FailurePolicy::Skip};
+
+}  // namespace
+
+TEST_CASE("skipped failures leave every frame published, counted, and the same for any threads") {
+  RandomStream random(71);
+  for (int round = 0; round < 12; ++round) {
+    const Draws draws(random, 0.02 * round);
+    std::int64_t failures = 0;
+    for (const auto& frames : draws.failing) failures += static_cast<std::int64_t>(frames.size());
+    std::vector<Diary::Entry> first;
+    for (const int threads : {1, 2, 4}) {
+      Hooks hooks;
+      draws.set(hooks);
+      ToySystem system(hooks);
+      const auto result = system.drive({}, threads, kSkipAll);
+      CAPTURE(round, threads);
+      REQUIRE_FALSE(result.failure);
+      REQUIRE(result.counters.frames == kFrames);
+      REQUIRE(result.counters.skipped == failures);
+      REQUIRE(system.diary.entries.size() == static_cast<std::size_t>(kFrames));
+      for (std::int64_t frame = 0; frame < kFrames; ++frame) {
+        const Diary::Entry& entry = system.diary.entries[static_cast<std::size_t>(frame)];
+        REQUIRE(entry.frame == frame);
+        REQUIRE(entry.lost == draws.failing[0].contains(frame));
+        REQUIRE((entry.template_id == -1) == draws.failing[1].contains(frame));
+      }
+      if (first.empty()) first = system.diary.entries;
+      REQUIRE(system.diary.entries == first);
+    }
+  }
+}
+
+TEST_CASE("what fails often is told ten times, and counted to the end") {
+  RandomStream random(72);
+  const Draws draws(random, 0.6);
+  Hooks hooks;
+  draws.set(hooks);
+  ToySystem system(hooks);
+  const auto result = system.drive({}, 2, kSkipAll);
+  REQUIRE_FALSE(result.failure);
+  std::map<std::string, int> told;
+  for (const pipeline::Event& event : system.diary.events) {
+    if (event.message.find("frame skipped") == std::string::npos) continue;  // lost, found again
+    CHECK(event.level == LogLevel::Warning);
+    ++told[event.source];
+    const bool last = event.message.find("further ones are counted") != std::string::npos;
+    CHECK(last == (told[event.source] == 10));
+  }
+  CHECK(told.size() == 4);
+  for (const auto& [stage, count] : told) CHECK(count == 10);
+  CHECK(result.counters.skipped > 100);
+}
+
+TEST_CASE("where some stages stop the run, it ends before the first frame that one of them fails") {
+  RandomStream random(73);
+  for (int round = 0; round < 20; ++round) {
+    const Draws draws(random, 0.05);
+    pipeline::Policies policies = kSkipAll;
+    std::int64_t end = kFrames;
+    const std::array stages = {&pipeline::Policies::odometry, &pipeline::Policies::place,
+                               &pipeline::Policies::cells, &pipeline::Policies::map};
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      if (random.below(2) == 0) continue;
+      policies.*stages[i] = FailurePolicy::Stop;
+      if (!draws.failing[i].empty()) end = std::min(end, *draws.failing[i].begin());
+    }
+    for (const int threads : {1, 3}) {
+      Hooks hooks;
+      draws.set(hooks);
+      ToySystem system(hooks);
+      const auto result = system.drive({}, threads, policies);
+      CAPTURE(round, threads, end);
+      REQUIRE(result.failure.has_value() == (end < kFrames));
+      REQUIRE(system.diary.entries.size() == static_cast<std::size_t>(end));
+      REQUIRE(result.counters.frames == end);
+      REQUIRE(hooks.finished == 4);
+    }
+  }
+}
