@@ -24,7 +24,7 @@ Times timesOf(const std::vector<BenchPass>& passes, double BenchPass::*time) {
   return {times.front(), 0.5 * (times[(times.size() - 1) / 2] + times[times.size() / 2])};
 }
 
-std::string passesText(std::string_view what, const std::vector<BenchPass>& passes) {
+std::string odometryPassesText(std::string_view what, const std::vector<BenchPass>& passes) {
   std::string text;
   int repeat = 0;
   for (const BenchPass& pass : passes) {
@@ -35,7 +35,7 @@ std::string passesText(std::string_view what, const std::vector<BenchPass>& pass
   return text;
 }
 
-nlohmann::ordered_json passesJson(const std::vector<BenchPass>& passes) {
+nlohmann::ordered_json odometryPassesJson(const std::vector<BenchPass>& passes) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const BenchPass& pass : passes) {
     list.push_back({{"frames", pass.frames},
@@ -63,8 +63,8 @@ std::string odometryBenchText(const OdometryBench& bench) {
   std::string text = fmt::format("{}: {}\n", bench.name, bench.source);
   text += fmt::format("{:<20}{:>6}{:>8}{:>10}{:>10}{:>10}\n", "ms a frame", "repeat", "frames",
                       "CPU", "wall", "peak MiB");
-  text += passesText("cv::imread alone", bench.decoding);
-  text += passesText("source and odometry", bench.odometry);
+  text += odometryPassesText("cv::imread alone", bench.decoding);
+  text += odometryPassesText("source and odometry", bench.odometry);
   const TimeRatio cpu = timeRatio(bench, &BenchPass::cpu_s);
   const TimeRatio wall = timeRatio(bench, &BenchPass::seconds);
   return text + fmt::format("\n{:<20}{:>34}{:>10}\n", "ratio", "CPU", "wall") +
@@ -78,8 +78,8 @@ nlohmann::ordered_json odometryBenchJson(const OdometryBench& bench) {
           {"source", bench.source},
           {"threads", bench.threads},
           {"interrupted", bench.interrupted},
-          {"decoding_passes", passesJson(bench.decoding)},
-          {"odometry_passes", passesJson(bench.odometry)},
+          {"decoding_passes", odometryPassesJson(bench.decoding)},
+          {"odometry_passes", odometryPassesJson(bench.odometry)},
           {"cpu_ratio", ratioJson(timeRatio(bench, &BenchPass::cpu_s))},
           {"wall_ratio", ratioJson(timeRatio(bench, &BenchPass::seconds))}};
 }

@@ -40,13 +40,13 @@ void checkCost(CheckContext& context) {
   context.measured("peak memory", std::max(0.0, peakResidentMib() - before_mib), "MiB");
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kCostChecks = {
     Check{"cost", 1, kAllRoles, "time and memory, for information", "", &checkCost},
 };
 
 }  // namespace
 
-std::span<const Check> costChecks() { return kChecks; }
+std::span<const Check> costChecks() { return kCostChecks; }
 
 std::vector<Check> allChecks() {
   std::vector<Check> all;

@@ -103,7 +103,7 @@ void checkSchema(CheckContext& context) {
   }
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kDeclarationChecks = {
     Check{"manifest", 1, kAllRoles,
           "a summary, a version, and a build that is compatible with this host",
           "pass version and summary to TOLMAN_PLUGIN", &checkManifest},
@@ -119,6 +119,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> declarationChecks() { return kChecks; }
+std::span<const Check> declarationChecks() { return kDeclarationChecks; }
 
 }  // namespace tolman::conformance

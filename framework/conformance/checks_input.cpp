@@ -107,7 +107,7 @@ void checkRigs(CheckContext& context) {
   requireAnswersOrRefusal(context, sequence, "no camera (a motion log)");
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kInputChecks = {
     Check{"frames-empty", 1, kWithImages, "frames without images are answered, not failed",
           "an empty image is legal: answer Lost or None", &checkEmpty},
     Check{"frames-plain", 1, kWithImages, "images without texture are answered",
@@ -137,6 +137,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> inputChecks() { return kChecks; }
+std::span<const Check> inputChecks() { return kInputChecks; }
 
 }  // namespace tolman::conformance

@@ -69,7 +69,7 @@ void checkEnd(CheckContext& context) {
                 (beyond.isOk() ? std::string("one more frame") : beyond.message()));
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kLifeChecks = {
     Check{"life-unused", 1, kAllRoles, "may be destroyed before and right after configure()",
           "initialise every member; the destructor must not need configure()", &checkUnused},
     Check{"life-no-frames", 1, kAllRoles, "finish() and reset() work without any frame",
@@ -87,6 +87,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> lifeChecks() { return kChecks; }
+std::span<const Check> lifeChecks() { return kLifeChecks; }
 
 }  // namespace tolman::conformance

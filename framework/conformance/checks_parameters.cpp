@@ -124,7 +124,7 @@ void checkMissingData(CheckContext& context) {
   }
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kParameterChecks = {
     Check{"parameters-random", 1, kAllRoles,
           "works with any legal parameters, or refuses them in configure()",
           "narrow the ranges, or refuse the combination with Status::invalidParameter()",
@@ -139,6 +139,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> parameterChecks() { return kChecks; }
+std::span<const Check> parameterChecks() { return kParameterChecks; }
 
 }  // namespace tolman::conformance

@@ -110,7 +110,7 @@ void checkMemory(CheckContext& context) {
   }
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kProcessChecks = {
     Check{"globals", 2, kAllRoles,
           "does not change locale, signals, rounding, working directory, environment; writes no "
           "output",
@@ -123,6 +123,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> processChecks() { return kChecks; }
+std::span<const Check> processChecks() { return kProcessChecks; }
 
 }  // namespace tolman::conformance

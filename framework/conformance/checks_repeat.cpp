@@ -99,7 +99,7 @@ void checkPadding(CheckContext& context) {
   compare(context, expected, context.runOnce(sequence), "a run with padded image rows");
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kRepeatChecks = {
     Check{"deterministic", 2, kAllRoles,
           "two instances with equal seed and input give bitwise equal answers",
           "depend only on input, parameters and context.seed: no clock, address or uninitialised "
@@ -122,6 +122,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> repeatChecks() { return kChecks; }
+std::span<const Check> repeatChecks() { return kRepeatChecks; }
 
 }  // namespace tolman::conformance

@@ -99,7 +99,7 @@ void checkDamage(CheckContext& context) {
   }
 }
 
-constexpr std::array kChecks = {
+constexpr std::array kStateChecks = {
     Check{"state", 2, kAllRoles, "after save() and load() all later answers are bitwise equal",
           "save everything that later answers depend on, random streams included", &checkState},
     Check{"state-damaged", 2, kAllRoles,
@@ -109,6 +109,6 @@ constexpr std::array kChecks = {
 
 }  // namespace
 
-std::span<const Check> stateChecks() { return kChecks; }
+std::span<const Check> stateChecks() { return kStateChecks; }
 
 }  // namespace tolman::conformance

@@ -28,6 +28,19 @@ Eigen::Matrix3d firstRotation(const Matches& matches) {
          matches.estimate.front().T_world_camera.linear().transpose();
 }
 
+/// The shortest turn from unit vector `a` to `b`. Eigen's own compiles for ten seconds.
+Eigen::Matrix3d shortestTurn(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  const double cosine = a.dot(b);
+  if (cosine < -1 + 1e-12) {  // half a turn about any axis across
+    const Eigen::Vector3d axis = a.unitOrthogonal();
+    return 2 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
+  }
+  const Eigen::Vector3d cross = a.cross(b);
+  return Eigen::Quaterniond(1 + cosine, cross.x(), cross.y(), cross.z())
+      .normalized()
+      .toRotationMatrix();
+}
+
 /// Umeyama, equations 38-43; `covariance` is truth times estimate transposed.
 struct Umeyama {
   Eigen::Matrix3d R;
@@ -40,9 +53,7 @@ Umeyama umeyama(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallba
   const Eigen::Vector3d& d = svd.singularValues();
   if (!(d[0] > 0)) return {fallback, 0};
   if (d[1] <= kRankTolerance * d[0]) {  // a line: the turn about it is open
-    const auto turn =
-        Eigen::Quaterniond::FromTwoVectors(svd.matrixV().col(0), svd.matrixU().col(0));
-    return {turn.toRotationMatrix(), d[0]};
+    return {shortestTurn(svd.matrixV().col(0), svd.matrixU().col(0)), d[0]};
   }
   Eigen::Vector3d s = Eigen::Vector3d::Ones();
   if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0) s[2] = -1;  // no reflection

@@ -16,10 +16,10 @@ namespace {
 using evaluation::PopulationHistory;
 
 constexpr std::size_t kMoments = 4;
-constexpr double kPanel = 225;  // px
+constexpr double kMomentPanel = 225;  // px
 constexpr double kRing = 170;
 constexpr double kRow = kRing + 40;
-constexpr double kTop = 60;
+constexpr double kRowsTop = 60;
 
 float highest(const std::vector<float>& values) {
   float most = 1e-9F;
@@ -97,30 +97,31 @@ std::string activityFigure(const evaluation::CellHistory& cells,
   if (rows.empty()) return "";
   std::map<std::int64_t, double> headings;
   for (const Decision& decision : decisions) headings[decision.frame] = decision.heading;
-  const double bottom = kTop + kRow * static_cast<double>(rows.size());
-  Svg svg(kMoments * kPanel, bottom + 25);
-  svg.text({kMoments * kPanel / 2, 26}, "Activity of head direction cells and grid cells",
+  const double bottom = kRowsTop + kRow * static_cast<double>(rows.size());
+  Svg svg(kMoments * kMomentPanel, bottom + 25);
+  svg.text({kMoments * kMomentPanel / 2, 26}, "Activity of head direction cells and grid cells",
            {TextAnchor::Middle, 13, 0, true});
   double x = 0;
   for (const std::size_t i : moments(rows[0]->frames.size())) {
     const std::int64_t frame = rows[0]->frames[i];
     svg.text(
-        {x + kPanel / 2, kTop - 12},
+        {x + kMomentPanel / 2, kRowsTop - 12},
         fmt::format("frame {}, heading {:.1f} deg", frame, headings[frame] * evaluation::kDegrees),
         {TextAnchor::Middle, 11});
-    double y = kTop;
+    double y = kRowsTop;
     for (const PopulationHistory* row : rows) {
-      drawAt(svg, {x + kPanel / 2, y + kRing / 2}, *row, frame, headings[frame]);
+      drawAt(svg, {x + kMomentPanel / 2, y + kRing / 2}, *row, frame, headings[frame]);
       y += kRow;
     }
-    x += kPanel;
+    x += kMomentPanel;
   }
-  double y = kTop + kRing + 20;
+  double y = kRowsTop + kRing + 20;
   for (const PopulationHistory* row : rows) {
-    svg.text({kMoments * kPanel / 2, y}, captionOf(row->info), {TextAnchor::Middle, 11});
+    svg.text({kMoments * kMomentPanel / 2, y}, captionOf(row->info), {TextAnchor::Middle, 11});
     y += kRow;
   }
-  colourBar(svg, {kMoments * kPanel / 2, bottom + 8}, "activity 0", "maximum of each picture");
+  colourBar(svg, {kMoments * kMomentPanel / 2, bottom + 8}, "activity 0",
+            "maximum of each picture");
   return svg.take();
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using evaluation::PopulationHistory;
 
-constexpr double kPanel = 190;             // px, height of the panel of one array
+constexpr double kArrayPanel = 190;        // px, height of the panel of one array
 constexpr std::size_t kMostColumns = 100;  // cells of a heat map
 constexpr std::size_t kMostRows = 24;
 constexpr std::array<const char*, 5> kLineColours = {kBlue, kOrange, kGreen, kVermilion, kPurple};
@@ -37,7 +37,9 @@ std::string titleOf(const PopulationHistory& array) {
   return fmt::format("{} ({}{}){}", array.info.name, fmt::join(array.shape, " x "), unit, doc);
 }
 
-Eigen::AlignedBox2d panelBox(double top) { return frame(80, top + 35, 880, top + kPanel - 45); }
+Eigen::AlignedBox2d panelBox(double top) {
+  return frame(80, top + 35, 880, top + kArrayPanel - 45);
+}
 
 Range frameRange(const PopulationHistory& array) {
   return {static_cast<double>(array.frames.front()), static_cast<double>(array.frames.back())};
@@ -86,12 +88,12 @@ void drawHeatMap(Svg& svg, double top, const PopulationHistory& array) {
 
 std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays) {
   if (arrays.empty()) return "";
-  Svg svg(900, kPanel * static_cast<double>(arrays.size()));
+  Svg svg(900, kArrayPanel * static_cast<double>(arrays.size()));
   double top = 0;
   for (const PopulationHistory& array : arrays) {
     const bool few = array.activity.front().size() <= kLineColours.size();
     few ? drawLines(svg, top, array) : drawHeatMap(svg, top, array);
-    top += kPanel;
+    top += kArrayPanel;
   }
   return svg.take();
 }

@@ -9,16 +9,16 @@
 namespace tolman::report {
 namespace {
 
-constexpr double kPanel = 430;     // px
-constexpr double kField = 14;      // px, circle around a field
-constexpr double kBelowAxes = 52;  // px
+constexpr double kUnitPanel = 430;  // px
+constexpr double kField = 14;       // px, circle around a field
+constexpr double kBelowAxes = 52;   // px
 
 void drawUnit(Svg& svg, double left, const DrawnUnit& unit) {
   const evaluation::RateMap& map = unit.rates;
   const Range x{map.corner.x(), map.corner.x() + map.bin * static_cast<double>(map.rate.rows())};
   const Range y{map.corner.y(), map.corner.y() + map.bin * static_cast<double>(map.rate.cols())};
   const Axes axes(svg, {unit.name, "right (m)", "forward (m)", x, y,
-                        frame(left + 70, 50, left + kPanel - 15, kPanel - 60), true});
+                        frame(left + 70, 50, left + kUnitPanel - 15, kUnitPanel - 60), true});
   const Eigen::AlignedBox2d& box = axes.box();
   const double peak = evaluation::highestRate(map);
   svg.image(box.min(), box.sizes(), pngUrl(ratePixels(map.rate, peak)));
@@ -34,9 +34,9 @@ void drawUnit(Svg& svg, double left, const DrawnUnit& unit) {
 
 std::string firingFigure(const std::vector<DrawnUnit>& units) {
   if (units.empty()) return "";
-  Svg svg(kPanel * static_cast<double>(units.size()), kPanel);
+  Svg svg(kUnitPanel * static_cast<double>(units.size()), kUnitPanel);
   for (std::size_t i = 0; i < units.size(); ++i) {
-    drawUnit(svg, kPanel * static_cast<double>(i), units[i]);
+    drawUnit(svg, kUnitPanel * static_cast<double>(i), units[i]);
   }
   return svg.take();
 }

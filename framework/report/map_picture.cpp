@@ -13,7 +13,7 @@ namespace {
 constexpr double kLongSide = 820;  // px of the frame of a single map
 constexpr double kPanelSide = 420;
 constexpr double kLeft = 70;
-constexpr double kTop = 66;
+constexpr double kMapTop = 66;
 constexpr double kRight = 30;
 constexpr double kBottom = 50;
 constexpr double kLeastWidth = 520;  // for the legend
@@ -118,13 +118,13 @@ std::string panels(const std::vector<MapPicture>& pictures, double long_side) {
   const PlanView view(pictures);
   const Eigen::Vector2d size = view.pixels(long_side);
   const Eigen::Vector2d cell(std::max(kLeft + size.x() + kRight, kLeastWidth),
-                             kTop + size.y() + kBottom);
+                             kMapTop + size.y() + kBottom);
   const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
   const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
   Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     const double left = kLeft + cell.x() * static_cast<double>(i % kPanelsInARow);
-    const double top = kTop + cell.y() * static_cast<double>(i / kPanelsInARow);
+    const double top = kMapTop + cell.y() * static_cast<double>(i / kPanelsInARow);
     const std::string letter =
         pictures.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i % 26)) : "";
     drawMap(svg, view, pictures[i], letter + pictures[i].title,

@@ -17,9 +17,9 @@ using evaluation::axisAngle;
 using evaluation::PopulationHistory;
 using evaluation::RateMap;
 
-constexpr double kPanel = 900;  // px, of the maps of a module; two stand beside each other
+constexpr double kModulePanel = 900;  // px, of the maps of a module; two stand beside each other
 constexpr double kMargin = 30;
-constexpr double kColumn = kPanel + 2 * kMargin;
+constexpr double kColumn = kModulePanel + 2 * kMargin;
 constexpr double kDial = 105;  // px, of a tuning curve
 constexpr double kTitle = 60;
 constexpr double kBelow = 50;
@@ -106,14 +106,14 @@ void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, con
                        "right, {} up.",
                        metres, width, map.bin * static_cast<double>(map.rate.cols()),
                        info.axes[0].name, info.axes[1].name));
-  colourBar(svg, {corner.x() + kPanel - 110, y}, "rate 0", fmt::format("peak {:.2g}", peak));
+  colourBar(svg, {corner.x() + kModulePanel - 110, y}, "rate 0", fmt::format("peak {:.2g}", peak));
 }
 
 /// Returns its lower end.
 double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory& sheet,
                  const evaluation::SheetFigures& figures, const evaluation::StampedPoses& poses) {
   const ArrayAxis& axis = sheet.info.axes[0];
-  drawTitle(svg, corner + Eigen::Vector2d(kPanel / 2, 25),
+  drawTitle(svg, corner + Eigen::Vector2d(kModulePanel / 2, 25),
             fmt::format("{}: {} grid units, period {:.4g} {}", sheet.info.name, figures.units,
                         axis.period, axis.unit),
             scoreText("grid score square", figures.scores.square));
@@ -128,7 +128,7 @@ double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistor
   const Pixels pixels = tiled(maps, rows, peak);
   const auto width = static_cast<double>(pixels.cols());
   const auto height = static_cast<double>(pixels.rows());
-  const double zoom = kPanel / std::max(width, height);
+  const double zoom = kModulePanel / std::max(width, height);
   const Eigen::Vector2d place = corner + Eigen::Vector2d(0, kTitle);
   svg.image(place, zoom * Eigen::Vector2d(width, height), pngUrl(pixels));
   drawKey(svg, place + Eigen::Vector2d(0, zoom * height), sheet.info, maps[0],

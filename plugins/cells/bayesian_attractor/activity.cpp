@@ -8,7 +8,6 @@
 namespace tolman::bayesian_attractor {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// Units of the ring, as drawn in arXiv:2003.03091, and along each side of a module's sheet.
 constexpr int kRingUnits = 36;
 constexpr int kSheetUnits = 30;

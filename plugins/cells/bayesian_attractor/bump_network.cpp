@@ -10,7 +10,6 @@
 namespace tolman::bayesian_attractor {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// 99 % of chi-square with three degrees of freedom: a view within it agrees with a bump.
 constexpr double kAgrees = 11.345;
 /// m around the path that count as explored, and the smallest explored area, m^2.

@@ -8,8 +8,6 @@
 namespace tolman::bayesian_attractor {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 Eigen::Vector2d turned(double x, double y, double angle) {
   return Eigen::Rotation2Dd(angle) * Eigen::Vector2d(x, y);
 }

@@ -8,11 +8,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 
 #include "grid_code.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::bayesian_attractor {
+
+inline constexpr double kTurn = 2 * std::numbers::pi;  // rad
 
 struct FiringPattern {
   double heading = 0;  ///< rad in [0, 2 pi)

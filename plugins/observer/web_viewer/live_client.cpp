@@ -11,8 +11,8 @@ namespace websocket = boost::beast::websocket;
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr std::size_t kMaxRows = 2000;  // in one message
-constexpr std::size_t kMaxEvents = 100;
+constexpr std::size_t kMaxSentRows = 2000;  // in one message
+constexpr std::size_t kMaxSentEvents = 100;
 constexpr std::size_t kMaxCommandBytes = 4096;
 constexpr int kMaxCommands = 50;  // per second
 
@@ -136,9 +136,9 @@ std::string LiveClient::frameMessage(bool with_arrays) {
   FrameHeader header = newest.header;
   header.rows_from = static_cast<std::int64_t>(next_row_);
   header.dropped = dropped_;
-  header.events = shortened(store.events().since(next_event_, kMaxEvents));
+  header.events = shortened(store.events().since(next_event_, kMaxSentEvents));
   next_event_ = store.events().end();
-  std::vector<PackedArray> arrays = {store.rows().read(next_row_, kMaxRows)};
+  std::vector<PackedArray> arrays = {store.rows().read(next_row_, kMaxSentRows)};
   next_row_ += arrays.front().shape.front();
   if (with_arrays) arrays.insert(arrays.end(), newest.arrays.begin(), newest.arrays.end());
   return encodeContainer(headerJson(header), arrays);

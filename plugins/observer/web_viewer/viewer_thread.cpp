@@ -12,8 +12,8 @@ using namespace std::chrono_literals;
 
 constexpr auto kGraphPeriod = 250ms;
 constexpr auto kEndingPeriod = 5ms;
-constexpr auto kCloseTimeout = 500ms;  // for clients to receive the last messages
-constexpr int kMaxFailures = 5;        // in the log
+constexpr auto kSendTimeout = 500ms;  // for clients to receive the last messages
+constexpr int kMaxFailures = 5;       // in the log
 
 }  // namespace
 
@@ -110,7 +110,7 @@ void ViewerThread::finish(const MapGraph* graph, const char* state,
     while (stays()) std::this_thread::sleep_for(50ms);
   }
   asio::post(io_, [this, state] { end(state, false); });
-  const Clock::time_point patience = Clock::now() + kCloseTimeout;
+  const Clock::time_point patience = Clock::now() + kSendTimeout;
   while (!no_clients_ && Clock::now() < patience) std::this_thread::sleep_for(2ms);
 }
 
