@@ -32,6 +32,10 @@ class Loader {
   void operator()(T& number) requires std::is_arithmetic_v<T> {
     number = reader.get<T>();
     if constexpr (std::is_floating_point_v<T>) sound = sound && std::isfinite(number);
+    if constexpr (std::is_same_v<T, std::int64_t>) {  // counters go on from there
+      constexpr std::int64_t kMost = std::int64_t{1} << 62U;
+      sound = sound && number > -kMost && number < kMost;
+    }
   }
   StateReader& reader;
   bool sound = true;  ///< every number is one

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "saved_map.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <tolman/state_stream.hpp>
 #include <utility>
@@ -11,6 +13,8 @@ namespace {
 
 constexpr std::string_view kMagic = "TLMEXMAP";
 constexpr std::uint64_t kStateVersion = 1;
+/// Counters go on from a saved one, and stamps are subtracted.
+constexpr std::int64_t kMost = std::int64_t{1} << 62U;
 
 void put(StateWriter& writer, const UncertainPose& pose) {
   writer.putAll(std::span<const double>(pose.T.data(), 16));
@@ -102,7 +106,8 @@ bool areSound(const std::vector<ReckonedFrame>& frames, std::size_t anchors) {
   for (std::size_t slot = 0; slot < frames.size(); ++slot) {
     const ReckonedFrame& frame = frames[slot];
     const bool later = slot == 0 || frame.frame > frames[slot - 1].frame;
-    if (!later || frame.frame < 0 || frame.anchor < 0 || !isSound(frame.motion) ||
+    if (!later || frame.frame < 0 || frame.frame >= kMost || frame.stamp_ns >= kMost ||
+        frame.stamp_ns <= -kMost || frame.anchor < 0 || !isSound(frame.motion) ||
         frame.anchor >= static_cast<std::int64_t>(anchors)) {
       return false;
     }
@@ -162,8 +167,10 @@ Status loadMap(std::istream& stream, MapState& map) {
   chain.loops = reader.get<std::int64_t>();
   chain.pending = reader.get<std::int64_t>() != 0;
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
-  if (version < 0 || next_correction < 0 || chain.links < 0 || chain.loops < 0 ||
-      !areSound(frames, chain.anchors.size()) || !areSound(chain.anchors, frames)) {
+  const bool counted =
+      std::ranges::all_of(std::array{version, next_correction, chain.links, chain.loops},
+                          [](std::int64_t number) { return number >= 0 && number < kMost; });
+  if (!counted || !areSound(frames, chain.anchors.size()) || !areSound(chain.anchors, frames)) {
     return Status::invalidInput("the saved map is damaged: a number is out of range");
   }
   map.motions.restore(std::move(frames));

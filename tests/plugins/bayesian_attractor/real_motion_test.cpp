@@ -58,7 +58,8 @@ struct Expected {
 
 }  // namespace
 
-TEST_CASE("KITTI candidates, 70-99 % false: the network closes the true ones and no other") {
+TEST_CASE("KITTI candidates, 70-99 % false: the network closes the true ones and no other",
+          "[data]") {
   const Expected expected = GENERATE(Expected{"00", 117}, Expected{"02", 34}, Expected{"05", 62},
                                      Expected{"06", 45}, Expected{"07", 1});
   const auto folder = tolman::test::dataOrSkip(std::string("kitti_motion/") + expected.sequence);
@@ -71,7 +72,7 @@ TEST_CASE("KITTI candidates, 70-99 % false: the network closes the true ones and
   CHECK(closedBy(*folder, {.injection = 0}).right == 0);
 }
 
-TEST_CASE("with one grid module distant places are alike, and false loops are closed") {
+TEST_CASE("with one grid module distant places are alike, and false loops are closed", "[data]") {
   const auto folder = tolman::test::dataOrSkip("kitti_motion/00");
   if (!folder) return;
   const Counts counts = closedBy(*folder, {.modules = 1});
