@@ -62,18 +62,13 @@ bool print(const Findings& findings, bool json) {
 /// The source's parameters from the command line, checked as those of a configuration file are.
 ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const DatasetOptions& options,
                                  config::Problems& problems) {
-  config::Node stage;
-  stage.kind = config::Node::Kind::Map;
+  using config::Node;
+  Node stage{Node::Kind::Map};
   config::applyOverrides(stage, options.overrides, config::processEnvironment(), problems);
-  config::Node path;
-  path.kind = config::Node::Kind::Scalar;
-  path.key = "path";
-  path.text = options.path;
-  path.quoted = true;
-  path.origin.kind = config::Origin::Kind::CommandLine;
-  path.origin.file = options.path;
-  path.key_origin = path.origin;
-  if (stage.find("path") == nullptr) stage.children.push_back(path);
+  if (stage.find("path") == nullptr) {
+    const config::Origin origin{config::Origin::Kind::CommandLine, options.path, 0, 0, {}};
+    stage.children.push_back({Node::Kind::Scalar, "path", origin, origin, options.path, true});
+  }
   const config::BaseFolders folders{std::filesystem::current_path(), ""};
   return config::check(stage, plugin.schema, {"", "plugin " + plugin.manifest.id, {}}, folders,
                        problems);
@@ -85,7 +80,7 @@ ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues
   host::SourceStage source(std::move(instance));
   run::RunLog log(invocation.quiet);
   run::StageLogger logger(log, "source");
-  run::StageArtefacts artefacts("source");
+  host::StageArtefacts artefacts;
   const run::SteadyClock clock;
   const run::Interrupts interrupts;
   const Status configured =
@@ -103,7 +98,7 @@ ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues
 
 ExitCode check(const DatasetOptions& options, const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
-  const auto plugin = run::require(run::loadFrom(catalogue, options.source, Role::Source));
+  const auto plugin = run::loadFrom(catalogue, options.source, Role::Source);
   config::Problems problems;
   const ParameterValues values = sourceParameters(plugin, options, problems);
   if (!problems.empty()) return printFailure(ExitCode::Configuration, config::format(problems));

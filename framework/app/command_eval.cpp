@@ -21,24 +21,19 @@ struct EvalOptions {
   double max_difference = -1;
 };
 
-ExitCode refuse(const Status& status) { return printFailure(ExitCode::Dataset, status.message()); }
-
-ExitCode evaluate(const EvalOptions& options, const Invocation& invocation) {
-  const auto truth = evaluation::readTrajectory(options.truth);
-  if (!truth.isOk()) return refuse(truth.status());
-  const auto estimate = evaluation::readTrajectory(options.estimate);
-  if (!estimate.isOk()) return refuse(estimate.status());
+void evaluate(const EvalOptions& options, const Invocation& invocation) {
+  const auto truth = valueOrEnd(evaluation::readTrajectory(options.truth), ExitCode::Dataset);
+  const auto estimate = valueOrEnd(evaluation::readTrajectory(options.estimate), ExitCode::Dataset);
   const auto difference_ns = static_cast<std::int64_t>(options.max_difference * 1e9);
-  const auto metrics = evaluation::scoreTrajectory(truth.value(), estimate.value(),
-                                                   options.alignment, std::nullopt, difference_ns);
-  if (!metrics.scores) return refuse(Status::invalidInput(metrics.reason));
+  const auto metrics =
+      evaluation::scoreTrajectory(truth, estimate, options.alignment, std::nullopt, difference_ns);
+  if (!metrics.scores) throw Ended{ExitCode::Dataset, metrics.reason};
   if (invocation.json) {
     std::cout << evaluation::toJson(metrics).dump(2) << "\n";
   } else {
     std::cout << fmt::format("{:<10}{}\n", "alignment", enumName(options.alignment))
               << trajectoryText("estimate", metrics);
   }
-  return ExitCode::Ok;
 }
 
 }  // namespace
@@ -61,8 +56,7 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
       ->add_option("--max-difference", options->max_difference,
                    "Match by time, at most this many seconds apart (default: by frame)")
       ->check(CLI::Range(0.0, 1e6));
-  command->callback(
-      [options, &invocation] { invocation.exit_code = evaluate(*options, invocation); });
+  command->callback([options, &invocation] { evaluate(*options, invocation); });
 }
 
 }  // namespace tolman::app

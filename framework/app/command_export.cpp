@@ -12,18 +12,16 @@
 namespace tolman::app {
 namespace {
 
-ExitCode exportFiles(const std::string& run, const std::string& out, std::int64_t session,
-                     const Invocation& invocation) {
+void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
+                 const Invocation& invocation) {
   // Files of another session go to a folder of their own: those of the run have digests.
   std::filesystem::path folder = out.empty() ? run : out;
   if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
-  const auto written = record::exportRun(run, folder, session);
-  if (!written.isOk()) return printFailure(written.status());
-  if (invocation.quiet) return ExitCode::Ok;
-  for (const auto& file : written.value()) std::cout << file.string() << "\n";
-  return ExitCode::Ok;
+  const auto written = valueOrEnd(record::exportRun(run, folder, session));
+  if (invocation.quiet) return;
+  for (const auto& file : written) std::cout << file.string() << "\n";
 }
 
 }  // namespace
@@ -41,9 +39,8 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
   auto session = std::make_shared<std::int64_t>(-1);
   command->add_option("--session", *session,
                       "Session whose trajectories to write, from 0 (default: the run's own)");
-  command->callback([run, out, session, &invocation] {
-    invocation.exit_code = exportFiles(*run, *out, *session, invocation);
-  });
+  command->callback(
+      [run, out, session, &invocation] { exportFiles(*run, *out, *session, invocation); });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");
   schema->callback([] { std::cout << record::recordsMarkdown(); });

@@ -53,7 +53,7 @@ Eigen::Vector2d placeOf(std::int64_t experience, const MapGraph& graph) {
 }
 
 /// "17", or "12.5,-30": the experience nearest to metres right and forward.
-Result<End> endOf(const std::string& text, const MapGraph& graph) {
+End endOf(const std::string& text, const MapGraph& graph) {
   std::int64_t id = -1;
   if (parse(text, id)) return End{text, id, std::nullopt};
   const std::size_t comma = text.find(',');
@@ -61,9 +61,9 @@ Result<End> endOf(const std::string& text, const MapGraph& graph) {
   const std::string_view all = text;
   if (comma == std::string::npos || !parse(all.substr(0, comma), place.x()) ||
       !parse(all.substr(comma + 1), place.y()) || !place.allFinite()) {
-    return Status::invalidParameter("'" + text +
-                                    "' is not a place: give an experience (17) or metres right and "
-                                    "forward of the start (12.5,-30)");
+    throw Ended{ExitCode::Usage, "'" + text +
+                                     "' is not a place: give an experience (17) or metres right "
+                                     "and forward of the start (12.5,-30)"};
   }
   id = planning::nearestExperience(firstPart(graph), place);
   if (id < 0) return End{text, id, std::nullopt};  // the search reports that it is not in the map
@@ -118,32 +118,17 @@ void print(const Plan& plan, const MapGraph& graph) {
   }
 }
 
-Result<Plan> plan(const PlanOptions& options, const MapGraph& graph) {
-  auto from = endOf(options.from, graph);
-  if (!from.isOk()) return from.status();
-  auto to = endOf(options.to, graph);
-  if (!to.isOk()) return to.status();
-  auto route = planning::fastestRoute(graph, from.value().experience, to.value().experience);
-  if (!route.isOk()) return route.status();
-  return Plan{std::move(from).value(), std::move(to).value(), std::move(route).value()};
-}
-
-ExitCode run(const PlanOptions& options, const Invocation& invocation) {
-  const auto fail = [&](ExitCode code, const Status& status) {
-    return printFailure(code, status.message());
-  };
-  const auto reader = record::RunReader::open(options.run);
-  if (!reader.isOk()) return fail(ExitCode::Dataset, reader.status());
-  const auto& graph = reader.value()->graph();
-  if (!graph.isOk()) return fail(ExitCode::Dataset, graph.status());
-  const auto planned = plan(options, graph.value());
-  if (!planned.isOk()) return fail(ExitCode::Usage, planned.status());
+void run(const PlanOptions& options, const Invocation& invocation) {
+  const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
+  const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
+  Plan plan{endOf(options.from, graph), endOf(options.to, graph), {}};
+  plan.route = valueOrEnd(planning::fastestRoute(graph, plan.from.experience, plan.to.experience),
+                          ExitCode::Usage);
   if (invocation.json) {
-    std::cout << toJson(planned.value(), graph.value()).dump(2) << "\n";
+    std::cout << toJson(plan, graph).dump(2) << "\n";
   } else {
-    print(planned.value(), graph.value());
+    print(plan, graph);
   }
-  return ExitCode::Ok;
 }
 
 }  // namespace
@@ -155,7 +140,7 @@ void addPlanCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--from", options->from, "Experience (17), or place in metres (12.5,-30)")
       ->required();
   command->add_option("--to", options->to, "The same")->required();
-  command->callback([options, &invocation] { invocation.exit_code = run(*options, invocation); });
+  command->callback([options, &invocation] { run(*options, invocation); });
 }
 
 }  // namespace tolman::app

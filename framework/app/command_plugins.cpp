@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -24,10 +25,6 @@ namespace {
 using host::HostIdentity;
 using host::Manifest;
 using host::Refusal;
-
-void fail(Invocation& invocation, const Refusal& refusal) {
-  invocation.exit_code = printRefusal(refusal);
-}
 
 void listJson(const host::Catalogue& catalogue) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -74,25 +71,17 @@ auto openApart(const Manifest& manifest) {
   return isolation::RemotePlugin::start(manifest, launch);
 }
 
-host::OrRefusal<host::LoadedPlugin> open(const host::Catalogue& catalogue, const std::string& id) {
-  auto found = catalogue.find(id);
-  if (auto* refusal = std::get_if<Refusal>(&found)) return std::move(*refusal);
-  const auto opened = openApart(std::get<Manifest>(found));
-  if (const auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-  const auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(opened);
-  return host::LoadedPlugin{remote->manifest(), nullptr, remote->schema()};
+/// Throws run::Failed.
+host::LoadedPlugin open(const host::Catalogue& catalogue, const std::string& id) {
+  const auto remote = run::require(openApart(run::require(catalogue.find(id))));
+  return {remote->manifest(), nullptr, remote->schema()};
 }
 
-/// All plugins of these ids, or the reason why one of them cannot be opened.
-host::OrRefusal<std::vector<host::LoadedPlugin>> openAll(const std::vector<std::string>& ids,
-                                                         const Invocation& invocation) {
+std::vector<host::LoadedPlugin> openAll(const std::vector<std::string>& ids,
+                                        const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   std::vector<host::LoadedPlugin> opened;
-  for (const std::string& id : ids) {
-    auto plugin = open(catalogue, id);
-    if (auto* refusal = std::get_if<Refusal>(&plugin)) return std::move(*refusal);
-    opened.push_back(std::get<host::LoadedPlugin>(std::move(plugin)));
-  }
+  for (const std::string& id : ids) opened.push_back(open(catalogue, id));
   return opened;
 }
 
@@ -103,11 +92,10 @@ std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
   for (const Manifest& manifest : catalogue.manifests()) ids.insert(manifest.id);
   std::vector<host::LoadedPlugin> opened;
   for (const std::string& id : ids) {
-    auto plugin = open(catalogue, id);
-    if (const auto* refusal = std::get_if<Refusal>(&plugin)) {
-      std::cerr << "left out: " << refusal->text() << "\n";
-    } else {
-      opened.push_back(std::get<host::LoadedPlugin>(std::move(plugin)));
+    try {
+      opened.push_back(open(catalogue, id));
+    } catch (const run::Failed& failed) {
+      std::cerr << "left out: " << failed.what() << "\n";
     }
   }
   return opened;
@@ -126,9 +114,7 @@ void describe(const Description& asked, Invocation& invocation) {
     std::cout << fileSchema(openUsable(invocation)).dump(2) << "\n";
     return;
   }
-  const auto opened = openAll(asked.ids, invocation);
-  if (const auto* refusal = std::get_if<Refusal>(&opened)) return fail(invocation, *refusal);
-  const auto& loaded = std::get<std::vector<host::LoadedPlugin>>(opened);
+  const auto loaded = openAll(asked.ids, invocation);
   if (asked.json_schema) {
     std::cout << stageSchema(loaded).dump(2) << "\n";
     return;
@@ -163,10 +149,9 @@ std::optional<Refusal> examine(const Manifest& manifest) {
 }
 
 void doctor(const std::string& file, Invocation& invocation) {
-  const auto read = host::readManifests(file);
-  if (const auto* refusal = std::get_if<Refusal>(&read)) return fail(invocation, *refusal);
-  for (const Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
-    if (const auto refusal = examine(manifest)) fail(invocation, *refusal);
+  for (const Manifest& manifest : run::require(host::readManifests(file))) {
+    const auto refusal = examine(manifest);
+    if (refusal) invocation.exit_code = printFailure(ExitCode::Plugin, refusal->text());
   }
 }
 

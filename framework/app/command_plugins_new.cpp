@@ -25,9 +25,7 @@ struct Request {
 /// A word of a shell command, quoted where it must be.
 std::string quoted(const std::string& word) {
   if (word.find_first_of(" \t'\"\\$&;()<>|*?[]#~`!") == std::string::npos) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return text + "'";
+  return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
 }
 
 std::string nextCommands(const fs::path& folder, const fs::path& executable) {
@@ -44,29 +42,25 @@ std::string nextCommands(const fs::path& folder, const fs::path& executable) {
       quoted(folder.string()), sdk, program);
 }
 
-ExitCode makePlugin(const Request& request, const Invocation& invocation) {
-  const auto role = roleNamed(request.role);
-  if (!role.isOk()) return printFailure(ExitCode::Usage, role.status().message());
-  if (const auto objection = objectionTo(request.name))
-    return printFailure(ExitCode::Usage, *objection);
+void makePlugin(const Request& request, const Invocation& invocation) {
+  const Role role = valueOrEnd(roleNamed(request.role), ExitCode::Usage);
+  if (const auto objection = objectionTo(request.name)) throw Ended{ExitCode::Usage, *objection};
   std::error_code ignored;
   const fs::path executable = fs::read_symlink("/proc/self/exe", ignored);
-  const auto templates = templateFolder(executable);
-  if (!templates.isOk()) return printFailure(ExitCode::Record, templates.status().message());
+  const fs::path templates = valueOrEnd(templateFolder(executable), ExitCode::Record);
 
   const fs::path folder = request.folder.empty() ? request.name : request.folder;
-  const auto written = writeNewPlugin(templates.value(), {role.value(), request.name, folder});
-  if (!written.isOk()) return printFailure(ExitCode::Record, written.status().message());
+  const auto written =
+      valueOrEnd(writeNewPlugin(templates, {role, request.name, folder}), ExitCode::Record);
   if (invocation.json) {
     nlohmann::ordered_json json = {{"folder", fs::absolute(folder).string()},
                                    {"files", nlohmann::ordered_json::array()}};
-    for (const fs::path& file : written.value()) json["files"].push_back(file.string());
+    for (const fs::path& file : written) json["files"].push_back(file.string());
     std::cout << json.dump(2) << "\n";
   } else if (!invocation.quiet) {
-    std::cout << fmt::format("wrote {} files to {}\n", written.value().size(), folder.string())
+    std::cout << fmt::format("wrote {} files to {}\n", written.size(), folder.string())
               << nextCommands(folder, executable);
   }
-  return ExitCode::Ok;
 }
 
 }  // namespace
@@ -79,8 +73,7 @@ void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation) {
       ->required();
   command->add_option("name", request->name, "Id of the plugin, such as my_places")->required();
   command->add_option("dir", request->folder, "Folder to write; default: NAME");
-  command->callback(
-      [request, &invocation] { invocation.exit_code = makePlugin(*request, invocation); });
+  command->callback([request, &invocation] { makePlugin(*request, invocation); });
 }
 
 }  // namespace tolman::app

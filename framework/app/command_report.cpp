@@ -49,12 +49,10 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
   const auto units = addUnitOptions(*command);
   command->callback([runs, out, units, &invocation] {
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
-    const auto written = run::writeReport({runs->begin(), runs->end()}, folder, units->choice());
-    if (!written.isOk()) {
-      invocation.exit_code = printFailure(written.status());
-    } else if (!invocation.quiet) {
-      for (const auto& file : written.value()) std::cout << file.string() << "\n";
-    }
+    const auto written =
+        valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
+    if (invocation.quiet) return;
+    for (const auto& file : written) std::cout << file.string() << "\n";
   });
 }
 

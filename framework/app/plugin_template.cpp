@@ -117,8 +117,7 @@ std::optional<std::string> objectionTo(const std::string& name) {
 }
 
 Result<Role> roleNamed(const std::string& name) {
-  const auto found = std::find(kRoleNames.begin(), kRoleNames.end(), name);
-  if (found != kRoleNames.end()) return static_cast<Role>(found - kRoleNames.begin());
+  if (const auto role = config::valueNamed<Role>(name)) return *role;
   const std::vector<std::string> roles(kRoleNames.begin(), kRoleNames.end());
   return Status::invalidParameter("there is no role '" + name + "'; a plugin is one of " +
                                   config::listed(roles) + config::didYouMean(name, roles));

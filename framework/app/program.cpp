@@ -114,6 +114,8 @@ int parse(CLI::App& app, std::vector<std::string> words) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Usage);
   } catch (const run::Failed& failed) {
     return static_cast<int>(printFailure(failed.failure));
+  } catch (const Ended& ended) {
+    return static_cast<int>(printFailure(ended.code, ended.message));
   } catch (const std::bad_alloc&) {
     const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
     return static_cast<int>(printFailure(ExitCode::Internal, text));
@@ -125,6 +127,13 @@ int parse(CLI::App& app, std::vector<std::string> words) {
 }
 
 }  // namespace
+
+ExitCode exitCode(const Status& status) {
+  const StatusCode code = status.code();
+  return code == StatusCode::InvalidParameter ? ExitCode::Usage
+         : code == StatusCode::InvalidInput   ? ExitCode::Dataset
+                                              : ExitCode::Record;
+}
 
 int runProgram(int argc, const char* const* argv) {
   CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins.", "tolman"};
@@ -166,18 +175,6 @@ ExitCode printFailure(ExitCode code, const std::string& message) {
 
 ExitCode printFailure(const run::Failure& failure) {
   return printFailure(exitCode(failure.kind), failure.message);
-}
-
-ExitCode printFailure(const Status& status) {
-  const StatusCode code = status.code();
-  return printFailure(code == StatusCode::InvalidParameter ? ExitCode::Usage
-                      : code == StatusCode::InvalidInput   ? ExitCode::Dataset
-                                                           : ExitCode::Record,
-                      status.message());
-}
-
-ExitCode printRefusal(const host::Refusal& refusal) {
-  return printFailure(ExitCode::Plugin, refusal.text());
 }
 
 }  // namespace tolman::app

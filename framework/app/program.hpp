@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/exit_code.hpp"
-#include "host/refusal.hpp"
 #include "tolman/status.hpp"
 
 namespace CLI {
@@ -15,14 +14,32 @@ class App;
 
 namespace tolman::app {
 
+ExitCode exitCode(const Status& status);  ///< of files read and written
+
+/// Ends a command; the message goes to stderr.
+struct Ended {
+  ExitCode code;
+  std::string message;
+};
+
+/// The value; without one the command ends.
+template <class T>
+T valueOrEnd(Result<T> result, ExitCode code) {
+  if (!result.isOk()) throw Ended{code, result.status().message()};
+  return std::move(result).value();
+}
+template <class T>
+T valueOrEnd(Result<T> result) {
+  const ExitCode code = exitCode(result.status());
+  return valueOrEnd(std::move(result), code);
+}
+
 /// Runs the program; the result is the exit code of the process.
 int runProgram(int argc, const char* const* argv);
 
 // Each prints its message on stderr and returns the exit code.
 ExitCode printFailure(const run::Failure& failure);
-ExitCode printFailure(const Status& status);  ///< of files read and written
 ExitCode printFailure(ExitCode code, const std::string& message);
-ExitCode printRefusal(const host::Refusal& refusal);
 
 /// A check of an option's value: without it `--out ""` would take the default.
 std::string notEmpty(const std::string& value);

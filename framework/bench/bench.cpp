@@ -3,7 +3,6 @@
 
 #include <oneapi/tbb/global_control.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 

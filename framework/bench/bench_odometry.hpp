@@ -2,7 +2,6 @@
 // Measures the cost of source and odometry relative to decoding the same images by cv::imread.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>

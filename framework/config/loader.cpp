@@ -2,7 +2,6 @@
 // Reading files and following `extends`.
 #include "config/loader.hpp"
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -57,14 +56,7 @@ class Loader {
   Node fail(const Origin& where, const std::string& path, const std::string& message) {
     loaded_.complete = false;
     loaded_.problems.push_back({where, path, message});
-    return emptyMap(where);
-  }
-
-  static Node emptyMap(const Origin& origin) {
-    Node map;
-    map.kind = Node::Kind::Map;
-    map.origin = origin;
-    return map;
+    return {Node::Kind::Map, "", {}, where};
   }
 
   /// "a.yaml -> b.yaml -> a.yaml" when the file is already being read, or nothing.
@@ -90,7 +82,7 @@ class Loader {
     std::optional<Node> tree = readYaml(text.value(), origin, loaded_.problems);
     if (!tree) {  // readYaml() has reported the reason
       loaded_.complete = false;
-      return emptyMap(origin);
+      return {Node::Kind::Map, "", {}, origin};
     }
     if (tree->kind == Node::Kind::Null) return fail(origin, "", "the file is empty");
     if (!tree->isMap()) {
@@ -102,7 +94,7 @@ class Loader {
 
   /// The merged trees of the files in `extends`.
   Node bases(const Node& tree) {
-    Node all = emptyMap(tree.origin);
+    Node all{Node::Kind::Map, "", {}, tree.origin};
     const Node* extends = tree.find("extends");
     if (extends == nullptr) return all;
     if (extends->isScalar()) {

@@ -15,12 +15,12 @@ namespace tolman::config {
 struct Node {
   enum class Kind : std::uint8_t { Null, Scalar, Sequence, Map };
   Kind kind = Kind::Null;
-  std::string key;  ///< in its parent; the index in a sequence, empty for the root
-  Origin key_origin;
-  Origin origin;
-  std::string text;            ///< of a scalar, unquoted
-  bool quoted = false;         ///< the scalar was quoted, so it is text
-  std::vector<Node> children;  ///< in the order of the file
+  std::string key{};  ///< in its parent; the index in a sequence, empty for the root
+  Origin key_origin{};
+  Origin origin{};
+  std::string text{};            ///< of a scalar, unquoted
+  bool quoted = false;           ///< the scalar was quoted, so it is text
+  std::vector<Node> children{};  ///< in the order of the file
 
   bool isMap() const { return kind == Kind::Map; }
   bool isScalar() const { return kind == Kind::Scalar; }

@@ -55,11 +55,7 @@ Result<Node*> step(Node& parent, const std::string& part, const Origin& origin) 
                                     std::to_string(parent.children.size()) +
                                     "; indices start at 0");
   }
-  Node child;
-  child.key = part;
-  child.key_origin = origin;
-  child.origin = origin;
-  parent.children.push_back(child);
+  parent.children.push_back({Node::Kind::Null, part, origin, origin});
   return &parent.children.back();
 }
 

@@ -63,9 +63,7 @@ class Parser {
   template <class S>
   S section(const std::string& key) {
     const Node* given = tree_.find(key);
-    Node empty;
-    empty.kind = Node::Kind::Map;
-    if (given == nullptr) return checked<S>({key, {}, {}}, empty, {});
+    if (given == nullptr) return checked<S>({key, {}, {}}, {Node::Kind::Map}, {});
     return checked<S>({key, {}, *given}, *given, {});
   }
 

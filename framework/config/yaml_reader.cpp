@@ -96,10 +96,7 @@ class TreeBuilder final : public YAML::EventHandler {
   };
 
   Node make(Node::Kind kind, const YAML::Mark& mark) const {
-    Node node;
-    node.kind = kind;
-    node.origin = at(mark, source_);
-    return node;
+    return {kind, "", {}, at(mark, source_)};
   }
 
   static void refuseTag(const std::string& tag, const YAML::Mark& mark) {

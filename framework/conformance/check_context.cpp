@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/check_context.hpp"
 
-#include <algorithm>
-
 #include "config/check.hpp"
 #include "config/overrides.hpp"
 
@@ -10,8 +8,7 @@ namespace tolman::conformance {
 
 Settings readSettings(const Schema& schema, const std::string& id,
                       const std::vector<std::string>& assignments) {
-  config::Node map;
-  map.kind = config::Node::Kind::Map;
+  config::Node map{config::Node::Kind::Map};
   config::Problems problems;
   config::applyOverrides(map, assignments, config::processEnvironment(), problems);
   Settings settings;
@@ -46,17 +43,10 @@ const PluginUnderTest& CheckContext::plugin() {
   send_(CallStarted{"load"});
   auto loaded = host::loadPlugin(found, host::HostIdentity::ofThisBuild());
   if (const auto* refusal = std::get_if<host::Refusal>(&loaded)) refuse(*refusal);
-  PluginUnderTest plugin;
-  plugin.loaded = std::move(std::get<host::LoadedPlugin>(loaded));
-  Settings settings = readSettings(plugin.loaded.schema, task_.id, task_.set);
-  plugin.values = std::move(settings.values);
-  plugin.set = std::move(settings.set);
-  plugin.missing = std::move(settings.missing);
-  plugin.seed = task_.seed;
-  plugin.scratch = task_.scratch;
-  plugin.trace = [this](const std::string& call) { send_(CallStarted{call}); };
-  plugin_ = std::move(plugin);
-  return *plugin_;
+  auto& opened = std::get<host::LoadedPlugin>(loaded);
+  const Trace trace = [this](const std::string& call) { send_(CallStarted{call}); };
+  return plugin_.emplace(PluginUnderTest{readSettings(opened.schema, task_.id, task_.set),
+                                         std::move(opened), task_.seed, task_.scratch, trace});
 }
 
 const PluginUnderTest& CheckContext::completePlugin() {

@@ -70,12 +70,6 @@ class CheckContext {
 
 /// The values of --set, checked as the host checks a configuration. A required parameter without a
 /// value is not a problem here; `missing` lists it.
-struct Settings {
-  ParameterValues values;
-  std::vector<std::string> set;
-  std::vector<std::string> missing;
-  std::string problems;  ///< one line each
-};
 Settings readSettings(const Schema& schema, const std::string& id,
                       const std::vector<std::string>& assignments);
 

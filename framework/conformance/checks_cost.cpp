@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 
 #include "conformance/check.hpp"
 #include "conformance/check_context.hpp"

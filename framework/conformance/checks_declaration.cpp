@@ -2,7 +2,6 @@
 // The declaration of a plugin: manifest, symbols, parameters.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -81,19 +80,12 @@ void checkParameter(const ParameterInfo& info, const CheckContext& context) {
   }
 }
 
-/// Keys of a stage that the host reads.
-std::set<std::string> reservedNames() {
-  std::set<std::string> names;
-  for (const ParameterInfo& info : schemaOf<config::StageSettings>()) names.insert(info.name);
-  return names;
-}
-
 void checkSchema(CheckContext& context) {
-  const std::set<std::string> reserved = reservedNames();
+  const Schema reserved = schemaOf<config::StageSettings>();  // keys that the host reads
   std::set<std::string> seen;
   for (const ParameterInfo& info : context.plugin().loaded.schema) {
     checkParameter(info, context);
-    if (reserved.contains(info.name)) {
+    if (std::ranges::find(reserved, info.name, &ParameterInfo::name) != reserved.end()) {
       context.error("parameter '" + info.name + "' has a name that is reserved for the host",
                     "rename it");
     }

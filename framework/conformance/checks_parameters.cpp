@@ -2,7 +2,6 @@
 // Legal parameters work, illegal ones are refused.
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "conformance/check.hpp"
 #include "conformance/check_context.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/input_sequence.hpp"
 
-#include <cstring>
 #include <numbers>
 
 #include "conformance/synthetic_room.hpp"

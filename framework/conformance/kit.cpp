@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"

@@ -14,6 +14,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurrentInput, description)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckFinding, severity, message, remedy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, value, unit)
 static void to_json(Json& json, const CheckCompleted&) { json = nullptr; }
+static void from_json(const Json&, CheckCompleted&) {}
 
 namespace {
 
@@ -21,23 +22,13 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-/// [index of the alternative, its value]
-CheckMessage fromJson(const Json& json) {
-  const Json& value = json.at(1);
-  switch (json.at(0).get<std::size_t>()) {
-    case 0:
-      return value.get<CallStarted>();
-    case 1:
-      return value.get<CurrentInput>();
-    case 2:
-      return value.get<CheckFinding>();
-    case 3:
-      return value.get<Measurement>();
-    case 4:
-      return CheckCompleted{};
-    default:
-      throw std::runtime_error("no message");
-  }
+/// From [index of the alternative, its value].
+template <class... M>
+void read(const Json& json, std::variant<M...>& message) {
+  const auto index = json.at(0).get<std::size_t>();
+  std::size_t i = 0;
+  ((index == i++ ? void(message = json.at(1).get<M>()) : void()), ...);
+  if (index >= sizeof...(M)) throw std::runtime_error("no message");
 }
 
 }  // namespace
@@ -52,7 +43,9 @@ std::string encode(const CheckMessage& message) {
 
 std::optional<CheckMessage> decodeMessage(const std::string& line) {
   try {
-    return fromJson(Json::parse(line));
+    CheckMessage message;
+    read(Json::parse(line), message);
+    return message;
   } catch (const std::exception&) {
     return std::nullopt;
   }

@@ -3,16 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <boost/algorithm/string/replace.hpp>
+
 namespace tolman::conformance {
 namespace {
 
 std::string indented(const std::string& text) {
-  std::string lines = "         ";
-  for (const char c : text) {
-    lines += c;
-    if (c == '\n') lines += "         ";
-  }
-  return lines + "\n";
+  return "         " + boost::replace_all_copy(text, "\n", "\n         ") + "\n";
 }
 
 }  // namespace

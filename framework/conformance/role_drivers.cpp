@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One driver per role.
+#include <array>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -11,18 +12,13 @@
 namespace tolman::conformance {
 namespace {
 
-/// Adds the call site to a failure that the kit found.
-Status withCallSite(host::Instance& instance, std::string_view call, std::int64_t frame,
-                    const Status& status) {
-  return host::guarded({instance.name(), instance.manifest().id, call, frame},
-                       [&] { return status; });
-}
-
 /// `Progress` is what the checks of a run remember of its earlier frames.
 template <class Stage, class Progress>
 class DriverOf : public RoleDriver {
  public:
-  explicit DriverOf(std::unique_ptr<host::Instance> instance) : stage_(std::move(instance)) {}
+  /// `scratch`: folder for files of the plugin.
+  DriverOf(std::unique_ptr<host::Instance> instance, std::string scratch)
+      : stage_(std::move(instance)), scratch_(std::move(scratch)) {}
   host::Instance& instance() override { return stage_.instance(); }
   void beginRun() override {
     now_ = {};
@@ -36,11 +32,14 @@ class DriverOf : public RoleDriver {
  protected:
   /// Tells the host's own checks where the run stands.
   virtual void expect() {}
+  /// Adds the call site to a failure that the kit found.
   Status checked(std::string_view call, std::int64_t frame, const Status& status) {
-    return status.isOk() ? status : withCallSite(instance(), call, frame, status);
+    return host::guarded({instance().name(), instance().manifest().id, call, frame},
+                         [&] { return status; });
   }
   Stage stage_;
   Progress now_;
+  std::string scratch_;
 };
 
 struct SourceProgress {
@@ -117,11 +116,8 @@ class OdometryDriver final : public DriverOf<host::OdometryStage, std::optional<
   }
 };
 
-struct PlaceProgress {
-  std::int64_t templates = 0;
-};
-
-class PlaceDriver final : public DriverOf<host::PlaceStage, PlaceProgress> {
+/// Counts the templates.
+class PlaceDriver final : public DriverOf<host::PlaceStage, std::int64_t> {
  public:
   using DriverOf::DriverOf;
   Status process(const FrameInput& input, TranscriptEntry& answer) override {
@@ -130,12 +126,12 @@ class PlaceDriver final : public DriverOf<host::PlaceStage, PlaceProgress> {
     const Status status = stage_.observe(input.frame, wants_motion ? &input.motion : nullptr, seen);
     answer.add(seen);
     if (!status.isOk()) return status;
-    return checked("observe", input.frame.frame, checkPlace(seen, now_.templates));
+    return checked("observe", input.frame.frame, checkPlace(seen, now_));
   }
   Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
 
  private:
-  void expect() override { stage_.expect(now_.templates); }
+  void expect() override { stage_.expect(now_); }
 };
 
 struct CellsProgress {
@@ -215,8 +211,7 @@ class MapDriver final : public DriverOf<host::MapStage, MapProgress> {
 
 class ObserverDriver final : public DriverOf<host::ObserverStage, std::monostate> {
  public:
-  ObserverDriver(std::unique_ptr<host::Instance> instance, std::string folder)
-      : DriverOf(std::move(instance)), folder_(std::move(folder)) {}
+  using DriverOf::DriverOf;
   void beginRun() override { begin_called_ = false; }
   Status process(const FrameInput& input, TranscriptEntry&) override {
     if (Status status = callBegin(); !status.isOk()) return status;
@@ -231,31 +226,25 @@ class ObserverDriver final : public DriverOf<host::ObserverStage, std::monostate
  private:
   Status callBegin() {
     if (std::exchange(begin_called_, true)) return Status::ok();
-    return stage_.begin({"conformance", folder_, {"synthetic room", rig_, -1, true}, {}});
+    return stage_.begin({"conformance", scratch_, {"synthetic room", rig_, -1, true}, {}});
   }
-  std::string folder_;
   bool begin_called_ = false;
 };
+
+template <class Driver>
+std::unique_ptr<RoleDriver> make(std::unique_ptr<host::Instance> instance,
+                                 const std::string& scratch) {
+  return std::make_unique<Driver>(std::move(instance), scratch);
+}
 
 }  // namespace
 
 std::unique_ptr<RoleDriver> makeDriver(Role role, std::unique_ptr<host::Instance> instance,
                                        const std::string& scratch) {
-  switch (role) {
-    case Role::Source:
-      return std::make_unique<SourceDriver>(std::move(instance));
-    case Role::Odometry:
-      return std::make_unique<OdometryDriver>(std::move(instance));
-    case Role::Place:
-      return std::make_unique<PlaceDriver>(std::move(instance));
-    case Role::Cells:
-      return std::make_unique<CellsDriver>(std::move(instance));
-    case Role::Map:
-      return std::make_unique<MapDriver>(std::move(instance));
-    case Role::Observer:
-      break;
-  }
-  return std::make_unique<ObserverDriver>(std::move(instance), scratch);
+  constexpr std::array kMakers = {&make<SourceDriver>, &make<OdometryDriver>,
+                                  &make<PlaceDriver>,  &make<CellsDriver>,
+                                  &make<MapDriver>,    &make<ObserverDriver>};
+  return kMakers.at(static_cast<std::size_t>(role))(std::move(instance), scratch);
 }
 
 }  // namespace tolman::conformance

@@ -17,11 +17,15 @@ namespace tolman::conformance {
 /// Called before each call into the plugin, so that the kit knows in which one the process died.
 using Trace = std::function<void(const std::string& call)>;
 
-struct PluginUnderTest {
-  host::LoadedPlugin loaded;
+struct Settings {
   ParameterValues values;            ///< of all parameters: defaults and --set
   std::vector<std::string> set;      ///< names of the parameters in --set
   std::vector<std::string> missing;  ///< required parameters without a value
+  std::string problems;              ///< one line each
+};
+
+struct PluginUnderTest : Settings {
+  host::LoadedPlugin loaded;
   std::uint64_t seed = 1;
   std::filesystem::path scratch;  ///< folder for files of the plugin
   Trace trace;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dataset/kitti_folder.hpp"
 
+#include <fmt/format.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 #include <system_error>
 
 #include "dataset/png_encoder.hpp"
@@ -19,12 +19,6 @@ namespace {
 
 constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
 constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
-
-/// "000042.png"
-std::string imageName(std::int64_t index) {
-  const std::string digits = std::to_string(index);
-  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits + ".png";
-}
 
 /// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
 bool isOurs(const fs::path& file) {
@@ -109,7 +103,8 @@ Status KittiFolder::writeImage(const char* name, std::int64_t index,
   fs::create_directory(folder_ / name, failure);
   // Ten thousand syncs take minutes, and `tolman dataset check` finds an image that a power cut has
   // damaged.
-  return record::writeAtomically(folder_ / name / imageName(index), png.value(), record::Sync::No);
+  return record::writeAtomically(folder_ / name / fmt::format("{:06}.png", index), png.value(),
+                                 record::Sync::No);
 }
 
 Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "dataset/loop_truth.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -74,15 +75,11 @@ std::vector<Revisit> findRevisits(const evaluation::Trajectory& truth, const Rev
 }
 
 std::string loopsText(std::span<const Revisit> revisits, const RevisitRule& rule) {
-  char line[160];
-  std::snprintf(line, sizeof line,
-                "# frame earlier same|opposite distance_m; within %g m after more than %g m\n",
-                rule.distance_m, rule.path_m);
-  std::string text = line;
+  std::string text = fmt::format(
+      "# frame earlier same|opposite distance_m; within {:g} m after more than {:g} m\n",
+      rule.distance_m, rule.path_m);
   for (const Revisit& r : revisits) {
-    std::snprintf(line, sizeof line, "%lld %lld %s %.3f\n", static_cast<long long>(r.frame),
-                  static_cast<long long>(r.earlier), enumName(r.heading).data(), r.distance_m);
-    text += line;
+    text += fmt::format("{} {} {} {:.3f}\n", r.frame, r.earlier, enumName(r.heading), r.distance_m);
   }
   return text;
 }

@@ -3,7 +3,6 @@
 // information and firing fields.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <numbers>
 #include <optional>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
-#include <vector>
 
 namespace tolman::host {
 namespace {

@@ -28,20 +28,12 @@ OrRefusal<std::unique_ptr<Instance>> Instance::create(const LoadedPlugin& plugin
     return Refusal{"plugin/create-failed", status.message(),
                    "a constructor must be cheap and must not throw: move work to configure()"};
   }
-  if (object.plugin == nullptr) {
-    return nullInstance(plugin.manifest);
-  }
-  return adopt(plugin.manifest, std::move(name), object,
-               [descriptor = plugin.descriptor](Plugin* constructed) {
-                 descriptor->destroy(constructed);
-                 return Status::ok();
-               });
-}
-
-std::unique_ptr<Instance> Instance::adopt(Manifest manifest, std::string name, PluginObject object,
-                                          Destroy destroy) {
-  return std::unique_ptr<Instance>(
-      new Instance(std::move(manifest), std::move(name), object, std::move(destroy)));
+  if (object.plugin == nullptr) return nullInstance(plugin.manifest);
+  return std::make_unique<Instance>(plugin.manifest, std::move(name), object,
+                                    [descriptor = plugin.descriptor](Plugin* constructed) {
+                                      descriptor->destroy(constructed);
+                                      return Status::ok();
+                                    });
 }
 
 Instance::Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy)

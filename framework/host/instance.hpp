@@ -14,6 +14,18 @@
 
 namespace tolman::host {
 
+/// Artefacts of one stage. The run directory is made after configure(), when all checks have
+/// passed; before that, writing fails.
+class StageArtefacts : public ArtefactWriter {
+ public:
+  std::unique_ptr<ArtefactWriter> folder;
+
+  Status write(std::string_view name, std::span<const std::byte> bytes) override {
+    if (folder) return folder->write(name, bytes);
+    return Status::failed("there is no run directory yet; write artefacts after configure()");
+  }
+};
+
 /// plugin/null-instance.
 Refusal nullInstance(const Manifest& manifest);
 
@@ -26,8 +38,7 @@ class Instance {
   /// Destroys an object; an exception becomes the status.
   using Destroy = std::function<Status(Plugin*)>;
   /// Takes ownership of an object that was constructed elsewhere; `destroy` destroys it.
-  static std::unique_ptr<Instance> adopt(Manifest manifest, std::string name, PluginObject object,
-                                         Destroy destroy);
+  Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy);
 
   /// Destroys the object under the guard and ignores exceptions; destroy() returns them.
   ~Instance();
@@ -62,7 +73,6 @@ class Instance {
   }
 
  private:
-  Instance(Manifest manifest, std::string name, PluginObject object, Destroy destroy);
   Status unsupported(const std::string& what) const;
   Status checkArrays(const std::vector<NamedArray>& arrays);
 

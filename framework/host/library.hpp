@@ -2,8 +2,6 @@
 // Opens plugin libraries that passed the gate, and keeps them until the process ends.
 #pragma once
 
-#include <string>
-
 #include "host/gate.hpp"
 #include "host/manifest.hpp"
 #include "tolman/plugin.hpp"

@@ -4,29 +4,22 @@
 #include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+#include "config/nearest_name.hpp"
 #include "host/elf_section.hpp"
 
 namespace tolman::host {
 namespace {
 
-int number(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || value < 0) {
-    throw std::runtime_error("'" + std::string(text) + "' is not a number");
-  }
-  return value;
-}
-
-std::uint64_t hexadecimal(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    throw std::runtime_error("'" + text + "' is not a hash");
+template <class T>
+T number(std::string_view text, const char* what, int base) {
+  T value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
+  if (error != std::errc() || end != text.data() + text.size() || std::cmp_less(value, 0)) {
+    throw std::runtime_error("'" + std::string(text) + "' is not a " + what);
   }
   return value;
 }
@@ -39,9 +32,7 @@ std::string printable(std::string text) {
 }
 
 Role roleNamed(const std::string& name) {
-  for (std::size_t i = 0; i < kRoleNames.size(); ++i) {
-    if (kRoleNames[i] == name) return static_cast<Role>(i);
-  }
+  if (const auto role = config::valueNamed<Role>(name)) return *role;
   throw std::runtime_error("'" + name + "' is not a role");
 }
 
@@ -63,11 +54,14 @@ Manifest fromJson(const nlohmann::json& json, const std::filesystem::path& file)
   manifest.version = text("version");
   const std::string sdk = text("sdk");
   const auto dot = sdk.find('.');
-  manifest.sdk_major = number(std::string_view(sdk).substr(0, dot));
-  manifest.sdk_minor = dot == std::string::npos ? 0 : number(std::string_view(sdk).substr(dot + 1));
+  const auto part = [&](std::size_t begin, std::size_t size) {
+    return number<int>(std::string_view(sdk).substr(begin, size), "number", 10);
+  };
+  manifest.sdk_major = part(0, dot);
+  manifest.sdk_minor = dot == std::string::npos ? 0 : part(dot + 1, std::string::npos);
   manifest.fingerprint = text("fingerprint");
   manifest.opencv = text("opencv");
-  manifest.schema_hash = hexadecimal(text("schema"));
+  manifest.schema_hash = number<std::uint64_t>(text("schema"), "hash", 16);
   manifest.summary = text("summary");
   std::istringstream extras(json.value("extras", ""));  // since SDK 0.2
   for (std::string name; std::getline(extras, name, ',');) manifest.extras.push_back(name);

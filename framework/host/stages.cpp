@@ -85,7 +85,7 @@ Status checkTemplateId(const PlaceObservation& observation, std::int64_t templat
 }
 
 Status SourceStage::info(SourceInfo& info) {
-  const Status status = instance_->call<Source>("info", -1, [&](Source& source) {
+  const Status status = call("info", -1, [&](Source& source) {
     const Status answered = source.info(info);
     return answered.isOk() ? checkValues(info.rig) : answered;
   });
@@ -113,11 +113,10 @@ Status SourceStage::check(const Frame& frame) const {
 }
 
 Status SourceStage::next(Frame& frame) {
-  const Status status =
-      instance_->call<Source>("next", first_frame_ + next_frame_, [&](Source& source) {
-        const Status answered = source.next(frame);
-        return answered.isOk() ? check(frame) : answered;
-      });
+  const Status status = call("next", first_frame_ + next_frame_, [&](Source& source) {
+    const Status answered = source.next(frame);
+    return answered.isOk() ? check(frame) : answered;
+  });
   if (!status.isOk()) return status;
   ++next_frame_;
   last_stamp_ns_ = frame.stamp_ns;
@@ -130,13 +129,8 @@ void SourceStage::expect(std::int64_t next_frame, std::int64_t last_stamp_ns) {
   last_stamp_ns_ = last_stamp_ns;
 }
 
-Status SourceStage::inspect(std::vector<Finding>& findings) {
-  return instance_->call<Source>("inspect", -1,
-                                 [&](Source& source) { return source.inspect(findings); });
-}
-
 Status OdometryStage::track(const Frame& frame, Motion& motion) {
-  return instance_->call<Odometry>("track", frame.frame, [&](Odometry& odometry) {
+  return call("track", frame.frame, [&](Odometry& odometry) {
     Status status = track(odometry, frame, motion);
     if (status.isOk()) status = checkAnswer(frame, motion);
     if (status.isOk()) status = checkRevisions(motion.revisions, first_frame_, frame.frame);
@@ -157,7 +151,7 @@ Status OdometryStage::track(Odometry& odometry, const Frame& frame, Motion& moti
 }
 
 Status OdometryStage::finish(std::vector<MotionRevision>& revisions) {
-  return instance_->call<Odometry>("finish", -1, [&](Odometry& odometry) {
+  return call("finish", -1, [&](Odometry& odometry) {
     const Status status = odometry.finish(revisions);
     shift(revisions, first_frame_);
     return status.isOk() ? checkRevisions(revisions, first_frame_, INT64_MAX) : status;
@@ -166,7 +160,7 @@ Status OdometryStage::finish(std::vector<MotionRevision>& revisions) {
 
 PlaceInput PlaceStage::input() {
   PlaceInput input = PlaceInput::Frame;
-  (void)instance_->call<Place>("input", -1, [&](Place& place) {
+  (void)call("input", -1, [&](Place& place) {
     input = place.input();
     return Status::ok();
   });
@@ -175,7 +169,7 @@ PlaceInput PlaceStage::input() {
 
 Status PlaceStage::observe(const Frame& frame, const Motion* motion,
                            PlaceObservation& observation) {
-  const Status answered = instance_->call<Place>("observe", frame.frame, [&](Place& place) {
+  const Status answered = call("observe", frame.frame, [&](Place& place) {
     Status status = place.observe(frame, motion, observation);
     if (status.isOk()) status = checkAnswer(frame, observation);
     if (status.isOk()) status = checkTemplateId(observation, templates_);
@@ -189,13 +183,9 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
   return answered;
 }
 
-Status PlaceStage::finish() {
-  return instance_->call<Place>("finish", -1, [](Place& place) { return place.finish(); });
-}
-
 Status CellsStage::step(const Motion& motion, const PlaceObservation& observation,
                         Decision& decision) {
-  return instance_->call<Cells>("step", motion.frame, [&](Cells& cells) {
+  return call("step", motion.frame, [&](Cells& cells) {
     Status status = cells.step(motion, observation, decision);
     if (status.isOk()) status = checkAnswer(motion, decision);
     if (status.isOk()) status = check(decision);
@@ -231,19 +221,15 @@ Status CellsStage::check(const Decision& decision) const {
   return Status::ok();
 }
 
-Status CellsStage::finish() {
-  return instance_->call<Cells>("finish", -1, [](Cells& cells) { return cells.finish(); });
-}
-
 Status MapStage::update(const Motion& motion, const Decision& decision, MapUpdate& update) {
-  return instance_->call<Map>("update", motion.frame, [&](Map& map) {
+  return call("update", motion.frame, [&](Map& map) {
     const Status status = map.update(motion, decision, update);
     return status.isOk() ? checkAnswer(motion, update) : status;
   });
 }
 
 Status MapStage::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) {
-  return instance_->call<Map>("poseOf", frame, [&](Map& map) {
+  return call("poseOf", frame, [&](Map& map) {
     const Status status = map.poseOf(frame, T_world_camera);
     if (!status.isOk() || T_world_camera.matrix().allFinite()) return status;
     return Status::failed("the pose is not finite");
@@ -251,29 +237,10 @@ Status MapStage::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) {
 }
 
 Status MapStage::graph(MapGraph& graph) {
-  return instance_->call<Map>("graph", -1, [&](Map& map) {
+  return call("graph", -1, [&](Map& map) {
     const Status status = map.graph(graph);
     return status.isOk() ? checkGraph(graph) : status;
   });
-}
-
-Status MapStage::finish(const std::vector<MotionRevision>& revisions) {
-  return instance_->call<Map>("finish", -1, [&](Map& map) { return map.finish(revisions); });
-}
-
-Status ObserverStage::begin(const RunInfo& run) {
-  return instance_->call<Observer>("begin", -1,
-                                   [&](Observer& observer) { return observer.begin(run); });
-}
-
-Status ObserverStage::observe(const Snapshot& snapshot) {
-  return instance_->call<Observer>("observe", snapshot.frame->frame,
-                                   [&](Observer& observer) { return observer.observe(snapshot); });
-}
-
-Status ObserverStage::finish(const MapGraph& graph) {
-  return instance_->call<Observer>("finish", -1,
-                                   [&](Observer& observer) { return observer.finish(graph); });
 }
 
 }  // namespace tolman::host

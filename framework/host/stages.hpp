@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace tolman::host {
 /// Checks that a template id is dense or known. `templates`: number so far, -1 if not known.
 Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates);
 
-/// Owns the instance.
+/// Owns the instance of a role.
+template <class RoleType>
 class Stage {
  public:
   explicit Stage(std::unique_ptr<Instance> instance) : instance_(std::move(instance)) {}
@@ -23,16 +25,25 @@ class Stage {
   const Instance& instance() const { return *instance_; }
 
  protected:
+  /// Calls `work`, a function of the role or one of its methods, under the guard.
+  template <class Work, class... A>
+  Status call(std::string_view what, std::int64_t frame, const Work& work, A&... arguments) {
+    return instance_->call<RoleType>(
+        what, frame, [&](RoleType& role) { return std::invoke(work, role, arguments...); });
+  }
+
   std::unique_ptr<Instance> instance_;
 };
 
-class SourceStage : public Stage {
+class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
   Status info(SourceInfo& info);
   /// Checks that frames are dense from 0, stamps increase and images keep their size.
   Status next(Frame& frame);
-  Status inspect(std::vector<Finding>& findings);
+  Status inspect(std::vector<Finding>& findings) {
+    return call("inspect", -1, &Source::inspect, findings);
+  }
   /// The next frame after reset() (the defaults), or after a saved state was loaded.
   void expect(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
   /// Number of the first frame of this session in the host; the plugin counts from 0.
@@ -46,7 +57,7 @@ class SourceStage : public Stage {
   std::int64_t last_stamp_ns_ = 0;
 };
 
-class OdometryStage : public Stage {
+class OdometryStage : public Stage<Odometry> {
  public:
   using Stage::Stage;
   Status track(const Frame& frame, Motion& motion);
@@ -59,14 +70,14 @@ class OdometryStage : public Stage {
   std::int64_t first_frame_ = 0;
 };
 
-class PlaceStage : public Stage {
+class PlaceStage : public Stage<Place> {
  public:
   using Stage::Stage;
   /// Constant after configure(); a throwing plugin counts as PlaceInput::Frame.
   PlaceInput input();
   /// Checks that template ids are dense and known.
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
-  Status finish();
+  Status finish() { return call("finish", -1, &Place::finish); }
   /// Number of templates: 0 after reset(), -1 (not known) after a saved state was loaded. If it is
   /// not known, the next novel answer determines it.
   void expect(std::int64_t templates = 0) { templates_ = templates; }
@@ -75,12 +86,12 @@ class PlaceStage : public Stage {
   std::int64_t templates_ = 0;
 };
 
-class CellsStage : public Stage {
+class CellsStage : public Stage<Cells> {
  public:
   using Stage::Stage;
   /// Checks that experience ids are dense and known, heading and confidence in their ranges.
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
-  Status finish();
+  Status finish() { return call("finish", -1, &Cells::finish); }
   /// Number of experiences after reset() (0), or after a saved state was loaded.
   void expect(std::int64_t experiences = 0) { experiences_ = experiences; }
 
@@ -89,21 +100,25 @@ class CellsStage : public Stage {
   std::int64_t experiences_ = 0;
 };
 
-class MapStage : public Stage {
+class MapStage : public Stage<Map> {
  public:
   using Stage::Stage;
   Status update(const Motion& motion, const Decision& decision, MapUpdate& update);
   Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera);
   Status graph(MapGraph& graph);
-  Status finish(const std::vector<MotionRevision>& revisions);
+  Status finish(const std::vector<MotionRevision>& revisions) {
+    return call("finish", -1, &Map::finish, revisions);
+  }
 };
 
-class ObserverStage : public Stage {
+class ObserverStage : public Stage<Observer> {
  public:
   using Stage::Stage;
-  Status begin(const RunInfo& run);
-  Status observe(const Snapshot& snapshot);
-  Status finish(const MapGraph& graph);
+  Status begin(const RunInfo& run) { return call("begin", -1, &Observer::begin, run); }
+  Status observe(const Snapshot& snapshot) {
+    return call("observe", snapshot.frame->frame, &Observer::observe, snapshot);
+  }
+  Status finish(const MapGraph& graph) { return call("finish", -1, &Observer::finish, graph); }
 };
 
 }  // namespace tolman::host

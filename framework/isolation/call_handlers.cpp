@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isolation/call_handlers.hpp"
 
+#include <array>
 #include <sstream>
 
 namespace tolman::isolation {
@@ -36,18 +37,18 @@ void addExtras(Handlers& handlers, const PluginObject& object) {
   }));
 }
 
-void addSource(Handlers& handlers, Source& source) {
+void addCalls(Handlers& handlers, Source& source) {
   handlers[Call::Info] = handler(source, &Source::info);
   handlers[Call::Next] = handler(source, &Source::next);
   handlers[Call::Inspect] = handler(source, &Source::inspect);
 }
 
-void addOdometry(Handlers& handlers, Odometry& odometry) {
+void addCalls(Handlers& handlers, Odometry& odometry) {
   handlers[Call::Track] = handler(odometry, &Odometry::track);
   handlers[Call::FinishOdometry] = handler(odometry, &Odometry::finish);
 }
 
-void addPlace(Handlers& handlers, Place& place) {
+void addCalls(Handlers& handlers, Place& place) {
   handlers[Call::Input] = handler(std::function([&](PlaceInput& input) {
     input = place.input();
     return Status::ok();
@@ -59,12 +60,12 @@ void addPlace(Handlers& handlers, Place& place) {
   handlers[Call::FinishPlace] = handler(place, &Place::finish);
 }
 
-void addCells(Handlers& handlers, Cells& cells) {
+void addCalls(Handlers& handlers, Cells& cells) {
   handlers[Call::Step] = handler(cells, &Cells::step);
   handlers[Call::FinishCells] = handler(cells, &Cells::finish);
 }
 
-void addMap(Handlers& handlers, Map& map) {
+void addCalls(Handlers& handlers, Map& map) {
   handlers[Call::Update] = handler(map, &Map::update);
   handlers[Call::PoseOf] =
       handler(std::function([&](const std::int64_t& frame, Eigen::Isometry3d& T_world_camera) {
@@ -75,7 +76,7 @@ void addMap(Handlers& handlers, Map& map) {
   handlers[Call::FinishMap] = handler(map, &Map::finish);
 }
 
-void addObserver(Handlers& handlers, Observer& observer) {
+void addCalls(Handlers& handlers, Observer& observer) {
   handlers[Call::Begin] = handler(observer, &Observer::begin);
   handlers[Call::Watch] = handler(
       std::function([&](const Frame& frame, const Motion& motion, const PlaceObservation& place,
@@ -89,36 +90,19 @@ void addObserver(Handlers& handlers, Observer& observer) {
 }
 
 template <class RoleType>
-RoleType& as(const PluginObject& object) {
-  return static_cast<RoleType&>(*object.plugin);
+void addRole(Handlers& handlers, Plugin& plugin) {
+  addCalls(handlers, static_cast<RoleType&>(plugin));
 }
 
 }  // namespace
 
 Handlers handlersOf(Role role, const PluginObject& object) {
+  constexpr std::array kAdd = {&addRole<Source>, &addRole<Odometry>, &addRole<Place>,
+                               &addRole<Cells>,  &addRole<Map>,      &addRole<Observer>};
   Handlers handlers;
   handlers[Call::Reset] = handler(*object.plugin, &Plugin::reset);
   addExtras(handlers, object);
-  switch (role) {
-    case Role::Source:
-      addSource(handlers, as<Source>(object));
-      break;
-    case Role::Odometry:
-      addOdometry(handlers, as<Odometry>(object));
-      break;
-    case Role::Place:
-      addPlace(handlers, as<Place>(object));
-      break;
-    case Role::Cells:
-      addCells(handlers, as<Cells>(object));
-      break;
-    case Role::Map:
-      addMap(handlers, as<Map>(object));
-      break;
-    case Role::Observer:
-      addObserver(handlers, as<Observer>(object));
-      break;
-  }
+  kAdd.at(static_cast<std::size_t>(role))(handlers, *object.plugin);
   return handlers;
 }
 

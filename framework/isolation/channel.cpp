@@ -11,15 +11,7 @@
 #include <utility>
 
 namespace tolman::isolation {
-namespace {
-
-struct Head {
-  std::uint32_t kind;
-  std::uint32_t detail;
-  std::uint64_t size;
-};
-
-}  // namespace
+namespace {}  // namespace
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
   if (this != &other) {
@@ -44,7 +36,7 @@ std::array<Socket, 2> Socket::pair() {
 }
 
 bool Socket::send(const SocketMessage& message) const {
-  Head head{message.kind, message.detail, message.size};
+  MessageHead head = message;
   // sendmsg() does not change the text, but its pointer is not const.
   std::array<iovec, 2> pieces{
       {{&head, sizeof head},
@@ -63,7 +55,7 @@ ReceiveResult Socket::receive(SocketMessage& message, std::chrono::milliseconds 
   pollfd watched{descriptor_.get(), POLLIN, 0};
   const int ready = ::poll(&watched, 1, static_cast<int>(timeout.count()));
   if (ready == 0 || (ready < 0 && errno == EINTR)) return ReceiveResult::Timeout;
-  Head head{};
+  MessageHead& head = message;
   message.text.resize(kMaxText);
   std::array<iovec, 2> pieces{{{&head, sizeof head}, {message.text.data(), message.text.size()}}};
   msghdr header{};
@@ -73,9 +65,6 @@ ReceiveResult Socket::receive(SocketMessage& message, std::chrono::milliseconds 
   if (bytes < 0 && errno == EINTR) return ReceiveResult::Timeout;
   if (bytes < static_cast<ssize_t>(sizeof head))
     return ReceiveResult::Closed;  // closed, or not a valid message
-  message.kind = head.kind;
-  message.detail = head.detail;
-  message.size = head.size;
   message.text.resize(static_cast<std::size_t>(bytes) - sizeof head);
   return ReceiveResult::Message;
 }

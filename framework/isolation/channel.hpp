@@ -28,12 +28,15 @@ class Descriptor {
   int value_;
 };
 
-/// One message. Its data are the first `size` bytes of the sender's shared buffer.
-struct SocketMessage {
+/// The data of a message are the first `size` bytes of the sender's shared buffer.
+struct MessageHead {
   std::uint32_t kind = 0;
   std::uint32_t detail =
       0;  ///< number of the call that it makes or replies to; level of a log line
   std::uint64_t size = 0;
+};
+
+struct SocketMessage : MessageHead {
   std::string text;  ///< longer texts are cut off after kMaxText bytes
 };
 inline constexpr std::size_t kMaxText = 8192;  // bytes

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstring>
-#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -200,7 +199,13 @@ class Decoder {
     value.reset();
     if (next<bool>()) get(value.emplace());
   }
-  void get(ParameterValue& value);
+  template <class... T>
+  void get(std::variant<T...>& value) {
+    const auto index = next<std::size_t>();
+    std::size_t i = 0;
+    ((index == i++ ? void(value = next<T>()) : void()), ...);
+    if (index >= sizeof...(T)) throw MalformedMessage("a parameter of no known type");
+  }
   void get(ParameterValues& values);
   template <HasParts T>
   void get(T& value) {
@@ -256,28 +261,6 @@ inline void Decoder::get(Image& image) {
   const std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[size]);
   std::memcpy(pixels.get(), source, size);
   image = Image(pixels.get(), width, height, stride, format, pixels);
-}
-
-inline void Decoder::get(ParameterValue& value) {
-  switch (next<std::size_t>()) {
-    case 0:
-      value = next<bool>();
-      return;
-    case 1:
-      value = next<std::int64_t>();
-      return;
-    case 2:
-      value = next<double>();
-      return;
-    case 3:
-      value = next<std::string>();
-      return;
-    case 4:
-      value = next<std::vector<double>>();
-      return;
-    default:
-      throw MalformedMessage("a parameter of no known type");
-  }
 }
 
 inline void Decoder::get(ParameterValues& values) {

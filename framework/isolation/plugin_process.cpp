@@ -24,11 +24,8 @@ class RemoteLogger : public Logger {
  public:
   explicit RemoteLogger(const Socket& socket) : socket_(socket) {}
   void write(LogLevel level, std::string_view text) override {
-    SocketMessage message;
-    message.kind = static_cast<std::uint32_t>(ReplyKind::Log);
-    message.detail = static_cast<std::uint32_t>(level);
-    message.text = text;
-    (void)socket_.send(message);
+    constexpr auto kLog = static_cast<std::uint32_t>(ReplyKind::Log);
+    (void)socket_.send({{kLog, static_cast<std::uint32_t>(level)}, std::string(text)});
   }
 
  private:
@@ -42,16 +39,6 @@ class RemoteCancellation : public Cancellation {
 
  private:
   const ControlBlock& control_;
-};
-
-/// Fails as long as there is no run directory, as in the host.
-class ArtefactsOfRun : public ArtefactWriter {
- public:
-  std::unique_ptr<ArtefactWriter> folder;
-  Status write(std::string_view name, std::span<const std::byte> bytes) override {
-    if (folder) return folder->write(name, bytes);
-    return Status::failed("there is no run directory yet; write artefacts after configure()");
-  }
 };
 
 /// Kills this process group as soon as the host ends, even during a call that does not return.
@@ -109,11 +96,8 @@ class PluginProcess {
     } else {
       found->second(in, out);
     }
-    SocketMessage reply;
-    reply.kind = static_cast<std::uint32_t>(ReplyKind::Reply);
-    reply.detail = request.detail;
-    reply.size = out.size();
-    (void)socket_.send(reply);
+    constexpr auto kReply = static_cast<std::uint32_t>(ReplyKind::Reply);
+    (void)socket_.send({{kReply, request.detail, out.size()}, {}});
   }
 
   void addOwnCalls() {
@@ -176,7 +160,7 @@ class PluginProcess {
   SharedBuffer control_;
   const ProcessServices& services_;
   RemoteLogger log_;
-  ArtefactsOfRun artefacts_;
+  host::StageArtefacts artefacts_;
   RemoteCancellation cancellation_;
   std::optional<tbb::global_control> threads_;
   ContextMessage context_;

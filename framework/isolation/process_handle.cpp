@@ -41,10 +41,7 @@ void ProcessHandle::connect(Logger* log, const Cancellation* cancellation) {
 Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
   Encoder encoder(request_);
   write(encoder);
-  SocketMessage message;
-  message.kind = static_cast<std::uint32_t>(call);
-  message.detail = ++call_number_;
-  message.size = encoder.size();
+  SocketMessage message{{static_cast<std::uint32_t>(call), ++call_number_, encoder.size()}, {}};
   if (record_requests_) {  // before the call: the process could overwrite the shared memory
     recorded_request_.assign(reinterpret_cast<const char*>(request_.view(encoder.size())),
                              encoder.size());

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace tolman::isolation {
@@ -15,20 +17,10 @@ const auto kNoData = [](auto&) {};
 
 /// Calls that change the state of a plugin. Only they are repeated after a restart.
 bool changesState(Call call) {
-  switch (call) {
-    case Call::Track:
-    case Call::Observe:
-    case Call::Step:
-    case Call::Update:
-    case Call::FinishOdometry:
-    case Call::FinishPlace:
-    case Call::FinishCells:
-    case Call::FinishMap:
-    case Call::Watch:
-      return true;
-    default:
-      return false;
-  }
+  constexpr std::array kChanging = {Call::Track,       Call::Observe,     Call::Step,
+                                    Call::Update,      Call::Watch,       Call::FinishOdometry,
+                                    Call::FinishPlace, Call::FinishCells, Call::FinishMap};
+  return std::ranges::find(kChanging, call) != kChanging.end();
 }
 
 bool isInitial(Call call) {

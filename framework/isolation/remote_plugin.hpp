@@ -5,7 +5,6 @@
 // ended is not repeated.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <tuple>

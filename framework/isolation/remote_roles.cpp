@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "isolation/remote_roles.hpp"
 
+#include <array>
 #include <istream>
 #include <iterator>
 #include <ostream>
@@ -197,7 +198,7 @@ std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
   if (manifest.hasExtra("descriptions")) object.descriptions = proxy.get();
   if (manifest.hasExtra("page")) object.page = proxy.get();
   (void)proxy.release();  // owned by the instance
-  return host::Instance::adopt(manifest, name, object, [](Plugin* plugin) {
+  return std::make_unique<host::Instance>(manifest, name, object, [](Plugin* plugin) {
     const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));
     return owned->remote().destroy();
   });
@@ -207,22 +208,12 @@ std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
 
 host::OrRefusal<std::unique_ptr<host::Instance>> instantiate(std::shared_ptr<RemotePlugin> remote,
                                                              const std::string& name) {
+  constexpr std::array kAdopt = {&adopt<RemoteSource>, &adopt<RemoteOdometry>,
+                                 &adopt<RemotePlace>,  &adopt<RemoteCells>,
+                                 &adopt<RemoteMap>,    &adopt<RemoteObserver>};
   if (auto refusal = remote->create()) return *refusal;
-  switch (remote->manifest().role) {
-    case Role::Source:
-      return adopt<RemoteSource>(std::move(remote), name);
-    case Role::Odometry:
-      return adopt<RemoteOdometry>(std::move(remote), name);
-    case Role::Place:
-      return adopt<RemotePlace>(std::move(remote), name);
-    case Role::Cells:
-      return adopt<RemoteCells>(std::move(remote), name);
-    case Role::Map:
-      return adopt<RemoteMap>(std::move(remote), name);
-    case Role::Observer:
-      break;
-  }
-  return adopt<RemoteObserver>(std::move(remote), name);
+  const auto role = static_cast<std::size_t>(remote->manifest().role);
+  return kAdopt.at(role)(std::move(remote), name);
 }
 
 Status openArtefacts(RemotePlugin& remote, const std::string& run_directory) {

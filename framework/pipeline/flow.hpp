@@ -7,7 +7,6 @@
 #include <oneapi/tbb/flow_graph.h>
 
 #include <functional>
-#include <memory>
 
 #include "pipeline/chain.hpp"
 

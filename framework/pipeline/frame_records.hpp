@@ -2,7 +2,6 @@
 // A frame in the pipeline, with the answers that the stages have given so far.
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>

@@ -2,22 +2,21 @@
 #include "planning/shortest_path.hpp"
 
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 #include <string>
-#include <tuple>
 
 namespace tolman::planning {
 namespace {
 
-struct Edge {
-  std::size_t to;
+struct Cost {
   double seconds;
   double metres;
 };
-using AdjacencyList = std::vector<std::vector<Edge>>;
+using Graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, Cost>;
 
 double lengthOf(const Link& link) { return link.T_from_to.translation().norm(); }
 
@@ -34,55 +33,31 @@ double meanSpeed(const MapGraph& graph) {
 }
 
 /// Skips rejected links, and those whose length or duration a damaged record has made infinite.
-AdjacencyList adjacencyOf(const MapGraph& graph) {
+Graph passable(const MapGraph& graph) {
   const double speed = meanSpeed(graph);
-  AdjacencyList edges(graph.experiences.size());
+  Graph links(graph.experiences.size());
   for (const Link& link : graph.links) {
     const double metres = lengthOf(link);
     const double seconds = link.duration > 0 ? link.duration : metres / speed;
     if (graph.isRejected(link) || !std::isfinite(metres) || !std::isfinite(seconds)) continue;
     const auto from = static_cast<std::size_t>(link.from);
     const auto to = static_cast<std::size_t>(link.to);
-    edges.at(from).push_back({to, seconds, metres});
-    edges.at(to).push_back({from, seconds, metres});
+    add_edge(from, to, Cost{seconds, metres}, links);
   }
-  return edges;
+  return links;
 }
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+/// Follows the search: where the path to each experience comes from, and its length.
+struct PathRecorder : boost::default_dijkstra_visitor {
+  std::vector<std::size_t>& before;
+  std::vector<double>& metres;
 
-struct ShortestPathTree {
-  explicit ShortestPathTree(std::size_t size)
-      : seconds(size, std::numeric_limits<double>::infinity()),
-        metres(size, 0),
-        before(size, kNone) {}
-  std::vector<double> seconds;
-  std::vector<double> metres;
-  std::vector<std::size_t> before;
+  void edge_relaxed(const Graph::edge_descriptor& edge, const Graph& graph) {
+    const std::size_t here = target(edge, graph);
+    before[here] = source(edge, graph);
+    metres[here] = metres[before[here]] + graph[edge].metres;
+  }
 };
-
-ShortestPathTree dijkstra(const AdjacencyList& edges, std::size_t from, std::size_t to) {
-  ShortestPathTree tree(edges.size());
-  using Candidate = std::tuple<double, std::size_t>;
-  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> open;
-  tree.seconds[from] = 0;
-  open.emplace(0, from);
-  while (!open.empty()) {
-    const auto [seconds, here] = open.top();
-    open.pop();
-    if (here == to) break;
-    if (seconds > tree.seconds[here]) continue;  // a faster path was found since
-    for (const Edge& edge : edges[here]) {
-      const double arrival = seconds + edge.seconds;
-      if (arrival >= tree.seconds[edge.to]) continue;
-      tree.seconds[edge.to] = arrival;
-      tree.metres[edge.to] = tree.metres[here] + edge.metres;
-      tree.before[edge.to] = here;
-      open.emplace(arrival, edge.to);
-    }
-  }
-  return tree;
-}
 
 }  // namespace
 
@@ -96,15 +71,22 @@ Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std:
   }
   const auto start = static_cast<std::size_t>(from);
   const auto goal = static_cast<std::size_t>(to);
-  const ShortestPathTree tree = dijkstra(adjacencyOf(graph), start, goal);
-  if (goal != start && tree.before[goal] == kNone) {
+  const Graph links = passable(graph);
+  std::vector<double> seconds(num_vertices(links));
+  std::vector<double> metres(num_vertices(links), 0);
+  std::vector<std::size_t> before(num_vertices(links), start);
+  boost::dijkstra_shortest_paths(links, start,
+                                 boost::weight_map(get(&Cost::seconds, links))
+                                     .distance_map(seconds.data())
+                                     .visitor(PathRecorder{{}, before, metres}));
+  if (seconds[goal] == std::numeric_limits<double>::max()) {
     return Status::invalidInput("no route leads from experience " + std::to_string(from) + " to " +
                                 std::to_string(to) +
                                 ": they lie in different connected parts of the map");
   }
   PlannedRoute route;
-  for (std::size_t here = goal;; here = tree.before[here]) {
-    route.legs.push_back({static_cast<std::int64_t>(here), tree.seconds[here], tree.metres[here]});
+  for (std::size_t here = goal;; here = before[here]) {
+    route.legs.push_back({static_cast<std::int64_t>(here), seconds[here], metres[here]});
     if (here == start) break;
   }
   std::reverse(route.legs.begin(), route.legs.end());

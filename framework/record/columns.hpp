@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "config/nearest_name.hpp"
 #include "record/sqlite.hpp"
 #include "tolman/fields.hpp"
 
@@ -72,14 +73,10 @@ struct Codec<T> {
   static void bind(Statement& row, T value) { row.bindNext(std::string(enumName(value))); }
   static void read(Statement& row, T& value) {
     const std::string name = row.next().getString();
-    const std::span<const std::string_view> names = enumNames(value);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      if (names[i] == name) {
-        value = static_cast<T>(i);
-        return;
-      }
-    }
-    throw BadRow("'" + name.substr(0, 24) + "' is none of the values that this column has");
+    const std::optional<T> known = config::valueNamed<T>(name);
+    if (!known)
+      throw BadRow("'" + name.substr(0, 24) + "' is none of the values that this column has");
+    value = *known;
   }
 };
 

@@ -11,10 +11,6 @@ namespace tolman::record {
 
 Result<std::string> fileDigest(const std::filesystem::path& file);
 
-/// SHA-256 of all rows that are the same in every repetition of a run: every table but `timing`,
-/// `event` (its order and times differ) and `run`.
-Result<std::string> databaseDigest(const std::filesystem::path& run_directory);
-
 /// Writes results.sha256: digests of the exported files that exist, in the format of `sha256sum
 /// -c`.
 Status writeResultsDigest(const std::filesystem::path& run_directory);

@@ -36,14 +36,12 @@ Result<Span> spanOf(const RunReader& reader, std::int64_t session) {
   return span;
 }
 
-evaluation::Trajectory within(const evaluation::Trajectory& poses, const Span& span) {
-  evaluation::Trajectory chosen;
-  for (evaluation::TrajectoryPose pose : poses) {
-    if (pose.frame < span.first || pose.frame >= span.end) continue;
-    pose.frame -= span.first;
-    chosen.push_back(pose);
-  }
-  return chosen;
+evaluation::Trajectory within(evaluation::Trajectory poses, const Span& span) {
+  std::erase_if(poses, [&](const evaluation::TrajectoryPose& pose) {
+    return pose.frame < span.first || pose.frame >= span.end;
+  });
+  for (evaluation::TrajectoryPose& pose : poses) pose.frame -= span.first;
+  return poses;
 }
 
 Result<std::string> contentOf(const RunReader& reader, std::string_view file, const Span& span) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/replay.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace tolman::record {
 namespace {
 
@@ -118,10 +115,9 @@ void Replay::restorePoints(Motion& motion) {
 /// Rows of timing come in the order of frames.
 void Replay::takeTimes(RecordedFrame& recorded) {
   for (; times_.ahead && times_.ahead->frame <= recorded.frame.frame; times_.advance()) {
-    const auto role = std::ranges::find(kRoleNames, times_.ahead->stage);
-    if (times_.ahead->frame == recorded.frame.frame && role != kRoleNames.end()) {
-      recorded.stage_times_ns[static_cast<std::size_t>(role - kRoleNames.begin())] =
-          times_.ahead->duration_ns;
+    const auto role = config::valueNamed<Role>(times_.ahead->stage);
+    if (role && times_.ahead->frame == recorded.frame.frame) {
+      recorded.stage_times_ns[static_cast<std::size_t>(*role)] = times_.ahead->duration_ns;
     }
     position_.timing_row = times_.key;
   }

@@ -2,6 +2,7 @@
 #include "record/run_directory.hpp"
 
 #include <fcntl.h>
+#include <fmt/chrono.h>
 #include <sys/file.h>
 
 #include <ctime>
@@ -22,12 +23,7 @@ std::string folderName(const RunDirectoryOptions& options) {
     name += plain || c == '-' || c == '_' || (c == '.' && !name.empty()) ? c : '_';
   }
   if (name.empty()) name = "run";
-  const auto seconds = static_cast<std::time_t>(options.utc_seconds);
-  std::tm utc{};
-  gmtime_r(&seconds, &utc);
-  std::array<char, 32> stamp{};
-  const std::size_t size = std::strftime(stamp.data(), stamp.size(), "%Y%m%dT%H%M%SZ", &utc);
-  return name + "-" + std::string(stamp.data(), size);
+  return fmt::format("{}-{:%Y%m%dT%H%M%SZ}", name, fmt::gmtime(std::time_t{options.utc_seconds}));
 }
 
 /// A folder that did not exist before; two runs of one second get different ones.

@@ -17,8 +17,8 @@ std::string reference(const std::string& column, const std::string& parent,
 std::string frameReference() { return reference("frame", "frame", "frame"); }
 
 template <Record R>
-Table table(std::string doc, std::string constraints, bool deterministic = true) {
-  return {R::kRecord, std::move(doc), columnsOf<R>(), std::move(constraints), deterministic};
+Table table(std::string doc, std::string constraints) {
+  return {R::kRecord, std::move(doc), columnsOf<R>(), std::move(constraints)};
 }
 
 /// A table with one row per frame.
@@ -48,8 +48,7 @@ std::vector<Table> schema() {
       {"run",
        "properties of the run, among them schema_version",
        {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
-       primaryKey("key"),
-       false},
+       primaryKey("key")},
       table<RecordedSession>("the runs whose frames are recorded here, this one the last",
                              primaryKey("id")),
       table<CameraRig>("the cameras; one row", ""),
@@ -71,8 +70,8 @@ std::vector<Table> schema() {
       table<RecordedArrayInfo>("descriptions of the named arrays, constant over a run", ""),
       table<RecordedArray>("named arrays of a frame: its sensors, and the state of the cells",
                            ", PRIMARY KEY (\"frame\", \"source\", \"name\")" + frameReference()),
-      table<RecordedTiming>("computing time of each stage and frame", "", false),
-      table<RecordedEvent>("warnings, errors and notes", "", false),
+      table<RecordedTiming>("computing time of each stage and frame", ""),
+      table<RecordedEvent>("warnings, errors and notes", ""),
   };
 }
 

@@ -18,7 +18,6 @@ struct Table {
   std::string doc;
   Columns columns;
   std::string constraints;  ///< SQL after the columns, with a leading comma
-  bool deterministic = true;
 };
 
 /// Parents of foreign keys come first.

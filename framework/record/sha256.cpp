@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/sha256.hpp"
 
+#include <fmt/format.h>
 #include <openssl/evp.h>
 
 #include <array>
@@ -28,12 +29,7 @@ void Sha256::add(std::span<const std::byte> bytes) {
 std::string Sha256::digest() {
   std::array<unsigned char, 32> bytes{};
   check(EVP_DigestFinal_ex(context_.get(), bytes.data(), nullptr));
-  std::string text;
-  for (const unsigned char byte : bytes) {
-    text += "0123456789abcdef"[byte >> 4U];
-    text += "0123456789abcdef"[byte & 15U];
-  }
-  return text;
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
 
 }  // namespace tolman::record

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/store.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 
 #include "record/rows.hpp"
 
 namespace tolman::record {
 namespace {
-
-std::string shapeText(const std::vector<int>& shape) {
-  std::string text;
-  for (const int size : shape) {
-    if (!text.empty()) text += 'x';
-    text += std::to_string(size);
-  }
-  return text;
-}
 
 std::vector<int> shapeOf(const std::string& text) {
   std::vector<int> shape;
@@ -62,7 +55,8 @@ std::string StoreWriter::upsertSql(const std::string& table, const Columns& colu
 void StoreWriter::insertArrays(std::int64_t frame, std::string_view source,
                                const std::vector<NamedArray>& arrays) {
   for (const NamedArray& array : arrays) {
-    insert(RecordedArray{frame, std::string(source), array.name, shapeText(array.shape),
+    insert(RecordedArray{frame, std::string(source), array.name,
+                         fmt::format("{}", fmt::join(array.shape, "x")),
                          Eigen::Map<const Eigen::RowVectorXf>(
                              array.values.data(), static_cast<Eigen::Index>(array.values.size()))});
   }

@@ -2,7 +2,6 @@
 // The data behind metrics, figures and page of a run, read once from its record.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 

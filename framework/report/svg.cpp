@@ -3,17 +3,16 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <boost/algorithm/string/replace.hpp>
+#include <utility>
 
 namespace tolman::report {
 
 std::string escaped(std::string_view text) {
-  static const std::map<char, std::string_view> kEntities = {
-      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}};
-  std::string safe;
-  for (const char& c : text) {
-    const auto entity = kEntities.find(c);
-    safe += entity != kEntities.end() ? entity->second : std::string_view(&c, 1);
+  std::string safe(text);
+  for (const auto& [character, entity] : {std::pair("&", "&amp;"), std::pair("<", "&lt;"),
+                                          std::pair(">", "&gt;"), std::pair("\"", "&quot;")}) {
+    boost::replace_all(safe, character, entity);
   }
   return safe;
 }

@@ -2,8 +2,10 @@
 #include "run/assembly.hpp"
 
 #include <algorithm>
+#include <ranges>
 
 #include "isolation/remote_roles.hpp"
+#include "record/artefacts.hpp"
 
 namespace tolman::run {
 namespace {
@@ -39,12 +41,14 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
   for (std::size_t i = 0; i < checked_.config.stages.size(); ++i) {
     const config::StageConfig& stage = checked_.config.stages[i];
     auto instance = instantiate(checked_, i);
-    const auto& services = services_.emplace_back(std::make_unique<Services>(log, stage.instance));
+    const auto& services = services_.emplace_back(
+        std::make_unique<Services>(Services{stage.instance, {log, stage.instance}, {}}));
     const Status status =
         instance->configure({checked_.values.find(stage.instance)->second, services->log,
                              services->artefacts, cancellation, clock, info_.rig,
                              seedOf(checked_.config.general.seed, stage.instance), stage.instance});
     require(status, configureFailure(stage.role, status), stage.instance);
+    instances_.push_back(instance.get());
     add(std::move(instance), stage);
     if (stage.role != Role::Source) continue;  // the first, for stages are in the flow's order
     require(source().info(info_), FailureKind::Dataset, stage.instance);
@@ -75,32 +79,20 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
 }
 
 void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
-  for (const auto& services : services_) services->artefacts.open(run_directory);
+  for (const auto& services : services_) {
+    services->artefacts.folder =
+        std::make_unique<record::ArtefactFolder>(run_directory, services->instance);
+  }
   for (const auto& remote : checked_.remotes) {
     // The failure of a process that has ended is reported by the next call.
     if (remote) (void)isolation::openArtefacts(*remote, run_directory.string());
   }
 }
 
-std::vector<host::Instance*> Assembly::instances() {
-  std::vector<host::Instance*> all;
-  const auto add = [&](auto& stage) {
-    if (stage) all.push_back(&stage->instance());
-  };
-  add(source_);
-  add(odometry_);
-  add(place_);
-  add(cells_);
-  add(map_);
-  for (Observer& observer : observers_) all.push_back(&observer.stage.instance());
-  return all;
-}
-
 std::vector<Status> Assembly::teardown() {
   std::vector<Status> failures;
-  auto all = instances();
-  for (auto it = all.rbegin(); it != all.rend(); ++it) {
-    Status status = (*it)->destroy();
+  for (host::Instance* instance : instances_ | std::views::reverse) {
+    Status status = instance->destroy();
     if (!status.isOk()) failures.push_back(std::move(status));
   }
   return failures;

@@ -49,23 +49,24 @@ class Assembly {
   host::CellsStage& cells() { return *cells_; }
   host::MapStage& map() { return *map_; }
   std::vector<Observer>& observers() { return observers_; }
+  /// Of all stages, in the order of the configuration.
+  const std::vector<host::Instance*>& instances() const { return instances_; }
 
  private:
   /// What one stage's Context refers to.
   struct Services {
-    Services(RunLog& run_log, const std::string& instance)
-        : log(run_log, instance), artefacts(instance) {}
+    std::string instance;
     StageLogger log;
-    StageArtefacts artefacts;
+    host::StageArtefacts artefacts;
   };
 
   void add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage);
   const config::StageConfig* stageOf(Role role) const;
-  std::vector<host::Instance*> instances();
 
   CheckedSystem checked_;
   SourceInfo info_;
   std::vector<std::unique_ptr<Services>> services_;
+  std::vector<host::Instance*> instances_;
   std::unique_ptr<host::SourceStage> source_;
   std::unique_ptr<host::OdometryStage> odometry_;
   std::unique_ptr<host::PlaceStage> place_;

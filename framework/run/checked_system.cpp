@@ -40,12 +40,7 @@ void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugin
     config::Node* list = loaded.tree.find("observers");
     const config::Origin origin{config::Origin::Kind::CommandLine, "--view", 0, 0, {}};
     const auto child = [&](config::Node& parent, config::Node::Kind kind, const std::string& key) {
-      config::Node node;
-      node.kind = kind;
-      node.key = key;
-      node.key_origin = node.origin = origin;
-      parent.children.push_back(node);
-      return &parent.children.back();
+      return &parent.children.emplace_back(config::Node{kind, key, origin, origin});
     };
     if (list == nullptr) list = child(loaded.tree, config::Node::Kind::Sequence, "observers");
     if (list->kind == config::Node::Kind::Null) list->kind = config::Node::Kind::Sequence;
@@ -66,29 +61,18 @@ struct Opened {
   std::shared_ptr<isolation::RemotePlugin> remote;
 };
 
-host::OrRefusal<Opened> openInProcess(const host::Catalogue& catalogue,
-                                      const config::StageConfig& stage,
-                                      const config::SystemConfig& config,
-                                      const std::vector<std::string>& stage_program) {
-  auto manifest = catalogue.find(stage.plugin, stage.role);
-  if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
-  const isolation::LaunchOptions launch{stage_program, config.isolation.deadline,
+/// Throws Failed.
+Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
+            const config::SystemConfig& config, const SystemOptions& options) {
+  if (!options.apart && stage.isolation == config::Isolation::None) {
+    return {loadFrom(catalogue, stage.plugin, stage.role), nullptr};
+  }
+  const isolation::LaunchOptions launch{options.stage_program, config.isolation.deadline,
                                         static_cast<std::uint64_t>(config.isolation.memory_limit),
                                         config.general.threads};
-  auto started = isolation::RemotePlugin::start(std::get<host::Manifest>(manifest), launch);
-  if (auto* refusal = std::get_if<host::Refusal>(&started)) return *refusal;
-  auto& remote = std::get<std::shared_ptr<isolation::RemotePlugin>>(started);
-  return Opened{{remote->manifest(), nullptr, remote->schema()}, remote};
-}
-
-host::OrRefusal<Opened> open(const host::Catalogue& catalogue, const config::StageConfig& stage,
-                             const config::SystemConfig& config, const SystemOptions& options) {
-  if (options.apart || stage.isolation == config::Isolation::Process) {
-    return openInProcess(catalogue, stage, config, options.stage_program);
-  }
-  auto loaded = loadFrom(catalogue, stage.plugin, stage.role);
-  if (auto* refusal = std::get_if<host::Refusal>(&loaded)) return *refusal;
-  return Opened{std::move(std::get<host::LoadedPlugin>(loaded)), nullptr};
+  const auto manifest = require(catalogue.find(stage.plugin, stage.role));
+  auto remote = require(isolation::RemotePlugin::start(manifest, launch));
+  return {{remote->manifest(), nullptr, remote->schema()}, remote};
 }
 
 /// Whether a plugin saves its state is known only of its object, which is therefore created here.
@@ -122,11 +106,9 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
       host::searchPath(plugin_paths, std::getenv("TOLMAN_PLUGIN_PATH"), executable));
 }
 
-host::OrRefusal<host::LoadedPlugin> loadFrom(const host::Catalogue& catalogue,
-                                             const std::string& id, Role role) {
-  auto manifest = catalogue.find(id, role);
-  if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
-  return host::loadPlugin(std::get<host::Manifest>(manifest), host::HostIdentity::ofThisBuild());
+host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role) {
+  return require(
+      host::loadPlugin(require(catalogue.find(id, role)), host::HostIdentity::ofThisBuild()));
 }
 
 bool hasChain(const SystemOptions& options) {
@@ -147,13 +129,14 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
   const host::Catalogue catalogue = openCatalogue(options.plugin_paths);
   for (const config::StageConfig& stage : checked.config.stages) {
     if (stage.plugin.empty()) continue;  // already a problem
-    auto found = open(catalogue, stage, checked.config, options);
-    if (auto* refusal = std::get_if<host::Refusal>(&found)) {
+    Opened opened;
+    try {
+      opened = open(catalogue, stage, checked.config, options);
+    } catch (const Failed& refused) {
       problems.push_back(
-          {stage.pluginOrigin(), stage.path + ".plugin", refusal->text(), Kind::Plugin});
+          {stage.pluginOrigin(), stage.path + ".plugin", refused.what(), Kind::Plugin});
       continue;
     }
-    auto& opened = std::get<Opened>(found);
     ParameterValues& values = checked.values[stage.instance];
     values = config::check(stage, opened.plugin.schema, checked.config.folders, problems);
     if (options.quiet && stage.role == Role::Observer && declares(opened.plugin.schema, "quiet")) {

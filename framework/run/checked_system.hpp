@@ -37,9 +37,8 @@ struct SystemOptions {
 /// tree of this program.
 host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
 
-/// Finds, gates and opens one plugin.
-host::OrRefusal<host::LoadedPlugin> loadFrom(const host::Catalogue& catalogue,
-                                             const std::string& id, Role role);
+/// Finds, gates and opens one plugin. Throws Failed.
+host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);
 
 struct CheckedSystem {
   config::SystemConfig config;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/provenance.hpp"
 
+#include <fmt/chrono.h>
 #include <sys/utsname.h>
 
 #include <chrono>
@@ -59,12 +60,7 @@ std::int64_t utcSeconds() {
 }
 
 std::string utcText(std::int64_t seconds) {
-  const std::time_t time = seconds;
-  std::tm parts{};
-  ::gmtime_r(&time, &parts);
-  std::string text(20, '\0');
-  std::strftime(text.data(), text.size() + 1, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time_t{seconds}));
 }
 
 Json provenance(const CheckedSystem& system, const SourceInfo& source,

@@ -63,7 +63,7 @@ ParameterValues ReplayServer::parametersOf(const Schema& schema) const {
 void ReplayServer::openObserver() {
   const host::Catalogue catalogue = openCatalogue(options_.plugin_paths);
   const std::string id = require(findPageObserver(catalogue, options_.viewer));
-  const host::LoadedPlugin plugin = require(loadFrom(catalogue, id, Role::Observer));
+  const host::LoadedPlugin plugin = loadFrom(catalogue, id, Role::Observer);
   auto instance = require(host::Instance::create(plugin, "viewer"));
   values_ = parametersOf(plugin.schema);
   const Context context{values_, logger_, artefacts_, cancellation_, clock_, {}, 0, "viewer"};

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -33,15 +32,10 @@ struct SavedStage {
 std::vector<SavedStage> savedStages(Assembly& assembly) {
   std::vector<SavedStage> saved;
   const CheckedSystem& system = assembly.system();
-  const std::array<std::pair<Role, host::Instance*>, 3> stages = {
-      std::pair{Role::Place, &assembly.place().instance()},
-      std::pair{Role::Cells, &assembly.cells().instance()},
-      std::pair{Role::Map, &assembly.map().instance()}};
-  for (const auto& [role, instance] : stages) {
-    for (const config::StageConfig& stage : system.config.stages) {
-      if (stage.role != role) continue;
-      saved.push_back({instance, &stage, &system.values.find(stage.instance)->second});
-    }
+  for (std::size_t i = 0; i < system.config.stages.size(); ++i) {
+    const config::StageConfig& stage = system.config.stages[i];
+    if (stage.role != Role::Place && stage.role != Role::Cells && stage.role != Role::Map) continue;
+    saved.push_back({assembly.instances()[i], &stage, &system.values.find(stage.instance)->second});
   }
   return saved;
 }

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <variant>
 
 #include "run/assembly.hpp"
 

@@ -10,8 +10,6 @@
 #include <mutex>
 #include <vector>
 
-#include "record/artefacts.hpp"
-
 namespace tolman::run {
 namespace {
 
@@ -119,15 +117,6 @@ void Interrupts::listen(const std::stop_token& stop) {
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // the second signal ends the process
     ::raise(signal);
   }
-}
-
-void StageArtefacts::open(const std::filesystem::path& run_directory) {
-  folder_ = std::make_unique<record::ArtefactFolder>(run_directory, instance_);
-}
-
-Status StageArtefacts::write(std::string_view name, std::span<const std::byte> bytes) {
-  if (folder_) return folder_->write(name, bytes);
-  return Status::failed("there is no run directory yet; write artefacts after configure()");
 }
 
 }  // namespace tolman::run

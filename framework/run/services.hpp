@@ -5,7 +5,6 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 
@@ -66,19 +65,6 @@ class Interrupts : public Cancellation {
   void listen(const std::stop_token& stop);
   std::atomic<bool> requested_ = false;
   std::jthread thread_;
-};
-
-/// Artefacts of one stage. The run directory is made after configure(), when all checks have
-/// passed; before that, writing fails.
-class StageArtefacts : public ArtefactWriter {
- public:
-  explicit StageArtefacts(std::string instance) : instance_(std::move(instance)) {}
-  void open(const std::filesystem::path& run_directory);
-  Status write(std::string_view name, std::span<const std::byte> bytes) override;
-
- private:
-  std::string instance_;
-  std::unique_ptr<ArtefactWriter> folder_;
 };
 
 }  // namespace tolman::run

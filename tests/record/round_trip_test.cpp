@@ -44,7 +44,7 @@ void checkSame(std::string_view name, const T& a, const T& b) {
 template <Record R>
 void checkRoundTrip(RandomStream& random) {
   Database database = openDatabase(":memory:", Access::Create);
-  database.exec(createSql({R::kRecord, "", columnsOf<R>(), "", true}));
+  database.exec(createSql({R::kRecord, "", columnsOf<R>(), ""}));
   std::vector<R> records;
   for (int i = 0; i < 20; ++i) records.push_back(test::randomRecord<R>(random));
   for (const R& record : records) {

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "end_to_end/process.hpp"
+#include "host/instance.hpp"
+#include "record/artefacts.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -97,10 +99,10 @@ TEST_CASE("a log that cannot be opened or written says so in its status") {
 
 TEST_CASE("artefacts are refused before there is a run directory, and never leave it") {
   const TemporaryFolder folder;
-  StageArtefacts artefacts("cells");
+  host::StageArtefacts artefacts;
   CHECK(artefacts.write("a.txt", bytesOf("text")).message() ==
         "there is no run directory yet; write artefacts after configure()");
-  artefacts.open(folder.path());
+  artefacts.folder = std::make_unique<record::ArtefactFolder>(folder.path(), "cells");
   CHECK(artefacts.write("plots/a.txt", bytesOf("text")).isOk());
   CHECK(test::readText(folder.path() / "artefacts/cells/plots/a.txt") == "text");
   for (const char* name : {"", "/etc/a", "../a", "a/../../b", "a/", ".", "a//../b"}) {
