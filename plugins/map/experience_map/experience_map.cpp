@@ -11,6 +11,8 @@ namespace {
 
 // Relative change of the energy that ends a correction.
 constexpr double kOnlineTolerance = 1e-6;
+// Converged long before: twice or half as many change nothing on any drive at hand.
+constexpr int kFinalIterations = 100;
 constexpr double kFinalTolerance = 1e-10;
 
 }  // namespace
@@ -197,7 +199,7 @@ Status ExperienceMap::load(std::istream& stream) {
 Status ExperienceMap::finish(const std::vector<MotionRevision>& revisions) {
   revise(revisions);
   if (!parameters_.optimise || !chain_.visited()) return Status::ok();
-  noteCorrection(chain_.correctFinally(motions_, parameters_.final_iterations, kFinalTolerance));
+  noteCorrection(chain_.correctFinally(motions_, kFinalIterations, kFinalTolerance));
   return Status::ok();
 }
 

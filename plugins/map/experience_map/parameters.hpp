@@ -12,7 +12,6 @@ namespace tolman::experience_map {
 struct Parameters {
   bool optimise = true;
   int online_iterations = 5;
-  int final_iterations = 100;
   int interval = 10;
   double interval_growth = 0.02;
   Solver solver = Solver::Elimination;
@@ -39,9 +38,6 @@ struct Parameters {
         parameter("online_iterations", &P::online_iterations)
             .range(1, 100)
             .doc("Maximal number of iterations of one correction while running."),
-        parameter("final_iterations", &P::final_iterations)
-            .range(1, 10000)
-            .doc("Maximal number of iterations of the correction after the last frame."),
         parameter("interval", &P::interval)
             .range(1, 1e6)
             .unit("frames")

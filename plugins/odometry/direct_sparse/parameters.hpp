@@ -2,6 +2,8 @@
 // Parameters of direct_sparse_stereo and direct_sparse_mono.
 #pragma once
 
+#include <tuple>
+
 #include "tolman/parameters.hpp"
 
 namespace tolman::direct_sparse {
@@ -9,7 +11,8 @@ namespace tolman::direct_sparse {
 /// Points, iterations and keyframe weight were chosen on KITTI 06 in both directions, so that they
 /// cost no more than fewer keyframes with twice the points; the error on KITTI 01 was known then.
 /// docs/odometry.md has the figures of other drives. The paper has 2000 points and at most six
-/// iterations. Rectified rigs are off by up to 1 px of disparity.
+/// iterations. Rectified rigs are off by up to 1 px of disparity. Parameters that only one of the
+/// two plugins uses are declared by that one.
 struct Parameters {
   int points = 1000;
   int candidates = 800;
@@ -39,17 +42,9 @@ struct Parameters {
         parameter<P, int>("iterations", &P::iterations)
             .range(1, 50)
             .doc("Maximum number of Gauss-Newton steps of the window at a keyframe."),
-        parameter<P, double>("coupling", &P::coupling)
-            .range(0, 10)
-            .doc("Weight of static stereo in the window, the paper's lambda; 0 leaves the second "
-                 "camera to the first guess of each depth."),
         parameter<P, double>("keyframe_weight", &P::keyframe_weight)
             .range(0.1, 10)
             .doc("Weight of image motion in the decision for a keyframe; larger: more keyframes."),
-        parameter<P, double>("nearest", &P::nearest)
-            .range(0.01, 1000)
-            .unit("m")
-            .doc("Nearest depth that is searched for; sets the largest disparity."),
         parameter<P, double>("marginal_weight", &P::marginal_weight)
             .range(0, 1)
             .doc("Weight of marginalised points in the prior."),
@@ -57,20 +52,27 @@ struct Parameters {
             .range(0, 1000)
             .unit("m")
             .doc("Largest plausible move of a keyframe when the window is adjusted; beyond it the "
-                 "frame is lost and a new window is started."),
-        parameter<P, double>("offset_sigma", &P::offset_sigma)
-            .range(0, 5)
-            .unit("px")
-            .doc("Standard deviation of an offset that all disparities share, which is estimated; "
-                 "0: no "
-                 "offset."),
-        parameter<P, double>("camera_height", &P::camera_height)
-            .range(0.01, 100)
-            .unit("m")
-            .doc("Single camera: its assumed height above the ground, which sets the scale of the "
-                 "first draft of the scene."));
+                 "frame is lost and a new window is started."));
   }
-  static constexpr auto declaration() { return declare<Parameters>(); }
+  static constexpr auto declaration() {
+    using P = Parameters;
+    return std::tuple_cat(
+        declare<P>(),
+        tolman::parameters(
+            parameter<P, double>("coupling", &P::coupling)
+                .range(0, 10)
+                .doc("Weight of static stereo in the window, the paper's lambda; 0 leaves the "
+                     "second camera to the first guess of each depth."),
+            parameter<P, double>("nearest", &P::nearest)
+                .range(0.01, 1000)
+                .unit("m")
+                .doc("Nearest depth that is searched for; sets the largest disparity."),
+            parameter<P, double>("offset_sigma", &P::offset_sigma)
+                .range(0, 5)
+                .unit("px")
+                .doc("Standard deviation of an offset that all disparities share, which is "
+                     "estimated; 0: no offset.")));
+  }
 };
 
 /// A single camera measures depth only by the motion between keyframes: keyframes are farther
@@ -82,7 +84,17 @@ struct MonoParameters : Parameters {
     iterations = 8;
     keyframe_weight = 0.6;
   }
-  static constexpr auto declaration() { return declare<MonoParameters>(); }
+  static constexpr auto declaration() {
+    using P = MonoParameters;
+    return std::tuple_cat(
+        declare<P>(),
+        tolman::parameters(
+            parameter<P, double>("camera_height", &P::camera_height)
+                .range(0.01, 100)
+                .unit("m")
+                .doc("Assumed height of the camera above the ground, which sets the scale of the "
+                     "first draft of the scene.")));
+  }
 };
 
 }  // namespace tolman::direct_sparse
