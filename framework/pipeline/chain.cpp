@@ -130,7 +130,7 @@ bool Chain::decide(FrameRecords& records) {
     return stepped;
   });
   if (!resolve(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
-  // A decision stands even when the arrays for viewers fail.
+  // With skip or restart the decision is kept when reading the arrays fails.
   if (!resolve(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
   if (!arrays.isOk()) records.cells.clear();
   if (!status.isOk()) {
@@ -216,15 +216,15 @@ void Chain::publish(const FrameRecords& records) {
   if (!status.isOk()) fail(Role::Observer, status);
 }
 
-/// A map that rejects a loop after it was closed also moves the frames that refer to it, so the
-/// final poses are asked of the map.
+/// When the map rejects a loop, frames attached through it move; so final poses are read from the
+/// map.
 void Chain::publishTrajectory() {
   std::vector<FramePose> poses;
   for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
     FramePose pose{frame, Eigen::Isometry3d::Identity()};
     const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
     if (status.isOk()) poses.push_back(pose);
-    if (!status.isOk() && status.code() != StatusCode::InvalidParameter) break;  // not just unseen
+    if (!status.isOk() && status.code() != StatusCode::InvalidParameter) break;  // not only unseen
   }
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);

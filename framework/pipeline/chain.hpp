@@ -32,12 +32,12 @@ struct Stages {
 
 /// Health of a run, to be read before any error figure.
 struct RunCounters {
-  std::int64_t frames = 0;        ///< processed
-  std::int64_t dropped = 0;       ///< realtime: never processed
-  std::int64_t skipped = 0;       ///< answers replaced because a plugin failed (`on_failure: skip`)
-  std::int64_t defects = 0;       ///< frames without a sound image
-  std::int64_t initialising = 0;  ///< frames before odometry gave a motion; at least the first
-  std::int64_t lost = 0;          ///< frames with odometry lost
+  std::int64_t frames = 0;          ///< processed
+  std::int64_t dropped = 0;         ///< realtime: never processed
+  std::int64_t skipped = 0;         ///< failures after which the run continued
+  std::int64_t defects = 0;         ///< frames without a sound image
+  std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
+  std::int64_t lost = 0;            ///< frames with odometry lost
   std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
   std::int64_t loop_decisions = 0;  ///< Action::CloseLoop, also those that the map rejects later
   std::int64_t templates = 0;       ///< with those of earlier sessions

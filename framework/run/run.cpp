@@ -37,7 +37,7 @@ Outcome Run::execute(CheckedSystem system) {
   }
   if (directory_) outcome.directory = directory_->path();
   if (outcome.failure) {
-    if (!run_file_.is_null()) writeRunFile(outcome);  // it may say "running"
+    if (!run_file_.is_null()) writeRunFile(outcome);  // it may still have the status "running"
     return outcome;
   }
   drive(outcome);
@@ -91,7 +91,8 @@ void Run::recordSessions() {
   require(recorder_->session(session), FailureKind::Record);
 }
 
-/// The run directory is made last, so that a start that fails does not touch an earlier run.
+/// Called after all plugins are configured and the earlier run is read: failures until then leave
+/// an existing run directory unchanged.
 void Run::openDirectory() {
   record::RunDirectoryOptions options;
   options.name = config().general.name;
@@ -151,8 +152,8 @@ std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure
   return failure;
 }
 
-/// For a later run that continues this one. The state of a failed stage is not saved; that a stage
-/// cannot save its own does not fail the run.
+/// For a later run that continues this one. After a failure no state is saved. If a stage cannot
+/// save its state, the run logs a warning and still succeeds.
 std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunListener& listener) {
   const pipeline::RunCounters& n = result.counters;
   if (result.failure || n.frames == 0 || !listener.recordStatus().isOk()) return std::nullopt;
@@ -170,7 +171,7 @@ void Run::conclude(Outcome& outcome) {
                            static_cast<std::uint64_t>(config().general.seed));
     check(outcome, results.status());
   }
-  if (results.isOk()) {  // of the record: earlier sessions included, as in metrics.json
+  if (results.isOk()) {  // counts include earlier sessions, as in metrics.json
     outcome.metrics = results.value().data.metrics;
     const evaluation::MapCounts& counts = outcome.metrics->counts;
     outcome.counters.links = counts.links;
@@ -183,7 +184,7 @@ void Run::conclude(Outcome& outcome) {
   const Status reported = writeReport(*results.value().reader, std::move(results.value().data));
   if (reported.isOk()) return;
   check(outcome, reported);
-  writeRunFile(outcome);  // it said that the run was complete
+  writeRunFile(outcome);  // it already has the status "finished"
 }
 
 void Run::writeRunFile(Outcome& outcome) {
@@ -192,8 +193,8 @@ void Run::writeRunFile(Outcome& outcome) {
   check(outcome, directory_->writeRunFile(run_file_, stateOf(outcome)));
 }
 
-/// A file of the run that is not whole fails the run. The first failure is in the outcome, which
-/// the caller shows.
+/// A result file that cannot be written completely makes the run fail. The first failure is in the
+/// outcome, which the caller shows.
 void Run::check(Outcome& outcome, const Status& written) {
   if (written.isOk()) return;
   log_.write(LogLevel::Error, "record", written.message(), outcome.failure.has_value());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One recorded run: from a checked system to the outcome. The stages are created and driven over
-// all frames of the source, and everything is recorded in a run directory. Nothing is printed
-// except by the log that is handed in, so any program can embed a run; docs/embed.md shows one.
+// all frames of the source, and everything is recorded in a run directory. The engine
+// prints only through the log that is handed in, so any program can embed a run; docs/embed.md.
 #pragma once
 
 #include <filesystem>

@@ -41,6 +41,19 @@ TEST_CASE("what was put comes back, and the end is known") {
   CHECK_FALSE(reader.value().complete());
 }
 
+TEST_CASE("after a read beyond the end nothing remains, so loops over the rest stop") {
+  std::istringstream stream(saved());
+  auto reader = StateReader::open(stream, "toystate", 3);
+  REQUIRE(reader.isOk());
+  reader.value().get<int>();
+  CHECK(reader.value().remaining() > 0);
+  std::array<double, 100> values{};
+  reader.value().getAll<double>(values);
+  CHECK(values[0] == 0);
+  CHECK(reader.value().remaining() == 0);
+  CHECK_FALSE(reader.value().complete());
+}
+
 TEST_CASE("foreign, older and damaged states are refused with their reason") {
   const std::string good = saved();
   CHECK(open("hello").message() == "this is not a saved state of 'toystate'");

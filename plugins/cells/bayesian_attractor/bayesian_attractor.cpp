@@ -8,7 +8,10 @@ namespace tolman::bayesian_attractor {
 
 namespace {
 
-/// Variance of (x, y, heading) on the plane: x is the camera's z, y its -x, heading turns about -y.
+constexpr double kNovelSpacing = 1;  // m, between experiences that novel views create
+
+/// Diagonal covariance of (x, y, heading) on the plane; correlations are dropped. x is the camera's
+/// z, y its -x, heading turns about -y.
 Eigen::Matrix3d planarVariance(const Matrix6d& covariance) {
   return Eigen::Vector3d(covariance(2, 2), covariance(0, 0), covariance(4, 4)).asDiagonal();
 }
@@ -28,7 +31,7 @@ AttractorState BayesianAttractor::freshState() const {
       p.period,     p.modules,   p.phase_sigma,       p.drift_position, p.drift_heading,
       p.drift_tail, p.prior,     p.prior_views,       p.injection,      p.agreement,
       p.inhibition, p.threshold, p.experience_spacing};
-  const ExperienceSettings experiences = {p.experience_spacing, p.experience_turn, 1,
+  const ExperienceSettings experiences = {p.experience_spacing, p.experience_turn, kNovelSpacing,
                                           p.loop_minimum_travel, p.loop_spacing};
   return {BumpNetwork(network), ExperienceLog(experiences), WaitingLoops(p.loop_spacing), {}, true};
 }
@@ -84,8 +87,8 @@ void BayesianAttractor::integrate(const Motion& motion) {
   state_->log.advance(motion.T_previous_current);
 }
 
-/// Where the view says that the robot is, from where its template was made. A view without measured
-/// pose says: near there, turned by the relative yaw.
+/// Pose of the camera relative to the template. A view without measured pose is at the template,
+/// turned by the relative yaw.
 BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& view) const {
   if (view.has_relative_pose) return {view.T_template_current, view.covariance};
   Vector6d sigma = Vector6d::Constant(parameters_.view_sigma_heading);

@@ -62,11 +62,14 @@ struct AttractorParameters {
         parameter("view_sigma_position", &P::view_sigma_position)
             .range(1e-6, 1e6)
             .unit("m")
-            .doc("Distance to its template of a familiar view without measured pose, per axis."),
+            .doc(
+                "Standard deviation, per axis, of the position of a familiar view without measured "
+                "pose relative to its template."),
         parameter("view_sigma_heading", &P::view_sigma_heading)
             .range(1e-6, 10)
             .unit("rad")
-            .doc("Error of the relative yaw of a familiar view without measured pose."),
+            .doc(
+                "Standard deviation of the relative yaw of a familiar view without measured pose."),
         parameter("prior", &P::prior)
             .range(1e-6, 0.999)
             .doc("Expected share of right ones among familiar views, before any was seen."),
@@ -76,7 +79,8 @@ struct AttractorParameters {
             .doc("Weight of `prior` against the share that is counted during the run."),
         parameter("injection", &P::injection)
             .range(0, 100)
-            .doc("Factor on the log-likelihood ratio that a view injects; 0 cuts the network out."),
+            .doc("Factor on the log-likelihood ratio that a view injects; 0: familiar "
+                 "views close no loops."),
         parameter("agreement", &P::agreement)
             .range(0, 100)
             .unit("nats")
@@ -85,10 +89,11 @@ struct AttractorParameters {
         parameter("inhibition", &P::inhibition)
             .range(0, 100)
             .unit("nats/m")
-            .doc("Energy that each calibration bump loses with the way."),
+            .doc("Log odds that each calibration bump loses per metre driven."),
         parameter("threshold", &P::threshold)
             .range(0, 1)
-            .doc("Share of the energy above which a calibration bump wins and closes a loop."));
+            .doc("Posterior probability above which a calibration bump is accepted and closes "
+                 "loops."));
   }
 
   static constexpr auto experienceParameters() {

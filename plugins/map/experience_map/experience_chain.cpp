@@ -8,12 +8,13 @@
 namespace tolman::experience_map {
 namespace {
 
-/// The motion over a gap is unknown. Where a loop joins the part to an earlier one, the variance is
-/// so large that the link has no influence; otherwise the link keeps the system regular.
-Eigen::Matrix3d gapCovariance(bool holds) {
+/// The motion over a gap is unknown. Where a loop joins the segment to an earlier one, the
+/// variance is so large that the link has no influence; if none does yet, a unit covariance fixes
+/// the otherwise free pose of the segment.
+Eigen::Matrix3d gapCovariance(bool unjoined) {
   constexpr double kLooseVariance = 1e6;      // m^2
   constexpr double kLooseVarianceTurn = 1e4;  // rad^2
-  if (holds) return Eigen::Matrix3d::Identity();
+  if (unjoined) return Eigen::Matrix3d::Identity();
   return Eigen::Vector3d(kLooseVariance, kLooseVariance, kLooseVarianceTurn).asDiagonal();
 }
 
@@ -53,10 +54,13 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
 void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
                                double relative_yaw) {
   // The unknown offsets of successive visits are correlated (a match may always come 2 m early, for
-  // example). The factor keeps many such visits from outweighing good odometry.
+  // example). The factor keeps many such visits from outweighing good odometry, where cells close a
+  // loop at every frame. Those of this tree do not: for them 1 to 9 are alike on all drives at
+  // hand.
+  constexpr int kLongestRun = 3;
   int run = 1;
   for (std::size_t i = anchors_.size(); i-- > 0 && anchors_[i].assumed; ++run) {
-    if (run == parameters_.assumed_run) break;
+    if (run == kLongestRun) break;
   }
   const Matrix6d covariance =
       run * isotropic(parameters_.assumed_sigma_translation, parameters_.assumed_sigma_rotation);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pose graph behind the experience map, as a chain along the robot's path. Its nodes, called
-// anchors, are the first frame, each frame that creates an experience, and each frame that visits
-// an earlier one. Odometry links each anchor to the previous one, and a loop links each visit to
-// the anchor that created its experience. Each motion is used in exactly one link, and the assumed
-// offset of a visit does not change the odometry after it. Lengths are metres, angles radians.
+// anchors, are the first frame, each frame that creates an experience, each frame that visits an
+// earlier one, and the first frame after tracking restarted (`gap`: no odometry before it).
+// Odometry links each anchor to the previous one, and a loop links each visit to the anchor that
+// created its experience. Each motion is used in exactly one link, and the assumed offset of a
+// visit does not change the odometry after it. Lengths are metres, angles radians.
 //
 //   start -o- created 0 -o- created 1 -o- visit of 0 -o- created 2        -o-: odometry
 //                  \______________________/                               ___: loop

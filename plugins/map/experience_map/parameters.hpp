@@ -26,7 +26,6 @@ struct Parameters {
   double lost_sigma_rotation = 0.1;
   double assumed_sigma_translation = 3.0;
   double assumed_sigma_rotation = 0.15;
-  int assumed_run = 3;
   double measured_sigma_translation = 0.1;
   double measured_sigma_rotation = 0.01;
 
@@ -92,10 +91,6 @@ struct Parameters {
                           .range(1e-6, 10)
                           .unit("rad")
                           .doc("The same for its heading."),
-                      parameter("assumed_run", &P::assumed_run)
-                          .range(1, 1e6)
-                          .doc("Number of successive loops without measured pose whose offsets "
-                               "have a common error."),
                       parameter("measured_sigma_translation", &P::measured_sigma_translation)
                           .range(1e-9, 1e6)
                           .unit("m")

@@ -165,8 +165,8 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
     ++unrecognised_;
   }
   answerPredicted(mapper_.window().newest(), motion);
-  // A single disturbed image must not discard the window; one with assumed depths is replaced at
-  // once.
+  // A single disturbed image must not discard the window; a window with assumed depths is replaced
+  // after the first failure.
   const int patience = mapper_.isDraft() ? 1 : 2;  // frames
   if (visible && (!can_track_ || unrecognised_ >= patience)) restart(frame, motion);
 }
@@ -283,8 +283,8 @@ void DirectSparse::answerDraft(Motion& motion) {
 bool DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_world_camera,
                                 const Affine& affine, Motion& motion) {
   buildRight(frame);
-  // Without a right image depth comes from motion only, and in a sharp turn every frame is a
-  // keyframe.
+  // Without a right image depth comes from motion only. In a sharp turn every frame is a keyframe,
+  // so keyframes too must refine the depths of the candidates.
   if (right_.empty()) mapper_.observe(T_world_camera, affine, current_);
   const bool was_draft = mapper_.isDraft();  // its assumed depths may change by any amount
   mapper_.addKeyframe(frame.frame, T_world_camera, affine, current_, right_);

@@ -182,7 +182,7 @@ Status ViewTemplates::load(std::istream& stream) {
   if (saved_parameters != templateParameters()) {
     return Status::invalidInput(
         "the saved templates were made with other parameters (columns, rows, cells, crop, "
-        "normalisation)");
+        "normalisation, patch, landmarks)");
   }
   const auto last = reader.get<std::int64_t>();
   const auto count = reader.get<std::uint64_t>();

@@ -69,7 +69,10 @@ class ViewTemplates final : public Place,
               .range(0, 255)
               .unit("cells")
               .doc("Largest horizontal shift that is tried to either side."),
-          parameter("step", &P::step).range(1, 64).unit("cells").doc("Between tried shifts."),
+          parameter("step", &P::step)
+              .range(1, 64)
+              .unit("cells")
+              .doc("Step between the shifts that are tried."),
           parameter("vertical_shift", &P::vertical_shift)
               .range(0, 255)
               .unit("cells")
@@ -97,7 +100,8 @@ class ViewTemplates final : public Place,
                    "turns this off."),
           parameter("landmarks_agreeing", &P::landmarks_agreeing)
               .range(6, 1000)
-              .doc("Fewest landmarks that must agree on a pose; with fewer, the view is novel."));
+              .doc("Fewest landmarks that must agree on a pose; with fewer, the view is novel. "
+                   "Templates with fewer landmarks are matched by appearance alone."));
     }
   };
 

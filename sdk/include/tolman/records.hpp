@@ -31,7 +31,7 @@ namespace tolman {
 /// One exposure of the rig, from a source.
 struct Frame {
   static constexpr const char* kRecord = "frame";
-  std::int64_t frame = -1;    ///< index in this run, dense from 0
+  std::int64_t frame = -1;    ///< 0, 1, 2 ... from a source
   std::int64_t stamp_ns = 0;  ///< strictly increasing
   std::int64_t source_index = -1;
   Image left;   ///< empty: no image source, or an image that could not be read (see `defect`)
@@ -174,7 +174,7 @@ inline constexpr std::array<std::string_view, 3> kActionNames = {"stay", "create
                                                                  "close_loop"};
 constexpr std::span<const std::string_view> enumNames(Action) { return kActionNames; }
 
-/// A loop that was seen at an earlier frame and is believed only now.
+/// A loop that was seen at an earlier frame and is accepted only now.
 struct EarlierLoop {
   static constexpr const char* kRecord = "earlier_loop";
   std::int64_t frame = -1;       ///< at which it was seen
@@ -292,7 +292,7 @@ struct MapUpdate {
   static constexpr const char* kRecord = "map_update";
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
-  std::int64_t experience = -1;  ///< that this frame is attached to; never changes
+  std::int64_t experience = -1;  ///< that this frame was attached to
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< as known now
   std::int64_t version = 0;  ///< grows with every correction of earlier poses

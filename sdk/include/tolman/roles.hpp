@@ -104,9 +104,9 @@ class Source : public Plugin {
 /// Estimates motion from images (or replays it).
 class Odometry : public Plugin {
  public:
-  /// The motion from the last frame that was given to this one. At frame 0: Initialising, identity.
-  /// Empty images are legal: answer Lost with a prediction. The motion may contain
-  /// revisions of earlier motions; of several revisions of one frame the last is valid.
+  /// The motion from the previous frame that odometry received to this one. At frame 0:
+  /// Initialising, identity. Empty images are legal: answer Lost with a prediction. The motion may
+  /// contain revisions of earlier motions; of several revisions of one frame the last is valid.
   virtual Status track(const Frame& frame, Motion& motion) = 0;
   /// After the last frame: all revisions that were not returned before.
   virtual Status finish(std::vector<MotionRevision>& revisions) = 0;
@@ -143,7 +143,7 @@ class Map : public Plugin {
  public:
   /// Applies the motion's revisions (ignoring those of frames it never saw), then its motion, then
   /// the decision; attaches the frame to an experience and estimates its pose. The first camera
-  /// pose is the origin of the map; frames before the first experience are relative to it.
+  /// pose is the origin of the map, also for frames before the first experience.
   virtual Status update(const Motion& motion, const Decision& decision, MapUpdate& update) = 0;
   /// Pose of frame `frame`, as estimated now. InvalidParameter for a frame not seen.
   virtual Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const = 0;

@@ -92,7 +92,8 @@ class StateReader {
   void getAll(std::span<T> values) requires std::is_arithmetic_v<T> {
     take(values.data(), values.size_bytes());
   }
-  std::size_t remaining() const { return payload_.size() - position_; }
+  /// Bytes to read; 0 after a read beyond the end, so that loops over it stop.
+  std::size_t remaining() const { return overrun_ ? 0 : payload_.size() - position_; }
   /// Every byte was read, and none too many.
   bool complete() const { return !overrun_ && remaining() == 0; }
 

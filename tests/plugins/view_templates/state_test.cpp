@@ -82,5 +82,5 @@ TEST_CASE("templates of another recipe are refused") {
   REQUIRE(configure(other, {{"normalisation", 0.5}}).isOk());
   CHECK(loadText(other, stateAfter(saved, 2)).message() ==
         "the saved templates were made with other parameters (columns, rows, cells, crop, "
-        "normalisation)");
+        "normalisation, patch, landmarks)");
 }
