@@ -16,7 +16,7 @@ endfunction()
 
 # Headers take longer to compile than most files that include them: CLI11 alone instantiates five
 # seconds of code in each. So the files of a folder are compiled in batches. OFF: each file for
-# itself, for tools that look at single files, and for who often edits the same one.
+# itself, for tools that look at single files, and for those who often edit the same one.
 option(TOLMAN_BATCHES "Compile files in batches" ON)
 
 # tolman_batches(<variable> <name> <file>...) makes the sources <name>_<number>.cpp, each of which

@@ -11,6 +11,7 @@
 #include "app/program.hpp"
 #include "config/check.hpp"
 #include "config/overrides.hpp"
+#include "host/stage_artefacts.hpp"
 #include "run/assembly.hpp"
 
 namespace tolman::app {

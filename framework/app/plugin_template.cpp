@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "config/named_value.hpp"
 #include "config/nearest_name.hpp"
 #include "record/atomic_file.hpp"
 #include "tolman/version.hpp"

@@ -2,13 +2,10 @@
 // Suggests a known name for a misspelt one.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-
-#include "tolman/fields.hpp"
 
 namespace tolman::config {
 
@@ -23,15 +20,6 @@ std::optional<std::string> nearestName(std::string_view name,
 
 /// "; did you mean 'x'?", or nothing.
 std::string didYouMean(std::string_view name, std::span<const std::string> candidates);
-
-/// The value of an enumeration that has this name, if any.
-template <NamedEnum E>
-std::optional<E> valueNamed(std::string_view name) {
-  const std::span<const std::string_view> names = enumNames(E());
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<E>(found - names.begin());
-}
 
 /// "a, b, c".
 std::string listed(std::span<const std::string> names);

@@ -14,18 +14,6 @@
 
 namespace tolman::host {
 
-/// Artefacts of one stage. The run directory is made after configure(), when all checks have
-/// passed; before that, writing fails.
-class StageArtefacts : public ArtefactWriter {
- public:
-  std::unique_ptr<ArtefactWriter> folder;
-
-  Status write(std::string_view name, std::span<const std::byte> bytes) override {
-    if (folder) return folder->write(name, bytes);
-    return Status::failed("there is no run directory yet; write artefacts after configure()");
-  }
-};
-
 /// plugin/null-instance.
 Refusal nullInstance(const Manifest& manifest);
 

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "config/nearest_name.hpp"
+#include "config/named_value.hpp"
 #include "host/elf_section.hpp"
 
 namespace tolman::host {

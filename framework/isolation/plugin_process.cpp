@@ -12,6 +12,7 @@
 
 #include "host/instance.hpp"
 #include "host/library.hpp"
+#include "host/stage_artefacts.hpp"
 #include "isolation/call_handlers.hpp"
 #include "isolation/channel.hpp"
 #include "isolation/child_process.hpp"

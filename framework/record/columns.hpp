@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "config/nearest_name.hpp"
+#include "config/named_value.hpp"
 #include "record/sqlite.hpp"
 #include "tolman/fields.hpp"
 

@@ -9,7 +9,6 @@
 #include "record/sha256.hpp"
 
 namespace tolman::record {
-namespace {}  // namespace
 
 Result<std::string> fileDigest(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/replay.hpp"
 
+#include "config/named_value.hpp"
+
 namespace tolman::record {
 namespace {
 

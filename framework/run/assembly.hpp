@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "host/stage_artefacts.hpp"
 #include "host/stages.hpp"
 #include "pipeline/chain.hpp"
 #include "run/checked_system.hpp"

@@ -9,6 +9,7 @@
 
 #include "end_to_end/process.hpp"
 #include "host/instance.hpp"
+#include "host/stage_artefacts.hpp"
 #include "record/artefacts.hpp"
 #include "support/data.hpp"
 

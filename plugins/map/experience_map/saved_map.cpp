@@ -90,15 +90,12 @@ Anchor getAnchor(StateReader& reader) {
   return anchor;
 }
 
-/// A list with its size before it; a damaged size cannot exceed the bytes that are left. Fewer than
-/// eight would never be read.
+/// A list with its size before it; a damaged size cannot exceed the bytes that are left.
 template <class T>
 std::vector<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   const auto count = reader.get<std::int64_t>();
   std::vector<T> list;
-  for (std::int64_t i = 0; i < count && reader.remaining() >= sizeof(std::int64_t); ++i) {
-    list.push_back(get(reader));
-  }
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) list.push_back(get(reader));
   return list;
 }
 

@@ -205,8 +205,7 @@ Status PlaceReplay::read(StateReader& reader) {
   bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) &&
                run_offset_ > -kMostOffset && run_offset_ < kMostOffset;
   const auto count = reader.get<std::int64_t>();
-  // Fewer bytes than a number would never be read.
-  for (std::int64_t i = 0; i < count && reader.remaining() >= sizeof(std::int64_t); ++i) {
+  for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
     const auto source_index = reader.get<std::int64_t>();
     ReplayedView& view = views_[source_index];
     view.template_id = reader.get<std::int64_t>();

@@ -6,18 +6,15 @@
 #include <cstring>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
 #include "harness.hpp"
-#include "tolman/state_stream.hpp"
+#include "support/saved_payload.hpp"
 
 using namespace tolman;
 using namespace tolman::bayesian_attractor;
 using namespace tolman::bayesian_attractor::test;
 
 namespace {
-
-constexpr std::size_t kHeader = sizeof(detail::StateHeader);
 
 Motion ringStep(int frame) { return motionOf({4, 0, 2 * std::numbers::pi / 30}, frame); }
 
@@ -28,18 +25,11 @@ std::string payload() {
   for (int frame = 0; frame < 47; ++frame) {
     step(plugin, ringStep(frame), frame < 30 ? novel(frame) : measured((frame * 7) % 30));
   }
-  std::ostringstream stream;
-  REQUIRE(plugin.save(stream).isOk());
-  return stream.str().substr(kHeader);
+  return tolman::test::savedPayload(plugin);
 }
 
 Status load(BayesianAttractor& plugin, const std::string& payload) {
-  StateWriter writer;
-  writer.putAll(std::span<const char>(payload.data(), payload.size()));
-  std::ostringstream out;
-  REQUIRE(writer.write(out, "TLMBAYES", 5).isOk());
-  std::istringstream in(out.str());
-  return plugin.load(in);
+  return tolman::test::loadPayload(plugin, "TLMBAYES", 5, payload);
 }
 
 /// Goes on for a lap; what it answers is checked as the host checks it.

@@ -4,17 +4,14 @@
 #include "saved_map.hpp"
 
 #include <cstring>
-#include <sstream>
 
 #include "map_fixture.hpp"
-#include "tolman/state_stream.hpp"
+#include "support/saved_payload.hpp"
 
 using namespace tolman;
 using namespace tolman::experience_map;
 
 namespace {
-
-constexpr std::size_t kHeader = sizeof(detail::StateHeader);
 
 /// Creates, stays and closes loops as it comes; every pose noisy.
 void driveAtRandom(Fixture& f, std::uint64_t seed, int frames) {
@@ -36,19 +33,10 @@ void driveAtRandom(Fixture& f, std::uint64_t seed, int frames) {
   }
 }
 
-std::string payloadOf(const Fixture& f) {
-  std::ostringstream stream;
-  REQUIRE(f.map.save(stream).isOk());
-  return stream.str().substr(kHeader);
-}
+std::string payloadOf(const Fixture& f) { return tolman::test::savedPayload(f.map); }
 
 Status load(Fixture& f, const std::string& payload) {
-  StateWriter writer;
-  writer.putAll(std::span<const char>(payload.data(), payload.size()));
-  std::ostringstream out;
-  REQUIRE(writer.write(out, "TLMEXMAP", 1).isOk());
-  std::istringstream in(out.str());
-  return f.map.load(in);
+  return tolman::test::loadPayload(f.map, "TLMEXMAP", 1, payload);
 }
 
 std::string with(std::string payload, std::size_t word, std::int64_t value) {

@@ -4,18 +4,15 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>
-#include <sstream>
 
 #include "place_replay.hpp"
 #include "support/context.hpp"
-#include "tolman/state_stream.hpp"
+#include "support/saved_payload.hpp"
 
 using namespace tolman;
 using namespace tolman::place_replay;
 
 namespace {
-
-constexpr std::size_t kHeader = sizeof(detail::StateHeader);
 
 /// A plugin that drops and invents candidates, so that all of its state is used.
 struct Replay {
@@ -39,12 +36,7 @@ struct Replay {
     return observation;
   }
   Status load(const std::string& payload) {
-    StateWriter writer;
-    writer.putAll(std::span<const char>(payload.data(), payload.size()));
-    std::ostringstream out;
-    REQUIRE(writer.write(out, "TLMPLRPL", 4).isOk());
-    std::istringstream in(out.str());
-    return place.load(in);
+    return test::loadPayload(place, "TLMPLRPL", 4, payload);
   }
 
   test::TestContext context;
@@ -54,9 +46,7 @@ struct Replay {
 std::string payload() {
   Replay replay;
   for (std::int64_t i = 0; i < 150; ++i) replay.look(i);
-  std::ostringstream stream;
-  REQUIRE(replay.place.save(stream).isOk());
-  return stream.str().substr(kHeader);
+  return test::savedPayload(replay.place);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "harness.hpp"
+#include "support/saved_payload.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/state_stream.hpp"
 
@@ -38,14 +39,9 @@ struct Street {
     return observation;
   }
   Status load(const std::string& envelope, const std::string& payload) {
-    StateWriter writer;
-    writer.putAll(std::span<const char>(payload.data(), payload.size()));
-    std::ostringstream out;
     std::uint64_t version = 0;
     std::memcpy(&version, envelope.data() + 8, sizeof version);
-    REQUIRE(writer.write(out, "TLMVIEWS", version).isOk());
-    std::istringstream in(out.str());
-    return plugin.load(in);
+    return tolman::test::loadPayload(plugin, "TLMVIEWS", version, payload);
   }
 
   tolman::test::TestContext services;
