@@ -14,6 +14,7 @@ namespace {
 struct RunCommand {
   std::string out;
   bool replace = false;
+  std::string resume;
   bool view = false;
   std::string viewer;  ///< id of the observer that --view adds; empty: the first with a page
 };
@@ -44,7 +45,7 @@ ExitCode execute(const RunCommand& command, run::SystemOptions options,
   run::RunLog log(invocation.quiet);
   const run::SteadyClock clock;
   run::Run run(log, clock, interrupts,
-               {command.out, command.replace, invocation.command_line,
+               {command.out, command.replace, command.resume, invocation.command_line,
                 [](const run::Outcome& outcome) { return static_cast<int>(exitCode(outcome)); }});
   const run::Outcome outcome = run.execute(std::move(checked));
   if (!outcome.directory.empty()) print(outcome, invocation);
@@ -57,17 +58,18 @@ ExitCode execute(const RunCommand& command, run::SystemOptions options,
 void addRunCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("run", "Run a configuration and record everything");
   auto options = std::make_shared<SystemOptionsReader>(*command);
-  options->addContinue(*command);
   auto run = std::make_shared<RunCommand>();
   command->add_option("--out", run->out, "Run directory (default: runs/NAME-TIME)")
       ->check(notEmpty);
   command->add_flag("--force", run->replace, "Replace the run that the --out directory holds");
+  options->addContinue(*command);
   auto* view = command->add_flag("--view", run->view, "Show the run in the browser");
   command
       ->add_option("--viewer", run->viewer,
                    "Observer that --view adds (default: the first by id that serves a page)")
       ->needs(view);
   command->callback([options, run, &invocation] {
+    run->resume = options->resumed();
     invocation.exit_code = execute(*run, options->read(invocation), invocation);
   });
 }

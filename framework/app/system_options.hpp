@@ -26,7 +26,7 @@ inline std::string configFile(const std::string& given) {
   return given;
 }
 
-/// CONFIG, --set, --seed, --threads, --continue.
+/// CONFIG, --set, --seed, --threads, --continue, --resume.
 class SystemOptionsReader {
  public:
   explicit SystemOptionsReader(CLI::App& command) {
@@ -43,10 +43,24 @@ class SystemOptionsReader {
   void addContinue(CLI::App& command) {
     command.add_option("--continue", continue_,
                        "Continue the map of this run directory; same as --set continue=DIR");
+    command.get_option("config")->required(false);
+    command.add_option("--resume", resume_,
+                       "Go on with this interrupted or killed run, in its directory and with its "
+                       "configuration");
+    command_ = &command;
   }
 
+  /// The run directory that --resume names; empty when there is none.
+  const std::string& resumed() const { return resume_; }
+
   run::SystemOptions read(const Invocation& invocation) const {
-    run::SystemOptions options{configFile(config_), overrides_, invocation.plugin_paths};
+    if (config_.empty() && resume_.empty()) {
+      throw CLI::RequiredError("a configuration, or --resume,");
+    }
+    if (!resume_.empty()) refuseOthers();
+    const std::string config =
+        resume_.empty() ? configFile(config_) : resume_ + "/config.resolved.yaml";
+    run::SystemOptions options{config, overrides_, invocation.plugin_paths};
     options.quiet = invocation.quiet;
     if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
     if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
@@ -55,11 +69,21 @@ class SystemOptionsReader {
   }
 
  private:
+  /// A run goes on as it was begun.
+  void refuseOthers() const {
+    for (const char* other :
+         {"config", "--set", "--seed", "--threads", "--out", "--force", "--continue"}) {
+      if (command_->count(other) > 0) throw CLI::ExcludesError("--resume", other);
+    }
+  }
+
+  const CLI::App* command_ = nullptr;  ///< set where --resume is an option
   std::string config_;
   std::vector<std::string> overrides_;
   std::string seed_;
   std::string threads_;
   std::string continue_;
+  std::string resume_;
 };
 
 }  // namespace tolman::app

@@ -57,7 +57,8 @@ struct PipelineSettings {
   int queue = 8;  ///< frames
   QueuePolicy input_policy = QueuePolicy::DropOldest;
   PlacePolicy place_policy = PlacePolicy::Block;
-  double speed = 1;  ///< times data time
+  double speed = 1;            ///< times data time
+  double stage_deadline = 10;  ///< s
   static constexpr auto declaration() {
     using S = PipelineSettings;
     return parameters(
@@ -70,7 +71,11 @@ struct PipelineSettings {
             .doc("realtime: what the full queue of place recognition does."),
         parameter("speed", &S::speed)
             .range(0.01, 1000)
-            .doc("realtime: seconds of data per second."));
+            .doc("realtime: seconds of data per second."),
+        parameter("stage_deadline", &S::stage_deadline)
+            .range(0, 1e6)
+            .unit("s")
+            .doc("A call of a stage that takes longer is reported as an event; 0: none is."));
   }
 };
 
@@ -115,12 +120,19 @@ struct EvaluationSettings {
 
 /// Keys below `record`.
 struct RecordSettings {
-  int arrays_every = 1;  ///< frames
+  int arrays_every = 1;     ///< frames
+  double state_every = 30;  ///< s
   static constexpr auto declaration() {
-    return parameters(parameter("arrays_every", &RecordSettings::arrays_every)
+    using S = RecordSettings;
+    return parameters(parameter("arrays_every", &S::arrays_every)
                           .range(0, 1e6)
                           .unit("frames")
-                          .doc("Named arrays are recorded every N frames; 0: never."));
+                          .doc("Named arrays are recorded every N frames; 0: never."),
+                      parameter("state_every", &S::state_every)
+                          .range(0, 1e6)
+                          .unit("s")
+                          .doc("Time between checkpoints, from which a killed run can be resumed "
+                               "or continued; 0: none."));
   }
 };
 

@@ -22,12 +22,6 @@ R recordOf(const Frame& frame) {
   return record;
 }
 
-template <class Work>
-Status timed(StageTimes& times, Role role, const Work& work) {
-  const StageTimer timer(times, role);
-  return work();
-}
-
 /// The stand-in answer of a skipped odometry.
 Motion predictedMotion(const Frame& frame, const Motion& last) {
   auto motion = recordOf<Motion>(frame);
@@ -84,6 +78,7 @@ bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int
 void Chain::admit(FrameRecords& records) {
   records.sequence = admitted_++;
   ++place_backlog_;
+  if (can_save_ && listener_.checkpointDue()) records.checkpoint = std::make_unique<Checkpoint>();
 }
 
 void Chain::odometry(FrameRecords& records) {
@@ -97,11 +92,14 @@ void Chain::place(FrameRecords& records) {
   --place_backlog_;
   if (failed()) return;
   records.place = recordOf<PlaceObservation>(records.frame);
-  if (records.leave_out_place) return;
-  const StageTimer timer(records.times, Role::Place);
-  const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
-  records.place_status = withoutOtherTasks(
-      [&] { return stages_.place.observe(records.frame, motion, records.place); });
+  if (!records.leave_out_place) {
+    const Motion* motion = place_needs_motion_ ? &records.motion : nullptr;
+    records.place_status = timed(records.times, Role::Place, [&] {
+      return withoutOtherTasks(
+          [&] { return stages_.place.observe(records.frame, motion, records.place); });
+    });
+  }
+  save(Role::Place, stages_.place.instance(), records);
 }
 
 bool Chain::takeOdometry(FrameRecords& records) {
@@ -181,7 +179,51 @@ void Chain::runCellsAndMap(FrameRecords& records) {
   if (failed()) return;
   records.answered =
       takeOdometry(records) && takePlace(records) && decide(records) && map(records) && !failed();
-  if (records.answered) count(records);
+  if (!records.answered) return;
+  count(records);
+  saveCellsAndMap(records);
+}
+
+/// Each stage is saved where it has just processed the frame and not yet the next one, so that the
+/// flow need not stop.
+void Chain::save(Role role, host::Instance& instance, FrameRecords& records) {
+  if (!records.checkpoint) return;
+  Result<std::string> state = instance.save();
+  if (state.isOk()) {
+    records.checkpoint->states[role] = std::move(state).value();
+    return;
+  }
+  records.checkpoint.reset();
+  if (!can_save_.exchange(false)) return;  // frames already in the flow want one, too
+  listener_.onEvent({records.frame.frame, LogLevel::Warning, std::string(enumName(role)),
+                     "this run saves no further checkpoints: " + state.status().message()});
+}
+
+void Chain::saveCellsAndMap(FrameRecords& records) {
+  save(Role::Cells, stages_.cells.instance(), records);
+  save(Role::Map, stages_.map.instance(), records);
+  if (!records.checkpoint) return;
+  records.checkpoint->frame = records.frame.frame;
+  records.checkpoint->counters = counters_;
+}
+
+void Chain::saveNow() {
+  if (failed() || !can_save_ || last_map_.frame < 0) return;
+  FrameRecords records;
+  records.frame.frame = last_map_.frame;
+  records.checkpoint = std::make_unique<Checkpoint>();
+  save(Role::Place, stages_.place.instance(), records);
+  saveCellsAndMap(records);
+  if (!records.checkpoint) return;
+  const Status status = listener_.onCheckpoint(*records.checkpoint);
+  if (!status.isOk()) fail(Role::Observer, status);
+}
+
+void Chain::resume(const ResumePoint& point) {
+  counters_ = point.checkpoint.counters;
+  last_motion_ = point.motion;
+  last_decision_ = point.decision;
+  last_map_ = point.map;
 }
 
 void Chain::count(const FrameRecords& records) {
@@ -212,7 +254,8 @@ void Chain::countGraph(const MapGraph& graph) {
 
 void Chain::publish(const FrameRecords& records) {
   if (!records.answered) return;
-  const Status status = listener_.onFrame(records.snapshot());
+  Status status = listener_.onFrame(records.snapshot());
+  if (status.isOk() && records.checkpoint) status = listener_.onCheckpoint(*records.checkpoint);
   if (!status.isOk()) fail(Role::Observer, status);
 }
 

@@ -5,13 +5,14 @@
 #include <atomic>
 #include <mutex>
 #include <optional>
-#include <string_view>
 
 #include "config/settings.hpp"
 #include "host/stages.hpp"
+#include "pipeline/activity.hpp"
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/frame_records.hpp"
 #include "pipeline/listener.hpp"
+#include "pipeline/run_counters.hpp"
 
 namespace tolman::pipeline {
 
@@ -30,31 +31,6 @@ struct Stages {
   host::MapStage& map;
 };
 
-/// Health of a run, to be read before any error figure.
-struct RunCounters {
-  std::int64_t frames = 0;          ///< processed
-  std::int64_t dropped = 0;         ///< realtime: never processed
-  std::int64_t skipped = 0;         ///< failures after which the run continued
-  std::int64_t defects = 0;         ///< frames without a sound image
-  std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
-  std::int64_t lost = 0;            ///< frames with odometry lost
-  std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
-  std::int64_t loop_decisions = 0;  ///< Action::CloseLoop, also those that the map rejects later
-  std::int64_t templates = 0;       ///< with those of earlier sessions
-  std::int64_t experiences = 0;     ///< of the newest published graph, at the end the final one
-  std::int64_t links = 0;           ///< of the same graph, without rejected ones
-  std::int64_t loop_links = 0;      ///< those of kind LinkKind::Loop
-  bool lost_at_end = false;
-
-  std::int64_t tracked() const { return frames - initialising - lost; }
-  /// Whether no motion was found in the whole run.
-  bool neverTracked() const { return frames > 1 && tracked() == 0; }
-};
-
-inline constexpr std::string_view kNeverTracked =
-    "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
-    "`tolman dataset check`";
-
 /// What stopped a run.
 struct StageFailure {
   Role role = Role::Source;  ///< Observer: the listener, i.e. recorder or observers
@@ -70,7 +46,9 @@ class Chain {
       : stages_(stages),
         policies_(policies),
         listener_(listener),
-        place_needs_motion_(stages.place.input() == PlaceInput::FrameAndMotion) {}
+        place_needs_motion_(stages.place.input() == PlaceInput::FrameAndMotion),
+        can_save_(stages.place.instance().state() && stages.cells.instance().state() &&
+                  stages.map.instance().state()) {}
 
   void odometry(FrameRecords& records);
   void place(FrameRecords& records);
@@ -81,6 +59,14 @@ class Chain {
   void publish(const FrameRecords& records);
   /// finish() of all stages, in the order of the flow.
   void finish();
+
+  /// Whether place, cells and map can all save their state.
+  bool canSave() const { return can_save_; }
+  /// Hands the state after the last processed frame to the listener. No frame may be in the stages.
+  void saveNow();
+  /// Goes on after a checkpoint, before the first frame is admitted. The stages must be in the
+  /// state that they had then.
+  void resume(const ResumePoint& point);
 
   /// Whether a stage or the listener failed; no later frame is answered.
   bool failed() const;
@@ -97,6 +83,8 @@ class Chain {
   int placeBacklog() const { return place_backlog_; }
   /// Time that finish() of each stage took.
   const StageTimes& finishTimes() const { return finish_times_ns_; }
+  /// What the stages do at this moment; source and finish() included.
+  Activity& activity() { return activity_; }
   const RunCounters& counters() const { return counters_; }
   RunCounters& counters() { return counters_; }
   Stages& stages() { return stages_; }
@@ -112,12 +100,23 @@ class Chain {
   void count(const FrameRecords& records);
   void countGraph(const MapGraph& graph);
   void publishTrajectory();
+  /// Calls `work`, watched and with its time added to `times`.
+  template <class Work>
+  Status timed(StageTimes& times, Role role, const Work& work) {
+    const StageTimer timer(times, role);
+    const Activity::Mark mark(activity_, role);
+    return work();
+  }
+  void save(Role role, host::Instance& instance, FrameRecords& records);
+  void saveCellsAndMap(FrameRecords& records);
 
   Stages stages_;
   Policies policies_;
   Listener& listener_;
   bool place_needs_motion_;
+  std::atomic<bool> can_save_;  // false also after one could not
   RunCounters counters_;
+  Activity activity_;
   StageTimes finish_times_ns_{};
   std::optional<StageFailure> failure_;
   std::optional<Status> input_failure_;

@@ -23,6 +23,7 @@ DriveResult drive(Chain& chain, const config::PipelineSettings& options, int thr
       runRealtime(chain, options, cancellation);
     }
     interrupted = cancellation.requested();
+    if (interrupted) chain.saveNow();  // finish() changes the state; resuming needs that before
     chain.finish();  // an observer may block here until cancellation, e.g. to serve a page
   });
   return {chain.failure(), interrupted, chain.counters(), chain.finishTimes()};

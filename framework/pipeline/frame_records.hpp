@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/checkpoint.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
 #include "tolman/status.hpp"
@@ -28,6 +29,7 @@ struct FrameRecords {
   Status odometry_status;
   Status place_status;
   StageTimes times{};
+  std::unique_ptr<Checkpoint> checkpoint;  ///< null: none is wanted after this frame
 
   Snapshot snapshot() const {
     return {&frame, &motion, &place, &decision, &map, &cells, graph_changed ? &graph : nullptr,

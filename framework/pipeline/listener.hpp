@@ -26,6 +26,11 @@ class Listener {
   /// A failure stops the run. The snapshot comes without events.
   virtual Status onFrame(const Snapshot& snapshot) = 0;
   virtual void onEvent(const Event& event) = 0;
+  /// Called once for each frame before it enters the stages: whether onCheckpoint() shall follow
+  /// its onFrame().
+  virtual bool checkpointDue() { return false; }
+  /// A failure stops the run.
+  virtual Status onCheckpoint(const Checkpoint& /*checkpoint*/) { return Status::ok(); }
   /// After the last frame and before onFinish(): final poses of all frames, those of earlier
   /// sessions included.
   virtual Status onTrajectory(const std::vector<FramePose>& /*poses*/) { return Status::ok(); }

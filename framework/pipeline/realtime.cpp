@@ -45,7 +45,7 @@ class PacedFeed {
     std::optional<std::int64_t> first_ns;
     while (!chain_.failed() && !cancellation_.requested()) {
       auto records = std::make_shared<FrameRecords>();
-      const Status status = chain_.stages().source.next(records->frame);
+      const Status status = next(records->frame);
       if (!status.isOk()) {
         if (status.code() != StatusCode::EndOfStream) chain_.failInput(status);
         break;
@@ -58,6 +58,11 @@ class PacedFeed {
       pump();
     }
     drain();
+  }
+
+  Status next(Frame& frame) {
+    const Activity::Mark mark(chain_.activity(), Role::Source);
+    return chain_.stages().source.next(frame);
   }
 
   /// Sleeps in short pieces, so that a cancellation takes effect within 50 ms.

@@ -3,12 +3,15 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <chrono>
+#include <ranges>
 
 namespace tolman::record {
 namespace {
 
 constexpr std::chrono::milliseconds kCommitPeriod(500);
+constexpr const char* kJournal = "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL";
 
 template <class T>
 bool sameValue(const T& a, const T& b) {
@@ -41,22 +44,43 @@ void upsertChanged(StoreWriter& store, std::vector<R>& written, const std::vecto
   written = now;
 }
 
-/// The rows that a later session copies; revisions after the last frame go to `revise`.
+/// The rows of the frames below `frames` that a later session copies; revisions after the last
+/// frame go to `revise`.
 template <class Insert, class Revise>
-void forEachInherited(const Database& old, const Insert& insert, const Revise& revise) {
+void forEachInherited(const Database& old, std::int64_t frames, const Insert& insert,
+                      const Revise& revise) {
+  const std::string earlier = "WHERE \"frame\" < " + std::to_string(frames);
   forEachRow<RecordedSession>(old, "", insert);
-  forEachRow<Frame>(old, "", insert);
-  forEachRow<Motion>(old, "", insert);
-  forEachRow<MotionRevision>(old, "WHERE \"announced_at\" IS NULL", revise);
-  forEachRow<PlaceObservation>(old, "", insert);
-  forEachRow<Decision>(old, "", insert);
-  forEachRow<RecordedArray>(old, "WHERE \"source\" = 'cells'", insert);
-  forEachRow<MapUpdate>(old, "", insert);
+  forEachRow<Frame>(old, earlier, insert);
+  forEachRow<Motion>(old, earlier, insert);
+  forEachRow<MotionRevision>(old, earlier + " AND \"announced_at\" IS NULL", revise);
+  forEachRow<PlaceObservation>(old, earlier, insert);
+  forEachRow<Decision>(old, earlier, insert);
+  forEachRow<RecordedArray>(old, earlier + " AND \"source\" = 'cells'", insert);
+  forEachRow<MapUpdate>(old, earlier, insert);
+}
+
+/// The rows of a table that a run which goes on at frame `next` of its session, the first of which
+/// is `first`, writes again; empty: none.
+std::string rowsFrom(const Table& table, const std::string& next, const std::string& first) {
+  const auto has = [&](const char* name) {
+    return std::ranges::find(table.columns, name, &Column::name) != table.columns.end();
+  };
+  for (const char* whole : {CameraRig::kRecord, RecordedArrayInfo::kRecord, FinalPose::kRecord,
+                            Experience::kRecord, RecordedLink::kRecord}) {
+    if (table.name == whole) return "TRUE";
+  }
+  if (has("announced_at")) {
+    return "\"announced_at\" >= " + next +
+           " OR (\"announced_at\" IS NULL AND \"frame\" >= " + first + ")";
+  }
+  return has("frame") ? "\"frame\" >= " + next : "";
 }
 
 Database createDatabase(const std::filesystem::path& file) {
   Database database = openDatabase(file, Access::Create);
-  database.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL; BEGIN");
+  database.exec(kJournal);
+  database.exec("BEGIN");
   for (const Table& table : schema()) database.exec(createSql(table));
   database.exec(
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
@@ -73,12 +97,26 @@ Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& di
   if (std::filesystem::exists(file)) {
     return Status::failed(file.string() + ": exists; record into a fresh directory");
   }
-  return answered(file.string(), [&] { return std::unique_ptr<Recorder>(new Recorder(file)); });
+  return answered(file.string(), [&] {
+    return std::unique_ptr<Recorder>(new Recorder(file, createDatabase(file)));
+  });
 }
 
-Recorder::Recorder(const std::filesystem::path& file)
+Result<std::unique_ptr<Recorder>> Recorder::reopen(const std::filesystem::path& directory,
+                                                   std::int64_t next_frame) {
+  const std::filesystem::path file = directory / "run.sqlite";
+  return answered(file.string(), [&] {
+    Database database = openDatabase(file, Access::Write);
+    database.exec(kJournal);
+    std::unique_ptr<Recorder> recorder(new Recorder(file, std::move(database)));
+    recorder->removeFrom(next_frame);
+    return recorder;
+  });
+}
+
+Recorder::Recorder(const std::filesystem::path& file, Database database)
     : name_(file.string()),
-      database_(createDatabase(file)),
+      database_(std::move(database)),
       store_(database_),
       meta_(database_,
             "INSERT INTO \"run\" (\"key\", \"value\") VALUES (?, ?)"
@@ -121,19 +159,38 @@ void Recorder::rollBackCall() {
 Status Recorder::inheritable(const RunReader& earlier) {
   return guarded((earlier.directory() / "run.sqlite").string(), [&] {
     const auto read = [](const auto&) {};
-    forEachInherited(earlier.database(), read, read);
+    forEachInherited(earlier.database(), INT64_MAX, read, read);
     if (Statement(earlier.database(), "PRAGMA foreign_key_check").step()) {
       throw BadRow("rows are missing; the file is damaged");
     }
   });
 }
 
-Status Recorder::inherit(const RunReader& earlier) {
+Status Recorder::inherit(const RunReader& earlier, std::int64_t frames) {
   return write([&] {
     forEachInherited(
-        earlier.database(), [&](const auto& row) { store_.insert(row); },
+        earlier.database(), frames, [&](const auto& row) { store_.insert(row); },
         [&](const auto& row) { store_.insertAnnounced(std::nullopt, row); });
   });
+}
+
+void Recorder::removeFrom(std::int64_t next_frame) {
+  const std::lock_guard lock(mutex_);
+  const auto largest = [&](const std::string& column, const std::string& table) {
+    Statement row(database_, "SELECT coalesce(max(\"" + column + "\"), -1) FROM " + table);
+    row.step();
+    return row.next().getInt64();
+  };
+  const std::string next = std::to_string(next_frame);
+  const std::string first = std::to_string(largest("first_frame", "session"));
+  database_.exec("BEGIN");
+  const std::vector<Table> tables = schema();
+  for (const Table& table : tables | std::views::reverse) {  // rows before those they refer to
+    const std::string rows = rowsFrom(table, next, first);
+    if (!rows.empty()) database_.exec("DELETE FROM \"" + table.name + "\" WHERE " + rows);
+  }
+  database_.exec("COMMIT");
+  points_frame_ = largest("points_frame", "motion");
 }
 
 Status Recorder::session(const RecordedSession& session) {
@@ -233,6 +290,15 @@ void Recorder::commitNow() {
 Status Recorder::commit() {
   const std::lock_guard lock(mutex_);
   commitNow();
+  return failure_;
+}
+
+Status Recorder::sync() {
+  const std::lock_guard lock(mutex_);
+  commitNow();
+  if (failure_.isOk()) {  // merging the log synchronises it first
+    failure_ = guarded(name_, [&] { database_.exec("PRAGMA wal_checkpoint(PASSIVE)"); });
+  }
   return failure_;
 }
 

@@ -29,15 +29,20 @@ class Recorder {
  public:
   /// Creates run.sqlite in an existing directory that has none.
   static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory);
+  /// Opens the run.sqlite of an interrupted or killed run again, and removes what was recorded
+  /// after frame `next_frame` - 1, with everything that a run writes once; begin() and graph()
+  /// write that anew.
+  static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,
+                                                  std::int64_t next_frame);
   ~Recorder();  ///< closes, and ignores the status of close()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
   /// Whether inherit() can read all of `earlier`.
   static Status inheritable(const RunReader& earlier);
-  /// Must be the first call when this run continues `earlier`. Copies the sessions and frames of
-  /// `earlier`, but not its map: the map of this run already contains that.
-  Status inherit(const RunReader& earlier);
+  /// Must be the first call when this run continues `earlier`. Copies its sessions and the frames
+  /// below `frames`, but not its map: the map of this run already contains that.
+  Status inherit(const RunReader& earlier, std::int64_t frames);
   /// The session that begins now.
   Status session(const RecordedSession& session);
   /// The cameras of the source and the descriptions of the arrays.
@@ -55,15 +60,18 @@ class Recorder {
   Status meta(std::string_view key, std::string_view value);
   /// Everything written before survives a kill.
   Status commit();
+  /// Everything written before survives a loss of power.
+  Status sync();
   /// Commits, and merges the write-ahead log into run.sqlite. Later calls fail.
   Status close();
 
  private:
-  explicit Recorder(const std::filesystem::path& file);
+  Recorder(const std::filesystem::path& file, Database database);
   template <class Work>
   Status write(Work&& work);
   void writeGraph(const MapGraph& graph);
   void writeMotion(const Motion& motion);
+  void removeFrom(std::int64_t next_frame);
   void rollBackCall();
   void commitNow();
   void mergeLog();

@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kOther = "choose another --out";
+
 /// A run's name as a folder's: no separators, not hidden.
 std::string folderName(const RunDirectoryOptions& options) {
   std::string name;
@@ -54,7 +56,7 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
       fs::create_directories(*options.out);
-      Result<RunDirectory> directory = lock(fs::canonical(*options.out));
+      Result<RunDirectory> directory = lock(fs::canonical(*options.out), kOther);
       if (!directory.isOk()) return directory;
       const Status cleared = directory.value().clear(options.replace);
       if (!cleared.isOk()) return cleared;
@@ -62,17 +64,24 @@ Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
     }
     const fs::path path = fs::canonical(makeNamed(options));
     pointLatestAt(path);
-    return lock(path);
+    return lock(path, kOther);
   } catch (const fs::filesystem_error& error) {
     return Status::failed(error.path1().string() + ": cannot be made a run directory (" +
                           error.code().message() + "); choose another with --out");
   }
 }
 
-Result<RunDirectory> RunDirectory::lock(const fs::path& path) {
+Result<RunDirectory> RunDirectory::reopen(const fs::path& path) {
+  std::error_code error;
+  const fs::path directory = fs::canonical(path, error);
+  if (error) return Status::failed(path.string() + ": " + error.message());
+  return lock(directory, "wait until it has ended");
+}
+
+Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string& remedy) {
   FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!descriptor.isOpen() || ::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
-    return Status::failed(path.string() + ": another run is writing here; choose another --out");
+    return Status::failed(path.string() + ": another run is writing here; " + remedy);
   }
   return RunDirectory(path, std::move(descriptor));
 }

@@ -35,6 +35,9 @@ class RunDirectory {
   /// refused.
   static Result<RunDirectory> create(const RunDirectoryOptions& options);
 
+  /// Takes the directory of an earlier run as it is, for a run that goes on there.
+  static Result<RunDirectory> reopen(const std::filesystem::path& path);
+
   /// Whether a run is writing there at this moment.
   static bool isBeingWritten(const std::filesystem::path& path);
   /// run.json of the run there; null where there is none, or none that is JSON.
@@ -50,7 +53,7 @@ class RunDirectory {
  private:
   RunDirectory(std::filesystem::path path, FileDescriptor lock)
       : path_(std::move(path)), lock_(std::move(lock)) {}
-  static Result<RunDirectory> lock(const std::filesystem::path& path);
+  static Result<RunDirectory> lock(const std::filesystem::path& path, const std::string& remedy);
   Status clear(bool replace) const;
 
   std::filesystem::path path_;

@@ -38,8 +38,9 @@ Status explained(const std::string& where, const SQLite::Exception& error) {
 }
 
 Database openDatabase(const std::filesystem::path& file, Access access) {
-  const int mode = access == Access::Create ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
-                                            : SQLite::OPEN_READONLY;
+  const int mode = access == Access::Create  ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
+                   : access == Access::Write ? SQLite::OPEN_READWRITE
+                                             : SQLite::OPEN_READONLY;
   Database database(file.string(), mode | SQLite::OPEN_FULLMUTEX, kBusyTimeoutMs);
   database.exec(
       "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA foreign_keys = ON");

@@ -24,7 +24,7 @@ class BadRow : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class Access : std::uint8_t { Create, ReadOnly };
+enum class Access : std::uint8_t { Create, Write, ReadOnly };
 /// One connection. Not thread-safe.
 Database openDatabase(const std::filesystem::path& file, Access access);
 

@@ -41,6 +41,10 @@ struct Failed : std::runtime_error {
   Failure failure;
 };
 
+[[noreturn]] inline void refuseToContinue(const std::string& message) {
+  throw Failed({FailureKind::Continuation, message});
+}
+
 // Each returns the value, or throws Failed where there is none.
 inline void require(const Status& status, FailureKind kind, const std::string& stage = {}) {
   if (!status.isOk()) throw Failed({kind, status.message(), stage});

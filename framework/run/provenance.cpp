@@ -82,6 +82,13 @@ Json provenance(const CheckedSystem& system, const SourceInfo& source,
   return json;
 }
 
+Json countersJson(const pipeline::RunCounters& counters) {
+  Json json = Json::object();
+  pipeline::RunCounters::visit(counters,
+                               [&](const char* name, const auto& value) { json[name] = value; });
+  return json;
+}
+
 void addOutcome(Json& json, const Outcome& outcome) {
   const pipeline::RunCounters& n = outcome.counters;
   json["ended"] = utcText(utcSeconds());
@@ -92,18 +99,7 @@ void addOutcome(Json& json, const Outcome& outcome) {
     json["failure"] = {{"kind", enumName(outcome.failure->kind)},
                        {"stage", outcome.failure->stage}};
   }
-  json["counters"] = {{"frames", n.frames},
-                      {"dropped", n.dropped},
-                      {"skipped", n.skipped},
-                      {"defects", n.defects},
-                      {"initialising", n.initialising},
-                      {"lost", n.lost},
-                      {"place_left_out", n.place_left_out},
-                      {"templates", n.templates},
-                      {"experiences", n.experiences},
-                      {"loop_decisions", n.loop_decisions},
-                      {"links", n.links},
-                      {"loop_links", n.loop_links}};
+  json["counters"] = countersJson(n);
   Json finish = Json::object();
   for (std::size_t role = 0; role < outcome.finish_times_ns.size(); ++role) {
     const std::int64_t ns = outcome.finish_times_ns[role];

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/run_counters.hpp"
 #include "run/checked_system.hpp"
 
 namespace tolman::run {
@@ -13,6 +14,8 @@ namespace tolman::run {
 /// Versions, machine, seeds, command line, plugins with the SHA-256 of their files, data set.
 nlohmann::ordered_json provenance(const CheckedSystem& system, const SourceInfo& source,
                                   const std::vector<std::string>& command_line);
+
+nlohmann::ordered_json countersJson(const pipeline::RunCounters& counters);
 
 struct Outcome;  // run.hpp
 

@@ -10,6 +10,7 @@
 #include "run/provenance.hpp"
 #include "run/report_files.hpp"
 #include "run/results.hpp"
+#include "run/resume.hpp"
 #include "run/saved_state.hpp"
 
 namespace tolman::run {
@@ -22,10 +23,6 @@ record::RunState stateOf(const Outcome& outcome) {
 
 Failure recordFailure(const Status& status) { return {FailureKind::Record, status.message()}; }
 
-[[noreturn]] void refuseToContinue(const std::string& message) {
-  throw Failed({FailureKind::Continuation, message});
-}
-
 }  // namespace
 
 Outcome Run::execute(CheckedSystem system) {
@@ -36,6 +33,10 @@ Outcome Run::execute(CheckedSystem system) {
     outcome.failure = failed.failure;
   }
   if (directory_) outcome.directory = directory_->path();
+  if (resume_ && !directory_) {  // nothing was changed
+    outcome.interrupted = !outcome.failure;
+    return outcome;
+  }
   if (outcome.failure) {
     if (!run_file_.is_null()) writeRunFile(outcome);  // it may still have the status "running"
     return outcome;
@@ -46,8 +47,12 @@ Outcome Run::execute(CheckedSystem system) {
 }
 
 void Run::prepare(CheckedSystem system) {
-  assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, cancellation_);
+  assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
+  if (!options_.resume.empty()) {
+    resumeRun();
+    return;
+  }
   continueEarlierRun();
   openDirectory();
   openRecord();
@@ -66,7 +71,7 @@ void Run::continueEarlierRun() {
   require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
   const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
   const SessionProgress before = loadState(*assembly_, directory);
-  if (frames != before.frames) {
+  if (frames < before.frames || (before.finished && frames > before.frames)) {
     refuseToContinue(
         fmt::format("{}: run.sqlite has {} frames, the saved map {}; they are not of one run",
                     directory, frames, before.frames));
@@ -78,6 +83,42 @@ void Run::continueEarlierRun() {
   assembly_->cells().expect(before.experiences);
 }
 
+/// Brings the stages to the state of the last checkpoint of the run that `resume` names. Until that
+/// has succeeded its directory stays as it is.
+void Run::resumeRun() {
+  const std::filesystem::path& path = options_.resume;
+  auto before = record::RunDirectory::readRunFile(path);
+  if (before.value("status", "") == enumName(record::RunState::Finished)) {
+    refuseToContinue(path.string() +
+                     ": this run has finished, there is nothing to resume; to continue its map in "
+                     "a new run use --continue");
+  }
+  record::RunDirectory directory =
+      require(record::RunDirectory::reopen(path), FailureKind::Continuation);
+  log_.write(LogLevel::Info, "resume", "source and odometry repeat the recorded frames");
+  resume_ = resumeAt(*assembly_, directory.path(), stop_);
+  if (stop_.requested()) return;
+  directory_ = std::make_unique<record::RunDirectory>(std::move(directory));
+  reopenRecord(std::move(before));
+}
+
+void Run::reopenRecord(nlohmann::ordered_json before) {
+  const std::int64_t next_frame = resume_->checkpoint.frame + 1;
+  require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
+  assembly_->openArtefacts(directory_->path());
+  run_file_ = provenance(assembly_->system(), assembly_->sourceInfo(), options_.command_line);
+  for (const char* kept : {"started", "command_line", "continued", "resumed"}) {
+    if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
+  }
+  run_file_["resumed"].push_back({{"time", utcText(utcSeconds())}, {"first_frame", next_frame}});
+  require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
+  recorder_ =
+      require(record::Recorder::reopen(directory_->path(), next_frame), FailureKind::Record);
+  MapGraph graph;
+  require(assembly_->map().graph(graph), FailureKind::Stage);
+  require(recorder_->graph(graph), FailureKind::Record);
+}
+
 /// The earlier sessions, and this one.
 void Run::recordSessions() {
   record::RecordedSession session{0, first_frame_, config().general.name,
@@ -85,7 +126,7 @@ void Run::recordSessions() {
   if (earlier_) {
     const auto sessions = require(earlier_->sessions(), FailureKind::Record);
     session.id = static_cast<std::int64_t>(sessions.size());
-    require(recorder_->inherit(*earlier_), FailureKind::Record);
+    require(recorder_->inherit(*earlier_, first_frame_), FailureKind::Record);
     earlier_.reset();
   }
   require(recorder_->session(session), FailureKind::Record);
@@ -122,25 +163,43 @@ void Run::openRecord() {
 
 void Run::drive(Outcome& outcome) {
   const std::int64_t begin_ns = clock_.steadyNs();
-  RunListener listener(*recorder_, assembly_->observers(), log_, config().record.arrays_every);
+  RunListener listener(*recorder_, *assembly_, directory_->path(), log_, clock_);
   pipeline::Chain chain(assembly_->stages(), assembly_->policies(), listener);
+  if (resume_) {
+    chain.resume(*resume_);
+    listener.startAfter(resume_->checkpoint.frame);
+  }
   const Status begun = listener.begin(
       {config().general.name, directory_->path().string(), assembly_->sourceInfo(), arrays_});
   if (!begun.isOk()) chain.fail(Role::Observer, begun);
+  Watchdog watchdog(chain.activity(), clock_, watchdogSettings(listener));
+  watchdog.start();
   const pipeline::DriveResult result =
-      pipeline::drive(chain, config().pipeline, config().general.threads, cancellation_);
+      pipeline::drive(chain, config().pipeline, config().general.threads, stop_);
   const std::optional<Failure> unsaved = saveState(result, listener);
   for (const Status& status : assembly_->teardown()) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
   outcome.failure = failureOf(result.failure, listener);
-  if (!outcome.failure) outcome.failure = unsaved;
+  if (!outcome.failure) outcome.failure = unsaved ? unsaved : stop_.reason();
   const Status closed = recorder_->close();
   if (!closed.isOk() && listener.recordStatus().isOk()) outcome.failure = recordFailure(closed);
   outcome.interrupted = result.interrupted;
   outcome.counters = result.counters;
   outcome.finish_times_ns = result.finish_times_ns;
   outcome.wall_s = 1e-9 * static_cast<double>(clock_.steadyNs() - begin_ns);
+}
+
+WatchdogSettings Run::watchdogSettings(RunListener& listener) {
+  WatchdogSettings settings = WatchdogSettings::of(directory_->path());
+  settings.deadline_s = config().pipeline.stage_deadline;
+  settings.report = [&](LogLevel level, std::string_view source, const std::string& text) {
+    listener.onEvent({-1, level, std::string(source), text});
+  };
+  settings.stop = [&](const std::string& why) {
+    stop_.stop({FailureKind::Record, directory_->path().string() + ": " + why});
+  };
+  return settings;
 }
 
 std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure>& stage,
@@ -159,6 +218,7 @@ std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunLi
   if (result.failure || n.frames == 0 || !listener.recordStatus().isOk()) return std::nullopt;
   const auto unsaved =
       run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
+  if (!unsaved && !result.interrupted) removeCheckpoint(directory_->path());
   if (!unsaved || unsaved->kind == FailureKind::Record) return unsaved;
   listener.onEvent({-1, LogLevel::Warning, "state", unsaved->message});
   return std::nullopt;

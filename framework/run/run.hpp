@@ -19,6 +19,8 @@
 #include "record/run_reader.hpp"
 #include "run/assembly.hpp"
 #include "run/run_listener.hpp"
+#include "run/stop_request.hpp"
+#include "run/watchdog.hpp"
 
 namespace tolman::run {
 
@@ -37,6 +39,10 @@ struct Outcome {
 struct RunOptions {
   std::filesystem::path out{};  ///< run directory; empty: runs/NAME-TIME in the working directory
   bool replace = false;         ///< the run that `out` holds is removed
+  /// Directory of an interrupted or killed run to go on with, in place of `out`; the system must be
+  /// checked from its config.resolved.yaml. The results are those of a run without interruption,
+  /// except for frames that a realtime run drops.
+  std::filesystem::path resume{};
   std::vector<std::string> command_line{};  ///< for run.json
   /// For run.json: the exit code that the program will give this outcome. Null: none is written.
   std::function<int(const Outcome&)> exit_code{};
@@ -47,7 +53,7 @@ class Run {
   /// The objects behind the references must outlive this one. Cancellation ends the run between two
   /// frames.
   Run(RunLog& log, const Clock& clock, const Cancellation& cancellation, RunOptions options = {})
-      : log_(log), clock_(clock), cancellation_(cancellation), options_(std::move(options)) {}
+      : log_(log), clock_(clock), stop_(cancellation), options_(std::move(options)) {}
 
   /// Runs `system` to its end. Call it once.
   Outcome execute(CheckedSystem system);
@@ -57,11 +63,14 @@ class Run {
   // Each throws Failed.
   void prepare(CheckedSystem system);
   void continueEarlierRun();
+  void resumeRun();
+  void reopenRecord(nlohmann::ordered_json before);
   void openDirectory();
   void openRecord();
   void recordSessions();
 
   void drive(Outcome& outcome);
+  WatchdogSettings watchdogSettings(RunListener& listener);
   std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
                                    const RunListener& listener) const;
   std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
@@ -71,12 +80,13 @@ class Run {
 
   RunLog& log_;
   const Clock& clock_;
-  const Cancellation& cancellation_;
+  StopRequest stop_;
   RunOptions options_;
   std::unique_ptr<Assembly> assembly_;
   std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
   std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
   std::int64_t first_frame_ = 0;
+  std::optional<pipeline::ResumePoint> resume_;
   std::unique_ptr<record::RunDirectory> directory_;
   nlohmann::ordered_json run_file_;  ///< contents of run.json
   std::unique_ptr<record::Recorder> recorder_;

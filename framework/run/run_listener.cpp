@@ -3,7 +3,21 @@
 
 #include <utility>
 
+#include "run/saved_state.hpp"
+
 namespace tolman::run {
+
+RunListener::RunListener(record::Recorder& recorder, Assembly& assembly,
+                         std::filesystem::path directory, RunLog& log, const Clock& clock)
+    : recorder_(recorder),
+      assembly_(assembly),
+      observers_(assembly.observers()),
+      directory_(std::move(directory)),
+      log_(log),
+      clock_(clock),
+      settings_(assembly.system().config.record),
+      last_checkpoint_ns_(clock.steadyNs()) {}
+
 template <class Call>
 Status RunListener::callObservers(std::int64_t frame, Call&& call) {
   for (Assembly::Observer& observer : observers_) {
@@ -34,7 +48,8 @@ Status RunListener::record(const Snapshot& snapshot) {
   Snapshot recorded = snapshot;
   const StageTimes& times = snapshot.stage_times_ns;
   const std::int64_t frame = snapshot.frame->frame;
-  if (arrays_every_ == 0 || frame % arrays_every_ != 0) recorded.cells = nullptr;
+  const int every = settings_.arrays_every;
+  if (every == 0 || frame % every != 0) recorded.cells = nullptr;
   Status status = recorder_.snapshot(recorded);
   if (status.isOk()) last_recorded_ = frame;
   for (std::size_t role = 0; role < times.size() && status.isOk(); ++role) {
@@ -66,6 +81,22 @@ void RunListener::onEvent(const pipeline::Event& event) {
   if (observers_.empty()) return;
   const std::lock_guard lock(events_mutex_);
   events_.push_back(event);
+}
+
+bool RunListener::checkpointDue() {
+  if (settings_.state_every == 0) return false;
+  const std::int64_t now = clock_.steadyNs();
+  if (1e-9 * static_cast<double>(now - last_checkpoint_ns_) < settings_.state_every) return false;
+  last_checkpoint_ns_ = now;
+  return true;
+}
+
+/// The record is made safe first: a checkpoint must not be ahead of it.
+Status RunListener::onCheckpoint(const pipeline::Checkpoint& checkpoint) {
+  if (settings_.state_every == 0 || !record_status_.isOk()) return record_status_;
+  record_status_ = recorder_.sync();
+  if (record_status_.isOk()) record_status_ = saveCheckpoint(assembly_, directory_, checkpoint);
+  return record_status_;
 }
 
 Status RunListener::onTrajectory(const std::vector<pipeline::FramePose>& poses) {

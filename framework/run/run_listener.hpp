@@ -2,6 +2,7 @@
 // Passes what happens in a run to the recorder, the log and the observers.
 #pragma once
 
+#include <filesystem>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -15,16 +16,21 @@ namespace tolman::run {
 
 class RunListener : public pipeline::Listener {
  public:
-  RunListener(record::Recorder& recorder, std::vector<Assembly::Observer>& observers, RunLog& log,
-              int arrays_every)
-      : recorder_(recorder), observers_(observers), log_(log), arrays_every_(arrays_every) {}
+  /// `assembly` must be of the whole chain; checkpoints are written below `directory`.
+  RunListener(record::Recorder& recorder, Assembly& assembly, std::filesystem::path directory,
+              RunLog& log, const Clock& clock);
 
   Status begin(const RunInfo& run);
   Status onFrame(const Snapshot& snapshot) override;
   void onEvent(const pipeline::Event& event) override;
+  /// Every `record.state_every` seconds.
+  bool checkpointDue() override;
+  Status onCheckpoint(const pipeline::Checkpoint& checkpoint) override;
   Status onTrajectory(const std::vector<pipeline::FramePose>& poses) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
+  /// For a run that goes on: the last frame that is recorded already.
+  void startAfter(std::int64_t frame) { last_recorded_ = frame; }
   /// One more than the last frame that was recorded.
   std::int64_t nextFrame() const { return last_recorded_ + 1; }
   /// The first failure of the record itself, e.g. a full disk.
@@ -40,9 +46,13 @@ class RunListener : public pipeline::Listener {
   Status callObservers(std::int64_t frame, Call&& call);
 
   record::Recorder& recorder_;
+  Assembly& assembly_;
   std::vector<Assembly::Observer>& observers_;
+  std::filesystem::path directory_;
   RunLog& log_;
-  int arrays_every_;
+  const Clock& clock_;
+  config::RecordSettings settings_;
+  std::int64_t last_checkpoint_ns_;  ///< when the last one was asked for
   std::int64_t last_recorded_ = -1;  ///< frame
   Status record_status_;
   pipeline::FailureTally failures_;  // by observer

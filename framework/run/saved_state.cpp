@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/saved_state.hpp"
 
-#include <fmt/format.h>
-
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
-#include <vector>
-
-#include "record/atomic_file.hpp"
-#include "record/sha256.hpp"
-#include "run/value_json.hpp"
+#include "run/provenance.hpp"
+#include "run/state_files.hpp"
 
 namespace tolman::run {
 namespace {
@@ -18,188 +10,134 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kFormat = 1;
-constexpr const char* kFolder = "state";
-constexpr const char* kContents = "session.json";
+constexpr const char* kCheckpoint = "checkpoint";
 
-/// One of the stages whose state a later run needs.
-struct SavedStage {
-  host::Instance* instance;
-  const config::StageConfig* config;
-  const ParameterValues* parameters;
-};
+fs::path sessionFile(const fs::path& directory) { return directory / "state" / "session.json"; }
 
-std::vector<SavedStage> savedStages(Assembly& assembly) {
-  std::vector<SavedStage> saved;
-  const CheckedSystem& system = assembly.system();
-  for (std::size_t i = 0; i < system.config.stages.size(); ++i) {
-    const config::StageConfig& stage = system.config.stages[i];
-    if (stage.role != Role::Place && stage.role != Role::Cells && stage.role != Role::Map) continue;
-    saved.push_back({assembly.instances()[i], &stage, &system.values.find(stage.instance)->second});
-  }
-  return saved;
+fs::path checkpointFile(const fs::path& directory) {
+  return directory / "state" / "checkpoint.json";
 }
 
-Json parametersOf(const SavedStage& stage) {
-  Json json = Json::object();
-  for (const auto& [name, value] : *stage.parameters) json[name] = valueJson(value);
-  return json;
+/// Of the files of one checkpoint.
+std::string prefixOf(std::int64_t frame) {
+  return std::string(kCheckpoint) + "-" + std::to_string(frame) + "-";
 }
 
-std::string fileOf(const SavedStage& stage) {
-  return std::string(enumName(stage.config->role)) + ".bin";
+[[noreturn]] void refuseDamaged(const fs::path& file) {
+  refuseToContinue(file.string() + ": is damaged; run the earlier session again");
 }
 
-std::string digestOf(const std::string& bytes) {
-  record::Sha256 sha;
-  sha.add(bytes);
-  return sha.digest();
+std::int64_t experiencesOf(Assembly& assembly) {
+  MapGraph graph;
+  require(assembly.map().graph(graph), FailureKind::Continuation);
+  return static_cast<std::int64_t>(graph.experiences.size());
 }
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw Failed({FailureKind::Continuation, what});
-}
-
-std::string textOf(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (fs::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
-  if (!stream.is_open())
-    refuse(file.string() + ": cannot be read; the saved session is not complete");
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-Json contentsOf(const fs::path& folder) {
-  const fs::path file = folder / kContents;
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    refuse(folder.parent_path().string() +
-           ": this run saved no map that could be continued (it was killed, failed, or is of an "
-           "older version); run it again to its end or to an interrupt");
-  }
-  Json json = Json::parse(textOf(file), nullptr, false);
-  if (!json.is_object()) refuse(file.string() + ": is damaged; run the earlier session again");
-  const int format = json.at("format").get<int>();
-  if (format != kFormat) {
-    refuse(file.string() + ": has format " + std::to_string(format) + ", this program reads " +
-           std::to_string(kFormat) + "; use the version of Tolman that wrote it");
-  }
-  return json;
-}
-
-const Json& entryOf(const Json& contents, const SavedStage& stage, const fs::path& folder) {
-  const std::string role(enumName(stage.config->role));
-  for (const Json& entry : contents.at("stages")) {
-    if (entry.at("role") == role) return entry;
-  }
-  refuse(folder.parent_path().string() + ": its " + role +
-         " saved no state; its plugin cannot. Choose one that can, such as those of "
-         "configs/motion.yaml");
-}
-
-/// The first parameter that differs: "cells.period is 12, and was 15".
-void compareParameters(const Json& then, const Json& now, const std::string& stage,
-                       const std::string& remedy) {
-  for (const auto& [name, value] : now.items()) {
-    const auto old = then.find(name);
-    if (old != then.end() && *old == value) continue;
-    refuse(fmt::format("{}.{} is {}, and was {} in the earlier session; {}", stage, name,
-                       value.dump(), old == then.end() ? "unknown" : old->dump(), remedy));
-  }
-}
-
-void checkEntry(const Json& entry, const SavedStage& stage, const fs::path& folder) {
-  const std::string& name = stage.config->path;
-  const std::string remedy = "configure it as in " +
-                             (folder.parent_path() / "config.resolved.yaml").string() +
-                             ", or start a new map";
-  const auto plugin = entry.at("plugin").get<std::string>();
-  const auto version = entry.at("version").get<std::string>();
-  const host::Manifest& manifest = stage.instance->manifest();
-  if (plugin != manifest.id) {
-    refuse(name + ": is '" + manifest.id + "', and was '" + plugin + "' in the earlier session; " +
-           remedy);
-  }
-  if (version != manifest.version) {
-    refuse(name + ": '" + plugin + "' has version " + manifest.version + ", and had " + version +
-           " in the earlier session; use that version, or start a new map");
-  }
-  compareParameters(entry.at("parameters"), parametersOf(stage), name, remedy);
-}
-
-void loadStage(const Json& contents, const SavedStage& stage, const fs::path& folder) {
-  const Json& entry = entryOf(contents, stage, folder);
-  checkEntry(entry, stage, folder);
-  const fs::path file = folder / fileOf(stage);
-  const std::string bytes = textOf(file);
-  if (digestOf(bytes) != entry.at("sha256").get<std::string>()) {
-    refuse(file.string() +
-           ": is damaged, its digest does not agree; run the earlier session again");
-  }
-  const Status status = stage.instance->load(bytes);
-  if (!status.isOk()) refuse(file.string() + ": " + status.message());
-}
-
-SessionProgress loadAll(Assembly& assembly, const fs::path& directory) {
-  const fs::path folder = directory / kFolder;
-  const Json contents = contentsOf(folder);
-  for (const SavedStage& stage : savedStages(assembly)) loadStage(contents, stage, folder);
+SessionProgress loadSession(Assembly& assembly, const fs::path& file) {
+  const Json contents = readContents(file);
+  loadStates(assembly, file, "", contents);
   SessionProgress progress;
   progress.frames = contents.at("frames").get<std::int64_t>();
   progress.experiences = contents.at("experiences").get<std::int64_t>();
   progress.templates = contents.at("templates").get<std::int64_t>();
-  MapGraph graph;
-  require(assembly.map().graph(graph), FailureKind::Continuation);
   if (progress.frames < 1 || progress.templates < -1 ||
-      progress.experiences != static_cast<std::int64_t>(graph.experiences.size())) {
-    refuse((folder / kContents).string() +
-           ": is damaged, it does not agree with the map; run the earlier session again");
+      progress.experiences != experiencesOf(assembly)) {
+    refuseToContinue(file.string() +
+                     ": is damaged, it does not agree with the map; run the earlier session again");
   }
   return progress;
+}
+
+/// Calls `load(file)`, with JSON of a wrong shape as a damaged file.
+template <class Load>
+auto loaded(const fs::path& file, const Load& load) {
+  try {
+    return load(file);
+  } catch (const Json::exception&) {
+    refuseDamaged(file);
+  }
+}
+
+/// All files of checkpoints but that of `frame`; -1: of all.
+void removeCheckpointsBut(const fs::path& folder, std::int64_t frame) {
+  std::error_code ignored;  // what stays is removed the next time
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(std::string(kCheckpoint) + "-") && !name.starts_with(prefixOf(frame))) {
+      fs::remove(entry.path(), ignored);
+    }
+  }
 }
 
 }  // namespace
 
 std::optional<Failure> saveState(Assembly& assembly, const fs::path& directory,
                                  const SessionProgress& progress) {
-  const fs::path folder = directory / kFolder;
-  std::error_code error;
-  Json stages = Json::array();
-  for (const SavedStage& stage : savedStages(assembly)) {
-    if (stage.instance->state() == nullptr) continue;
-    const Result<std::string> bytes = stage.instance->save();
-    if (!bytes.isOk()) {
-      return Failure{FailureKind::Stage, bytes.status().message(), stage.instance->name()};
-    }
-    fs::create_directories(folder, error);
-    const Status status = record::writeAtomically(folder / fileOf(stage), bytes.value());
-    if (!status.isOk()) return Failure{FailureKind::Record, status.message()};
-    stages.push_back({{"role", enumName(stage.config->role)},
-                      {"plugin", stage.instance->manifest().id},
-                      {"version", stage.instance->manifest().version},
-                      {"parameters", parametersOf(stage)},
-                      {"file", fileOf(stage)},
-                      {"bytes", bytes.value().size()},
-                      {"sha256", digestOf(bytes.value())}});
-  }
-  if (stages.empty()) return std::nullopt;
-  const Json contents = {{"format", kFormat},
-                         {"frames", progress.frames},
-                         {"experiences", progress.experiences},
-                         {"templates", progress.templates},
-                         {"stages", stages}};
-  const Status status = record::writeAtomically(folder / kContents, contents.dump(2) + "\n");
+  const Result<std::map<Role, std::string>> states = savedStates(assembly);
+  if (!states.isOk()) return Failure{FailureKind::Stage, states.status().message()};
+  if (states.value().empty()) return std::nullopt;
+  const Status status = writeStates(assembly, sessionFile(directory), "", states.value(),
+                                    {{"frames", progress.frames},
+                                     {"experiences", progress.experiences},
+                                     {"templates", progress.templates}});
   if (!status.isOk()) return Failure{FailureKind::Record, status.message()};
   return std::nullopt;
 }
 
 SessionProgress loadState(Assembly& assembly, const fs::path& directory) {
-  try {
-    return loadAll(assembly, directory);
-  } catch (const Json::exception&) {
-    refuse((directory / kFolder / kContents).string() +
-           ": is damaged; run the earlier session again");
+  const fs::path file = sessionFile(directory);
+  std::error_code ignored;
+  if (fs::exists(file, ignored)) {
+    return loaded(file, [&](const fs::path& session) { return loadSession(assembly, session); });
   }
+  if (!fs::exists(checkpointFile(directory), ignored)) {
+    refuseToContinue(
+        directory.string() +
+        ": this run saved no map that could be continued (it was killed before its first "
+        "checkpoint, failed, or is of an older version); run it again to its end or to an "
+        "interrupt");
+  }
+  SessionProgress progress;
+  progress.frames = loadCheckpoint(assembly, directory).frame + 1;
+  progress.experiences = experiencesOf(assembly);
+  progress.finished = false;
+  return progress;
+}
+
+Status saveCheckpoint(Assembly& assembly, const fs::path& directory,
+                      const pipeline::Checkpoint& checkpoint) {
+  const fs::path file = checkpointFile(directory);
+  const Status status =
+      writeStates(assembly, file, prefixOf(checkpoint.frame), checkpoint.states,
+                  {{"frame", checkpoint.frame}, {"counters", countersJson(checkpoint.counters)}});
+  if (status.isOk()) removeCheckpointsBut(file.parent_path(), checkpoint.frame);
+  return status;
+}
+
+pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& directory) {
+  std::error_code ignored;
+  if (!fs::exists(checkpointFile(directory), ignored)) {
+    refuseToContinue(directory.string() +
+                     ": has no checkpoint (it ended before the first one, see record.state_every, "
+                     "or place, cells or map cannot save their state); run it again");
+  }
+  return loaded(checkpointFile(directory), [&](const fs::path& file) {
+    const Json contents = readContents(file);
+    pipeline::Checkpoint checkpoint;
+    checkpoint.frame = contents.at("frame").get<std::int64_t>();
+    if (checkpoint.frame < 0) refuseDamaged(file);
+    pipeline::RunCounters::visit(checkpoint.counters, [&](const char* name, auto& value) {
+      contents.at("counters").at(name).get_to(value);
+    });
+    loadStates(assembly, file, prefixOf(checkpoint.frame), contents);
+    return checkpoint;
+  });
+}
+
+void removeCheckpoint(const fs::path& directory) {
+  std::error_code ignored;  // it does no harm
+  fs::remove(checkpointFile(directory), ignored);
+  removeCheckpointsBut(sessionFile(directory).parent_path(), -1);
 }
 
 }  // namespace tolman::run

@@ -63,12 +63,13 @@ void RunLog::write(LogLevel level, std::string_view source, std::string_view mes
   }
 }
 
-Status RunLog::openFile(const std::filesystem::path& file) {
+Status RunLog::openFile(const std::filesystem::path& file, Open open) {
   const std::lock_guard lock(implementation_->mutex);
   std::unique_ptr<spdlog::logger> logger;
   try {
     logger = std::make_unique<spdlog::logger>(
-        "run", std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true));
+        "run",
+        std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), open == Open::Fresh));
   } catch (const spdlog::spdlog_ex& error) {
     return implementation_->status = Status::failed(error.what());
   }

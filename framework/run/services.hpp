@@ -22,7 +22,8 @@ class RunLog {
   RunLog& operator=(const RunLog&) = delete;
   void write(LogLevel level, std::string_view source, std::string_view message,
              bool on_terminal = true);
-  Status openFile(const std::filesystem::path& file);
+  enum class Open : bool { Fresh, Append };
+  Status openFile(const std::filesystem::path& file, Open open = Open::Fresh);
   /// Whether the file has all lines.
   Status status() const;
 

@@ -20,7 +20,9 @@ struct Hooks {
   std::function<Status(std::int64_t)> source, odometry, place, cells, map;
   bool place_needs_motion = false;
   std::function<void()> map_finish;
-  bool map_grows = false;  ///< by an experience a frame, else it has one
+  bool keeps_state = false;        ///< place, cells and map are StateKeepers
+  bool cells_cannot_save = false;  ///< although they are
+  bool map_grows = false;          ///< by an experience a frame, else it has one
   std::atomic<int> input_asked = 0;
   std::atomic<int> finished = 0;
 
@@ -67,7 +69,23 @@ struct ToyOdometry : Odometry {
   double state = 0;
 };
 
-struct ToyPlace : Place {
+/// A state of one number, which saving may refuse.
+template <class T>
+struct ToyState : StateKeeper {
+  Status save(std::ostream& stream) const override {
+    if (refuses) return Status::failed("no pen");
+    stream.write(reinterpret_cast<const char*>(&value), sizeof value);
+    return Status::ok();
+  }
+  Status load(std::istream& stream) override {
+    stream.read(reinterpret_cast<char*>(&value), sizeof value);
+    return stream ? Status::ok() : Status::invalidInput("too short");
+  }
+  T value{};
+  bool refuses = false;
+};
+
+struct ToyPlace : Place, ToyState<std::int64_t> {
   explicit ToyPlace(Hooks& h) : hooks(h) {}
   Status configure(const Context&) override { return Status::ok(); }
   Status reset() override { return Status::ok(); }
@@ -79,7 +97,7 @@ struct ToyPlace : Place {
     place.frame = frame.frame;
     place.stamp_ns = frame.stamp_ns;
     place.recognition = Recognition::Novel;
-    place.template_id = count++;
+    place.template_id = value++;
     if (motion != nullptr) place.score = motion->v;
     return Hooks::call(hooks.place, frame.frame);
   }
@@ -88,11 +106,11 @@ struct ToyPlace : Place {
     return Status::ok();
   }
   Hooks& hooks;
-  std::int64_t count = 0;
 };
 
-struct ToyCells : Cells {
-  explicit ToyCells(Hooks& h) : hooks(h) {}
+/// Its heading counts the frames.
+struct ToyCells : Cells, ToyState<std::int64_t> {
+  explicit ToyCells(Hooks& h) : hooks(h) { refuses = h.cells_cannot_save; }
   Status configure(const Context&) override { return Status::ok(); }
   Status reset() override { return Status::ok(); }
   Status step(const Motion& motion, const PlaceObservation& place, Decision& decision) override {
@@ -100,6 +118,7 @@ struct ToyCells : Cells {
     decision.stamp_ns = motion.stamp_ns;
     decision.template_id = place.template_id;
     decision.experience = 0;
+    decision.heading = 0.001 * static_cast<double>(++value % 1000);
     decision.action = motion.frame == 0 ? Action::CreateExperience : Action::Stay;
     return Hooks::call(hooks.cells, motion.frame);
   }
@@ -110,7 +129,7 @@ struct ToyCells : Cells {
   Hooks& hooks;
 };
 
-struct ToyMap : Map {
+struct ToyMap : Map, ToyState<double> {
   explicit ToyMap(Hooks& h) : hooks(h) {}
   Status configure(const Context&) override { return Status::ok(); }
   Status reset() override { return Status::ok(); }
@@ -118,8 +137,8 @@ struct ToyMap : Map {
     update.frame = motion.frame;
     update.stamp_ns = motion.stamp_ns;
     update.experience = decision.experience;
-    distance += motion.v;
-    update.T_world_camera.translation().z() = distance;
+    value += motion.v;
+    update.T_world_camera.translation().z() = value;
     experiences = hooks.map_grows ? motion.frame + 1 : 1;
     update.experiences = experiences;
     return Hooks::call(hooks.map, motion.frame);
@@ -135,7 +154,6 @@ struct ToyMap : Map {
     return Status::ok();
   }
   Hooks& hooks;
-  double distance = 0;
   std::int64_t experiences = 1;
 };
 
@@ -147,12 +165,13 @@ struct Diary : pipeline::Listener {
     std::int64_t template_id;
     double score;
     double z;
+    double heading;
     bool lost;
     bool operator==(const Entry&) const = default;
   };
   Status onFrame(const Snapshot& s) override {
     entries.push_back({s.frame->frame, s.motion->v, s.place->template_id, s.place->score,
-                       s.map->T_world_camera.translation().z(),
+                       s.map->T_world_camera.translation().z(), s.decision->heading,
                        s.motion->state == TrackingState::Lost});
     if (s.graph != nullptr) graphs.emplace_back(s.frame->frame, s.graph->experiences.size());
     return on_frame ? on_frame(s.frame->frame) : Status::ok();
@@ -161,12 +180,20 @@ struct Diary : pipeline::Listener {
     const std::lock_guard lock(mutex);
     events.push_back(event);
   }
+  bool checkpointDue() override { return checkpoint_each_frame; }
+  Status onCheckpoint(const pipeline::Checkpoint& checkpoint) override {
+    CHECK(checkpoint.frame == entries.back().frame);
+    checkpoints.push_back(checkpoint);
+    return Status::ok();
+  }
   Status onFinish(const std::vector<MotionRevision>& r, const MapGraph& graph) override {
     revisions = r.size();
     final_size = graph.experiences.size();
     return Status::ok();
   }
   std::function<Status(std::int64_t)> on_frame;
+  bool checkpoint_each_frame = false;
+  std::vector<pipeline::Checkpoint> checkpoints;
   std::vector<Entry> entries;
   std::vector<pipeline::Event> events;
   std::vector<std::pair<std::int64_t, std::size_t>> graphs;  ///< frame, experiences
@@ -180,6 +207,16 @@ struct Flag : Cancellation {
   std::atomic<bool> set = false;
 };
 
+template <class Toy>
+PluginObject objectOf(Hooks& hooks) {
+  auto* toy = new Toy(hooks);
+  PluginObject object{toy};
+  if constexpr (std::is_base_of_v<StateKeeper, Toy>) {
+    if (hooks.keeps_state) object.state = toy;
+  }
+  return object;
+}
+
 /// A guarded instance around an object that the test made.
 template <class Toy>
 std::unique_ptr<host::Instance> guardedToy(Hooks& hooks, const char* name) {
@@ -191,7 +228,7 @@ std::unique_ptr<host::Instance> guardedToy(Hooks& hooks, const char* name) {
                                                    detail::roleOf<Toy>(),
                                                    0,
                                                    &schemaOf<NoParameters>,
-                                                   [] { return PluginObject{new Toy(*current)}; },
+                                                   [] { return objectOf<Toy>(*current); },
                                                    [](Plugin* plugin) { delete plugin; }};
   host::LoadedPlugin loaded;
   loaded.manifest.id = "toy";

@@ -48,7 +48,7 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
     REQUIRE(recorder->close().isOk());
   }
   auto recorder = Recorder::open(folder.path()).value();
-  REQUIRE(recorder->inherit(*RunReader::open(old_folder.path()).value()).isOk());
+  REQUIRE(recorder->inherit(*RunReader::open(old_folder.path()).value(), INT64_MAX).isOk());
   recordSession(*recorder, 1, 4, 7);
   REQUIRE(recorder->finalPoses({{1, at(9)}, {5, at(-2)}}).isOk());
   REQUIRE(recorder->close().isOk());
@@ -73,6 +73,21 @@ TEST_CASE("a run inherits the frames of an earlier one, and its record needs the
             .status()
             .message()
             .find("has no session 2; the last is 1") != std::string::npos);
+}
+
+TEST_CASE("a run that was killed is inherited up to its last checkpoint") {
+  const test::TemporaryFolder old_folder;
+  const test::TemporaryFolder folder;
+  auto killed = Recorder::open(old_folder.path()).value();
+  recordSession(*killed, 0, 0, 6);
+  REQUIRE(killed->commit().isOk());
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(recorder->inherit(*RunReader::open(old_folder.path()).value(), 4).isOk());
+  recordSession(*recorder, 1, 4, 5);
+  REQUIRE(recorder->close().isOk());
+  const auto reader = RunReader::open(folder.path()).value();
+  CHECK(reader->nextFrame().value() == 5);
+  CHECK(reader->odometry().value().size() == 5);
 }
 
 TEST_CASE("parts of a map are joined by all links that it has not rejected") {

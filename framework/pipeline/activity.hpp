@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which stages work at this moment, and since when; read by the watchdog of a run.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+
+#include "tolman/roles.hpp"
+
+namespace tolman::pipeline {
+
+/// All functions may be called from any thread; a role works on one thing at a time.
+class Activity {
+ public:
+  /// The role works while this object lives.
+  class Mark {
+   public:
+    Mark(Activity& activity, Role role) : since_(activity.since_[static_cast<std::size_t>(role)]) {
+      since_ = std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
+    }
+    ~Mark() { since_ = 0; }
+    Mark(const Mark&) = delete;
+    Mark& operator=(const Mark&) = delete;
+
+   private:
+    std::atomic<std::int64_t>& since_;
+  };
+
+  /// Steady time in ns at which the role began what it is doing; 0 while it waits.
+  std::int64_t since(Role role) const { return since_[static_cast<std::size_t>(role)]; }
+
+ private:
+  std::array<std::atomic<std::int64_t>, kRoleNames.size()> since_{};
+};
+
+}  // namespace tolman::pipeline

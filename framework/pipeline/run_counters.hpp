@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Counts of a run.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace tolman::pipeline {
+
+/// Health of a run, to be read before any error figure.
+struct RunCounters {
+  std::int64_t frames = 0;          ///< processed
+  std::int64_t dropped = 0;         ///< realtime: never processed
+  std::int64_t skipped = 0;         ///< failures after which the run continued
+  std::int64_t defects = 0;         ///< frames without a sound image
+  std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
+  std::int64_t lost = 0;            ///< frames with odometry lost
+  std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
+  std::int64_t templates = 0;       ///< with those of earlier sessions
+  std::int64_t experiences = 0;     ///< of the newest published graph, at the end the final one
+  std::int64_t loop_decisions = 0;  ///< Action::CloseLoop, also those that the map rejects later
+  std::int64_t links = 0;           ///< of the same graph as experiences, without rejected ones
+  std::int64_t loop_links = 0;      ///< those of kind LinkKind::Loop
+  bool lost_at_end = false;
+
+  /// Calls visit(name, value) for each count.
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit&& visit) {
+    visit("frames", self.frames);
+    visit("dropped", self.dropped);
+    visit("skipped", self.skipped);
+    visit("defects", self.defects);
+    visit("initialising", self.initialising);
+    visit("lost", self.lost);
+    visit("place_left_out", self.place_left_out);
+    visit("templates", self.templates);
+    visit("experiences", self.experiences);
+    visit("loop_decisions", self.loop_decisions);
+    visit("links", self.links);
+    visit("loop_links", self.loop_links);
+    visit("lost_at_end", self.lost_at_end);
+  }
+
+  std::int64_t tracked() const { return frames - initialising - lost; }
+  /// Whether no motion was found in the whole run.
+  bool neverTracked() const { return frames > 1 && tracked() == 0; }
+};
+
+inline constexpr std::string_view kNeverTracked =
+    "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
+    "`tolman dataset check`";
+
+}  // namespace tolman::pipeline

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/resume.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "record/recorder.hpp"
+#include "run/saved_state.hpp"
+
+namespace tolman::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The record of the last frame of a checkpoint.
+template <Record R>
+R recordOf(const std::vector<R>& records, std::int64_t frame, const fs::path& directory) {
+  const auto found = std::ranges::find(records, frame, &R::frame);
+  if (found != records.end()) return *found;
+  refuseToContinue(fmt::format(
+      "{}: its checkpoint is of frame {}, which run.sqlite does not have (was the power lost?); "
+      "run it again",
+      directory.string(), frame));
+}
+
+/// The record holds a rotation as a quaternion, so the last bits may differ.
+bool isSameMotion(const Motion& a, const Motion& b) {
+  constexpr double kRounding = 1e-9;  // m and rad
+  return a.T_previous_current.isApprox(b.T_previous_current, kRounding);
+}
+
+/// Tracks the frames that were recorded; one that a realtime run dropped is skipped again.
+class RepeatedOdometry {
+ public:
+  RepeatedOdometry(Assembly& assembly, const std::vector<Motion>& recorded)
+      : assembly_(assembly), recorded_(recorded) {}
+
+  /// Returns the motion of the last frame.
+  Motion repeat(std::int64_t last_frame, const Cancellation& cancellation) {
+    for (std::int64_t done = -1; done < last_frame && !cancellation.requested();) {
+      Frame frame;
+      require(assembly_.source().next(frame), FailureKind::Dataset,
+              assembly_.stageName(Role::Source));
+      done = frame.frame;
+      while (next_ + 1 < recorded_.size() && recorded_[next_].frame < frame.frame) ++next_;
+      if (recorded_[next_].frame == frame.frame) track(frame, recorded_[next_]);
+    }
+    return last_;
+  }
+
+ private:
+  void track(const Frame& frame, const Motion& before) {
+    Motion motion;
+    const bool failed = !assembly_.odometry().track(frame, motion).isOk();
+    last_ = failed ? before : motion;  // recorded after a failure is the predicted motion
+    if (isSameMotion(last_, before)) return;
+    refuseToContinue(fmt::format(
+        "{}: gives another motion at frame {} than was recorded; data, plugin or parameters have "
+        "changed. Resume with those of the recorded run, or run it again",
+        assembly_.stageName(Role::Odometry), frame.frame));
+  }
+
+  Assembly& assembly_;
+  const std::vector<Motion>& recorded_;
+  std::size_t next_ = 0;
+  Motion last_;
+};
+
+}  // namespace
+
+pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
+                               const Cancellation& cancellation) {
+  constexpr FailureKind kKind = FailureKind::Continuation;
+  const auto reader = require(record::RunReader::open(directory), kKind);
+  require(record::Recorder::inheritable(*reader), kKind);
+  const auto sessions = require(reader->sessions(), kKind);
+  if (sessions.empty()) refuseToContinue(directory.string() + ": has no session; run it again");
+  const std::int64_t first_frame = sessions.back().first_frame;
+  assembly.source().startAt(first_frame);
+  assembly.odometry().startAt(first_frame);
+
+  pipeline::ResumePoint point;
+  point.checkpoint = loadCheckpoint(assembly, directory);
+  const std::int64_t last = point.checkpoint.frame;
+  const auto motions = require(reader->records<Motion>(), kKind);
+  (void)recordOf(motions, last, directory);  // it has all frames that are repeated
+  point.decision = recordOf(require(reader->records<Decision>(), kKind), last, directory);
+  point.map = recordOf(require(reader->records<MapUpdate>(), kKind), last, directory);
+  MapGraph graph;
+  require(assembly.map().graph(graph), kKind);
+  assembly.place().expect(-1);
+  assembly.cells().expect(static_cast<std::int64_t>(graph.experiences.size()));
+  point.motion = RepeatedOdometry(assembly, motions).repeat(last, cancellation);
+  return point;
+}
+
+}  // namespace tolman::run

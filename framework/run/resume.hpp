@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Going on with an interrupted or killed run in its own directory. Place recognition, cells and map
+// are loaded from the last checkpoint. Source and odometry, which save no state, process the frames
+// up to it again; their motions must be those of the record.
+#pragma once
+
+#include <filesystem>
+
+#include "pipeline/checkpoint.hpp"
+#include "record/run_reader.hpp"
+#include "run/assembly.hpp"
+
+namespace tolman::run {
+
+/// Brings a fresh assembly to its state after the last checkpoint of the run in `directory`, which
+/// is only read. Throws Failed (Continuation): no checkpoint, a damaged one, other plugins or data.
+/// When cancelled it returns early, and the assembly is of no use.
+pipeline::ResumePoint resumeAt(Assembly& assembly, const std::filesystem::path& directory,
+                               const Cancellation& cancellation);
+
+}  // namespace tolman::run

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Killed and interrupted runs go on from their last checkpoint, and end with the same bytes as runs
+// without an interruption.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include "end_to_end/record_rows.hpp"
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+#include "support/paths.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words joined(Words first, const Words& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// The frame of the last checkpoint; -1 while there is none.
+int checkpointOf(const fs::path& run) {
+  const fs::path file = run / "state/checkpoint.json";
+  return fs::exists(file) ? readJson(file)["frame"].get<int>() : -1;
+}
+
+/// Starts `arguments` and sends `signal` once a checkpoint of `frame` or later is written.
+Finished signalled(const Words& arguments, const fs::path& out, int signal, int frame) {
+  const TemporaryFolder folder;
+  Process process(joined({tolmanProgram().string()}, arguments), folder.path());
+  for (int i = 0; i < 3000 && checkpointOf(out) < frame; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  process.signal(signal);
+  return process.wait();
+}
+
+/// Plain files of the folder with their contents; those of SQLite come and go with its readers.
+std::map<std::string, std::string> filesOf(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!entry.is_regular_file() || name.starts_with("run.sqlite")) continue;
+    files[entry.path().string()] = readText(entry.path());
+  }
+  return files;
+}
+
+/// 60 frames at four times the speed of their stamps, none of them dropped.
+struct TinyRun {
+  TemporaryFolder folder;
+  fs::path out = folder.path() / "run";
+  Words plugins;
+  Words words;
+
+  TinyRun() {
+    writeTinyKitti(folder.path() / "sequence", 60);
+    words = tinyRun(writeTinyConfig(folder.path(), folder.path() / "sequence"), out);
+    plugins = {words.end() - 4, words.end()};
+    for (const char* setting : {"pipeline.mode=realtime", "pipeline.speed=4",
+                                "pipeline.input_policy=block", "record.state_every=0.05"}) {
+      words.insert(words.end(), {"--set", setting});
+    }
+  }
+  /// The digests of a run to the end.
+  std::string expected() const {
+    Words whole = words;
+    *std::ranges::find(whole, out.string()) = (folder.path() / "whole").string();
+    const Finished finished = tolman::test::tolman(whole);
+    INFO(finished.err);
+    REQUIRE(finished.exit_code == 0);
+    return readText(folder.path() / "whole/results.sha256");
+  }
+  Words resume() const { return joined({"run", "--resume", out.string()}, plugins); }
+};
+
+}  // namespace
+
+TEST_CASE("a run that is killed twice and resumed twice ends with the same bytes") {
+  const TinyRun run;
+  CHECK(signalled(run.words, run.out, SIGKILL, 8).exit_code == 128 + SIGKILL);
+  const int first = checkpointOf(run.out);
+  REQUIRE(first >= 8);
+  CHECK(signalled(run.resume(), run.out, SIGKILL, first + 8).exit_code == 128 + SIGKILL);
+  const int second = checkpointOf(run.out);
+  REQUIRE(second >= first + 8);
+  const Finished resumed = tolman::test::tolman(run.resume());
+  INFO(resumed.err);
+  REQUIRE(resumed.exit_code == 0);
+  CHECK(readText(run.out / "results.sha256") == run.expected());
+  const auto json = readJson(run.out / "run.json");
+  CHECK(json["status"] == "finished");
+  REQUIRE(json["resumed"].size() == 2);
+  CHECK(json["resumed"][1]["first_frame"] == second + 1);
+  CHECK(json["counters"]["frames"] == 60);
+  CHECK(checkpointOf(run.out) == -1);  // a finished run needs none
+}
+
+TEST_CASE("an interrupted run is resumed after its very last frame") {
+  const TinyRun run;
+  const Finished interrupted = signalled(run.words, run.out, SIGINT, 5);
+  CHECK(interrupted.exit_code == 130);
+  const int frames = readJson(run.out / "run.json")["counters"]["frames"];
+  CHECK(checkpointOf(run.out) == frames - 1);
+  const Finished resumed = tolman::test::tolman(run.resume());
+  INFO(resumed.err);
+  REQUIRE(resumed.exit_code == 0);
+  CHECK(readText(run.out / "results.sha256") == run.expected());
+}
+
+TEST_CASE("a killed run's map can be continued in a new run, from its last checkpoint") {
+  const TinyRun run;
+  signalled(run.words, run.out, SIGKILL, 10);
+  const int last = checkpointOf(run.out);
+  const fs::path next = run.folder.path() / "next";
+  Words words = joined(run.words, {"--continue", run.out.string()});
+  *std::ranges::find(words, run.out.string()) = next.string();
+  const Finished finished = tolman::test::tolman(words);
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto sessions = recordRows(next, "SELECT first_frame FROM session");
+  REQUIRE(sessions.size() == 2);
+  CHECK(sessions[1][0] == last + 1);
+  CHECK(recordRows(next, "SELECT count(*) FROM frame")[0][0] == last + 1 + 60);
+}
+
+TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it is") {
+  const TinyRun run;
+  signalled(run.words, run.out, SIGKILL, 8);
+  const auto refusal = [&] {
+    const auto before = filesOf(run.out);
+    const Finished finished = tolman::test::tolman(run.resume());
+    CHECK(finished.exit_code == 9);
+    CHECK(std::count(finished.err.begin(), finished.err.end(), '\n') == 1);
+    CHECK(filesOf(run.out) == before);
+    return finished.err;
+  };
+  const fs::path config = run.out / "config.resolved.yaml";
+  const fs::path checkpoint = run.out / "state/checkpoint.json";
+  std::string text;
+  SECTION("another odometry than that of the record") {
+    text = readText(config);
+    REQUIRE(contains(text, "speed: 10"));
+    text.replace(text.find("speed: 10"), 9, "speed: 11");
+    std::ofstream(config) << text;
+    CHECK(contains(refusal(), "gives another motion at frame 1 than was recorded"));
+  }
+  SECTION("a damaged checkpoint") {
+    std::ofstream(checkpoint) << "{\"format\": 1, \"frame\": \"x\"}";
+    CHECK(contains(refusal(), "checkpoint.json: is damaged"));
+    fs::remove(checkpoint);
+    CHECK(contains(refusal(), "has no checkpoint"));
+  }
+  SECTION("a checkpoint that the record does not reach") {
+    text = readText(checkpoint);
+    const std::string frame = "\"frame\": " + std::to_string(checkpointOf(run.out));
+    text.replace(text.find(frame), frame.size(), "\"frame\": 900");
+    std::ofstream(checkpoint) << text;
+    CHECK(contains(refusal(), "checkpoint-900-place.bin"));
+  }
+  SECTION("a run that has finished") {
+    REQUIRE(tolman::test::tolman(run.resume()).exit_code == 0);
+    CHECK(contains(refusal(), "this run has finished, there is nothing to resume"));
+  }
+}
+
+TEST_CASE("--resume takes the configuration of the run and nothing beside it") {
+  CHECK(tolman::test::tolman({"run", "--resume", "x", "--seed", "3"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"run", "a.yaml", "--resume", "x"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"run"}).exit_code == 2);
+  const Finished missing = tolman::test::tolman({"run", "--resume", "/missing"});
+  CHECK(missing.exit_code == 3);
+  CHECK(contains(missing.err, "/missing/config.resolved.yaml"));
+}
+
+#ifdef TOLMAN_DISK_SPACE
+TEST_CASE("a disk that is nearly full ends the run in good order, to be resumed later") {
+  const TinyRun run;
+  const Finished stopped =
+      tolman::test::run(joined({"env", std::string("LD_PRELOAD=") + TOLMAN_DISK_SPACE,
+                                "TOLMAN_FREE_BYTES=3000000", tolmanProgram().string()},
+                               run.words));
+  CHECK(stopped.exit_code == 8);
+  CHECK(contains(stopped.err, "the disk is nearly full: 2.9 MiB are left"));
+  const auto json = readJson(run.out / "run.json");
+  CHECK(json["status"] == "failed");
+  CHECK(json["failure"]["kind"] == "record");
+  CHECK(json["counters"]["frames"] < 60);
+  CHECK(fs::exists(run.out / "report.html"));
+  const Finished resumed = tolman::test::tolman(run.resume());
+  INFO(resumed.err);
+  REQUIRE(resumed.exit_code == 0);
+  CHECK(readText(run.out / "results.sha256") == run.expected());
+}
+#endif
+
+TEST_CASE("real images and real motion: resumed runs have the bytes of uninterrupted ones",
+          "[data]") {
+  const auto [config, sequence, frame] =
+      GENERATE(std::tuple{"configs/direct.yaml", "kitti_clips/06", 15},
+               std::tuple{"configs/motion.yaml", "kitti_motion/05", 900});
+  const auto data = dataOrSkip(sequence);
+  if (!data) return;
+  const TemporaryFolder folder;
+  const auto words = [&](const fs::path& out) {
+    return Words{"run",
+                 inSource(config),
+                 "-q",
+                 "--out",
+                 out.string(),
+                 "--set",
+                 "source.path=" + data->string(),
+                 "--set",
+                 "record.state_every=0.1"};
+  };
+  const fs::path whole = folder.path() / "whole";
+  const fs::path out = folder.path() / "run";
+  REQUIRE(tolman::test::tolman(words(whole)).exit_code == 0);
+  signalled(words(out), out, SIGKILL, frame);
+  if (readJson(out / "run.json")["status"] == "running") {  // else it was faster than the signal
+    const Finished resumed = tolman::test::tolman({"run", "-q", "--resume", out.string()});
+    INFO(resumed.err);
+    REQUIRE(resumed.exit_code == 0);
+  }
+  CHECK(readText(out / "results.sha256") == readText(whole / "results.sha256"));
+  for (const char* query :
+       {"SELECT count(*) FROM array", "SELECT sum(length(\"values\")) FROM array",
+        "SELECT count(*), sum(rowid * announced_at) FROM motion_revision"}) {
+    CHECK(recordRows(out, query) == recordRows(whole, query));
+  }
+}
