@@ -65,9 +65,11 @@ TEST_CASE("the reference page names every table, column, unit and meaning") {
   const std::string page = recordsMarkdown();
   for (const Table& table : schema()) CHECK(page.find("\n## " + table.name + "\n") < page.size());
   CHECK(page.find("| `stamp_ns` | INTEGER | ns | data time of the exposure |\n") < page.size());
-  CHECK(page.find("| `covariance` | BLOB | m, rad | covariance, translation before rotation; 6x6 "
+  CHECK(page.find("| `covariance` | BLOB | m^2, m rad, rad^2 | covariance, translation before "
+                  "rotation; 6x6 "
                   "float64, row-major |\n") < page.size());
-  CHECK(page.find("| `points` | BLOB | px, 1/m | columns of u, v, inverse depth, its variance; 4xn "
+  CHECK(page.find("| `points` | BLOB | px, px, 1/m, 1/m^2 | columns of u, v, inverse depth, its "
+                  "variance; 4xn "
                   "float32, row-major |\n") < page.size());
 }
 

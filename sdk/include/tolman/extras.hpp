@@ -32,8 +32,8 @@ class ArrayDescriptions {
 };
 
 /// An observer that serves a page over HTTP. `tolman run --view` and `tolman view` load the
-/// observer that has this extra. Where it declares them they set its parameters `port` and `bind`,
-/// and for a recorded run `rate` (0: every frame) and `stay` (serve until cancelled).
+/// observer that has this extra. Where it declares them they set its parameters `port`, `bind`, for
+/// a recorded run `rate` (0: every frame), `stay` (until cancelled) and, when over, `recorded`.
 class PageServer {
  public:
   virtual ~PageServer() noexcept(false) {}

@@ -77,7 +77,7 @@ struct MotionRevision {
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(frame, "", "the frame whose motion is replaced");
     TOLMAN_FIELD(T_previous_current, "m", "motion from the frame before");
-    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
   }
 };
 
@@ -107,14 +107,14 @@ struct Motion {
     TOLMAN_FIELD(state, "", "tracking state");
     TOLMAN_FIELD(dt, "s", "time since the frame before");
     TOLMAN_FIELD(T_previous_current, "m", "motion from the frame before");
-    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
     TOLMAN_FIELD(v, "m/s", "speed in the plane, negative when reversing");
     TOLMAN_FIELD(omega, "rad/s", "turning rate, positive to the left");
     TOLMAN_FIELD(scale_known, "", "whether lengths are metres");
     TOLMAN_FIELD(tracked, "", "measurements that carried the estimate");
     TOLMAN_FIELD(is_keyframe, "", "whether the odometry made this frame a keyframe");
     TOLMAN_FIELD(points_frame, "", "the frame that the points belong to, -1 for none");
-    TOLMAN_FIELD(points, "px, 1/m", "columns of u, v, inverse depth, its variance");
+    TOLMAN_FIELD(points, "px, px, 1/m, 1/m^2", "columns of u, v, inverse depth, its variance");
     TOLMAN_FIELD(revisions, "", "better values for earlier motions");
   }
 };
@@ -161,7 +161,7 @@ struct PlaceObservation {
     TOLMAN_FIELD(relative_yaw, "rad", "heading now minus heading of the template");
     TOLMAN_FIELD(has_relative_pose, "", "whether T_template_current was measured");
     TOLMAN_FIELD(T_template_current, "m", "pose now in the camera frame of the template");
-    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
   }
 };
 
@@ -187,7 +187,7 @@ struct EarlierLoop {
     TOLMAN_FIELD(frame, "", "the frame at which the loop was seen");
     TOLMAN_FIELD(experience, "", "the experience that the robot was back at");
     TOLMAN_FIELD(T_experience_camera, "m", "pose of that frame in the frame of the experience");
-    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
   }
 };
 
@@ -229,7 +229,7 @@ struct Decision {
     TOLMAN_FIELD(relative_yaw, "rad", "heading now minus heading at the experience");
     TOLMAN_FIELD(has_relative_pose, "", "whether T_experience_current was measured");
     TOLMAN_FIELD(T_experience_current, "m", "pose now in the frame of the experience");
-    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
     TOLMAN_FIELD(heading, "rad", "head direction estimate");
     TOLMAN_FIELD(confidence, "", "of the decision, 0 to 1");
     TOLMAN_FIELD(earlier, "", "loops of earlier frames that are believed only now");
@@ -281,7 +281,7 @@ struct Link {
     TOLMAN_FIELD(kind, "", "odometry or loop");
     TOLMAN_FIELD(frame, "", "the frame that it was made at");
     TOLMAN_FIELD(T_from_to, "m", "pose of `to` in the frame of `from`");
-    TOLMAN_FIELD(covariance, "m, rad", "covariance, translation before rotation");
+    TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
     TOLMAN_FIELD(duration, "s", "data time between the ends");
     TOLMAN_FIELD(weight, "", "weight that the robust loss leaves it, 0 to 1");
   }
