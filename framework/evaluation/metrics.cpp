@@ -167,6 +167,7 @@ Json toJson(const Metrics& metrics) {
   return {{"alignment", enumName(metrics.alignment)},
           {"odometry", toJson(metrics.odometry)},
           {"map", toJson(metrics.map)},
+          {"nees", toJson(metrics.motions)},
           {"coverage", coverage},
           {"frames", metrics.frames},
           {"templates", metrics.templates},

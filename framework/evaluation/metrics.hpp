@@ -13,6 +13,7 @@
 #include "evaluation/cell_figures.hpp"
 #include "evaluation/errors.hpp"
 #include "evaluation/kitti_segments.hpp"
+#include "evaluation/motion_consistency.hpp"
 #include "tolman/records.hpp"
 
 namespace tolman::evaluation {
@@ -68,6 +69,7 @@ struct Metrics {
   Alignment alignment = Alignment::Se3;
   TrajectoryMetrics odometry;
   TrajectoryMetrics map;
+  MotionConsistency motions;
   std::int64_t frames = 0;
   std::int64_t templates = 0;
   MapCounts counts;

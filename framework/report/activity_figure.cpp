@@ -36,7 +36,7 @@ void drawRing(Svg& svg, const Eigen::Vector2d& centre, const ArrayAxis& axis,
   const auto at = [&](double angle, double radius) -> Eigen::Vector2d {
     return centre + radius * Eigen::Vector2d(-std::sin(angle), -std::cos(angle));
   };
-  svg.circle(centre, inner, "none", "#bbbbbb");
+  svg.circle(centre, inner, "none", kFaintLine);
   const float most = highest(activity);
   for (std::size_t i = 0; i < activity.size(); ++i) {
     const double angle = evaluation::axisAngle(axis, i);

@@ -10,10 +10,7 @@
 namespace tolman::report {
 namespace {
 
-constexpr const char* kFrameColour = "#444444";
-constexpr const char* kGridColour = "#e6e6e6";
-constexpr double kPixelsPerTick = 75;       // beside each other
-constexpr double kPixelsPerTickAbove = 40;  // above each other
+constexpr double kTick = 4;  // px
 
 double stepOf(const Range& range, int wanted) {
   const double rough = range.length() / std::max(wanted, 1);
@@ -25,6 +22,17 @@ double stepOf(const Range& range, int wanted) {
 int ticksIn(double pixels, double each) { return std::max(2, static_cast<int>(pixels / each)); }
 
 }  // namespace
+
+/// What differs between the lower and the left side of the frame; distances in px.
+struct Axes::Side {
+  bool vertical;
+  Eigen::Vector2d outward;
+  double pixels_per_tick;
+  Eigen::Vector2d tick_text;  ///< from the foot of the tick
+  TextStyle tick_style;
+  double label_distance;
+  TextStyle label_style;
+};
 
 void Range::include(double value) {
   low = std::min(low, value);
@@ -54,10 +62,12 @@ Axes::Axes(Svg& svg, AxesPlan plan) : svg_(svg), plan_(std::move(plan)) {
     if (!(range->length() > 0)) range->high = range->low + 1;
   }
   fit();
-  svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "white", "none");
-  drawX();
-  if (!plan_.y_label.empty()) drawY();
-  svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "none", kFrameColour);
+  svg_.rectangle(plan_.place.min(), plan_.place.sizes(), kPaper, "none");
+  draw({false, {0, 1}, 75, {0, 17}, {TextAnchor::Middle, 11}, 34, {TextAnchor::Middle, 12}});
+  if (!plan_.y_label.empty()) {
+    draw({true, {-1, 0}, 40, {-7, 4}, {TextAnchor::End, 11}, 46, {TextAnchor::Middle, 12, -90}});
+  }
+  svg_.rectangle(plan_.place.min(), plan_.place.sizes(), "none", kFrameLine);
   const double middle = plan_.place.center().x();
   svg_.text({middle, plan_.place.min().y() - 26}, plan_.title, {TextAnchor::Middle, 13, 0, true});
 }
@@ -72,30 +82,22 @@ void Axes::fit() {
   plan_.place = Eigen::AlignedBox2d(corner, corner + wanted);
 }
 
-void Axes::drawX() {
-  const auto values = ticks(plan_.x, ticksIn(plan_.place.sizes().x(), kPixelsPerTick));
-  const double step = values.size() > 1 ? values[1] - values[0] : plan_.x.length();
-  const double bottom = plan_.place.max().y();
+void Axes::draw(const Side& side) {
+  const Range& range = side.vertical ? plan_.y : plan_.x;
+  const Eigen::Vector2d& sizes = plan_.place.sizes();
+  const int row = side.vertical ? 1 : 0;
+  const auto values = ticks(range, ticksIn(sizes[row], side.pixels_per_tick));
+  const double step = values.size() > 1 ? values[1] - values[0] : range.length();
   for (const double value : values) {
-    const double x = at(value, plan_.y.low).x();
-    svg_.line({x, plan_.place.min().y()}, {x, bottom}, kGridColour);
-    svg_.line({x, bottom}, {x, bottom + 4}, kFrameColour);
-    svg_.text({x, bottom + 17}, tickText(value, step), {TextAnchor::Middle, 11});
+    const Eigen::Vector2d foot = side.vertical ? at(plan_.x.low, value) : at(value, plan_.y.low);
+    svg_.line(foot, foot - sizes[1 - row] * side.outward, kGridLine);
+    svg_.line(foot, foot + kTick * side.outward, kFrameLine);
+    svg_.text(foot + side.tick_text, tickText(value, step), side.tick_style);
   }
-  svg_.text({plan_.place.center().x(), bottom + 34}, plan_.x_label, {TextAnchor::Middle, 12});
-}
-
-void Axes::drawY() {
-  const auto values = ticks(plan_.y, ticksIn(plan_.place.sizes().y(), kPixelsPerTickAbove));
-  const double step = values.size() > 1 ? values[1] - values[0] : plan_.y.length();
-  const double left = plan_.place.min().x();
-  for (const double value : values) {
-    const double y = at(plan_.x.low, value).y();
-    svg_.line({left, y}, {plan_.place.max().x(), y}, kGridColour);
-    svg_.line({left - 4, y}, {left, y}, kFrameColour);
-    svg_.text({left - 7, y + 4}, tickText(value, step), {TextAnchor::End, 11});
-  }
-  svg_.text({left - 46, plan_.place.center().y()}, plan_.y_label, {TextAnchor::Middle, 12, -90});
+  Eigen::Vector2d middle = plan_.place.center();
+  middle[1 - row] = side.vertical ? plan_.place.min().x() : plan_.place.max().y();
+  svg_.text(middle + side.label_distance * side.outward,
+            side.vertical ? plan_.y_label : plan_.x_label, side.label_style);
 }
 
 Eigen::Vector2d Axes::at(double x, double y) const {

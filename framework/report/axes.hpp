@@ -57,9 +57,9 @@ class Axes {
   void legend(const std::vector<Entry>& entries);
 
  private:
+  struct Side;
   void fit();
-  void drawX();
-  void drawY();
+  void draw(const Side& side);
   Svg& svg_;
   AxesPlan plan_;
   Eigen::Vector2d scale_;  ///< px per unit

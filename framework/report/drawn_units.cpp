@@ -18,8 +18,15 @@ std::size_t sizeOf(const std::vector<PopulationHistory>& populations, std::size_
   return populations.empty() ? 0 : static_cast<std::size_t>(populations[0].shape[axis]);
 }
 
-DrawnUnit headDirectionUnit(const PopulationHistory& ring, std::size_t unit,
+evaluation::RateMap inMetres(evaluation::RateMap map, const RunData& run) {
+  map.corner *= run.metres;
+  map.bin *= run.metres;
+  return map;
+}
+
+DrawnUnit headDirectionUnit(const RunData& run, std::size_t unit,
                             const evaluation::StampedPoses& poses) {
+  const PopulationHistory& ring = run.cells.rings[0];
   const auto one = unitsAt(ring, poses, {unit});
   const evaluation::TuningCurve curve = scoreRing(one, kNoShuffling).units[0].tuning;
   const std::string width =
@@ -28,7 +35,7 @@ DrawnUnit headDirectionUnit(const PopulationHistory& ring, std::size_t unit,
                       axisAngle(ring.info.axes[0], unit) * kDegrees),
           fmt::format("mean vector length {:.2f} towards {:.0f} deg{}", curve.mean_vector_length,
                       curve.preferred * kDegrees, width),
-          firingMap(one, 0),
+          inMetres(firingMap(one, 0), run),
           {}};
 }
 
@@ -49,7 +56,7 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
                               axisValue(axes[1], choice.column), axes[0].unit),
                   fmt::format("{} field{}, {:.2f} bits{}", measured.fields,
                               measured.fields == 1 ? "" : "s", measured.information_bits, score),
-                  firingMap(one, 0),
+                  inMetres(firingMap(one, 0), run),
                   {}};
   drawn.fields = evaluation::fields(drawn.rates);
   return drawn;
@@ -83,7 +90,7 @@ Result<std::vector<DrawnUnit>> drawnUnits(const RunData& run, const UnitChoice& 
     const std::size_t size = sizeOf(run.cells.rings, 0);
     for (const std::size_t turn : {std::size_t{0}, size / 2}) {
       const std::size_t unit = (choice.head_direction + turn) % size;
-      units.push_back(headDirectionUnit(run.cells.rings[0], unit, poses));
+      units.push_back(headDirectionUnit(run, unit, poses));
     }
   }
   if (!run.cells.sheets.empty()) units.push_back(gridUnit(run, choice, poses));

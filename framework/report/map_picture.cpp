@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "report/axes.hpp"
 
@@ -45,10 +46,11 @@ class PlanView {
     const Eigen::Vector2d lengths(rangeX().length(), rangeY().length());
     return lengths * side / lengths.maxCoeff();
   }
-  AxesPlan plan(const std::string& title, const Eigen::AlignedBox2d& place) const {
-    const char* ahead = "ahead of the start (m)";
-    const char* right = "right of the start (m)";
-    const char* left = "left of the start (m)";
+  AxesPlan plan(const MapPicture& picture, const std::string& title,
+                const Eigen::AlignedBox2d& place) const {
+    const std::string ahead = "ahead of the start (" + picture.unit + ")";
+    const std::string right = "right of the start (" + picture.unit + ")";
+    const std::string left = "left of the start (" + picture.unit + ")";
     return {title, lying_ ? ahead : right, lying_ ? left : ahead, rangeX(), rangeY(), place, true};
   }
   Eigen::Vector2d at(const Axes& axes, const Eigen::Vector3d& p) const {
@@ -105,7 +107,7 @@ std::vector<Axes::Entry> entries(const MapPicture& picture) {
 
 void drawMap(Svg& svg, const PlanView& view, const MapPicture& picture, const std::string& title,
              const Eigen::AlignedBox2d& place) {
-  Axes axes(svg, view.plan(title, place));
+  Axes axes(svg, view.plan(picture, title, place));
   if (!picture.truth.empty()) drawPath(svg, view, axes, picture.truth, kGrey, 4);
   drawPath(svg, view, axes, picture.odometry, kOrange, 1.5);
   drawPath(svg, view, axes, picture.map, kBlue, 1.5);
@@ -134,6 +136,19 @@ std::string panels(const std::vector<MapPicture>& pictures, double long_side) {
 }
 
 }  // namespace
+
+MapPicture pictureOf(const RunData& run, std::string title) {
+  MapPicture picture{std::move(title), run.has_metres ? "m" : "units",
+                     run.truth,        run.odometry,
+                     run.map,          run.graph};
+  for (auto* trajectory : {&picture.truth, &picture.odometry, &picture.map}) {
+    for (auto& pose : *trajectory) pose.T_world_camera.translation() *= run.metres;
+  }
+  for (Experience& experience : picture.graph.experiences) {
+    experience.T_world_experience.translation() *= run.metres;
+  }
+  return picture;
+}
 
 std::string svgText(const MapPicture& picture) { return panels({picture}, kLongSide); }
 

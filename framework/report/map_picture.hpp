@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evaluation/trajectory.hpp"
+#include "report/run_data.hpp"
 #include "tolman/records.hpp"
 
 namespace tolman::report {
@@ -13,13 +14,17 @@ namespace tolman::report {
 /// Contents of the picture, in the world frame of the run. The truth may be empty.
 struct MapPicture {
   std::string title;
+  std::string unit = "m";        ///< of all lengths
   evaluation::Trajectory truth;  ///< already aligned with the map
   evaluation::Trajectory odometry;
   evaluation::Trajectory map;
   MapGraph graph;
 };
 
-/// Seen from above; equal scales, axes in metres, a legend.
+/// Of a run, in metres of the truth; where nothing tells the scale, in the units of the run.
+MapPicture pictureOf(const RunData& run, std::string title);
+
+/// Seen from above; equal scales, a legend.
 std::string svgText(const MapPicture& picture);
 
 /// One panel per run, all with the same axes.

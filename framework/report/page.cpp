@@ -23,14 +23,38 @@ constexpr const char* kStyle = R"(
 body { font: 15px/1.45 system-ui, sans-serif; margin: 0 auto; padding: 1rem; max-width: 1900px; }
 h1 { font-size: 1.5rem; margin: .5rem 0; } h2 { font-size: 1.1rem; margin: 1.5rem 0 .5rem; }
 .runs { display: grid; gap: 1.5rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 36rem), 1fr)); }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .8rem .25rem 0; text-align: right; border-bottom: 1px solid var(--line); }
+section { min-width: 0; overflow-wrap: anywhere; }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; overflow-wrap: normal; }
+th, td { padding: .25rem .8rem .25rem 0; text-align: right; border-bottom: 1px solid var(--line); white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; }
-figure { margin: 1rem 0; } figure svg { max-width: 100%; height: auto; border-radius: 4px; }
+.counts tbody { display: grid; grid-template-columns: repeat(auto-fill, minmax(12.5rem, 1fr)); column-gap: 2rem; }
+.counts, .counts tr { display: block; } .counts tr { display: flex; justify-content: space-between; border-bottom: 1px solid var(--line); }
+.counts td { border: 0; padding-right: 0; }
+figure { margin: 1rem 0; } .drawing { overflow-x: auto; }
+.drawing svg { display: block; width: 100%; min-width: calc(.85 * var(--width)); height: auto; border-radius: 4px; }
+#map svg { max-height: 95vh; }
 figcaption { color: var(--soft); font-size: .9rem; }
 pre { overflow: auto; padding: .8rem; border: 1px solid var(--line); border-radius: 4px; font-size: .8rem; }
 .wide { overflow-x: auto; }
 )";
+
+/// The style with what figures look like in the dark. They are drawn for white paper, as the files
+/// that they are as well.
+std::string style() {
+  std::string dark = ":root { --soft: #9aa0a8; }\nfigure svg text { fill: #d8dade; }\n";
+  const auto replace = [&](const char* light, const char* colour) {
+    for (const char* attribute : {"fill", "stroke"}) {
+      dark += fmt::format("figure svg [{0}=\"{1}\"] {{ {0}: {2}; }}\n", attribute, light, colour);
+    }
+  };
+  replace(kPaper, "#17191d");
+  replace(kFrameLine, "#9a9fa8");
+  replace(kGridLine, "#2d3137");
+  replace(kFaintLine, "#50555e");
+  replace(kPaleBlue, "#1d3d54");
+  replace(kBlue, "#56b4e9");  // the lighter blue of the same palette
+  return kStyle + ("@media (prefers-color-scheme: dark) {\n" + dark + "}\n");
+}
 
 std::string textOf(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -61,7 +85,7 @@ Status addNeurons(RunPage& page, const UnitChoice& choice) {
 Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoice& units) {
   const RunData& data = page.data;
   addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
-            svgText({data.name, data.truth, data.odometry, data.map, data.graph}));
+            svgText(pictureOf(data, data.name)));
   addFigure(page, "error", "Distance to the truth at each frame.", errorFigure(data));
   const auto places = reader.records<PlaceObservation>();
   if (!places.isOk()) return places.status();
@@ -83,6 +107,16 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
   return Status::ok();
 }
 
+/// As wide as there is room; at its own width and less it is scrolled instead of made illegible.
+std::string figureText(std::string_view id, const std::string& svg, std::string_view caption) {
+  constexpr std::string_view kWidth = " width=\"";
+  const std::string width = svg.substr(svg.find(kWidth) + kWidth.size());
+  return fmt::format(
+      "<figure id=\"{}\">\n<div class=\"drawing\" style=\"--width: {}px\">\n{}</div>"
+      "<figcaption>{}</figcaption></figure>\n",
+      id, width.substr(0, width.find('"')), svg, escaped(caption));
+}
+
 std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
   const evaluation::Scores scores = m.scores.value_or(evaluation::Scores{});
   const auto number = [](bool known, double value, int decimals) {
@@ -93,7 +127,7 @@ std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
   return fmt::format(
       "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td></tr>\n",
-      name, m.path_length_m, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
+      name, m.path_length_m * scores.scale, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
       metres(scores.ate_m.median), metres(scores.ate_m.max), drift(scores.kitti.t_rel_percent),
       drift(scores.kitti.r_rel_deg_per_100m),
       number(m.scores.has_value(), 100 * scores.coverage, 1));
@@ -141,7 +175,46 @@ std::string healthTable(const Json& provenance, const evaluation::Metrics& metri
         fmt::format("<tr><td>frames</td><td>{}</td></tr><tr><td>loop links</td><td>{}</td></tr>\n",
                     metrics.frames, metrics.counts.loop_links);
   }
-  return "<table>" + rows + "</table>\n";
+  if (const auto& motions = metrics.motions; motions.motions > motions.without_covariance) {
+    rows += fmt::format(
+        "<tr><td title=\"motions whose error lies within the 99 % ellipsoid of their covariance\">"
+        "motions within 99 %</td><td>{:.1f} %</td></tr><tr><td title=\"normalised error squared of "
+        "the motions; {} for honest covariances\">mean NEES</td><td>{:.2f}</td></tr>\n",
+        100 * motions.share_99, motions.degrees_of_freedom, motions.mean);
+  }
+  return "<table class=\"counts\">" + rows + "</table>\n";
+}
+
+/// A counter of run.json; a dash for a killed run.
+std::string counterText(const RunPage& run, const char* name) {
+  const Json* counters = run.provenance.is_object() && run.provenance.contains("counters")
+                             ? &run.provenance["counters"]
+                             : nullptr;
+  return counters && counters->contains(name) ? (*counters)[name].dump() : "–";
+}
+
+/// Health and errors of several runs, one row each.
+std::string comparisonTable(const std::vector<RunPage>& runs) {
+  std::string text =
+      "<h1>Comparison</h1>\n<div class=\"wide\"><table><tr><th>run</th><th>frames</th><th>lost</th>"
+      "<th>dropped</th><th>loop links</th><th>map ATE rmse m</th><th>odometry ATE rmse m</th>"
+      "<th>t_rel %</th><th>tracked %</th></tr>\n";
+  for (const RunPage& run : runs) {
+    const evaluation::Metrics& m = run.data.metrics;
+    const auto rmse = [](const evaluation::TrajectoryMetrics& t) {
+      return t.scores ? fmt::format("{:.3f}", t.scores->ate_m.rmse) : "–";
+    };
+    const auto& odometry = m.odometry.scores;
+    const bool drift = odometry && odometry->kitti.segments > 0;
+    text += fmt::format(
+        "<tr><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+        "<td>{}</td><td>{}</td></tr>\n",
+        escaped(run.directory), run.killed ? " (killed)" : "", m.frames, counterText(run, "lost"),
+        counterText(run, "dropped"), m.counts.loop_links, rmse(m.map), rmse(m.odometry),
+        drift ? fmt::format("{:.3f}", odometry->kitti.t_rel_percent) : "–",
+        odometry ? fmt::format("{:.1f}", 100 * odometry->coverage) : "–");
+  }
+  return text + "</table></div>\n";
 }
 
 /// What tells one run from another: where it lies, and which plugins did the work.
@@ -165,13 +238,12 @@ std::string section(const RunPage& run) {
         "<p><strong>This run was killed.</strong> The page shows what it had recorded; counters "
         "and warnings of its end are missing.</p>\n";
   }
-  text += errorTable(run.data.metrics);
-  for (const PageFigure& figure : run.figures) {
-    text += fmt::format("<figure id=\"{}\">\n{}<figcaption>{}</figcaption></figure>\n", figure.file,
-                        figure.svg, escaped(figure.caption));
-  }
-  text += sessionTable(run.data.metrics);
   text += "<h2>Health</h2>\n" + healthTable(run.provenance, run.data.metrics);
+  text += "<h2>Errors</h2>\n" + errorTable(run.data.metrics);
+  text += sessionTable(run.data.metrics);
+  for (const PageFigure& figure : run.figures) {
+    text += figureText(figure.file, figure.svg, figure.caption);
+  }
   text += "<h2>Provenance</h2>\n<details><summary>run.json</summary><pre>" +
           escaped(run.provenance.dump(2)) + "</pre></details>\n";
   text += "<details><summary>config.resolved.yaml</summary><pre>" + escaped(run.config) +
@@ -210,10 +282,9 @@ std::string comparisonFigure(const std::vector<RunPage>& runs) {
   if (runs.size() < 2) return "";
   std::vector<MapPicture> pictures;
   for (const RunPage& run : runs) {
-    const RunData& data = run.data;
-    const auto& scores = data.metrics.map.scores;
+    const auto& scores = run.data.metrics.map.scores;
     const std::string error = scores ? fmt::format(", map rmse {:.2f} m", scores->ate_m.rmse) : "";
-    pictures.push_back({run.directory + error, data.truth, data.odometry, data.map, data.graph});
+    pictures.push_back(pictureOf(run.data, run.directory + error));
   }
   return comparisonText(pictures);
 }
@@ -222,8 +293,8 @@ std::string html(const std::vector<RunPage>& runs, const std::string& comparison
   std::string title;
   std::string body;
   if (!comparison.empty()) {
-    body = "<figure id=\"comparison\">\n" + comparison +
-           "<figcaption>The maps of all runs, with the same axes.</figcaption></figure>\n";
+    body = comparisonTable(runs) +
+           figureText("comparison", comparison, "The maps of all runs, with the same axes.");
   }
   body += "<main class=\"runs\">\n";
   for (const RunPage& run : runs) {
@@ -235,7 +306,7 @@ std::string html(const std::vector<RunPage>& runs, const std::string& comparison
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<title>Tolman: {}</title>\n<style>{}</style>\n</head>\n<body>\n{}"
       "</main>\n</body>\n</html>\n",
-      escaped(title), kStyle, body);
+      escaped(title), style(), body);
 }
 
 }  // namespace tolman::report

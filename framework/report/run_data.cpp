@@ -2,6 +2,7 @@
 #include "report/run_data.hpp"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "evaluation/association.hpp"
 #include "evaluation/cell_scoring.hpp"
 #include "record/graph_parts.hpp"
+#include "record/rows.hpp"
 
 namespace tolman::report {
 namespace {
@@ -77,6 +79,26 @@ std::vector<evaluation::SessionFigures> sessionFigures(
   return figures;
 }
 
+/// Of the motions since frame `first`, each with its last revision.
+evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std::int64_t first,
+                                            const evaluation::Trajectory& truth,
+                                            Alignment alignment) {
+  std::map<std::int64_t, MotionRevision> revisions;
+  for (const MotionRevision& revision : must(reader.records<MotionRevision>())) {
+    revisions[revision.frame] = revision;
+  }
+  evaluation::MotionErrors errors(truth, alignment == Alignment::Se2);
+  record::forEachRow<Motion>(reader.database(), "", [&](Motion motion) {
+    if (motion.frame < first) return;
+    if (const auto revised = revisions.find(motion.frame); revised != revisions.end()) {
+      motion.T_previous_current = revised->second.T_previous_current;
+      motion.covariance = revised->second.covariance;
+    }
+    errors.add(motion);
+  });
+  return errors.result();
+}
+
 /// Of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
@@ -104,16 +126,18 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   return metrics;
 }
 
-/// The truth, aligned with the map in the world frame of the run.
-evaluation::Trajectory truthOnMap(const evaluation::Trajectory& truth,
-                                  const evaluation::Trajectory& map, Alignment alignment) {
-  const auto matches = evaluation::associateByFrame(map, truth);
-  if (!matches.isOk()) return {};
-  const auto similarity = evaluation::align(matches.value(), alignment);
-  if (!similarity.isOk()) return {};
-  evaluation::Trajectory moved = truth;
-  for (auto& pose : moved) pose.T_world_camera = similarity.value().apply(pose.T_world_camera);
-  return moved;
+/// Aligns the truth with the map in the world frame of the run; no truth where that fails.
+void alignTruth(RunData& run, const evaluation::Trajectory& truth, bool scale_known) {
+  run.has_metres = scale_known;
+  const auto matches = evaluation::associateByFrame(run.map, truth);
+  if (!matches.isOk()) return;
+  const auto similarity = evaluation::align(matches.value(), run.metrics.alignment);
+  if (!similarity.isOk()) return;
+  run.truth = truth;
+  for (auto& pose : run.truth) pose.T_world_camera = similarity.value().apply(pose.T_world_camera);
+  if (run.metrics.alignment != Alignment::Sim3) return;
+  run.metres = 1 / similarity.value().scale;
+  run.has_metres = true;
 }
 
 /// Position error of each matched frame after alignment.
@@ -163,7 +187,8 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     data.map = since(joint ? 0 : own, must(reader.map()));
     data.graph = must(reader.graph());
     data.metrics = measure(reader, truth, data, settings);
-    data.truth = truthOnMap(truth, data.map, data.metrics.alignment);
+    data.metrics.motions = consistencyOf(reader, own, truth, data.metrics.alignment);
+    alignTruth(data, truth, must(reader.scaleKnown()));
     data.cells = cellsOf(reader);
     data.metrics.cells =
         evaluation::scoreCells(data.cells, data.map, data.truth, data.metrics.map, seed);

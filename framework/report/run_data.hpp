@@ -21,7 +21,7 @@ struct ErrorSeries {
 
 struct RunData {
   std::string name;
-  evaluation::Trajectory truth;  ///< aligned with the map, in the world frame of the run
+  evaluation::Trajectory truth;  ///< aligned with the map, in the world frame and unit of the run
   evaluation::Trajectory odometry;
   evaluation::Trajectory map;
   ErrorSeries odometry_error;
@@ -29,6 +29,8 @@ struct RunData {
   MapGraph graph;
   evaluation::Metrics metrics;
   evaluation::CellHistory cells;
+  double metres = 1;       ///< of the truth in one unit of the run: not 1 where the scale is free
+  bool has_metres = true;  ///< false: the scale is unknown and there is no truth to tell it
 
   /// Where the activity of the cells is measured.
   const evaluation::Trajectory& places() const { return metrics.map.scores ? truth : map; }

@@ -78,8 +78,8 @@ std::string Svg::take() const {
   return fmt::format(
              "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
              "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
-             "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
-             width_, height_) +
+             "<rect width=\"100%\" height=\"100%\" fill=\"{2}\"/>\n",
+             width_, height_, kPaper) +
          body_ + "</svg>\n";
 }
 

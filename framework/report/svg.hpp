@@ -18,6 +18,13 @@ inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kPurple = "#CC79A7";
 
+// The page shows these otherwise in the dark; each is used for nothing else.
+inline constexpr const char* kPaper = "white";
+inline constexpr const char* kFrameLine = "#444444";
+inline constexpr const char* kGridLine = "#e6e6e6";
+inline constexpr const char* kFaintLine = "#bbbbbb";
+inline constexpr const char* kPaleBlue = "#cfe3f1";
+
 /// `text` with the special characters of XML and HTML replaced by entities.
 std::string escaped(std::string_view text);
 

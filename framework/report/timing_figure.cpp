@@ -22,7 +22,7 @@ std::string timingFigure(const evaluation::Metrics& metrics) {
                   frame(110.0, 60.0, 880.0, 60.0 + height)});
   double y = 60;
   for (const auto& [stage, timing] : metrics.timing) {
-    svg.rectangle({110, y + 5}, {axes.pixelsX(timing.p90_ms), 20}, "#cfe3f1");
+    svg.rectangle({110, y + 5}, {axes.pixelsX(timing.p90_ms), 20}, kPaleBlue);
     svg.rectangle({110, y + 5}, {axes.pixelsX(timing.median_ms), 20}, kBlue);
     svg.text({102, y + 19}, stage, {TextAnchor::End});
     svg.text({116 + axes.pixelsX(timing.p90_ms), y + 19},
@@ -30,7 +30,7 @@ std::string timingFigure(const evaluation::Metrics& metrics) {
              {TextAnchor::Start, 11});
     y += 30;
   }
-  axes.legend({{kBlue, "median"}, {"#cfe3f1", "90th percentile"}});
+  axes.legend({{kBlue, "median"}, {kPaleBlue, "90th percentile"}});
   return svg.take();
 }
 

@@ -24,7 +24,7 @@ constexpr double kDial = 105;  // px, of a tuning curve
 constexpr double kTitle = 60;
 constexpr double kBelow = 50;
 constexpr int kGap = 1;  // px between rate maps
-constexpr std::uint32_t kPaper = 0xffffffff;
+constexpr std::uint32_t kClear = 0;
 constexpr std::uint32_t kUnvisited = 0xff1a0a24;  // less than any colour of a rate
 
 void drawTitle(Svg& svg, const Eigen::Vector2d& middle, const std::string& title,
@@ -53,7 +53,7 @@ void drawDial(Svg& svg, const Eigen::Vector2d& centre, const evaluation::TuningC
     outline.push_back(
         at((static_cast<double>(i) + 0.5) * bin, curve.rate[i % curve.rate.size()] / peak));
   }
-  svg.circle(centre, kRadius, "none", "#cccccc");
+  svg.circle(centre, kRadius, "none", kFaintLine);
   svg.polyline(outline, kBlue, 1.5);
   svg.line(centre, at(curve.preferred, curve.mean_vector_length), kVermilion, 2);
   svg.text(centre + Eigen::Vector2d(0, kRadius + 12),
@@ -85,7 +85,7 @@ Pixels tiled(const std::vector<RateMap>& maps, Eigen::Index rows, double most) {
   const auto columns = static_cast<Eigen::Index>(maps.size()) / rows;
   const Eigen::Index right = maps[0].rate.rows() + kGap;
   const Eigen::Index up = maps[0].rate.cols() + kGap;
-  Pixels pixels = Pixels::Constant(columns * up - kGap, rows * right - kGap, kPaper);
+  Pixels pixels = Pixels::Constant(columns * up - kGap, rows * right - kGap, kClear);
   for (Eigen::Index i = 0; i < rows * columns; ++i) {
     pixels.block((columns - 1 - i % columns) * up, i / columns * right, up - kGap, right - kGap) =
         ratePixels(maps[static_cast<std::size_t>(i)].rate, most).cwiseMax(kUnvisited);
@@ -95,27 +95,30 @@ Pixels tiled(const std::vector<RateMap>& maps, Eigen::Index rows, double most) {
 
 /// What directions, lengths and colours mean. `tile`: px, width of a rate map.
 void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, const RateMap& map,
-             double tile, double peak) {
-  const double width = map.bin * static_cast<double>(map.rate.rows());
+             double tile, double peak, double metres_per_unit) {
+  const double bin = map.bin * metres_per_unit;
+  const double width = bin * static_cast<double>(map.rate.rows());
   const double metres = ticks({0, width}, 3).back();
   const double end = corner.x() + tile * metres / width;
   const double y = corner.y() + 18;
-  svg.line({corner.x(), y}, {end, y}, "#333333", 3);
+  svg.line({corner.x(), y}, {end, y}, kFrameLine, 3);
   svg.text({end + 8, y + 4},
            fmt::format("{:g} m; each map {:.0f} m by {:.0f} m, forward is up. Units: {} to the "
                        "right, {} up.",
-                       metres, width, map.bin * static_cast<double>(map.rate.cols()),
-                       info.axes[0].name, info.axes[1].name));
+                       metres, width, bin * static_cast<double>(map.rate.cols()), info.axes[0].name,
+                       info.axes[1].name));
   colourBar(svg, {corner.x() + kModulePanel - 110, y}, "rate 0", fmt::format("peak {:.2g}", peak));
 }
 
 /// Returns its lower end.
 double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory& sheet,
-                 const evaluation::SheetFigures& figures, const evaluation::StampedPoses& poses) {
+                 const evaluation::SheetFigures& figures, const evaluation::StampedPoses& poses,
+                 double metres_per_unit) {
   const ArrayAxis& axis = sheet.info.axes[0];
+  const double period = axis.period * (axis.unit == "m" ? metres_per_unit : 1);
   drawTitle(svg, corner + Eigen::Vector2d(kModulePanel / 2, 25),
             fmt::format("{}: {} grid units, period {:.4g} {}", sheet.info.name, figures.units,
-                        axis.period, axis.unit),
+                        period, axis.unit),
             scoreText("grid score square", figures.scores.square));
   const auto units = unitsAt(sheet, poses, measuredUnits(sheet));
   std::vector<RateMap> maps;
@@ -132,7 +135,7 @@ double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistor
   const Eigen::Vector2d place = corner + Eigen::Vector2d(0, kTitle);
   svg.image(place, zoom * Eigen::Vector2d(width, height), pngUrl(pixels));
   drawKey(svg, place + Eigen::Vector2d(0, zoom * height), sheet.info, maps[0],
-          zoom * ((width + kGap) / rows - kGap), peak);
+          zoom * ((width + kGap) / rows - kGap), peak, metres_per_unit);
   return place.y() + zoom * height + kBelow;
 }
 
@@ -151,7 +154,7 @@ std::string unitsFigure(const RunData& run) {
   double left = kMargin;
   for (std::size_t i = 0; i < sheets.size(); ++i) {
     const double bottom =
-        drawSheet(svg, {left, top}, sheets[i], run.metrics.cells->sheets[i], poses);
+        drawSheet(svg, {left, top}, sheets[i], run.metrics.cells->sheets[i], poses, run.metres);
     svg.extendTo(bottom);
     left += kColumn;
     if (left < svg.width()) continue;

@@ -47,7 +47,7 @@ SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::ordered_j
 
 /// Defaults of the plugin, with every frame kept and serving until cancelled. Parameters that the
 /// plugin does not declare are left out.
-ParameterValues ReplayServer::parametersOf(const Schema& schema) const {
+ParameterValues ReplayServer::parametersOf(const Schema& schema, bool running) const {
   ParameterValues values;
   for (const ParameterInfo& info : schema) values[info.name] = info.default_value;
   const auto set = [&](const char* name, const ParameterValue& value) {
@@ -55,17 +55,18 @@ ParameterValues ReplayServer::parametersOf(const Schema& schema) const {
   };
   set("rate", 0.0);
   set("stay", true);
+  set("recorded", !running);
   if (options_.port >= 0) set("port", std::int64_t{options_.port});
   if (!options_.bind.empty()) set("bind", options_.bind);
   return values;
 }
 
-void ReplayServer::openObserver() {
+void ReplayServer::openObserver(bool running) {
   const host::Catalogue catalogue = openCatalogue(options_.plugin_paths);
   const std::string id = require(findPageObserver(catalogue, options_.viewer));
   const host::LoadedPlugin plugin = loadFrom(catalogue, id, Role::Observer);
   auto instance = require(host::Instance::create(plugin, "viewer"));
-  values_ = parametersOf(plugin.schema);
+  values_ = parametersOf(plugin.schema, running);
   const Context context{values_, logger_, artefacts_, cancellation_, clock_, {}, 0, "viewer"};
   const Status status = instance->configure(context);
   const bool choice = status.code() == StatusCode::InvalidParameter;
@@ -123,7 +124,7 @@ void ReplayServer::follow() {
     running = record::RunDirectory::isBeingWritten(options_.run);  // before the reader looks
     const auto reader = readable(record::RunReader::open(options_.run));
     if (first) {
-      openObserver();
+      openObserver(running);
       beginRun(*reader, running);
       if (options_.images) {
         images_ = std::make_unique<RecordedImages>(options_.run, options_.plugin_paths, clock_,

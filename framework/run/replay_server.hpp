@@ -51,8 +51,8 @@ class ReplayServer {
     Status write(std::string_view, std::span<const std::byte>) override { return Status::ok(); }
   };
 
-  void openObserver();
-  ParameterValues parametersOf(const Schema& schema) const;
+  void openObserver(bool running);
+  ParameterValues parametersOf(const Schema& schema, bool running) const;
   void beginRun(const record::RunReader& reader, bool running);
   void follow();
   void showNewFrames(const record::RunReader& reader, bool running);

@@ -23,9 +23,8 @@ Result<Results> writeResults(const std::filesystem::path& directory,
   status = record::writeAtomically(directory / "metrics.json",
                                    evaluation::toJson(data.metrics).dump(2) + "\n");
   if (status.isOk()) {
-    status = record::writeAtomically(
-        directory / "map.svg",
-        report::svgText({data.name, data.truth, data.odometry, data.map, data.graph}));
+    status = record::writeAtomically(directory / "map.svg",
+                                     report::svgText(report::pictureOf(data, data.name)));
   }
   if (status.isOk()) status = record::writeResultsDigest(directory);
   if (!status.isOk()) return status;

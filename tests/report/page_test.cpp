@@ -4,7 +4,9 @@
 #include <fstream>
 #include <regex>
 
+#include "report/map_picture.hpp"
 #include "report/sample_pages.hpp"
+#include "report/svg.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -34,6 +36,7 @@ TEST_CASE("a page holds figures, errors, health, provenance and configuration of
   CHECK(contains(text, "<title>Tolman: sample</title>"));
   CHECK(contains(text, "<td>map</td><td>11.0</td><td>0.005</td>"));
   CHECK(contains(text, "<td>lost</td><td>1</td>"));
+  CHECK_FALSE(contains(text, "mean NEES"));  // its motions have no covariance
   CHECK(contains(text, "&quot;seed&quot;: 7"));
   CHECK(contains(text, "name: sample"));
 }
@@ -91,4 +94,77 @@ TEST_CASE("what is no run is one clear error") {
   const auto page = makePage(folder.path(), {});
   REQUIRE_FALSE(page.isOk());
   CHECK(contains(page.status().message(), "run.sqlite"));
+}
+
+TEST_CASE("health and errors come before the figures, and of several runs the comparison first") {
+  const test::TemporaryFolder one;
+  const test::TemporaryFolder two;
+  test::recordRichRun(one.path(), 5, "first");
+  test::recordRichRun(two.path(), 6, "second");
+  std::ofstream(one.path() / "run.json") << R"({"counters": {"lost": 3, "dropped": 2}})";
+  const std::vector<RunPage> pages = {makePage(one.path(), {}).value(),
+                                      makePage(two.path(), {}).value()};
+  const std::string single = html({pages[0]});
+  CHECK(single.find("<h2>Health</h2>") < single.find("<h2>Errors</h2>"));
+  CHECK(single.find("<h2>Errors</h2>") < single.find("<figure"));
+  CHECK_FALSE(contains(single, "<h1>Comparison</h1>"));
+  const std::string both = html(pages);
+  CHECK(both.find("<h1>Comparison</h1>") < both.find("<figure id=\"comparison\">"));
+  CHECK(both.find("<figure id=\"comparison\">") < both.find("<h1>first</h1>"));
+  const std::string name = one.path().filename().string();
+  CHECK(contains(both, "<tr><td>" + name + "</td><td>5</td><td>3</td><td>2</td><td>0</td><td>0.0"));
+}
+
+TEST_CASE("in the dark no part of a figure stays as on paper, and none is too small to read") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 12, "sample");
+  const RunPage page = makePage(folder.path(), {}).value();
+  const std::string text = html({page});
+  const auto dark = text.find("@media (prefers-color-scheme: dark)");
+  REQUIRE(dark != std::string::npos);
+  const std::string rules = text.substr(dark, text.find("</style>") - dark);
+  CHECK(contains(rules, "figure svg text { fill:"));
+  const std::regex grey("(fill|stroke)=\"(white|black|#([0-9a-f]{2})\\3\\3)\"");
+  for (const PageFigure& figure : page.figures) {
+    const std::sregex_iterator end;
+    for (std::sregex_iterator at(figure.svg.begin(), figure.svg.end(), grey); at != end; ++at) {
+      if ((*at)[2] == kGrey) continue;  // legible on both
+      INFO(figure.file << ": " << at->str());
+      CHECK(contains(rules, "[" + at->str() + "]"));
+    }
+    const std::string width = figure.svg.substr(figure.svg.find("width=\"") + 7);
+    INFO(figure.file);
+    CHECK(contains(text, "<figure id=\"" + figure.file +
+                             "\">\n<div class=\"drawing\" style=\"--width: " +
+                             width.substr(0, width.find('"')) + "px\">"));
+  }
+}
+
+TEST_CASE("where the scale is free all paths are drawn in metres of the truth") {
+  const test::TemporaryFolder folder;
+  test::recordRichRun(folder.path(), 12, "sample", 3);
+  const auto reader = record::RunReader::open(folder.path());
+  REQUIRE(reader.isOk());
+  config::EvaluationSettings settings;
+  settings.alignment = config::Alignment::Sim3;
+  RunData data = readRun(*reader.value(), settings).value();
+  CHECK(data.metres == Approx(3).epsilon(0.01));
+  const MapPicture picture = pictureOf(data, "");
+  CHECK(picture.unit == "m");
+  const auto length = [](const evaluation::Trajectory& path) {
+    return evaluation::pathLength(path);
+  };
+  CHECK(length(picture.truth) == Approx(33.03).margin(0.01));  // as recorded, whatever the scale
+  CHECK(length(picture.map) == Approx(33).epsilon(0.01));
+  CHECK(length(picture.odometry) == Approx(33).epsilon(0.01));
+  const auto units = drawnUnits(data, {}).value();
+  REQUIRE_FALSE(units.empty());
+  const auto& rates = units[0].rates;
+  CHECK(rates.bin * static_cast<double>(rates.rate.cols()) > 30);
+
+  settings.alignment = config::Alignment::Se3;
+  data = readRun(*reader.value(), settings).value();
+  CHECK(data.metres == 1);
+  data.has_metres = false;
+  CHECK(contains(svgText(pictureOf(data, "")), "of the start (units)"));
 }

@@ -26,11 +26,12 @@ inline ArrayInfo sheetInfo(int side, double period) {
           {{"x", "m", 0, step, period, {}}, {"y", "m", 0, step, period, {}}}};
 }
 
-/// Straight ahead at 1 m a frame; the truth is 1 cm farther at every odd frame. Every second view
+/// Straight ahead at 1 m a frame; the truth is 1 cm farther at every odd frame, times
+/// `truth_scale`. Every second view
 /// is novel. A ring of 4 units and a sheet of 3x3 fire; array `noise` has no
 /// description.
 inline void recordRichRun(const std::filesystem::path& folder, std::int64_t frames,
-                          const std::string& name) {
+                          const std::string& name, double truth_scale = 1) {
   auto recorder = record::Recorder::open(folder).value();
   RunInfo run;
   run.arrays = {test::ringInfo(4), test::sheetInfo(3, 30)};
@@ -39,7 +40,8 @@ inline void recordRichRun(const std::filesystem::path& folder, std::int64_t fram
   for (std::int64_t i = 0; i < frames; ++i) {
     Frame frame = frameAt(i);
     frame.has_truth = true;
-    frame.T_world_camera_truth.translation().z() = static_cast<double>(i) + (i % 2 == 1 ? 0.01 : 0);
+    frame.T_world_camera_truth.translation().z() =
+        truth_scale * (static_cast<double>(i) + (i % 2 == 1 ? 0.01 : 0));
     const Motion motion = motionAt(i);
     PlaceObservation place;
     place.frame = i;
