@@ -97,6 +97,7 @@ TEST_CASE("a finished run is served as it was recorded, with its images") {
   Viewing viewing(recorded.run);
   viewing.waitForEnd();
   const auto hello = viewing.run();
+  CHECK(hello["recorded"] == true);  // the page does not call it live, even while it is read
   const auto& run = hello["run"];
   CHECK(run["source"]["frames"] == 40);
   CHECK(run["directory"] == fs::absolute(recorded.run).string());
@@ -163,6 +164,7 @@ TEST_CASE("a run that goes on is followed to its end") {
   }
   Viewing viewing(recorded.run);
   CHECK(viewing.run()["live"] == true);
+  CHECK(viewing.run()["recorded"] == false);
   LiveSocket socket(viewing.port(), 60);
   CHECK(socket.next("hello")->header["live"] == true);
   CHECK(socket.next("end"));

@@ -18,7 +18,11 @@ class RunStore {
  public:
   RunStore(const JpegOptions& jpeg_options, std::uint64_t spool_bytes);
 
-  void begin(const RunInfo& run) { hello_.run = run; }
+  /// `recorded`: the run had ended before.
+  void begin(const RunInfo& run, bool recorded) {
+    hello_.run = run;
+    hello_.recorded = recorded;
+  }
   /// Encodes and stores new data.
   void add(const PendingData& pending);
   /// `state`: finished or interrupted.

@@ -82,7 +82,7 @@ void ViewerThread::take(bool everything) {
 }
 
 void ViewerThread::begin(const RunInfo& run) {
-  asio::post(io_, [this, run] { state_->store.begin(run); });
+  asio::post(io_, [this, run] { state_->store.begin(run, options_.recorded); });
 }
 
 void ViewerThread::observe(const Snapshot& snapshot) {

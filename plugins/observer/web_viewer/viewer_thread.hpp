@@ -18,7 +18,8 @@ namespace tolman::web_viewer {
 struct ViewerOptions {
   ListenAddress address;
   std::size_t clients = 8;
-  double rate = 10;  ///< frame messages per second; 0 for every frame
+  double rate = 10;       ///< frame messages per second; 0 for every frame
+  bool recorded = false;  ///< the run had ended before
   JpegOptions jpeg_options;
   std::uint64_t spool_bytes = 0;
 };

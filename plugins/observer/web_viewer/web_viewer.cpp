@@ -18,6 +18,7 @@ ViewerOptions optionsOf(const WebViewer::Parameters& p) {
   options.address = {p.bind, p.port, p.port == WebViewer::Parameters().port};
   options.clients = static_cast<std::size_t>(p.clients);
   options.rate = p.rate;
+  options.recorded = p.recorded;
   options.jpeg_options = {p.image_width, p.jpeg_quality};
   options.spool_bytes = static_cast<std::uint64_t>(p.spool_mib) << 20U;
   return options;

@@ -23,6 +23,7 @@ class WebViewer final : public Observer, public PageServer {
     int jpeg_quality = 70;
     int spool_mib = 512;
     bool stay = false;
+    bool recorded = false;
     bool quiet = false;
 
     static constexpr auto declaration() {
@@ -58,6 +59,9 @@ class WebViewer final : public Observer, public PageServer {
           parameter("stay", &Parameters::stay)
               .doc("Serve on after the last frame, until Ctrl-C. Ignored with `quiet`, since "
                    "nothing would show that the run waits."),
+          parameter("recorded", &Parameters::recorded)
+              .doc("The run has ended: the page does not call it live while its record is read. "
+                   "Set by `tolman view`."),
           parameter("quiet", &Parameters::quiet)
               .doc("Print nothing on the terminal; set by --quiet. The log has the address."));
     }

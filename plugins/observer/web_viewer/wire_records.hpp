@@ -18,6 +18,7 @@ struct HelloHeader {
   static constexpr const char* kRecord = "hello";
   RunInfo run;
   bool live = true;
+  bool recorded = false;
   std::int64_t rows = 0;
   std::vector<RowColumn> columns;
 
@@ -25,6 +26,7 @@ struct HelloHeader {
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(run, "", "the run that is shown");
     TOLMAN_FIELD(live, "", "false after the last frame");
+    TOLMAN_FIELD(recorded, "", "the run had ended before it was shown");
     TOLMAN_FIELD(rows, "", "history rows so far");
     TOLMAN_FIELD(columns, "", "columns of a history row");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { describe, expect, it } from 'vitest';
-import { bestMotion, firstDistance, kIdentity, moved } from '../src/model/alignment';
+import { bestMotion, bestScale, firstDistance, kIdentity, moved } from '../src/model/alignment';
 
 const kCount = 50;
 
@@ -23,6 +23,20 @@ describe('the alignment of the truth', () => {
     expect(motion.y).toBeCloseTo(1, 9);
     const [x, z] = moved(motion, 0, 0);
     expect([x, z]).toEqual([expect.closeTo(30, 9), expect.closeTo(-7, 9)]);
+  });
+
+  it('finds the scale of an estimate, and aligns in metres of the truth', () => {
+    const truth = curve(0, 0, 2, 0);
+    const estimate = curve(2.5, 30, 3, -7);
+    for (const c of [estimate.x, estimate.y, estimate.z]) c.forEach((v, i) => (c[i] = v / 4));
+    const scale = bestScale(truth, estimate, kCount);
+    expect(scale).toBeCloseTo(4, 9);
+    const motion = bestMotion(truth, estimate, kCount, scale);
+    const [x, z] = moved(motion, truth.x[20]!, truth.z[20]!);
+    expect(x).toBeCloseTo(4 * estimate.x[20]!, 9);
+    expect(z).toBeCloseTo(4 * estimate.z[20]!, 9);
+    expect(truth.y[20]! + motion.y).toBeCloseTo(4 * estimate.y[20]!, 9);
+    expect(bestScale(truth, curve(0, 0, 0, 0), 1)).toBe(1);
   });
 
   it('looks only where both are known', () => {

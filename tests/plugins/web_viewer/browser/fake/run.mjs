@@ -101,8 +101,10 @@ class Nearby {
 }
 
 export class FakeRun {
-  constructor({ frames = 4541, spacing = 5 } = {}) {
+  /** `scale`: units of the estimate in a metre, as of a single camera; 1 is a stereo pair. */
+  constructor({ frames = 4541, spacing = 5, scale = 1 } = {}) {
     this.frames = frames;
+    this.scale = scale;
     this.path = poses(frames);
     this.odometry = odometry(this.path);
     this.rows = new Float64Array(frames * kColumns.length);
@@ -171,11 +173,15 @@ export class FakeRun {
   mapped(f, loops) {
     const share = loops === 0 ? 1 : 0.06;
     const [t, o] = [this.path[f], this.odometry[f]];
-    return { x: t.x + share * (o.x - t.x), y: t.y + share * (o.y - t.y), z: t.z + share * (o.z - t.z) };
+    return this.scaled({ x: t.x + share * (o.x - t.x), y: t.y + share * (o.y - t.y), z: t.z + share * (o.z - t.z) });
+  }
+
+  scaled({ x, y, z }) {
+    return { x: this.scale * x, y: this.scale * y, z: this.scale * z };
   }
 
   write(f, lost, place, action, state) {
-    const [t, o, m] = [this.path[f], this.odometry[f], this.mapped(f, state.loops)];
+    const [t, o, m] = [this.path[f], this.scaled(this.odometry[f]), this.mapped(f, state.loops)];
     const before = this.path[Math.max(0, f - 1)];
     const turn = Math.atan2(Math.sin(t.heading - before.heading), Math.cos(t.heading - before.heading));
     const heading = ((t.heading + 0.02 * noise(f, 3)) % (2 * Math.PI) + 2 * Math.PI) % (2 * Math.PI);
@@ -183,7 +189,7 @@ export class FakeRun {
                    0.06 + 0.04 * noise(f, 7), 0.05 + state.loops * 0.01 + (action === 2 ? 6 + state.loops * 0.05 : 0)];
     const values = {
       'frame.frame': f, 'frame.time': f * 0.1, 'motion.state': f === 0 ? 0 : lost ? 2 : 1,
-      'motion.v': f === 0 ? 0 : 8 + 0.4 * noise(f, 8), 'motion.omega': turn * 10,
+      'motion.scale_known': this.scale === 1 ? 1 : 0, 'motion.v': f === 0 ? 0 : 8 + 0.4 * noise(f, 8), 'motion.omega': turn * 10,
       'motion.tracked': lost ? 12 : 1500 + Math.round(300 * noise(f, 9)), 'motion.is_keyframe': f % 5 === 0 ? 1 : 0,
       'odometry.x': o.x, 'odometry.y': o.y, 'odometry.z': o.z, 'map.x': m.x, 'map.y': m.y, 'map.z': m.z,
       'truth.x': t.x, 'truth.y': t.y, 'truth.z': t.z, 'place.recognition': place.recognition,

@@ -18,11 +18,13 @@ const kPolicy = "default-src 'self'; img-src 'self' blob: data:; style-src 'self
 const kMostRows = 2000;
 
 export class FakeServer {
-  /** `start`: rows that are there already; `images`: false for a run without camera. */
-  constructor({ start = 200, images = true, name = 'fake-city', ...run } = {}) {
+  /** `start`: rows that are there already; `images`: false for a run without camera; `recorded`: the
+   *  run is over, and its record is still read. */
+  constructor({ start = 200, images = true, recorded = false, name = 'fake-city', ...run } = {}) {
     this.run = new FakeRun(run);
     this.rows = Math.min(start, this.run.frames);
     this.images = images;
+    this.recorded = recorded;
     this.name = name;
     this.ended = false;
     this.clients = new Map(); // socket -> { sent, events, flow, dropped }
@@ -86,7 +88,7 @@ export class FakeServer {
     for (const socket of this.clients.keys()) {
       this.sendGraph(socket);
       socket.send(container({ type: 'end', state, frames: this.rows }));
-      socket.close(1000);
+      if (!this.recorded) socket.close(1000); // a recorded run is served until somebody stops that
     }
   }
 
@@ -104,6 +106,7 @@ export class FakeServer {
         arrays: kArrays,
       },
       live: !this.ended,
+      recorded: this.recorded,
       rows: this.rows,
       columns: kColumns.map((name) => ({ name, unit: '', doc: '' })),
     };

@@ -2,7 +2,7 @@
 // The page during a run: it follows, recovers from reloads and drops, and knows the end.
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
-import { openPage, until, untilCaughtUp, untilText } from '../browser.mjs';
+import { openPage, text, until, untilCaughtUp, untilText } from '../browser.mjs';
 import * as source from '../source.mjs';
 import { real, target } from '../target.mjs';
 
@@ -91,6 +91,43 @@ describe('a page that opens during a run', () => {
     await until(page, () => window.tolman.shownFrame > 3 && window.tolman.mode === 'playing');
     await page.keyboard.press(' ');
     assert.equal(await page.evaluate(() => window.tolman.mode), 'paused');
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe('a recorded run', () => {
+  const t = target({ start: 150, frames: 300, recorded: true });
+
+  it('is not called live while its record is read', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await page.evaluate(() => {
+      const link = document.querySelector('[data-testid="link"]');
+      window.shownLinks = [];
+      new MutationObserver(() => window.shownLinks.push(link.innerText))
+        .observe(link, { characterData: true, childList: true, subtree: true });
+    });
+    await untilCaughtUp(page, 150);
+    await untilText(page, 'link', 'reading the record');
+    t.fake.play(300);
+    await until(page, () => window.tolman.rows === 300);
+    await untilText(page, 'link', 'recorded run');
+    assert.deepEqual((await page.evaluate(() => window.shownLinks)).filter((text) => /live/.test(text)), []);
+    assert.equal(await page.locator('#live').innerText(), 'Newest');
+    assert.deepEqual(page.complaints, []);
+  });
+});
+
+describe('a run of unknown scale', () => {
+  const t = target({ start: 600, frames: 600, scale: 0.25 });
+
+  it('is drawn in metres of the truth', { skip: real }, async () => {
+    const page = await openPage(t.browser, t.url);
+    await untilCaughtUp(page, 600);
+    await untilText(page, 'map-foot', 'fitted, 1 unit is');
+    const scale = Number((await text(page, 'map-foot')).match(/unit is ([\d.]+) m/)[1]);
+    assert.ok(Math.abs(scale - 4) < 0.05, `${scale}`);
+    await page.locator('#align').click();
+    await until(page, () => / units$/.test(document.querySelector('[data-testid="scale"]').innerText));
     assert.deepEqual(page.complaints, []);
   });
 });

@@ -26,7 +26,8 @@ export interface PageState {
   readonly mode: Mode;
   readonly speed: number;
   readonly live: boolean; // the run is not over
-  readonly loading: boolean;
+  readonly loading: boolean; // the past is still coming
+  readonly recorded: boolean; // the run had ended before it was shown
   readonly link: LinkState;
   readonly rate: number; // frames/s received
   readonly dropped: number;

@@ -36,6 +36,8 @@ export class RunModel {
   private message: FrameMessage | null = null;
   private link: LinkState = 'connecting';
   private live = false;
+  private recorded = false; // the run had ended before it was shown
+  private reading = false; // its record, by the server
   private endState = '';
   private dropped = 0;
   private streamed = 0; // rows that the stream has brought
@@ -64,7 +66,7 @@ export class RunModel {
       info: this.info, rows: this.rows, row, frame: this.rows.frame(row), message: this.message,
       picture: this.pictures.picture, graph: this.graph, events: this.events,
       mode: this.player.mode, speed: this.player.speed, live: this.live,
-      loading: this.loader.loading, link: this.link,
+      loading: this.loader.loading || this.reading, recorded: this.recorded, link: this.link,
       rate: this.live ? this.rate.rate(performance.now() / 1000) : NaN,
       dropped: this.dropped, colours,
     };
@@ -126,7 +128,9 @@ export class RunModel {
       header.rows >= this.rows.count;
     if (!same) this.restart();
     this.info = run;
-    this.live = header.live;
+    this.live = header.live && !header.recorded;
+    this.recorded = header.recorded;
+    this.reading = header.recorded && header.live;
     this.endState = '';
     this.trouble = null;
     this.dropped = 0;
@@ -188,6 +192,7 @@ export class RunModel {
 
   private finish(state: string): void {
     this.live = false;
+    this.reading = false;
     this.endState = state;
   }
 

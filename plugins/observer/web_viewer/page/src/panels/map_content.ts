@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns rows and graph into the layers of the map.
 import { Box3, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry, Vector3 } from 'three';
-import { bestMotion, firstDistance, kIdentity, moved, type PlanarMotion, type Track } from '../model/alignment';
+import { bestMotion, bestScale, firstDistance, kIdentity, moved, type PlanarMotion, type Track } from '../model/alignment';
 import type { Graph } from '../model/graph';
 import type { RowStore } from '../model/row_store';
 import type { PageState } from '../model/page_state';
@@ -27,6 +27,9 @@ export class MapContent {
   readonly bounds = new Box3();
   readonly robot = new Group();
   truthMode: TruthMode | null = null; // null: not decided yet
+  scale = 1; // of the estimate: metres of the truth in one of its units
+  scaleKnown = true; // the run measures metres
+  private chosen = false; // the mode, by the person who watches
   private readonly hidden = new Set<LayerName>();
   private readonly truth: SegmentLayer;
   private readonly odometry: SegmentLayer;
@@ -67,6 +70,7 @@ export class MapContent {
 
   setTruthMode(mode: TruthMode): void {
     this.truthMode = mode;
+    this.chosen = true;
     this.drawnRows.count = 0;
   }
 
@@ -89,6 +93,11 @@ export class MapContent {
   take(state: PageState): void {
     this.updateRows(state.rows);
     if (state.graph.edition !== this.drawnGraph) this.updateGraph(state.graph);
+  }
+
+  /** Whether lengths are metres: as measured, or as the truth tells. */
+  get hasMetres(): boolean {
+    return this.scaleKnown || this.truthMode === 'fitted';
   }
 
   /** Shows the map as far as the shown row. `cell` is the resolution of lines in m. */
@@ -118,14 +127,22 @@ export class MapContent {
     if (this.drawnRows.rows !== rows) {
       this.drawnRows = { rows, count: 0 };
       this.truthMode = null;
+      this.chosen = false;
       this.bounds.makeEmpty();
       this.odometry.cut(0);
       this.truth.cut(0);
     }
     const first = this.drawnRows.count;
     if (rows.count === first) return;
+    const before = this.scale;
     const fit = this.alignTruth(rows);
-    this.addPath(this.odometry, track(rows, 'odometry'), kIdentity, first, rows.count);
+    const rescaled = this.scale !== before;
+    if (rescaled) {
+      this.drawnGraph = -1;
+      this.bounds.makeEmpty();
+    }
+    const estimate = { ...kIdentity, scale: this.scale };
+    this.addPath(this.odometry, track(rows, 'odometry'), estimate, rescaled ? 0 : first, rows.count);
     this.addPath(this.truth, track(rows, 'truth'), this.motion, fit ? 0 : first, rows.count);
     this.drawnRows.count = rows.count;
   }
@@ -134,19 +151,22 @@ export class MapContent {
   private alignTruth(rows: RowStore): boolean {
     const truth = track(rows, 'truth');
     const map = track(rows, 'map');
-    if (this.truthMode === null) {
+    this.scaleKnown = rows.value(rows.count - 1, 'motion.scale_known') !== 0;
+    if (!this.chosen) {
       const apart = firstDistance(truth, track(rows, 'odometry'), rows.count);
-      if (Number.isFinite(apart)) this.truthMode = apart < kSameStart ? 'given' : 'fitted';
+      if (Number.isFinite(apart)) this.truthMode = apart < kSameStart && this.scaleKnown ? 'given' : 'fitted';
     }
     if (this.truthMode !== 'fitted') {
       const before = this.motion;
       this.motion = kIdentity;
+      this.scale = 1;
       return before !== kIdentity;
     }
     // The fit is repeated whenever the run is 5 % longer.
     if (this.drawnRows.count > 0 && rows.count < 1.05 * this.fittedRows) return false;
     this.fittedRows = rows.count;
-    this.motion = bestMotion(truth, map, rows.count);
+    this.scale = this.scaleKnown ? 1 : bestScale(truth, map, rows.count);
+    this.motion = bestMotion(truth, map, rows.count, this.scale);
     return true;
   }
 
@@ -154,7 +174,7 @@ export class MapContent {
     let before: [number, number, number] | null = null;
     const at = (i: number) => {
       const [x, z] = moved(motion, path.x[i] as number, path.z[i] as number);
-      return toScene(x, (path.y[i] as number) + motion.y, z);
+      return toScene(x, motion.scale * (path.y[i] as number) + motion.y, z);
     };
     for (let i = Math.max(0, first - 1); i < count; ++i) {
       const point = at(i);
@@ -169,7 +189,10 @@ export class MapContent {
 
   private updateGraph(graph: Graph): void {
     this.drawnGraph = graph.edition;
-    const at = (experience: number) => toScene(...graph.position(experience));
+    const at = (experience: number) => {
+      const [x, y, z] = graph.position(experience);
+      return toScene(this.scale * x, this.scale * y, this.scale * z);
+    };
     for (let i = 0; i < graph.experiences; ++i) {
       const point = at(i);
       this.dots.set(i, point);
@@ -191,7 +214,7 @@ export class MapContent {
     const [x, y, z] = (['map.x', 'map.y', 'map.z'] as const).map((c) => rows.value(row, c)) as [number, number, number];
     this.robot.visible = Number.isFinite(x);
     if (!this.robot.visible) return;
-    this.robot.position.set(...toScene(x, y, z));
+    this.robot.position.set(...toScene(this.scale * x, this.scale * y, this.scale * z));
     const heading = rows.value(row, 'decision.heading');
     this.robot.rotation.y = Number.isFinite(heading) ? heading : 0;
   }

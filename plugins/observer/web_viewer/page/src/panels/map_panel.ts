@@ -2,7 +2,7 @@
 // The experience map and its tools: layers, 2-D and 3-D, fit, centre on the robot, scale.
 import { Vector2 } from 'three';
 import { byId, make, setAttribute, setText } from '../look/dom';
-import { metres } from '../look/format';
+import { brief, metres } from '../look/format';
 import { webGl } from '../look/web_gl';
 import { roundDown } from '../model/sampling';
 import { cellFor } from '../model/thinning';
@@ -164,7 +164,7 @@ export class MapPanel implements Panel {
     setText(this.align, this.content.truthMode === 'fitted' ? 'as given' : 'align');
     const past = row < rows.count - 1;
     const corrected = `correction ${graph.version}`;
-    const truth = !hasTruth ? '' : ` · truth ${truthText(this.content.truthMode)}`;
+    const truth = !hasTruth ? '' : ` · truth ${truthText(this.content)}`;
     setText(this.texts.foot, (past ? `as far as frame ${state.frame} · ` : '') + corrected + truth);
     setAttribute(this.texts.foot, 'data-version', String(graph.version));
   }
@@ -172,8 +172,9 @@ export class MapPanel implements Panel {
   private showScale(zoom: number): void {
     const length = roundDown(110 / zoom);
     setAttribute(this.bar, 'style', `width: ${(length * zoom).toFixed(1)}px`);
-    setText(this.texts.scale, metres(length));
-    const grid = `grid ${metres(this.stage?.gridStep ?? NaN)}`;
+    const text = this.content.hasMetres ? metres : (units: number) => `${brief(units)} units`;
+    setText(this.texts.scale, text(length));
+    const grid = `grid ${text(this.stage?.gridStep ?? NaN)}`;
     setText(this.texts.axes, this.dimension === '2d' ? `z ↑ x → · ${grid}` : grid);
   }
 
@@ -198,7 +199,9 @@ export class MapPanel implements Panel {
   }
 }
 
-function truthText(mode: string | null): string {
-  if (mode === 'fitted') return 'fitted (turn and shift)';
-  return mode === 'given' ? 'as given' : 'not known yet';
+function truthText({ truthMode, scaleKnown, scale }: MapContent): string {
+  if (truthMode === 'fitted') {
+    return scaleKnown ? 'fitted (turn and shift)' : `fitted, 1 unit is ${brief(scale)} m`;
+  }
+  return truthMode === 'given' ? 'as given' : 'not known yet';
 }

@@ -39,7 +39,8 @@ export class StatusPanel implements Panel {
     if (state.link === 'waiting' || state.link === 'connecting') {
       return [state.link, state.link === 'waiting' ? 'no server' : 'connecting'];
     }
-    if (state.loading) return ['connecting', 'reading the history'];
+    if (state.loading) return ['connecting', state.recorded ? 'reading the record' : 'reading the history'];
+    if (state.recorded && state.link === 'open') return ['recorded', 'recorded run'];
     if (this.model.end === 'interrupted') return ['ended', 'run was interrupted'];
     if (this.model.end !== '' || state.link === 'ended') return ['ended', 'run has ended'];
     if (!state.live) return ['recorded', 'recorded run'];

@@ -54,6 +54,7 @@ export interface HelloHeader {
   readonly type: 'hello';
   readonly run: RunInfo;
   readonly live: boolean;
+  readonly recorded: boolean;
   readonly rows: number;
   readonly columns: readonly Column[];
 }
