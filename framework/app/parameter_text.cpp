@@ -23,6 +23,18 @@ std::string defaultText(const ParameterInfo& info) {
   return info.required ? "required" : run::valueJson(info.default_value).dump();
 }
 
+/// The stage of a configuration that uses the plugin, with the parameters that have no default.
+std::string stageText(const host::LoadedPlugin& plugin) {
+  std::string stage = "{plugin: " + plugin.manifest.id;
+  for (const ParameterInfo& p : plugin.schema) {
+    if (p.required) stage += fmt::format(", {}: ...", p.name);
+  }
+  stage += "}";
+  return plugin.manifest.role == Role::Observer
+             ? "observers: [" + stage + "]"
+             : fmt::format("{}: {}", enumName(plugin.manifest.role), stage);
+}
+
 std::string headline(const host::LoadedPlugin& plugin) {
   const auto& m = plugin.manifest;
   return fmt::format("{} {} ({}): {}", m.id, m.version, enumName(m.role), m.summary);
@@ -46,12 +58,16 @@ std::string limitsText(const ParameterInfo& info) {
 std::string parametersText(const host::LoadedPlugin& plugin) {
   std::string text = headline(plugin) + "\n";
   for (const ParameterInfo& p : plugin.schema) {
-    text += fmt::format("  {:<26} {:<13} default {}", p.name, typeName(p), defaultText(p));
+    text += fmt::format("  {:<26} {:<13} {}{}", p.name, typeName(p), p.required ? "" : "default ",
+                        defaultText(p));
     if (!p.unit.empty()) text += " " + p.unit;
     const std::string limits = limitsText(p);
     if (!limits.empty()) text += "  [" + limits + "]";
     text += "\n      " + p.doc + "\n";
   }
+  text += "In a configuration:\n  " + stageText(plugin) +
+          "\n  Parameters are keys beside `plugin`, and so are the keys of every stage: name,\n"
+          "  on_failure (stop, skip, restart) and isolation (none, process).\n";
   return text;
 }
 

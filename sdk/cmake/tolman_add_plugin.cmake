@@ -1,17 +1,21 @@
-# tolman_add_plugin(<name> ROLE <role> SOURCES <file>... [LIBRARIES <target>...] [OPENCV])
+# tolman_add_plugin(<name> ROLE <role> SOURCES <file>... [LIBRARIES <target>...]
+#                   [OPENCV [COMPONENTS <module>...]])
 #
 # Builds the plugin library tolman_<role>_<name>.so, as the host wants it: hidden visibility, no
 # undefined symbols, C++20. Target names: tolman_<role>_<name>, and tolman_<role>_<name>_objects
 # for tests that call the algorithm directly. OPENCV links OpenCV's core and writes its version into
-# the manifest; further OpenCV modules go to LIBRARIES.
+# the manifest; COMPONENTS links further modules of it, such as calib3d.
 function(tolman_add_plugin name)
-  cmake_parse_arguments(ARG "OPENCV" "ROLE" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "OPENCV" "ROLE" "SOURCES;LIBRARIES;COMPONENTS" ${ARGN})
   set(roles source odometry place cells map observer)
   if(NOT ARG_ROLE IN_LIST roles)
     message(FATAL_ERROR "tolman_add_plugin(${name}): ROLE must be one of: ${roles}")
   endif()
   if(NOT ARG_SOURCES OR ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "tolman_add_plugin(${name}): give SOURCES; unknown: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
+  if(ARG_COMPONENTS AND NOT ARG_OPENCV)
+    message(FATAL_ERROR "tolman_add_plugin(${name}): COMPONENTS are those of OPENCV; write OPENCV COMPONENTS ...")
   endif()
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     message(STATUS "tolman_add_plugin: no CMAKE_BUILD_TYPE given, building Release")
@@ -25,9 +29,10 @@ function(tolman_add_plugin name)
   set_target_properties(${target}_objects PROPERTIES POSITION_INDEPENDENT_CODE ON
                         CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   if(ARG_OPENCV)
-    find_package(OpenCV REQUIRED COMPONENTS core)
+    find_package(OpenCV REQUIRED COMPONENTS core ${ARG_COMPONENTS})
+    list(TRANSFORM ARG_COMPONENTS PREPEND opencv_)
     target_compile_definitions(${target}_objects PRIVATE TOLMAN_USES_OPENCV)
-    target_link_libraries(${target}_objects PUBLIC opencv_core)
+    target_link_libraries(${target}_objects PUBLIC opencv_core ${ARG_COMPONENTS})
   endif()
 
   add_library(${target} MODULE)

@@ -44,8 +44,12 @@ TEST_CASE("parameters as text") {
         "      How many.\n"
         "  colour                     choice        default \"red\"  [red, green]\n"
         "      Which.\n"
-        "  path                       path          default required\n"
-        "      Where.\n");
+        "  path                       path          required\n"
+        "      Where.\n"
+        "In a configuration:\n"
+        "  cells: {plugin: toy, path: ...}\n"
+        "  Parameters are keys beside `plugin`, and so are the keys of every stage: name,\n"
+        "  on_failure (stop, skip, restart) and isolation (none, process).\n");
 }
 
 TEST_CASE("parameters as a reference page") {

@@ -8,6 +8,7 @@
 
 #include "author/markdown_script.hpp"
 #include "author/workshop.hpp"
+#include "support/paths.hpp"
 #include "tolman/roles.hpp"
 
 using namespace tolman::test;
@@ -72,6 +73,42 @@ TEST_CASE("a new plugin of each role builds, passes and runs") {
     CHECK_FALSE(contains(used.out + used.err, "warning:"));
     checkRun(repository / "runs/latest", role, name);
   }
+}
+
+TEST_CASE("the test of a new plugin prints why a call failed") {
+  const Workshop workshop;
+  const Finished finished = workshop.shell(
+      "tolman plugins new place p && cd p\n"
+      "sed -i '0,/::configure(.*{/s//&\\n  return tolman::Status::failed(\"no \" \"film\");/' "
+      "p.cpp\n"
+      "cmake -S . -B build && cmake --build build && build/p_test");
+  INFO(finished.out << finished.err);
+  CHECK(finished.exit_code != 0);
+  CHECK(contains(finished.out, "no film"));
+  for (const std::string_view role : tolman::kRoleNames) {
+    INFO(role);
+    const auto tests = inSource("sdk/template/" + std::string(role) + "/tests/@NAME@_test.cpp.in");
+    CHECK(contains(readText(tests), "REQUIRE_OK("));
+    CHECK_FALSE(contains(readText(tests), ".isOk()"));
+  }
+}
+
+TEST_CASE("a plugin names the modules of OpenCV that it uses") {
+  const Workshop workshop;
+  const std::string use =
+      "tolman plugins new place p && cd p\n"
+      "sed -i 's/plugin.cpp)/plugin.cpp rotation.cpp OPENCV COMPONENTS calib3d)/' CMakeLists.txt\n"
+      "echo '#include <opencv2/calib3d.hpp>' >rotation.cpp\n"
+      "echo 'void turn(cv::Mat& a, cv::Mat& R) { cv::Rodrigues(a, R); }' >>rotation.cpp\n"
+      "cmake -S . -B build -DBUILD_TESTING=OFF && cmake --build build\n"
+      "tolman plugins doctor build/tolman_place_p.so\n";
+  const Finished used = workshop.shell(use);
+  INFO(used.out << used.err);
+  CHECK(used.exit_code == 0);
+  const Finished refused = workshop.shell(
+      "cd p && sed -i 's/OPENCV COMPONENTS/COMPONENTS/' CMakeLists.txt && cmake -S . -B build");
+  CHECK(refused.exit_code != 0);
+  CHECK(contains(refused.err, "write OPENCV COMPONENTS"));
 }
 
 TEST_CASE("a folder that holds something is refused and left as it is") {
