@@ -73,6 +73,14 @@ SequenceOptions CheckContext::sequenceOptions() {
 
 InputSequence CheckContext::sequence() { return makeSequence(sequenceOptions()); }
 
+InputSequence CheckContext::otherSequence() {
+  SequenceOptions options = sequenceOptions();
+  ++options.seed;
+  options.frames = 2 * options.frames / 3;
+  options.turn = 3 * options.turn / 4;
+  return makeSequence(options);
+}
+
 std::unique_ptr<TestInstance> CheckContext::configured(const CameraRig& rig) {
   auto instance = std::make_unique<TestInstance>(completePlugin());
   require(instance->configure(rig));

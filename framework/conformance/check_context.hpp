@@ -35,6 +35,8 @@ class CheckContext {
 
   /// Input for the role; from one camera if the plugin does not support two.
   InputSequence sequence();
+  /// A shorter one of the same rig: other images, other noise, fewer frames to a circle.
+  InputSequence otherSequence();
   SequenceOptions sequenceOptions();
   /// An instance that was constructed and configured for the rig. A failure ends the check.
   std::unique_ptr<TestInstance> configured(const CameraRig& rig);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Saved state: equal answers after load(), and detection of damage.
 #include <array>
+#include <map>
 #include <sstream>
+#include <utility>
 
 #include "conformance/check.hpp"
 #include "conformance/check_context.hpp"
@@ -31,20 +33,44 @@ SavedRun runAndSave(CheckContext& context) {
   return run;
 }
 
-void checkState(CheckContext& context) {
-  SavedRun run = runAndSave(context);
-  const auto restored = context.configured(run.sequence.rig);
-  std::istringstream stream(run.bytes);
+/// An instance that was loaded with what `instance` saved.
+std::unique_ptr<TestInstance> restoredFrom(CheckContext& context, TestInstance& instance,
+                                           const CameraRig& rig, std::size_t& size) {
+  std::stringstream stream;
+  context.require(instance.save(stream));
+  size = stream.str().size();
+  auto restored = context.configured(rig);
   context.require(restored->load(stream));
-  restored->continueRun(*run.instance);
-  run.instance->clearTranscript();
-  for (TestInstance* instance : {run.instance.get(), restored.get()}) {
-    context.require(instance->run(run.sequence, run.middle), "after save and load");
-    context.require(instance->finish(run.sequence), "after save and load");
+  restored->continueRun(instance);
+  return restored;
+}
+
+/// Saves early, half way and late: what is forgotten may not matter at one of them.
+void checkState(CheckContext& context) {
+  const InputSequence sequence = context.sequence();
+  const auto instance = context.configured(sequence.rig);
+  if (!instance->keepsState()) context.skip("it does not implement StateKeeper");
+  std::map<std::size_t, std::unique_ptr<TestInstance>> restored;  // by the next frame
+  std::size_t next = 0;
+  std::size_t size = 0;
+  for (const std::size_t tenths : {2U, 5U, 8U}) {
+    const std::size_t first = std::exchange(next, tenths * sequence.inputs.size() / 10);
+    context.require(instance->run(sequence, first, next));
+    restored[next] = restoredFrom(context, *instance, sequence.rig, size);
   }
-  const auto difference = firstDifference(run.instance->transcript(), restored->transcript());
-  if (difference) context.error("answers after load() differ at " + *difference);
-  context.measured("saved state", static_cast<double>(run.bytes.size()) / 1024, "KiB");
+  context.measured("saved state", static_cast<double>(size) / 1024, "KiB");
+  context.require(instance->run(sequence, next), "after save");
+  context.require(instance->finish(sequence), "after save");
+  for (const auto& [frame, other] : restored) {
+    context.require(other->run(sequence, frame), "after save and load");
+    context.require(other->finish(sequence), "after save and load");
+    if (const auto difference =
+            firstDifference(instance->transcript(), other->transcript(), frame)) {
+      context.error("saved before frame " + std::to_string(frame) +
+                    ", answers after load() differ at " + *difference);
+      return;
+    }
+  }
 }
 
 std::vector<std::pair<std::string, std::string>> damagedCopies(const std::string& bytes,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conformance/input_sequence.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 #include "conformance/synthetic_room.hpp"
@@ -12,6 +13,17 @@ namespace {
 constexpr std::int64_t kFirstNs = 1'000'000'000;
 constexpr std::int64_t kStepNs = 100'000'000;
 constexpr int kPlaces = 24;  // view templates per circle
+
+/// Steps along the circle, `turn` of them once round, that were made until each frame.
+std::vector<int> stepsUntil(const SequenceOptions& options) {
+  std::vector<int> steps(static_cast<std::size_t>(options.frames));
+  for (int k = 1; k < options.frames; ++k) {
+    const int second = options.stops ? 10 * (k - options.turn) / options.turn : -1;  // tenths of it
+    const int step = k < options.turn ? 1 : second == 4 ? 0 : second == 7 ? -1 : 1;
+    steps[static_cast<std::size_t>(k)] = steps[static_cast<std::size_t>(k - 1)] + step;
+  }
+  return steps;
+}
 
 Matrix6d covariance(double translation, double rotation) {
   Vector6d diagonal;
@@ -35,7 +47,7 @@ CameraRig rigOf(const SequenceOptions& options) {
 class SequenceGenerator {
  public:
   explicit SequenceGenerator(const SequenceOptions& options)
-      : options_(options), random_(options.seed), room_(options.seed) {
+      : options_(options), steps_(stepsUntil(options)), random_(options.seed), room_(options.seed) {
     sequence_.rig = rigOf(options);
   }
 
@@ -57,7 +69,8 @@ class SequenceGenerator {
   }
 
  private:
-  double angle(int k) const { return 2 * std::numbers::pi * k / options_.turn; }
+  int stepsAt(int k) const { return steps_[static_cast<std::size_t>(k)]; }
+  double angle(int k) const { return 2 * std::numbers::pi * stepsAt(k) / options_.turn; }
 
   template <class R>
   void stamp(int k, R& record) const {
@@ -87,9 +100,10 @@ class SequenceGenerator {
     const auto f = [](auto value) { return static_cast<float>(value); };
     frame.sensors.push_back({"motion.planar", {3}, {f(moved.x), f(moved.y), f(moved.theta)}});
     NamedArray candidate{"place.candidate", {0, 4}, {}};
-    if (k >= options_.turn) {
+    if (stepsAt(k) >= options_.turn) {
+      const auto earlier = std::ranges::find(steps_, stepsAt(k) - options_.turn);
       candidate.shape[0] = 1;
-      candidate.values = {f(k - options_.turn), 0, 0, 0};
+      candidate.values = {f(earlier - steps_.begin()), 0, 0, 0};
     }
     frame.sensors.push_back(std::move(candidate));
   }
@@ -132,7 +146,7 @@ class SequenceGenerator {
 
   void addPlace(int k, PlaceObservation& seen) {
     stamp(k, seen);
-    const int view = static_cast<int>(static_cast<std::int64_t>(k) * kPlaces / options_.turn);
+    const int view = stepsAt(k) * kPlaces / options_.turn;
     const bool novel = view >= made_ && view < kPlaces;
     if (novel) angle_of_template_.push_back(angle(k));
     made_ = static_cast<int>(angle_of_template_.size());
@@ -203,6 +217,7 @@ class SequenceGenerator {
   }
 
   SequenceOptions options_;
+  std::vector<int> steps_;
   RandomStream random_;
   SyntheticRoom room_;
   InputSequence sequence_;
@@ -231,9 +246,10 @@ SequenceOptions optionsFor(Role role, std::uint64_t seed) {
       break;
     case Role::Cells:
     case Role::Map:
-      options.frames = 150;
+      options.frames = 270;  // 75 m: loops to places that were left more than 30 m of path ago
       options.turn = 60;
       options.images = false;
+      options.stops = true;
       break;
     default:
       break;

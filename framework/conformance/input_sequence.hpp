@@ -33,9 +33,10 @@ struct InputSequence {
 struct SequenceOptions {
   std::uint64_t seed = 1;
   int frames = 30;
-  int turn = 72;     ///< frames per circle
-  int width = 320;   ///< px
-  int height = 120;  ///< px
+  int turn = 72;       ///< frames per circle
+  bool stops = false;  ///< in the second circle it stands for a while, and later reverses
+  int width = 320;     ///< px
+  int height = 120;    ///< px
   bool images = true;
   bool stereo = true;
   PixelFormat format = PixelFormat::Gray8;

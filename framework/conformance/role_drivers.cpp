@@ -126,12 +126,15 @@ class PlaceDriver final : public DriverOf<host::PlaceStage, std::int64_t> {
     const Status status = stage_.observe(input.frame, wants_motion ? &input.motion : nullptr, seen);
     answer.add(seen);
     if (!status.isOk()) return status;
+    if (seen.recognition == Recognition::Familiar) ++familiar_;
     return checked("observe", input.frame.frame, checkPlace(seen, now_));
   }
   Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
+  Measurement reached() const override { return {"familiar views", familiar_, ""}; }
 
  private:
   void expect() override { stage_.expect(now_); }
+  double familiar_ = 0;
 };
 
 struct CellsProgress {
@@ -148,13 +151,16 @@ class CellsDriver final : public DriverOf<host::CellsStage, CellsProgress> {
     answer.add(decision);
     if (!status.isOk()) return status;
     if (decision.action == Action::CreateExperience) ++now_.experiences;
+    if (decision.action == Action::CloseLoop) ++loops_;
     const std::int64_t before = std::exchange(now_.at, decision.experience);
     return checked("step", input.frame.frame, checkDecision(decision, before));
   }
   Status finish(const InputSequence&, TranscriptEntry&) override { return stage_.finish(); }
+  Measurement reached() const override { return {"loops closed", loops_, ""}; }
 
  private:
   void expect() override { stage_.expect(now_.experiences); }
+  double loops_ = 0;
 };
 
 struct MapProgress {
@@ -176,6 +182,7 @@ class MapDriver final : public DriverOf<host::MapStage, MapProgress> {
     }
     if (!status.isOk()) return status;
     now_.version = update.version;
+    loops_ = static_cast<double>(update.loops);
     now_.frames.push_back(input.frame.frame);
     return checkPoses(input.frame.frame, update.T_world_camera);
   }
@@ -193,6 +200,7 @@ class MapDriver final : public DriverOf<host::MapStage, MapProgress> {
     }
     return status;
   }
+  Measurement reached() const override { return {"loop links", loops_, ""}; }
 
  private:
   /// The pose of a frame is that of the update; a frame that was never given is refused.
@@ -207,6 +215,7 @@ class MapDriver final : public DriverOf<host::MapStage, MapProgress> {
     return checked("poseOf", frame + 1'000'000,
                    Status::failed("a frame that was never given must be InvalidParameter"));
   }
+  double loops_ = 0;
 };
 
 class ObserverDriver final : public DriverOf<host::ObserverStage, std::monostate> {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "conformance/check_result.hpp"
 #include "conformance/input_sequence.hpp"
 #include "conformance/transcript.hpp"
 #include "host/instance.hpp"
@@ -46,6 +47,9 @@ class RoleDriver {
   /// Expects the run of `other` to continue here: its state was loaded into this instance.
   virtual void continueRun(const RoleDriver& other) = 0;
   virtual host::Instance& instance() = 0;
+  /// How often the run got to what needs a long drive, such as a closed loop; no name for roles
+  /// without.
+  virtual Measurement reached() const { return {}; }
   void setRig(const CameraRig& rig) { rig_ = rig; }
 
  protected:
@@ -76,6 +80,7 @@ class TestInstance {
   Status save(std::ostream& stream);
   Status load(std::istream& stream);
   bool keepsState() const;
+  Measurement reached() const { return driver_->reached(); }
   void continueRun(const TestInstance& other) { driver_->continueRun(*other.driver_); }
   /// Expects the answers of a new instance from now on: after reset() or a load() that failed.
   void beginRun();

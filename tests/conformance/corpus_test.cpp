@@ -154,6 +154,8 @@ TEST_CASE("results that are not reproducible are found") {
        "a second instance differs at frame 1: 'T_previous"},
       {"answer_faults", "wall_clock", "deterministic", "a second instance differs at frame 1"},
       {"answer_faults", "reset_forgets", "reset", "after finish() and reset() differs at frame 1"},
+      {"role_faults", "remembers_drive", "reset",
+       "a run after reset() during another drive differs at frame 0: 'score'"},
       {"answer_faults", "shared_state", "interleaved",
        "an instance that alternates with another differs"},
       {"answer_faults", "thread_local_state", "migration",
@@ -167,7 +169,9 @@ TEST_CASE("results that are not reproducible are found") {
 TEST_CASE("incomplete saved state and undetected damage are found") {
   expectAllFound({
       {"role_faults", "loads_nothing", "state",
-       "after save and load: place (loads_nothing), observe, frame 20"},
+       "after save and load: place (loads_nothing), observe, frame 8"},
+      {"role_faults", "forgets_late", "state",
+       "saved before frame 32, answers after load() differ at frame 32: 'score'"},
       {"role_faults", "accepts_damage", "state-damaged", "accepts a damaged state: empty"},
       {"role_faults", "crashes_on_damage", "state-damaged",
        "died of SIGABRT (Aborted) in 'load' of"},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstring>
 
 #include "conformance/contract.hpp"
@@ -11,11 +12,12 @@ using namespace tolman::conformance;
 
 namespace {
 
-InputSequence withLoops() {
+InputSequence withLoops(bool stops = false) {
   SequenceOptions options;
   options.frames = 150;
   options.turn = 60;
   options.images = false;
+  options.stops = stops;
   return makeSequence(options);
 }
 
@@ -48,7 +50,7 @@ void checkContract(const InputSequence& sequence) {
 }  // namespace
 
 TEST_CASE("a sequence keeps the contract: dense ids, non-zero motions, consistent decisions") {
-  const InputSequence sequence = withLoops();
+  const InputSequence sequence = withLoops(GENERATE(false, true));
   checkContract(sequence);
   std::int64_t templates = 0;
   std::int64_t at = -1;
@@ -76,7 +78,7 @@ TEST_CASE("the motions add up to the ground truth within their noise") {
 }
 
 TEST_CASE("the sensor arrays hold the true motion and the frame of the previous circle") {
-  const InputSequence sequence = withLoops();
+  const InputSequence sequence = withLoops(GENERATE(false, true));
   PlanarPose pose;
   for (const FrameInput& input : sequence.inputs) {
     REQUIRE(input.frame.sensors.size() == 2);
@@ -94,6 +96,18 @@ TEST_CASE("the sensor arrays hold the true motion and the frame of the previous 
                   input.frame.T_world_camera_truth));
     }
   }
+}
+
+TEST_CASE("in the second circle a drive with stops stands, goes on, reverses, and goes on") {
+  const InputSequence sequence = withLoops(true);
+  const auto speed = [&](std::size_t k) { return sequence.inputs.at(k).motion.v; };
+  CHECK(speed(70) > 2);
+  CHECK(std::abs(speed(86)) < 0.2);
+  CHECK(speed(95) > 2);
+  CHECK(speed(104) < -2);
+  CHECK(speed(115) > 2);
+  const auto& last = sequence.inputs.back();
+  CHECK(last.place.recognition == Recognition::Familiar);
 }
 
 TEST_CASE("a seed determines the sequence") {

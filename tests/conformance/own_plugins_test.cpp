@@ -50,6 +50,10 @@ TEST_CASE("our own plugins conform at level 3") {
     INFO(found.reports.dump(1));
     CHECK(found.exit_code == 0);
     CHECK_FALSE(contains(found.messages(), "a required parameter has no value"));
+    for (const auto& reached : found.check("answers")["measurements"]) {
+      INFO(id << ": " << reached.dump());
+      CHECK(reached["value"] > 0);
+    }
     ++plugins;
   }
   CHECK(plugins >= 8);
