@@ -3,10 +3,13 @@
 #include "http_response.hpp"
 
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "browser.hpp"
 #include "bundle.hpp"
+#include "support/paths.hpp"
 #include "tolman/context.hpp"
 #include "watched_run.hpp"
 
@@ -151,6 +154,17 @@ TEST_CASE("targets at random get an answer of the table") {
     seen.insert(status);
   }
   CHECK(seen.size() == 3);
+}
+
+TEST_CASE("the library holds the page as it was built last") {
+  REQUIRE_FALSE(bundle().empty());
+  for (const BundleFile& file : bundle()) {
+    INFO(file.path);
+    const std::string name = "plugins/observer/web_viewer/page/dist/" + std::string(file.path);
+    std::ifstream stream(test::inSource(name), std::ios::binary);
+    const std::string built{std::istreambuf_iterator<char>(stream), {}};
+    CHECK(built == file.bytes);
+  }
 }
 
 }  // namespace tolman::web_viewer
