@@ -32,6 +32,7 @@ th:first-child, td:first-child { text-align: left; }
 .counts td { border: 0; padding-right: 0; }
 figure { margin: 1rem 0; } .drawing { overflow-x: auto; }
 .drawing svg { display: block; width: 100%; min-width: calc(.85 * var(--width)); height: auto; border-radius: 4px; }
+@media (min-width: 1000px) { .drawing svg { min-width: calc(.66 * var(--width)); } }
 #map svg { max-height: 95vh; }
 figcaption { color: var(--soft); font-size: .9rem; }
 pre { overflow: auto; padding: .8rem; border: 1px solid var(--line); border-radius: 4px; font-size: .8rem; }
