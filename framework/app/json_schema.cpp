@@ -170,6 +170,7 @@ Json sections() {
   Json& evaluation = properties["evaluation"]["properties"];  // a list there is segment_lengths
   evaluation["segments"]["anyOf"].push_back(
       {{"type", "array"}, {"items", evaluation["segment_lengths"]["items"]}});
+  properties["checks"] = objectOf(propertiesOf(schemaOf<config::CheckSettings>()));
   properties["isolation"] = objectOf(propertiesOf(schemaOf<config::IsolationSettings>()));
   properties["record"] = objectOf(propertiesOf(schemaOf<config::RecordSettings>()));
   return properties;

@@ -154,6 +154,33 @@ struct IsolationSettings {
   }
 };
 
+/// Keys below `checks`: what the host checks between the stages.
+struct CheckSettings {
+  bool images = true;
+  double max_speed = 100;        ///< m/s
+  double max_acceleration = 50;  ///< m/s^2
+  double max_turn_rate = 10;     ///< rad/s
+  static constexpr auto declaration() {
+    using S = CheckSettings;
+    return parameters(
+        parameter("images", &S::images)
+            .doc("Whether repeated images, exchanged sides and pairs that do not belong together "
+                 "are kept from the stages."),
+        parameter("max_speed", &S::max_speed)
+            .range(0, kNoLimit)
+            .unit("m/s")
+            .doc("A faster motion of odometry is replaced by a prediction, in state lost."),
+        parameter("max_acceleration", &S::max_acceleration)
+            .range(0, kNoLimit)
+            .unit("m/s^2")
+            .doc("Likewise a motion that changes the velocity faster."),
+        parameter("max_turn_rate", &S::max_turn_rate)
+            .range(0, kNoLimit)
+            .unit("rad/s")
+            .doc("Likewise a motion that turns faster."));
+  }
+};
+
 enum class FailurePolicy : std::uint8_t { Stop, Skip, Restart };
 inline constexpr std::array<std::string_view, 3> kFailurePolicyNames = {"stop", "skip", "restart"};
 constexpr std::span<const std::string_view> enumNames(FailurePolicy) { return kFailurePolicyNames; }

@@ -44,6 +44,7 @@ class Parser {
     evaluation();
     config_.record = section<RecordSettings>("record");
     config_.isolation = section<IsolationSettings>("isolation");
+    config_.checks = section<CheckSettings>("checks");
     for (const Role role : kChain) chainStage(role);
     observers();
     refuseSharedNames();
@@ -70,8 +71,8 @@ class Parser {
   void general() {
     std::vector<std::string> others(kChain.size());
     std::ranges::transform(kChain, others.begin(), [](Role role) { return enumName(role); });
-    others.insert(others.end(),
-                  {kObservers, "pipeline", "evaluation", "record", "isolation", "extends"});
+    others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "isolation",
+                                 "checks", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
     if (!config_.general.name.empty()) return;
     config_.general.name = std::filesystem::path(loaded_.file).stem().string();

@@ -39,6 +39,7 @@ struct SystemConfig {
   EvaluationSettings evaluation;
   RecordSettings record;
   IsolationSettings isolation;
+  CheckSettings checks;
   std::vector<Section> sections;    ///< the same values, with their origins
   std::vector<StageConfig> stages;  ///< source, odometry, place, cells, map, observers
   BaseFolders folders;

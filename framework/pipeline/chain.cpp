@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "host/prediction.hpp"
 #include "pipeline/task_isolation.hpp"
 
 namespace tolman::pipeline {
@@ -20,15 +19,6 @@ R recordOf(const Frame& frame) {
   record.frame = frame.frame;
   record.stamp_ns = frame.stamp_ns;
   return record;
-}
-
-/// The stand-in answer of a skipped odometry.
-Motion predictedMotion(const Frame& frame, const Motion& last) {
-  auto motion = recordOf<Motion>(frame);
-  if (last.frame < 0) return motion;  // nothing leads to the first frame
-  motion.scale_known = last.scale_known;
-  host::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
-  return motion;
 }
 
 }  // namespace
@@ -78,13 +68,18 @@ bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int
 void Chain::admit(FrameRecords& records) {
   records.sequence = admitted_++;
   ++place_backlog_;
+  if (const auto fault = stages_.odometry.admit(records.frame)) {
+    listener_.onEvent({records.frame.frame, LogLevel::Warning, "images", *fault});
+  }
   if (can_save_ && listener_.checkpointDue()) records.checkpoint = std::make_unique<Checkpoint>();
 }
 
 void Chain::odometry(FrameRecords& records) {
   if (failed()) return;
   records.odometry_status = timed(records.times, Role::Odometry, [&] {
-    return withoutOtherTasks([&] { return stages_.odometry.track(records.frame, records.motion); });
+    return withoutOtherTasks([&] {
+      return stages_.odometry.track(records.frame, records.motion, records.impossible_motion);
+    });
   });
 }
 
@@ -106,6 +101,10 @@ bool Chain::takeOdometry(FrameRecords& records) {
   const Status& status = records.odometry_status;
   if (!resolve(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
+  if (!records.impossible_motion.empty()) {
+    listener_.onEvent({records.frame.frame, LogLevel::Warning, "odometry",
+                       "the motion " + records.impossible_motion + "; it is predicted instead"});
+  }
   last_motion_ = records.motion;
   return true;
 }

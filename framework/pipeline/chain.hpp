@@ -9,6 +9,7 @@
 #include "config/settings.hpp"
 #include "host/stages.hpp"
 #include "pipeline/activity.hpp"
+#include "pipeline/checked_odometry.hpp"
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/frame_records.hpp"
 #include "pipeline/listener.hpp"
@@ -25,7 +26,7 @@ struct Policies {
 
 struct Stages {
   host::SourceStage& source;
-  host::OdometryStage& odometry;
+  CheckedOdometry& odometry;
   host::PlaceStage& place;
   host::CellsStage& cells;
   host::MapStage& map;
@@ -77,7 +78,7 @@ class Chain {
   std::optional<StageFailure> failure() const;
   /// Whether a frame passes odometry before place recognition.
   bool placeNeedsMotion() const { return place_needs_motion_; }
-  /// Numbers a frame that enters the stages; one call at a time.
+  /// Numbers and checks a frame that enters the stages; one call at a time.
   void admit(FrameRecords& records);
   /// Frames that entered and wait for place recognition.
   int placeBacklog() const { return place_backlog_; }

@@ -27,6 +27,7 @@ struct FrameRecords {
   bool leave_out_place = false;  ///< realtime: place recognition is late and skips this frame
   bool answered = false;         ///< all stages have answered; the listener may see it
   Status odometry_status;
+  std::string impossible_motion;  ///< why the answer of odometry was replaced; empty: it was not
   Status place_status;
   StageTimes times{};
   std::unique_ptr<Checkpoint> checkpoint;  ///< null: none is wanted after this frame

@@ -62,6 +62,8 @@ void Assembly::add(std::unique_ptr<host::Instance> instance, const config::Stage
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));
+      checked_odometry_ =
+          std::make_unique<pipeline::CheckedOdometry>(*odometry_, checked_.config.checks);
       break;
     case Role::Place:
       place_ = std::make_unique<host::PlaceStage>(std::move(instance));

@@ -43,7 +43,8 @@ class Assembly {
   /// Of odometry, place, cells and map.
   pipeline::Policies policies() const;
   /// Of the whole chain, which must be in the scope.
-  pipeline::Stages stages() { return {*source_, *odometry_, *place_, *cells_, *map_}; }
+  pipeline::Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
+  pipeline::CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
   host::SourceStage& source() { return *source_; }
   host::OdometryStage& odometry() { return *odometry_; }
   host::PlaceStage& place() { return *place_; }
@@ -70,6 +71,7 @@ class Assembly {
   std::vector<host::Instance*> instances_;
   std::unique_ptr<host::SourceStage> source_;
   std::unique_ptr<host::OdometryStage> odometry_;
+  std::unique_ptr<pipeline::CheckedOdometry> checked_odometry_;
   std::unique_ptr<host::PlaceStage> place_;
   std::unique_ptr<host::CellsStage> cells_;
   std::unique_ptr<host::MapStage> map_;

@@ -45,7 +45,9 @@ class RepeatedOdometry {
               assembly_.stageName(Role::Source));
       done = frame.frame;
       while (next_ + 1 < recorded_.size() && recorded_[next_].frame < frame.frame) ++next_;
-      if (recorded_[next_].frame == frame.frame) track(frame, recorded_[next_]);
+      if (recorded_[next_].frame != frame.frame) continue;
+      (void)assembly_.checkedOdometry().admit(frame);  // its note is in the record
+      track(frame, recorded_[next_]);
     }
     return last_;
   }
@@ -53,7 +55,8 @@ class RepeatedOdometry {
  private:
   void track(const Frame& frame, const Motion& before) {
     Motion motion;
-    const bool failed = !assembly_.odometry().track(frame, motion).isOk();
+    std::string impossible;
+    const bool failed = !assembly_.checkedOdometry().track(frame, motion, impossible).isOk();
     last_ = failed ? before : motion;  // recorded after a failure is the predicted motion
     if (isSameMotion(last_, before)) return;
     refuseToContinue(fmt::format(

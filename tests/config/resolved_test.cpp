@@ -39,6 +39,7 @@ pipeline:
   place_policy: block
   queue: 4
   speed: 1
+  stage_deadline: 10
 evaluation:
   alignment: se3
   segment_lengths: [5, 10.5]
@@ -46,9 +47,15 @@ evaluation:
   sessions: own
 record:
   arrays_every: 1
+  state_every: 30
 isolation:
   deadline: 60
   memory_limit: 4096
+checks:
+  images: true
+  max_acceleration: 50
+  max_speed: 100
+  max_turn_rate: 10
 source:
   plugin: toy_source
   name: source

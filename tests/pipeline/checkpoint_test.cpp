@@ -30,8 +30,9 @@ std::vector<Diary::Entry> resumed(Hooks& hooks, const pipeline::Checkpoint& chec
   REQUIRE(system.map.instance().load(checkpoint.states.at(Role::Map)).isOk());
   system.place.expect(-1);
   system.cells.expect(1);
-  pipeline::Chain chain({system.source, system.odometry, system.place, system.cells, system.map},
-                        {}, system.diary);
+  pipeline::Chain chain(
+      {system.source, system.checked_odometry, system.place, system.cells, system.map}, {},
+      system.diary);
   chain.resume(point);
   const auto result = pipeline::drive(chain, kLossless, threads, system.flag);
   CHECK_FALSE(result.failure);

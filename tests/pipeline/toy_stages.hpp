@@ -69,6 +69,27 @@ struct ToyOdometry : Odometry {
   double state = 0;
 };
 
+/// A metre a frame at 10 Hz, but at frame 3 a hundred; each frame revises the one before.
+struct LeapingOdometry : Odometry {
+  explicit LeapingOdometry(Hooks&) {}
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status track(const Frame& frame, Motion& motion) override {
+    motion.frame = frame.frame;
+    motion.stamp_ns = frame.stamp_ns;
+    motion.state = frame.frame == 0 ? TrackingState::Initialising : TrackingState::Tracking;
+    motion.T_previous_current.translation().z() = frame.frame == 0 ? 0 : frame.frame == 3 ? 100 : 1;
+    setPlanarVelocity(motion, frame.frame == 0 ? 0 : 0.1);
+    if (frame.frame > 0) motion.revisions.emplace_back().frame = frame.frame - 1;
+    return Status::ok();
+  }
+  Status finish(std::vector<MotionRevision>& revisions) override {
+    revisions.emplace_back().frame = 2;
+    revisions.emplace_back().frame = 3;
+    return Status::ok();
+  }
+};
+
 /// A state of one number, which saving may refuse.
 template <class T>
 struct ToyState : StateKeeper {
@@ -249,12 +270,13 @@ struct ToySystem {
 
   pipeline::DriveResult drive(const config::PipelineSettings& settings, int threads,
                               const pipeline::Policies& policies = {}) {
-    pipeline::Chain chain({source, odometry, place, cells, map}, policies, diary);
+    pipeline::Chain chain({source, checked_odometry, place, cells, map}, policies, diary);
     return pipeline::drive(chain, settings, threads, flag);
   }
 
   host::SourceStage source;
   host::OdometryStage odometry;
+  pipeline::CheckedOdometry checked_odometry{odometry, config::CheckSettings()};
   host::PlaceStage place;
   host::CellsStage cells;
   host::MapStage map;

@@ -74,6 +74,7 @@ Status DirectSparse::reset() {
   can_track_ = false;
   last_stamp_ns_ = -1;
   first_lost_ = -1;
+  gap_s_ = 0;
   lost_frames_ = 0;
   unrecognised_ = 0;
   draft_frames_ = 0;
@@ -158,7 +159,7 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
   if (visible && can_track_) {
     const auto tracked = mapper_.isDraft() ? trackDraft(expect(motion.dt))
                                            : tracker_.track(rig_, current_, expect(motion.dt));
-    if (tracked) {
+    if (tracked && isPossible(*tracked, motion.dt)) {
       answerMeasured(*tracked, frame, motion);
       return;
     }
@@ -169,6 +170,21 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
   // after the first failure.
   const int patience = mapper_.isDraft() ? 1 : 2;  // frames
   if (visible && (!can_track_ || unrecognised_ >= patience)) restart(frame, motion);
+}
+
+/// Few samples, or road marks and fences after a gap, may fit at a wrong place as well. There the
+/// robot would have changed its speed by more than one g.
+bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
+  const bool in_metres = cameras_ == Cameras::Stereo;
+  if (!has_velocity_ || !in_metres) return true;
+  constexpr double kAcceleration = 10;  // m/s^2
+  constexpr double kSlack = 0.2;        // m
+  constexpr double kShare = 0.1;        // of the way since the last frame
+  const Eigen::Isometry3d step = expSe3(velocity_ * dt);
+  const Eigen::Vector3d expected = (history_.lastPose() * step).translation();
+  const double since = gap_s_ + dt;
+  return (poseOf(tracked).translation() - expected).norm() <
+         0.5 * kAcceleration * since * since + kSlack + kShare * step.translation().norm();
 }
 
 std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation) {
@@ -267,6 +283,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   }
   if (first_lost_ >= 0) log_->info("tracking again");
   first_lost_ = -1;
+  gap_s_ = 0;
   lost_frames_ = 0;
   unrecognised_ = 0;
 }
@@ -314,6 +331,7 @@ void DirectSparse::answerPredicted(const Keyframe& keyframe, Motion& motion) {
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
+  gap_s_ += motion.dt;
   const Eigen::Isometry3d step = expSe3(velocity_ * motion.dt);
   motion.state = TrackingState::Lost;
   motion.covariance = predictionCovariance(step, lost_frames_);

@@ -37,6 +37,7 @@ class DirectSparse : public Odometry {
   void answer(bool visible, const Frame& frame, Motion& motion);
   /// Single camera: alternates between tracking the frame and estimating depths from it.
   std::optional<AlignmentResult> trackDraft(Expectation expectation);
+  bool isPossible(const AlignmentResult& tracked, double dt) const;
   Eigen::Isometry3d poseOf(const AlignmentResult& tracked) const;
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
   /// Reports Initialising while depths are only assumed; the motion is revised later.
@@ -87,6 +88,7 @@ class DirectSparse : public Odometry {
   bool can_track_ = false;
   std::int64_t last_stamp_ns_ = -1;  ///< -1 before the first frame
   std::int64_t first_lost_ = -1;     ///< frame index; -1 while tracking
+  double gap_s_ = 0;                 ///< s that were predicted since
   int lost_frames_ = 0;
   int draft_frames_ = 0;       ///< frames tracked against the assumed depths of the start
   bool had_keyframe_ = false;  ///< a keyframe with measured depths has existed

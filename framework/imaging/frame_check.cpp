@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "imaging/frame_check.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace tolman::imaging {
+namespace {
+
+// Measuring a pair takes 2 ms; one frame in five is measured, and every one while there is a fault.
+constexpr int kMeasuredEvery = 5;  // frames
+constexpr int kCertain = 12;       // matches
+constexpr int kSoundAgain = 5;     // measures after which a fault has ended
+
+/// Real cameras have noise, so two exposures never have the same pixels.
+bool samePixels(const Image& a, const Image& b) {
+  if (a.empty() || a.width() != b.width() || a.height() != b.height() || a.format() != b.format()) {
+    return false;
+  }
+  const auto bytes = static_cast<std::size_t>(a.width() * bytesPerPixel(a.format()));
+  for (int r = 0; r < a.height(); ++r) {
+    if (std::memcmp(a.row(r), b.row(r), bytes) != 0) return false;
+  }
+  return true;
+}
+
+/// A covered or dark camera gives the same pixels for ever, and odometry sees that for itself.
+bool isUniform(const Image& image) {
+  const std::size_t bytes = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
+  for (int r = 0; r < image.height(); ++r) {
+    const std::uint8_t* row = image.row(r);
+    if (std::any_of(row, row + bytes, [&](std::uint8_t v) { return v != image.row(0)[0]; })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// As of a covered camera: of a pair both images are there or none.
+Image darkened(const Image& image) {
+  return Image::create(image.width(), image.height(), image.format(), [](std::uint8_t*) {});
+}
+
+}  // namespace
+
+/// A doubtful fault must be measured in two frames; one ends when it is not measured for a while.
+StereoFault FrameCheck::stereoFault(const Frame& frame, StereoMeasure& measure) {
+  if (frame.right.empty() || until_measured_-- > 0) return fault_;
+  measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
+  const StereoFault measured = faultOf(measure);
+  const bool certain = measure.matched >= kCertain || measured == last_measured_;
+  last_measured_ = measured;
+  if (measured != StereoFault::None) {
+    if (certain) fault_ = measured;
+    sound_measures_ = 0;
+  } else if (++sound_measures_ >= kSoundAgain) {
+    fault_ = StereoFault::None;
+  }
+  const bool settled = fault_ == StereoFault::None && measured == StereoFault::None;
+  until_measured_ = settled ? kMeasuredEvery - 1 : 0;
+  return fault_;
+}
+
+FrameCheck::Verdict FrameCheck::verdictOn(const Frame& frame) {
+  const bool left = samePixels(frame.left, left_) && !isUniform(frame.left);
+  const bool right = samePixels(frame.right, right_) && !isUniform(frame.right);
+  if (left) {
+    return {Use::None, right ? "both images repeat those of the frame before: no new ones come"
+                             : "the left image repeats that of the frame before: no new one comes"};
+  }
+  if (right)
+    return {Use::Left, "the right image repeats that of the frame before: no new one comes"};
+  if (samePixels(frame.left, frame.right) && !isUniform(frame.left)) {
+    return {Use::Left, "the right image is the left one"};
+  }
+  StereoMeasure measure;
+  const StereoFault fault = stereoFault(frame, measure);
+  const Use use = fault == StereoFault::None        ? Use::Both
+                  : fault == StereoFault::Exchanged ? Use::None
+                                                    : Use::Left;
+  return {use, faultText(fault, measure)};
+}
+
+std::optional<std::string> FrameCheck::check(Frame& frame) {
+  if (frame.left.empty()) return std::nullopt;
+  const Verdict verdict = verdictOn(frame);
+  left_ = frame.left;
+  right_ = frame.right;
+  if (verdict.use == Use::Left) frame.right = darkened(frame.right);
+  if (verdict.use == Use::None) frame.left = frame.right = Image();
+  if (verdict.use != Use::Both) frame.defect = verdict.fault;
+  // The text of a fault that goes on may differ in its figures.
+  const bool begins = !verdict.fault.empty() && !has_fault_;
+  has_fault_ = !verdict.fault.empty();
+  return begins ? std::optional(verdict.fault) : std::nullopt;
+}
+
+}  // namespace tolman::imaging

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Looks at the images of each frame before the stages see them, for faults that an odometry can
+// take for motion: a camera that repeats its last image, a right image that is the left one, sides
+// that are exchanged, a right image of another time, or with its rows apart.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "imaging/stereo_check.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::imaging {
+
+class FrameCheck {
+ public:
+  /// Call it with each frame, in order. Images that cannot be used are taken out, or the right one
+  /// is made dark, as of a covered camera; then `defect` says why. Returns a note where a fault
+  /// begins, also for one with which the images can still be used: rows that are apart.
+  std::optional<std::string> check(Frame& frame);
+
+ private:
+  enum class Use { Both, Left, None };
+  struct Verdict {
+    Use use = Use::Both;
+    std::string fault;  ///< empty: none
+  };
+  Verdict verdictOn(const Frame& frame);
+  StereoFault stereoFault(const Frame& frame, StereoMeasure& measure);
+
+  Image left_;              ///< of the last frame that had images
+  Image right_;             ///< likewise
+  int until_measured_ = 0;  ///< frames
+  int sound_measures_ = 0;  ///< in succession
+  StereoFault last_measured_ = StereoFault::None;
+  StereoFault fault_ = StereoFault::None;
+  bool has_fault_ = false;  ///< the last frame
+};
+
+}  // namespace tolman::imaging

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether two images can be a rectified stereo pair: corners of the left image are searched for in
+// the right one, above and below their row, too. In a pair that is rectified and exposed at one
+// time all of them are found in their row, to the left of where they were.
+#pragma once
+
+#include <string>
+
+#include "imaging/gray_half.hpp"
+
+namespace tolman::imaging {
+
+/// Pixels are those of the full images.
+struct StereoMeasure {
+  int corners = 0;             ///< that were searched for
+  int matched = 0;             ///< found without doubt
+  double rows_low = 0;         ///< median of row in the right image minus row in the left one, px
+  double spread = 0;           ///< 80th percentile of the deviation of that from its median, px
+  double share_exchanged = 0;  ///< of the matches: found to the right of where they were
+};
+
+/// Deterministic; about 2 ms for images of 1241 x 376 px.
+StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right);
+
+enum class StereoFault { None, RowsApart, Exchanged, OtherTime };
+
+/// None where too few corners are matched to tell.
+StereoFault faultOf(const StereoMeasure& measure);
+
+/// "the right image is 3.0 px low; are the images rectified?"
+std::string faultText(StereoFault fault, const StereoMeasure& measure);
+
+}  // namespace tolman::imaging

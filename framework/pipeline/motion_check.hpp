@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the motions of odometry are possible for the robot: speed, change of speed, turn rate.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "config/settings.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::pipeline {
+
+class MotionCheck {
+ public:
+  explicit MotionCheck(const config::CheckSettings& settings) : settings_(settings) {}
+
+  /// Call it with each motion, in order. Why a motion in state Tracking is impossible; nothing
+  /// where it is possible. Where the scale is unknown only the turn rate is checked.
+  std::optional<std::string> check(const Motion& motion);
+
+ private:
+  std::optional<std::string> reasonAgainst(const Motion& motion, const Eigen::Vector3d& velocity);
+
+  config::CheckSettings settings_;
+  bool has_velocity_ = false;
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the last possible motion, m/s
+  double since_ = 0;                                    ///< s since that motion
+};
+
+}  // namespace tolman::pipeline

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Faults of cameras as they come and go in a run.
+#include "imaging/frame_check.hpp"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "imaging/painted_pair.hpp"
+
+using namespace tolman;
+using namespace tolman::imaging;
+using test::PaintedPair;
+
+namespace {
+
+Frame frameOf(const PaintedPair& pair) {
+  Frame frame;
+  frame.left = pair.left();
+  frame.right = pair.right();
+  return frame;
+}
+
+/// A new view each time.
+PaintedPair view(std::uint64_t seed) {
+  PaintedPair pair;
+  pair.seed = seed;
+  return pair;
+}
+
+bool isDark(const Image& image) {
+  for (int r = 0; r < image.height(); ++r) {
+    for (int c = 0; c < image.width(); ++c) {
+      if (image.row(r)[c] != 0) return false;
+    }
+  }
+  return !image.empty();
+}
+
+}  // namespace
+
+TEST_CASE("sound frames pass unchanged and without a note") {
+  FrameCheck check;
+  for (std::uint64_t i = 0; i < 7; ++i) {
+    Frame frame = frameOf(view(i));
+    const Image left = frame.left;
+    CHECK_FALSE(check.check(frame));
+    CHECK(frame.left.data() == left.data());
+    CHECK(frame.defect.empty());
+  }
+}
+
+TEST_CASE("images that repeat are taken out, and told once") {
+  FrameCheck check;
+  Frame first = frameOf(view(1));
+  CHECK_FALSE(check.check(first));
+  for (int i = 0; i < 4; ++i) {
+    Frame again = frameOf(view(1));  // other memory, the same pixels
+    const auto note = check.check(again);
+    CHECK(note.has_value() == (i == 0));
+    CHECK(again.left.empty());
+    CHECK(again.right.empty());
+    CHECK(again.defect.starts_with("both images repeat"));
+  }
+  Frame next = frameOf(view(2));
+  CHECK_FALSE(check.check(next));
+  CHECK_FALSE(next.left.empty());
+  Frame again = frameOf(view(2));
+  CHECK(check.check(again).has_value());  // it begins anew
+}
+
+TEST_CASE("where only the right image repeats, or is the left one, the left one is used") {
+  FrameCheck check;
+  Frame first = frameOf(view(1));
+  check.check(first);
+  Frame frame = frameOf(view(2));
+  const bool equal = GENERATE(false, true);
+  frame.right = equal ? frame.left : first.right;
+  const auto note = check.check(frame);
+  REQUIRE(note);
+  CHECK(*note == (equal ? "the right image is the left one"
+                        : "the right image repeats that of the frame before: no new one comes"));
+  CHECK_FALSE(frame.left.empty());
+  CHECK(isDark(frame.right));
+  CHECK(frame.defect == *note);
+}
+
+TEST_CASE("a single camera has no pair to be checked, but repetitions") {
+  FrameCheck check;
+  for (const std::uint64_t seed : {1, 2, 2, 3}) {
+    Frame frame = frameOf(view(seed));
+    frame.right = Image();
+    check.check(frame);
+    static std::uint64_t last = 0;
+    CHECK(frame.left.empty() == (seed == last));
+    last = seed;
+  }
+}
+
+TEST_CASE("dark frames are left to odometry, and frames without images stay as they are") {
+  FrameCheck check;
+  for (int i = 0; i < 3; ++i) {
+    Frame frame;
+    if (i < 2) {
+      frame.left = frame.right = Image::create(64, 48, PixelFormat::Gray8, [](std::uint8_t*) {});
+    } else {
+      frame.defect = "unreadable";
+    }
+    CHECK_FALSE(check.check(frame));
+    CHECK(frame.left.empty() == (i == 2));
+    CHECK(frame.defect == (i == 2 ? "unreadable" : ""));
+  }
+}
+
+TEST_CASE(
+    "exchanged sides are noticed within five frames and believed ended after five sound ones") {
+  FrameCheck check;
+  std::vector<bool> used;
+  int notes = 0;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    PaintedPair pair = view(i);
+    pair.exchanged = i >= 8 && i < 20;
+    Frame frame = frameOf(pair);
+    notes += check.check(frame).has_value() ? 1 : 0;
+    used.push_back(!frame.left.empty());
+  }
+  CHECK(notes == 1);
+  for (std::size_t i = 0; i < 8; ++i) CHECK(used[i]);
+  for (std::size_t i = 12; i < 20; ++i) CHECK_FALSE(used[i]);
+  for (std::size_t i = 25; i < 40; ++i) CHECK(used[i]);
+}
+
+TEST_CASE("a right image with its rows apart is not used from the first frame on") {
+  FrameCheck check;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    PaintedPair pair = view(i);
+    pair.rows_low = 4;
+    Frame frame = frameOf(pair);
+    check.check(frame);
+    CHECK(isDark(frame.right));
+    CHECK_FALSE(frame.left.empty());
+    CHECK(frame.defect.find("px low; are the images rectified?") != std::string::npos);
+  }
+}
