@@ -75,7 +75,8 @@ constexpr std::array kExpected = {
     Expected{"none", "", 0.09, 0.3},
     Expected{"both frozen", "both images repeat those of the frame before", 0.15, 1.5},
     Expected{"right frozen", "the right image repeats that of the frame before", 0.15, 1.5},
-    Expected{"right late", "left and right image do not belong together", 0.15, 0.7},
+    Expected{"right late", "left and right image do not belong together (differences of", 0.15,
+             0.7},
     Expected{"right equals left", "the right image is the left one", 0.15, 0.5},
     Expected{"right low", "px low; are the images rectified?", 0.15, 0.7},
     Expected{"right covered", "", 0.15, 0.5},
@@ -99,7 +100,7 @@ void checkDrive(const fs::path& original, double Expected::*bar) {
       CHECK(outcome.exit_code == 0);
       CHECK(outcome.ate_m <= expected.*bar);
       // Either the motion is nearly that of the sound drive, or the frames are told.
-      CHECK((outcome.ate_m < 0.3 || outcome.untracked > 1 || outcome.defects > 0));
+      CHECK((outcome.ate_m < 0.5 || outcome.untracked > 1 || outcome.defects > 0));
       if (*expected.log != '\0') CHECK(contains(outcome.log, expected.log));
       WARN(original.filename().string()
            << ", " << fault << ", " << odometry << ": ATE " << outcome.ate_m << " m, "
