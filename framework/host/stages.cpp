@@ -205,10 +205,10 @@ Status CellsStage::check(const Decision& decision) const {
   }
   for (const EarlierLoop& loop : decision.earlier) {
     if (loop.frame < 0 || loop.frame >= decision.frame) {
-      return failed("told a loop of frame {}, which is not an earlier frame", loop.frame);
+      return failed("answered a loop of frame {}, which is not an earlier frame", loop.frame);
     }
     if (loop.experience < 0 || loop.experience >= experiences_) {
-      return failed("told a loop of frame {} to experience {}, which does not exist", loop.frame,
+      return failed("answered a loop of frame {} to experience {}, which does not exist", loop.frame,
                     loop.experience);
     }
   }

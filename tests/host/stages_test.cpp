@@ -165,9 +165,9 @@ TEST_CASE("loops of earlier frames name a past frame and a known experience") {
   };
   REQUIRE(cells.say(Action::CreateExperience, 0).empty());
   CHECK(tell(0, 0).empty());
-  CHECK(tell(2, 0) == "told a loop of frame 2, which is not an earlier frame");
-  CHECK(tell(-1, 0) == "told a loop of frame -1, which is not an earlier frame");
-  CHECK(tell(1, 1) == "told a loop of frame 1 to experience 1, which does not exist");
+  CHECK(tell(2, 0) == "answered a loop of frame 2, which is not an earlier frame");
+  CHECK(tell(-1, 0) == "answered a loop of frame -1, which is not an earlier frame");
+  CHECK(tell(1, 1) == "answered a loop of frame 1 to experience 1, which does not exist");
   EarlierLoop wrong;
   wrong.frame = wrong.experience = 0;
   wrong.covariance(2, 2) = std::nan("");
