@@ -48,7 +48,8 @@ Status FolderSource::next(Frame& frame) {
         dataset_.T_world_left[origin].inverse() * dataset_.T_world_left[index];
   }
   Status status = readImages(index, frame);
-  if (status.isOk() || parameters_.on_corrupt == OnCorrupt::Stop) return status;
+  const bool damaged = status.code() == StatusCode::InvalidInput;
+  if (!damaged || parameters_.on_corrupt == OnCorrupt::Stop) return status;
   frame.left = frame.right = {};
   frame.defect = status.message();
   return Status::ok();

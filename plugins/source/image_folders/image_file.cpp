@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <new>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "jpeg_decoder.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::image_folders {
@@ -23,8 +25,22 @@ using Bytes = std::span<const std::uint8_t>;
 
 Status problem(std::string_view what) { return Status::invalidInput(std::string(what)); }
 
+/// The file could not be read for a cause outside of it: limits, memory, a failing disk. This is no
+/// damaged image, so on_corrupt does not apply.
+Status unread(int error) {
+  const bool descriptors = error == EMFILE || error == ENFILE;
+  return Status::failed("cannot be read (" + std::generic_category().message(error) + "); " +
+                        (descriptors ? "allow more open files (`ulimit -n`)"
+                                     : "check its permissions, the disk and the memory"));
+}
+
 std::string_view asText(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+bool isPng(Bytes bytes) {
+  using namespace std::string_view_literals;
+  return asText(bytes).starts_with("\x89PNG\r\n\x1a\n"sv);
 }
 
 /// Big-endian number of `count` bytes at `at`; the caller has checked that they exist.
@@ -87,31 +103,30 @@ Result<ImageSize> checkJpeg(Bytes bytes) {
 Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   constexpr std::uintmax_t kMostBytes = 512U << 20U;
   std::error_code failure;
-  if (!fs::is_regular_file(file, failure)) return problem("is missing or no file");
+  const fs::file_status status = fs::status(file, failure);
+  if (status.type() == fs::file_type::none) return unread(failure.value());
+  if (!fs::is_regular_file(status)) return problem("is missing or no file");
   const std::uintmax_t size = fs::file_size(file, failure);
   if (failure || size > kMostBytes) return problem("is larger than 512 MiB");
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  if (stream.is_open())
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
-  if (!stream.is_open()) {  // the file may be sound: permissions, or too many open files
-    return problem("cannot be opened (" + std::generic_category().message(errno) + ")");
-  }
-  if (!stream) return problem("cannot be read");
+  if (!stream.is_open()) return unread(errno);
+  stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  if (!stream) return unread(errno == 0 ? EIO : errno);
   return bytes;
 }
 
-Result<Image> decode(const std::vector<std::uint8_t>& bytes, bool colour, ImageSize size) {
+Result<Image> decodePng(const std::vector<std::uint8_t>& bytes, bool colour) {
   cv::Mat pixels;
   try {
     const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
     pixels = cv::imdecode(bytes, mode | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception&) {
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
     pixels.release();
   }
   if (pixels.empty()) return problem("cannot be decoded, its data are damaged");
-  if (ImageSize{pixels.cols, pixels.rows} != size) return problem("has a damaged header");
   return asImage(pixels);
 }
 
@@ -125,11 +140,20 @@ Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expect
                    std::to_string(size.value().height) + " pixels, but the first image has " +
                    std::to_string(expected.width) + "x" + std::to_string(expected.height));
   }
-  return decode(bytes.value(), colour, expected);
+  Result<Image> image =
+      isPng(bytes.value()) ? decodePng(bytes.value(), colour) : decodeJpeg(bytes.value(), colour);
+  if (!image.isOk()) return image;
+  if (ImageSize{image.value().width(), image.value().height()} != expected) {
+    return problem("has a damaged header");
+  }
+  return image;
 }
 
+/// The same failure with the file, and with the remedy for damaged ones.
 Status named(const fs::path& file, const Status& status) {
-  return problem(file.string() + ": " + status.message() + std::string(kRemedy));
+  const bool damaged = status.code() == StatusCode::InvalidInput;
+  return {status.code(),
+          file.string() + ": " + status.message() + std::string(damaged ? kRemedy : "")};
 }
 
 }  // namespace
@@ -137,7 +161,7 @@ Status named(const fs::path& file, const Status& status) {
 Result<ImageSize> checkImageBytes(Bytes bytes) {
   using namespace std::string_view_literals;
   if (bytes.empty()) return problem("is empty");
-  if (asText(bytes).starts_with("\x89PNG\r\n\x1a\n"sv)) return checkPng(bytes);
+  if (isPng(bytes)) return checkPng(bytes);
   if (asText(bytes).starts_with("\xff\xd8"sv)) return checkJpeg(bytes);
   return problem("is neither a PNG nor a JPEG file");
 }

@@ -2,6 +2,8 @@
 // Image files of every kind of damage. cv::imread is the oracle for the sound ones.
 #include "image_file.hpp"
 
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -106,6 +108,21 @@ TEST_CASE("damaged images name the file, the damage and the remedy") {
     CHECK(failure(data, "a.png") ==
           "DATA/a.png: claims an impossible size of 100000x100000 pixels" + remedy);
   }
+}
+
+TEST_CASE("a sound image that cannot be opened is told as that, not as damaged") {
+  const DataFolder data;
+  data.writeImage("a.jpg", 64, 48);
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_NOFILE, &before) == 0);
+  const rlimit none = {0, before.rlim_max};
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
+  const Status status = readImageFile(data.path("a.jpg"), false, kSize).status();
+  REQUIRE(::setrlimit(RLIMIT_NOFILE, &before) == 0);
+  CHECK(status.code() == StatusCode::Failed);
+  CHECK(data.anonymous(status.message()) ==
+        "DATA/a.jpg: cannot be read (Too many open files); allow more open files (`ulimit -n`)");
+  CHECK(readImageFile(data.path("a.jpg"), false, kSize).isOk());
 }
 
 TEST_CASE("no content crashes, and what is accepted has the right size") {
