@@ -173,7 +173,7 @@ struct CheckSettings {
         parameter("max_acceleration", &S::max_acceleration)
             .range(0, kNoLimit)
             .unit("m/s^2")
-            .doc("Likewise a motion that changes the velocity faster."),
+            .doc("Likewise a motion that changes the speed faster."),
         parameter("max_turn_rate", &S::max_turn_rate)
             .range(0, kNoLimit)
             .unit("rad/s")

@@ -19,12 +19,11 @@ class MotionCheck {
   std::optional<std::string> check(const Motion& motion);
 
  private:
-  std::optional<std::string> reasonAgainst(const Motion& motion, const Eigen::Vector3d& velocity);
+  std::optional<std::string> reasonAgainst(const Motion& motion, double speed) const;
 
   config::CheckSettings settings_;
-  bool has_velocity_ = false;
-  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  ///< of the last possible motion, m/s
-  double since_ = 0;                                    ///< s since that motion
+  std::optional<double> speed_;  ///< of the last possible motion, m/s
+  double since_ = 0;             ///< s since that motion
 };
 
 }  // namespace tolman::pipeline

@@ -181,7 +181,8 @@ void Run::drive(Outcome& outcome) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
   outcome.failure = failureOf(result.failure, listener);
-  if (!outcome.failure) outcome.failure = unsaved ? unsaved : stop_.reason();
+  if (!outcome.failure) outcome.failure = unsaved;
+  if (!outcome.failure && result.interrupted) outcome.failure = stop_.reason();
   const Status closed = recorder_->close();
   if (!closed.isOk() && listener.recordStatus().isOk()) outcome.failure = recordFailure(closed);
   outcome.interrupted = result.interrupted;

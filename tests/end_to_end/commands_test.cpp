@@ -68,7 +68,11 @@ TEST_CASE("plugins describe shows parameters as text, Markdown and JSON") {
   CHECK(tolman::test::tolman(base).out ==
         "steady 0.1.0 (odometry): Straight ahead, for tests.\n"
         "  speed                      real          default 10.0 m/s  [-50 to 50]\n"
-        "      Speed straight ahead.\n");
+        "      Speed straight ahead.\n"
+        "In a configuration:\n"
+        "  odometry: {plugin: steady}\n"
+        "  Parameters are keys beside `plugin`, and so are the keys of every stage: name,\n"
+        "  on_failure (stop, skip, restart) and isolation (none, process).\n");
   CHECK(contains(with("--markdown"), "| `speed` | real | 10.0 | m/s | -50 to 50 |"));
   CHECK(nlohmann::json::parse(with("--json"))["parameters"][0]["max"] == 50);
   const Finished unknown = tolman::test::tolman({"plugins", "describe", "expirience_map"});

@@ -39,8 +39,9 @@ TEST_CASE("speed, turn rate and acceleration have limits, and the reason names t
   CHECK(
       check.check(turning).value().starts_with("turns by 15.0 rad/s; checks.max_turn_rate is 10"));
   CHECK(isPossible(check, forward(1)));
+  CHECK(isPossible(check, forward(-1)));  // a clip that is played to and fro
   const auto jump = check.check(forward(2)).value();
-  CHECK(jump.starts_with("changes its velocity by 10.0 m/s in"));
+  CHECK(jump.starts_with("changes its speed by 10.0 m/s in"));
   CHECK(jump.find("checks.max_acceleration is 50 m/s^2") != std::string::npos);
 }
 

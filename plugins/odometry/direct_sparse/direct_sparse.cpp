@@ -173,18 +173,19 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
 }
 
 /// Few samples, or road marks and fences after a gap, may fit at a wrong place as well. There the
-/// robot would have changed its speed by more than one g.
+/// robot would have changed its speed by more than one g. A clip that is played to and fro turns
+/// the velocity round.
 bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
   const bool in_metres = cameras_ == Cameras::Stereo;
   if (!has_velocity_ || !in_metres) return true;
   constexpr double kAcceleration = 10;  // m/s^2
   constexpr double kSlack = 0.2;        // m
   constexpr double kShare = 0.1;        // of the way since the last frame
-  const Eigen::Isometry3d step = expSe3(velocity_ * dt);
-  const Eigen::Vector3d expected = (history_.lastPose() * step).translation();
+  const Eigen::Vector3d moved = (history_.lastPose().inverse() * poseOf(tracked)).translation();
+  const Eigen::Vector3d expected = expSe3(velocity_ * dt).translation();
+  const double error = std::min((moved - expected).norm(), (moved + expected).norm());
   const double since = gap_s_ + dt;
-  return (poseOf(tracked).translation() - expected).norm() <
-         0.5 * kAcceleration * since * since + kSlack + kShare * step.translation().norm();
+  return error < 0.5 * kAcceleration * since * since + kSlack + kShare * expected.norm();
 }
 
 std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation) {
