@@ -1,5 +1,5 @@
 # Debian packages: tolman (program, plugins, configurations, pages) and libtolman-sdk-dev.
-#   cpack --config build/CPackConfig.cmake
+#   scripts/package, or of what is built: cpack --config build/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}") # the first line of both
@@ -26,8 +26,8 @@ set(CPACK_DEBIAN_SDK_PACKAGE_NAME libtolman-sdk-dev)
 set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_SDK_PACKAGE_ARCHITECTURE all)
 set(CPACK_COMPONENT_SDK_DESCRIPTION
-    "This package has what authors of plugins need: headers, CMake package, examples,
-and the templates that 'tolman plugins new' copies.")
+    "This package has what authors of plugins need: headers, CMake package,
+examples, and the templates that 'tolman plugins new' copies.")
 set(CPACK_DEBIAN_SDK_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>= 3.22), g++")
 set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")
@@ -38,8 +38,12 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT
 install(DIRECTORY sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman/sdk
         COMPONENT program)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman RENAME copyright
-        COMPONENT program)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libtolman-sdk-dev RENAME copyright
-        COMPONENT sdk)
+foreach(package program:tolman sdk:libtolman-sdk-dev)
+  string(REPLACE ":" ";" package ${package})
+  list(POP_FRONT package component)
+  install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
+          COMPONENT ${component})
+endforeach()
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/finish.cmake)
+set(CPACK_TOLMAN_SOURCE_DIR ${PROJECT_SOURCE_DIR}) # for that script
 include(CPack)
