@@ -33,6 +33,11 @@ foreach(package program:tolman sdk:libtolman-sdk-dev)
   run(nothing gzip -9nf ${changelog})
 endforeach()
 
-# Neither the umask of who builds nor the hour may show.
+file(GLOB_RECURSE man_pages ${folder}/*/usr/share/man/*.[1-9])
+if(man_pages)
+  run(nothing gzip -9nf ${man_pages})
+endif()
+
+# Neither the modes of the sources nor the hour may show.
 run(nothing chmod -R u=rwX,go=rX ${folder})
 run(nothing find ${folder} -exec touch -h -d @${seconds} {} +)

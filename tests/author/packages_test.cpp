@@ -74,6 +74,7 @@ TEST_CASE("the packages say what they need and hold what they should") {
   for (const char* file :
        {"./usr/bin/tolman\n", "/tolman/plugins/tolman_source_town.so\n",
         "./usr/share/tolman/configs/demo.yaml\n", "./usr/share/doc/tolman/copyright\n",
+        "./usr/share/doc/tolman/changelog.gz\n",
         "./usr/share/doc/tolman/docs/write-a-plugin.md\n"}) {
     INFO(file);
     CHECK(contains(program, file));
@@ -83,11 +84,27 @@ TEST_CASE("the packages say what they need and hold what they should") {
        {"./usr/include/tolman/roles.hpp\n", "/cmake/tolman-sdk/tolman-sdk-config.cmake\n",
         "./usr/share/tolman/template/shared/CMakeLists.txt.in\n",
         "./usr/share/tolman/examples/hog_places.cpp\n",
-        "./usr/share/doc/libtolman-sdk-dev/copyright\n"}) {
+        "./usr/share/doc/libtolman-sdk-dev/copyright\n",
+        "./usr/share/doc/libtolman-sdk-dev/changelog.gz\n"}) {
     INFO(file);
     CHECK(contains(sdk, file));
     CHECK_FALSE(contains(program, file));
   }
+}
+
+TEST_CASE("packages of the same sources are the same bytes at any hour") {
+  if (!hasDpkg()) return;
+  const Workshop workshop;
+  const Finished made =
+      workshop.shell("cpack --config " + inBuild("CPackConfig.cmake") +
+                     " -G DEB -B first\n"
+                     "export TZ=Asia/Tokyo SOURCE_DATE_EPOCH=1\nsleep 1\n"
+                     "cpack --config " +
+                     inBuild("CPackConfig.cmake") +
+                     " -G DEB -B second\n"
+                     "for package in first/*.deb; do cmp $package second/${package#first/}; done");
+  INFO(made.out << made.err);
+  CHECK(made.exit_code == 0);
 }
 
 TEST_CASE("unpacked packages work from their folder") {
