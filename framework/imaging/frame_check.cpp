@@ -44,14 +44,15 @@ Image darkened(const Image& image) {
 }  // namespace
 
 /// A doubtful fault must be measured in two frames; one ends when it is not measured for a while.
-StereoFault FrameCheck::stereoFault(const Frame& frame, StereoMeasure& measure) {
+StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
-  measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
+  const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));
   const StereoFault measured = faultOf(measure);
   const bool certain = measure.matched >= kCertain || measured == last_measured_;
   last_measured_ = measured;
   if (measured != StereoFault::None) {
     if (certain) fault_ = measured;
+    if (certain) stereo_text_ = faultText(measured, measure);
     sound_measures_ = 0;
   } else if (++sound_measures_ >= kSoundAgain) {
     fault_ = StereoFault::None;
@@ -65,20 +66,27 @@ FrameCheck::Verdict FrameCheck::verdictOn(const Frame& frame) {
   const bool left = samePixels(frame.left, left_) && !isUniform(frame.left);
   const bool right = samePixels(frame.right, right_) && !isUniform(frame.right);
   if (left) {
-    return {Use::None, right ? "both images repeat those of the frame before: no new ones come"
-                             : "the left image repeats that of the frame before: no new one comes"};
+    return {Fault::Left, Use::None,
+            right ? "both images repeat those of the frame before: no new ones come"
+                  : "the left image repeats that of the frame before: no new one comes"};
   }
   if (right)
-    return {Use::Left, "the right image repeats that of the frame before: no new one comes"};
+    return {Fault::Right, Use::Left,
+            "the right image repeats that of the frame before: no new one comes"};
   if (samePixels(frame.left, frame.right) && !isUniform(frame.left)) {
-    return {Use::Left, "the right image is the left one"};
+    return {Fault::Equal, Use::Left, "the right image is the left one"};
   }
-  StereoMeasure measure;
-  const StereoFault fault = stereoFault(frame, measure);
-  const Use use = fault == StereoFault::None        ? Use::Both
-                  : fault == StereoFault::Exchanged ? Use::None
-                                                    : Use::Left;
-  return {use, faultText(fault, measure)};
+  switch (stereoFault(frame)) {
+    case StereoFault::None:
+      break;
+    case StereoFault::Exchanged:
+      return {Fault::Exchanged, Use::None, stereo_text_};
+    case StereoFault::RowsApart:
+      return {Fault::RowsApart, Use::Left, stereo_text_};
+    case StereoFault::OtherTime:
+      return {Fault::OtherTime, Use::Left, stereo_text_};
+  }
+  return {};
 }
 
 std::optional<std::string> FrameCheck::check(Frame& frame) {
@@ -88,11 +96,10 @@ std::optional<std::string> FrameCheck::check(Frame& frame) {
   right_ = frame.right;
   if (verdict.use == Use::Left) frame.right = darkened(frame.right);
   if (verdict.use == Use::None) frame.left = frame.right = Image();
-  if (verdict.use != Use::Both) frame.defect = verdict.fault;
-  // The text of a fault that goes on may differ in its figures.
-  const bool begins = !verdict.fault.empty() && !has_fault_;
-  has_fault_ = !verdict.fault.empty();
-  return begins ? std::optional(verdict.fault) : std::nullopt;
+  if (verdict.use != Use::Both) frame.defect = verdict.text;
+  const bool begins = verdict.fault != Fault::None && verdict.fault != last_;
+  last_ = verdict.fault;
+  return begins ? std::optional(verdict.text) : std::nullopt;
 }
 
 }  // namespace tolman::imaging

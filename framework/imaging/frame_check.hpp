@@ -21,12 +21,14 @@ class FrameCheck {
 
  private:
   enum class Use { Both, Left, None };
+  enum class Fault { None, Left, Right, Equal, Exchanged, RowsApart, OtherTime };
   struct Verdict {
+    Fault fault = Fault::None;
     Use use = Use::Both;
-    std::string fault;  ///< empty: none
+    std::string text;  ///< of the fault
   };
   Verdict verdictOn(const Frame& frame);
-  StereoFault stereoFault(const Frame& frame, StereoMeasure& measure);
+  StereoFault stereoFault(const Frame& frame);
 
   Image left_;              ///< of the last frame that had images
   Image right_;             ///< likewise
@@ -34,7 +36,8 @@ class FrameCheck {
   int sound_measures_ = 0;  ///< in succession
   StereoFault last_measured_ = StereoFault::None;
   StereoFault fault_ = StereoFault::None;
-  bool has_fault_ = false;  ///< the last frame
+  std::string stereo_text_;   ///< of the last measure with that fault
+  Fault last_ = Fault::None;  ///< of the last frame
 };
 
 }  // namespace tolman::imaging

@@ -201,13 +201,11 @@ StereoFault faultOf(const StereoMeasure& measure) {
 std::string faultText(StereoFault fault, const StereoMeasure& measure) {
   switch (fault) {
     case StereoFault::RowsApart:
-      if (measure.matched == 0) return "the rows of the right image are apart from the left ones";
       return fmt::format("the right image is {:.1f} px {}; are the images rectified?",
                          std::fabs(measure.rows_low), measure.rows_low > 0 ? "low" : "high");
     case StereoFault::Exchanged:
       return "left and right image are exchanged";
     case StereoFault::OtherTime:
-      if (measure.matched == 0) return "left and right image do not belong together";
       return fmt::format(
           "the rows of left and right image do not belong together (differences of {:.1f} px); are "
           "both exposed at the same time, and rectified?",

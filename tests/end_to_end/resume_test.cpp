@@ -148,8 +148,8 @@ TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it i
   std::string text;
   SECTION("another odometry than that of the record") {
     text = readText(config);
-    REQUIRE(contains(text, "speed: 10"));
-    text.replace(text.find("speed: 10"), 9, "speed: 11");
+    REQUIRE(contains(text, " speed: 10\n"));
+    text.replace(text.find(" speed: 10\n"), 10, " speed: 11");
     std::ofstream(config) << text;
     CHECK(contains(refusal(), "gives another motion at frame 1 than was recorded"));
   }
