@@ -9,6 +9,7 @@
 #include <iostream>
 #include <new>
 #include <string_view>
+#include <system_error>
 
 #include "config/nearest_name.hpp"
 #include "run/build_info.hpp"
@@ -103,6 +104,15 @@ std::string unknownCommand(const CLI::App& app) {
          (suggestion.empty() ? "; it is one of: " + config::listed(names) : suggestion);
 }
 
+/// A thread that finds no room for its stack fails with "Resource temporarily unavailable".
+std::string systemErrorText(const std::system_error& error) {
+  if (error.code() == std::errc::resource_unavailable_try_again ||
+      error.code() == std::errc::not_enough_memory) {
+    return "tolman: out of memory or of threads; give it more (`ulimit -v`, `ulimit -u`)";
+  }
+  return std::string("tolman: internal error: ") + error.what();
+}
+
 int parse(CLI::App& app, std::vector<std::string> words) {
   try {
     std::ranges::reverse(words);  // as CLI11 wants them
@@ -119,6 +129,8 @@ int parse(CLI::App& app, std::vector<std::string> words) {
   } catch (const std::bad_alloc&) {
     const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
     return static_cast<int>(printFailure(ExitCode::Internal, text));
+  } catch (const std::system_error& error) {
+    return static_cast<int>(printFailure(ExitCode::Internal, systemErrorText(error)));
   } catch (const std::exception& error) {  // a defect of the host, not of its input
     const std::string text = std::string("tolman: internal error: ") + error.what();
     return static_cast<int>(printFailure(ExitCode::Internal, text));

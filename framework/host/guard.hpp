@@ -29,6 +29,16 @@ inline std::string prefix(const CallSite& site) {
   return text + ": ";
 }
 
+/// A failure of this text. Memory may be short: then one so short that a std::string holds it in
+/// itself.
+inline Status thrown(const char* begin, const char* what) noexcept {
+  try {
+    return Status::failed(std::string(begin) + what);
+  } catch (const std::exception&) {
+    return Status::failed("out of memory");
+  }
+}
+
 /// Calls `work`, which returns a Status, and converts an exception to a failure. The text of the
 /// exception is copied, because its object belongs to the plugin's library.
 template <class Work>
@@ -36,18 +46,22 @@ Status contained(Work&& work) noexcept {
   try {
     return std::forward<Work>(work)();
   } catch (const std::exception& error) {
-    return Status::failed(std::string("threw: ") + error.what());
+    return thrown("threw: ", error.what());
   } catch (...) {
-    return Status::failed("threw something that is not a std::exception");
+    return thrown("threw something that is not a std::exception", "");
   }
 }
 
-/// The same, with the call site before the message of a failure.
+/// The same, with the call site before the message of a failure where memory suffices.
 template <class Work>
 Status guarded(const CallSite& site, Work&& work) noexcept {
-  const Status status = contained(std::forward<Work>(work));
+  Status status = contained(std::forward<Work>(work));
   if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
-  return {status.code(), prefix(site).append(status.message())};
+  try {
+    return {status.code(), prefix(site).append(status.message())};
+  } catch (const std::exception&) {
+    return status;
+  }
 }
 
 }  // namespace tolman::host

@@ -3,6 +3,8 @@
 
 #include <sqlite3.h>
 
+#include <system_error>
+
 namespace tolman::record {
 namespace {
 
@@ -20,12 +22,21 @@ const char* remedy(int code) {
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
-      return "; check that the path exists and its permissions";
+      return "; check path, permissions and free space";
     case SQLITE_BUSY:
       return "; another program holds the database";
     default:
       return "";
   }
+}
+
+/// What a writer that was killed has left unfinished is rolled back, which a reader may not do.
+/// When that fails (read-only media), the reader fails as well and says why.
+void rollBackJournal(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file.string() + "-journal", ignored)) return;
+  Database database(file.string(), SQLite::OPEN_READWRITE, kBusyTimeoutMs);
+  (void)database.tryExec("SELECT count(*) FROM sqlite_master");
 }
 
 }  // namespace
@@ -41,6 +52,7 @@ Database openDatabase(const std::filesystem::path& file, Access access) {
   const int mode = access == Access::Create  ? SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE
                    : access == Access::Write ? SQLite::OPEN_READWRITE
                                              : SQLite::OPEN_READONLY;
+  if (access == Access::ReadOnly) rollBackJournal(file);
   Database database(file.string(), mode | SQLite::OPEN_FULLMUTEX, kBusyTimeoutMs);
   database.exec(
       "PRAGMA trusted_schema = OFF; PRAGMA cell_size_check = ON; PRAGMA foreign_keys = ON");

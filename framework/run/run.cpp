@@ -43,6 +43,7 @@ Outcome Run::execute(CheckedSystem system) {
   }
   drive(outcome);
   conclude(outcome);
+  if (stateOf(outcome) == record::RunState::Finished) removeCheckpoint(directory_->path());
   return outcome;
 }
 
@@ -88,7 +89,10 @@ void Run::continueEarlierRun() {
 void Run::resumeRun() {
   const std::filesystem::path& path = options_.resume;
   auto before = record::RunDirectory::readRunFile(path);
-  if (before.value("status", "") == enumName(record::RunState::Finished)) {
+  if (!before.is_object()) {
+    refuseToContinue((path / "run.json").string() + ": is missing or damaged; run it again");
+  }
+  if (before["status"] == enumName(record::RunState::Finished)) {
     refuseToContinue(path.string() +
                      ": this run has finished, there is nothing to resume; to continue its map in "
                      "a new run use --continue");
@@ -110,6 +114,7 @@ void Run::reopenRecord(nlohmann::ordered_json before) {
   for (const char* kept : {"started", "command_line", "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
+  if (!run_file_["resumed"].is_array()) run_file_["resumed"] = nlohmann::ordered_json::array();
   run_file_["resumed"].push_back({{"time", utcText(utcSeconds())}, {"first_frame", next_frame}});
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
   recorder_ =
@@ -219,7 +224,6 @@ std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunLi
   if (result.failure || n.frames == 0 || !listener.recordStatus().isOk()) return std::nullopt;
   const auto unsaved =
       run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
-  if (!unsaved && !result.interrupted) removeCheckpoint(directory_->path());
   if (!unsaved || unsaved->kind == FailureKind::Record) return unsaved;
   listener.onEvent({-1, LogLevel::Warning, "state", unsaved->message});
   return std::nullopt;

@@ -136,6 +136,7 @@ pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& director
 
 void removeCheckpoint(const fs::path& directory) {
   std::error_code ignored;  // it does no harm
+  if (!fs::exists(sessionFile(directory), ignored)) return;
   fs::remove(checkpointFile(directory), ignored);
   removeCheckpointsBut(sessionFile(directory).parent_path(), -1);
 }

@@ -41,7 +41,7 @@ Status saveCheckpoint(Assembly& assembly, const std::filesystem::path& directory
 /// Throws Failed, as loadState().
 pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const std::filesystem::path& directory);
 
-/// A run that has finished needs none.
+/// A run that has finished, with all of its files, needs none where its last state is saved.
 void removeCheckpoint(const std::filesystem::path& directory);
 
 }  // namespace tolman::run

@@ -12,10 +12,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// `tolman` with these arguments and at most `mib` of address space.
-Finished within(int mib, const std::vector<std::string>& words) {
-  std::string line =
-      "ulimit -v " + std::to_string(1024 * mib) + "; exec '" + tolmanProgram().string() + "'";
+/// `tolman` with these arguments and at most `mib` of address space, after a command of the shell.
+Finished within(int mib, const std::vector<std::string>& words, const std::string& before = ":") {
+  std::string line = before + "; ulimit -v " + std::to_string(1024 * mib) + "; exec '" +
+                     tolmanProgram().string() + "'";
   for (const std::string& word : words) line += " '" + word + "'";
   return run({"bash", "-c", line});
 }
@@ -51,6 +51,24 @@ TEST_CASE("a plugin that takes all memory fails alone: the frames before are rec
   CHECK(provenance["status"] == "failed");
   CHECK(provenance["counters"]["frames"] == 3);
   CHECK(fs::exists(fs::path(out) / "report.html"));
+}
+
+TEST_CASE("threads that find no room for their stacks are said to lack memory") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 2);
+  const std::string config = writeTinyConfig(folder.path(), folder.path() / "sequence").string();
+  int told = 0;
+  for (int mib = 70; mib <= 140; mib += 10) {
+    const Finished finished =
+        within(mib, {"run", config, "--out", (folder.path() / "run").string()}, "ulimit -s 65536");
+    CAPTURE(mib, finished.exit_code, finished.err);
+    // 127: the system's loader, before the program begins.
+    CHECK((finished.exit_code == 4 || finished.exit_code == 70 || finished.exit_code == 127));
+    if (finished.exit_code != 70) continue;
+    ++told;
+    CHECK(finished.err.starts_with("tolman: out of memory"));
+  }
+  CHECK(told > 0);
 }
 
 TEST_CASE("libraries that find no room are refused as plugins, with the limits as the remedy") {

@@ -159,6 +159,14 @@ TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it i
     fs::remove(checkpoint);
     CHECK(contains(refusal(), "has no checkpoint"));
   }
+  SECTION("a run.json that is missing or damaged") {
+    for (const char* damaged : {"", "[1]"}) {
+      std::ofstream(run.out / "run.json") << damaged;
+      CHECK(contains(refusal(), "run.json: is missing or damaged"));
+    }
+    fs::remove(run.out / "run.json");
+    CHECK(contains(refusal(), "run.json: is missing or damaged"));
+  }
   SECTION("a checkpoint that the record does not reach") {
     text = readText(checkpoint);
     const std::string frame = "\"frame\": " + std::to_string(checkpointOf(run.out));

@@ -3,10 +3,14 @@
 // frame.
 #include "host/guard.hpp"
 
+#include <sys/resource.h>
+
 #include <catch2/catch.hpp>
 #include <ios>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 using namespace tolman;
 using namespace tolman::host;
@@ -67,3 +71,29 @@ TEST_CASE("the work is done once, in the caller's thread, and may change what it
               }).isOk());
   CHECK(calls == 2);
 }
+
+#ifndef __SANITIZE_ADDRESS__  // its allocator ends the process
+TEST_CASE("a failure is told where there is no memory for its text") {
+  struct Large : std::exception {
+    std::string text = std::string(std::size_t{64} << 20U, 'x');
+    const char* what() const noexcept override { return text.c_str(); }
+  };
+  rlimit before{};
+  REQUIRE(::getrlimit(RLIMIT_AS, &before) == 0);
+  const rlimit short_of_memory = {std::size_t{1} << 20U, before.rlim_max};
+  Status thrown;
+  Status returned;
+  std::string text(std::size_t{64} << 20U, 'x');
+  try {
+    throw Large();
+  } catch (const Large&) {
+    REQUIRE(::setrlimit(RLIMIT_AS, &short_of_memory) == 0);
+    thrown = guarded(kTrack, []() -> Status { throw; });
+    returned = guarded(kTrack, [&] { return Status::invalidInput(std::move(text)); });
+    REQUIRE(::setrlimit(RLIMIT_AS, &before) == 0);
+  }
+  CHECK(thrown.message() == "odometry (mine), track, frame 12: out of memory");
+  CHECK(returned.code() == StatusCode::InvalidInput);
+  CHECK(returned.message().size() == std::size_t{64} << 20U);  // without its place
+}
+#endif

@@ -69,7 +69,7 @@ TEST_CASE("what SQLite refuses is said with the remedy") {
   const test::TemporaryFolder folder;
   const auto refusal = [](auto work) { return guarded("", work).message(); };
   CHECK(refusal([&] { openDatabase(folder.path() / "absent", Access::ReadOnly); }) ==
-        ": unable to open database file; check that the path exists and its permissions");
+        ": unable to open database file; check path, permissions and free space");
   std::ofstream(folder.path() / "letter") << std::string(2000, 'x');
   Database letter = openDatabase(folder.path() / "letter", Access::ReadOnly);
   CHECK(refusal([&] { letter.exec("SELECT * FROM sqlite_schema"); }) ==
@@ -88,8 +88,26 @@ TEST_CASE("a reader cannot write, and foreign keys are watched") {
   }
   Database reader = openDatabase(file, Access::ReadOnly);
   CHECK(guarded("file", [&] { reader.exec("INSERT INTO a VALUES (1)"); }).message() ==
-        "file: attempt to write a readonly database; check that the path exists and its "
-        "permissions");
+        "file: attempt to write a readonly database; check path, permissions and free space");
+}
+
+TEST_CASE("a reader rolls back what a killed writer has left unfinished") {
+  const test::TemporaryFolder folder;
+  Database writer = openDatabase(folder.path() / "a", Access::Create);
+  writer.exec(
+      "PRAGMA cache_size = 2; CREATE TABLE t (i, text);"
+      "WITH RECURSIVE n (i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 500)"
+      "INSERT INTO t SELECT i, hex(zeroblob(1000)) FROM n");
+  writer.exec("BEGIN; UPDATE t SET text = 'new'");  // more than the cache holds: partly in the file
+  for (const char* suffix : {"", "-journal"}) {
+    std::filesystem::copy(folder.path() / (std::string("a") + suffix),
+                          folder.path() / (std::string("killed") + suffix));
+  }
+  Database reader = openDatabase(folder.path() / "killed", Access::ReadOnly);
+  Statement rows(reader, "SELECT count(*), sum(text = 'new') FROM t");
+  REQUIRE(rows.step());
+  CHECK(rows.next().getInt64() == 500);
+  CHECK(rows.next().getInt64() == 0);
 }
 
 TEST_CASE("exceptions become a Status that says whose fault it is") {
