@@ -208,8 +208,8 @@ Status CellsStage::check(const Decision& decision) const {
       return failed("answered a loop of frame {}, which is not an earlier frame", loop.frame);
     }
     if (loop.experience < 0 || loop.experience >= experiences_) {
-      return failed("answered a loop of frame {} to experience {}, which does not exist", loop.frame,
-                    loop.experience);
+      return failed("answered a loop of frame {} to experience {}, which does not exist",
+                    loop.frame, loop.experience);
     }
   }
   if (decision.heading < 0 || decision.heading >= 2 * std::numbers::pi) {
