@@ -249,13 +249,17 @@ void Run::conclude(Outcome& outcome) {
   const Status reported = writeReport(*results.value().reader, std::move(results.value().data));
   if (reported.isOk()) return;
   check(outcome, reported);
-  writeRunFile(outcome);  // it already has the status "finished"
+  if (writeRunFile(outcome)) return;
+  std::error_code ignored;  // it has the status "finished", and a full disk keeps no other one
+  std::filesystem::remove(directory_->path() / "run.json", ignored);
 }
 
-void Run::writeRunFile(Outcome& outcome) {
+bool Run::writeRunFile(Outcome& outcome) {
   addOutcome(run_file_, outcome);
   if (options_.exit_code) run_file_["exit_code"] = options_.exit_code(outcome);
-  check(outcome, directory_->writeRunFile(run_file_, stateOf(outcome)));
+  const Status written = directory_->writeRunFile(run_file_, stateOf(outcome));
+  check(outcome, written);
+  return written.isOk();
 }
 
 /// A result file that cannot be written completely makes the run fail. The first failure is in the

@@ -75,7 +75,7 @@ class Run {
                                    const RunListener& listener) const;
   std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
   void conclude(Outcome& outcome);
-  void writeRunFile(Outcome& outcome);
+  bool writeRunFile(Outcome& outcome);
   void check(Outcome& outcome, const Status& written);
 
   RunLog& log_;

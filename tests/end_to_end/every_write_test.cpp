@@ -99,7 +99,7 @@ bool hasTemporaryFiles(const fs::path& folder) {
 }  // namespace
 
 TEST_CASE("whichever change of a file fails, the run ends with exit code 8 and names a file") {
-  const auto [fault, step] = GENERATE(std::tuple{"once", 5}, std::tuple{"full", 11});
+  const auto [fault, step] = GENERATE(std::tuple{"once", 9}, std::tuple{"full", 17});
   const Victim victim;
   const int changes = victim.changes();
   CHECK(changes > 200);
@@ -131,7 +131,7 @@ TEST_CASE(
   const std::string digests = readText(victim.out() / "results.sha256");
   int resumed = 0;
   int refused = 0;
-  for (int at = 1; at <= changes; at += 9) {
+  for (int at = 1; at <= changes; at += 19) {
     const Finished killed = victim.faulty("kill", at);
     const std::string change = victim.change();
     if (change.empty()) continue;
