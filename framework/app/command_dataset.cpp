@@ -115,9 +115,13 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
   command->fallthrough();
   CLI::App* check_command = command->add_subcommand("check", "Check a data set");
   auto options = std::make_shared<DatasetOptions>();
-  check_command->add_option("path", options->path, "Folder of the data set")->required();
-  check_command->add_option("--source", options->source, "Source plugin (default: kitti)");
+  check_command->add_option("path", options->path, "Folder of the data set")
+      ->type_name("FOLDER")
+      ->required();
+  check_command->add_option("--source", options->source, "Source plugin (default: kitti)")
+      ->type_name("SOURCE");
   check_command->add_option("--set", options->overrides, "Parameter of the source: --set a=b")
+      ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   check_command->add_flag("--decode", options->decode, "Also decode every image");
   check_command->callback(

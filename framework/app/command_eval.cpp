@@ -47,10 +47,13 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
       {"se2", evaluation::Alignment::Se2},
       {"se3", evaluation::Alignment::Se3},
       {"sim3", evaluation::Alignment::Sim3}};
-  command->add_option("truth", options->truth, "True trajectory")->required();
-  command->add_option("estimate", options->estimate, "Estimated trajectory")->required();
-  command->add_option("--align", options->alignment, "none, se2, se3 (default) or sim3")
-      ->type_name("NAME")
+  command->add_option("truth", options->truth, "True trajectory")->type_name("FILE")->required();
+  command->add_option("estimate", options->estimate, "Estimated trajectory")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--align", options->alignment, "Alignment before the comparison (default: se3)")
+      ->type_name("none|se2|se3|sim3")
       ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""));
   command
       ->add_option("--max-difference", options->max_difference,

@@ -31,10 +31,11 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       "export", "Write trajectories and map of a run (finished, running or killed)");
   auto run = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
-  command->add_option("run", *run, "Run directory")->required();
+  command->add_option("run", *run, "Run directory")->type_name("RUN")->required();
   command
       ->add_option("--out", *out,
                    "Folder to write to (default: the run directory; of a session, session-N in it)")
+      ->type_name("FOLDER")
       ->check(notEmpty);
   auto session = std::make_shared<std::int64_t>(-1);
   command->add_option("--session", *session,

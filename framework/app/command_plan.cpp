@@ -136,10 +136,11 @@ void run(const PlanOptions& options, const Invocation& invocation) {
 void addPlanCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("plan", "The fastest route between two places of a map");
   auto options = std::make_shared<PlanOptions>();
-  command->add_option("run", options->run, "Run directory")->required();
+  command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
   command->add_option("--from", options->from, "Experience (17), or place in metres (12.5,-30)")
+      ->type_name("PLACE")
       ->required();
-  command->add_option("--to", options->to, "The same")->required();
+  command->add_option("--to", options->to, "The same")->type_name("PLACE")->required();
   command->callback([options, &invocation] { run(*options, invocation); });
 }
 

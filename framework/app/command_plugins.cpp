@@ -165,7 +165,7 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
 
   CLI::App* one = command->add_subcommand("describe", "Parameters of plugins");
   auto asked = std::make_shared<Description>();
-  one->add_option("id", asked->ids, "Plugin ids");
+  one->add_option("id", asked->ids, "Plugin ids")->type_name("PLUGIN");
   auto* markdown = one->add_flag("--markdown", asked->markdown, "As a reference page");
   one->add_flag("--json-schema", asked->json_schema,
                 "As JSON Schema of a stage; without ids of a whole configuration file")
@@ -175,7 +175,7 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* doctor_command =
       command->add_subcommand("doctor", "Why does a plugin library (not) load?");
   auto file = std::make_shared<std::string>();
-  doctor_command->add_option("file", *file, "Library, *.so")->required();
+  doctor_command->add_option("file", *file, "Library, *.so")->type_name("LIBRARY")->required();
   doctor_command->callback([file, &invocation] { doctor(*file, invocation); });
 
   addPluginsNewCommand(*command, invocation);

@@ -43,6 +43,15 @@ std::string nextCommands(const fs::path& folder, const fs::path& executable) {
       quoted(folder.string()), sdk, program);
 }
 
+/// "source|odometry|...".
+std::string roleChoices() {
+  std::string choices;
+  for (const std::string_view role : kRoleNames) {
+    choices += (choices.empty() ? "" : "|") + std::string(role);
+  }
+  return choices;
+}
+
 void makePlugin(const Request& request, const Invocation& invocation) {
   const Role role = valueOrEnd(roleNamed(request.role), ExitCode::Usage);
   if (const auto objection = objectionTo(request.name)) throw Ended{ExitCode::Usage, *objection};
@@ -70,10 +79,14 @@ void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation) {
   CLI::App* command =
       plugins.add_subcommand("new", "A repository of your own, with a plugin that works");
   auto request = std::make_shared<Request>();
-  command->add_option("role", request->role, "source, odometry, place, cells, map or observer")
+  command->add_option("role", request->role, "Role of the plugin")
+      ->type_name(roleChoices())
       ->required();
-  command->add_option("name", request->name, "Id of the plugin, such as my_places")->required();
-  command->add_option("dir", request->folder, "Folder to write; default: NAME");
+  command->add_option("name", request->name, "Id of the plugin, such as my_places")
+      ->type_name("ID")
+      ->required();
+  command->add_option("dir", request->folder, "Folder to write; default: NAME")
+      ->type_name("FOLDER");
   command->callback([request, &invocation] { makePlugin(*request, invocation); });
 }
 

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/duration_text.hpp"
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
 #include "dataset/rendering.hpp"
@@ -156,7 +157,7 @@ class RenderRun {
                                "frames", outcome.written, outcome.left_out)
                 << fmt::format("{:<10}{} frames in the same direction, {} in the opposite one\n",
                                "revisits", same, opposite)
-                << fmt::format("{:<10}{:.1f} s, {:.1f} frames/s\n", "time", seconds, rate);
+                << fmt::format("{:<10}{}, {:.1f} frames/s\n", "time", durationText(seconds), rate);
     }
   }
 
@@ -176,7 +177,10 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation) {
       dataset.add_subcommand("render", "Write the frames of a source as a KITTI folder");
   auto options = std::make_shared<SystemOptionsReader>(*command);
   auto render = std::make_shared<RenderCommand>();
-  command->add_option("--out", render->out, "Folder to write")->required()->check(notEmpty);
+  command->add_option("--out", render->out, "Folder to write")
+      ->type_name("FOLDER")
+      ->required()
+      ->check(notEmpty);
   command->add_option("--frames", render->render.frames, "Take at most this many frames")
       ->check(CLI::PositiveNumber);
   command->add_flag("--depth", render->depth, "Write depth maps too (16 bits, m * 256)");

@@ -30,6 +30,7 @@ std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
   command
       .add_option("--grid-unit", units->grid,
                   "Row,column of the grid unit whose firing rate is drawn, from 1 (default: 1,1)")
+      ->type_name("ROW,COLUMN")
       ->delimiter(',')
       ->expected(2)
       ->check(CLI::Range(std::size_t{1}, kMostUnits));
@@ -43,8 +44,11 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
       app.add_subcommand("report", "Figures and a page about runs (finished, running or killed)");
   auto runs = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
-  command->add_option("run", *runs, "Run directories; several are shown side by side")->required();
+  command->add_option("run", *runs, "Run directories; several are shown side by side")
+      ->type_name("RUN")
+      ->required();
   command->add_option("--out", *out, "Folder to write to (default: the first run directory)")
+      ->type_name("FOLDER")
       ->check(notEmpty);
   const auto units = addUnitOptions(*command);
   command->callback([runs, out, units, &invocation] {

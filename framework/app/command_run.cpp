@@ -60,6 +60,7 @@ void addRunCommand(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<SystemOptionsReader>(*command);
   auto run = std::make_shared<RunCommand>();
   command->add_option("--out", run->out, "Run directory (default: runs/NAME-TIME)")
+      ->type_name("FOLDER")
       ->check(notEmpty);
   command->add_flag("--force", run->replace, "Replace the run that the --out directory holds");
   options->addContinue(*command);
@@ -67,6 +68,7 @@ void addRunCommand(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--viewer", run->viewer,
                    "Observer that --view adds (default: the first by id that serves a page)")
+      ->type_name("OBSERVER")
       ->needs(view);
   command->callback([options, run, &invocation] {
     run->resume = options->resumed();

@@ -88,16 +88,19 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
   CLI::App* command =
       plugins.add_subcommand("validate", "Check whether a plugin keeps the contract");
   auto options = std::make_shared<KitOptions>();
-  command->add_option("file", options->file, "Library, *.so")->required();
-  command->add_option("--id", options->id, "One plugin of the library; else all");
+  command->add_option("file", options->file, "Library, *.so")->type_name("LIBRARY")->required();
+  command->add_option("--id", options->id, "One plugin of the library; else all")->type_name("ID");
   command->add_option("--level", options->level, "1 contract, 2 reproducible results, 3 all checks")
+      ->type_name("1|2|3")
       ->check(CLI::Range(1, 3))
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the images and random parameters")
       ->capture_default_str();
   command->add_option("--set", options->set, "A parameter, key=value (repeatable)")
+      ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   command->add_option("--check", options->only, "Only this check (repeatable)")
+      ->type_name("NAME")
       ->allow_extra_args(false)
       ->check(CLI::IsMember(checkIds()));
   command->add_option("--timeout", options->timeout, "Seconds for each check")

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman view: a run in the browser, finished or running, from its record.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <iostream>
@@ -9,6 +11,7 @@
 #include "app/program.hpp"
 #include "app/progress_line.hpp"
 #include "run/replay_server.hpp"
+#include "run/terminal.hpp"
 
 namespace tolman::app {
 namespace {
@@ -60,7 +63,7 @@ class ViewCommand {
   }
 
   void note(const std::string& text) const {
-    if (!invocation_.quiet) std::cerr << text << "\n";
+    if (!invocation_.quiet) std::cerr << run::wipedLine(STDERR_FILENO) + text + "\n";
   }
 
   const Invocation& invocation_;
@@ -78,12 +81,15 @@ void addViewCommand(CLI::App& app, Invocation& invocation) {
   auto options = std::make_shared<run::ReplayOptions>();
   auto no_hint = std::make_shared<bool>(false);
   auto no_images = std::make_shared<bool>(false);
-  command->add_option("run", options->run, "Run directory")->required();
-  command->add_option("--viewer", options->viewer,
-                      "Observer that serves the page (default: the first by id that can)");
+  command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
+  command
+      ->add_option("--viewer", options->viewer,
+                   "Observer that serves the page (default: the first by id that can)")
+      ->type_name("OBSERVER");
   command->add_option("--port", options->port, "TCP port (default: 8080 or a free one; 0: any)")
       ->check(CLI::Range(0, 65535));
-  command->add_option("--bind", options->bind, "Address to listen on (default: 127.0.0.1)");
+  command->add_option("--bind", options->bind, "Address to listen on (default: 127.0.0.1)")
+      ->type_name("ADDRESS");
   command->add_flag("--no-images", *no_images, "Do not read the images of the run's source again");
   command->add_flag("--no-browser-hint", *no_hint, "Print only the address");
   command->callback([options, no_hint, no_images, &invocation] {

@@ -1,79 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/program.hpp"
 
-#include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <new>
 #include <string_view>
 #include <system_error>
 
+#include "app/help_texts.hpp"
+#include "app/help_tree.hpp"
 #include "config/nearest_name.hpp"
 #include "run/build_info.hpp"
+#include "run/terminal.hpp"
 
 namespace tolman::app {
 namespace {
 
-struct Example {
-  std::string_view command;
-  std::string_view purpose;
-};
-
-constexpr std::array kExamples = {
-    Example{"tolman run configs/kitti.yaml --set source.path=~/kitti/sequences/06", ""},
-    Example{"tolman run configs/demo.yaml --view", "watch it in the browser"},
-    Example{"tolman run configs/kitti.yaml --set odometry.plugin=my_odometry --plugin-path "
-            "~/mine/build",
-            ""},
-    Example{"tolman run configs/kitti.yaml --continue runs/monday --out runs/tuesday",
-            "continue a saved map"},
-    Example{"tolman help run", "the options of a command"},
-    Example{"tolman check configs/kitti.yaml --explain", "every value and where it comes from"},
-    Example{"tolman plugins list", "what is installed"},
-    Example{"tolman plugins describe bayesian_attractor", "parameters of a plugin"},
-    Example{"tolman plugins doctor build/mine.so", "why is a library not loaded?"},
-    Example{"tolman plugins new place my_places", "a repository with a plugin that works"},
-    Example{"tolman plugins validate build/mine.so", "does a plugin satisfy the contract?"},
-    Example{"tolman dataset check ~/kitti/sequences/06", "is the data set sound?"},
-    Example{"tolman dataset render town.yaml --out town",
-            "the frames of any source as a KITTI folder"},
-    Example{"tolman bench configs/kitti.yaml --frames 200",
-            "how fast is the source, and every stage?"},
-    Example{"tolman report runs/demo", "figures and a page about a run, or several"},
-    Example{"tolman report runs/demo --grid-unit 12,30", "the firing rate of another grid unit"},
-    Example{"tolman view runs/demo", "the same run in the browser; also while it is running"},
-    Example{"tolman plan runs/demo --from 0 --to 40,-120", "the fastest way through a map"},
-    Example{"tolman export runs/demo", "trajectories and map of a run that was killed"},
-    Example{"tolman eval truth.txt estimate.txt --align se3",
-            "errors of any TUM or KITTI trajectory"},
-};
-
-constexpr std::string_view kExitCodes =
-    "Exit codes: 0 ok, 2 usage, 3 configuration, 4 plugin, 5 dataset, 6 tracking lost,\n"
-    "  7 plugin failed while running, 8 record (disk) or output, 9 session, 70 internal error or\n"
-    "  out of memory, 130 interrupted\n";
-
-/// The examples that begin with `command`; empty when there are none.
-std::string examplesOf(std::string_view command) {
-  std::string text;
-  for (const Example& example : kExamples) {
-    if (!example.command.starts_with(command)) continue;
-    text += example.purpose.empty()
-                ? fmt::format("  {}\n", example.command)
-                : fmt::format("  {:<48}  {}\n", example.command, example.purpose);
-  }
-  return text.empty() ? text : "Examples:\n" + text + "\n";
-}
-
 /// Adds examples and exit codes to the help of each command.
 void addExamples(CLI::App& app, const std::string& command) {
-  app.footer(examplesOf(command) + std::string(kExitCodes));
+  app.footer(helpFooter(command));
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) {
     addExamples(*sub, command + " " + sub->get_name());
   }
+}
+
+/// `help` and `version`, which `wordsOf` has replaced before anything is parsed, and `help-tree`.
+void addWordCommands(CLI::App& app) {
+  CLI::App* help = app.add_subcommand("help", "The options of a command; same as COMMAND --help");
+  help->add_option("command", "Command, such as run or plugins describe")
+      ->type_name("COMMAND")
+      ->expected(0, -1);
+  app.add_subcommand("version", "Version of the program; same as --version");
+  app.add_subcommand("help-tree", "All commands and options as JSON (internal)")
+      ->group("")
+      ->callback([&app] { std::cout << helpTree(app).dump(1) << "\n"; });
 }
 
 /// The words behind `tolman`, with `help COMMAND` as `COMMAND --help`, and `version`.
@@ -155,7 +118,9 @@ int runProgram(int argc, const char* const* argv) {
   Invocation invocation;
   invocation.command_line.assign(argv, argv + argc);
   app.add_option("--plugin-path", invocation.plugin_paths,
-                 "Folder or library to search first for plugins (repeatable)");
+                 "Folder or library to search first for plugins (repeatable)")
+      ->type_name("PATH")
+      ->allow_extra_args(false);
   app.add_flag("--json", invocation.json, "Machine-readable output on stdout");
   app.add_flag("-q,--quiet", invocation.quiet, "Only errors");
   app.fallthrough();
@@ -169,6 +134,7 @@ int runProgram(int argc, const char* const* argv) {
   addReportCommand(app, invocation);
   addViewCommand(app, invocation);
   addPlanCommand(app, invocation);
+  addWordCommands(app);
   addStageCommand(app);
   addExamples(app, "tolman");
   int code = parse(app, wordsOf(argc, argv));
@@ -181,7 +147,7 @@ int runProgram(int argc, const char* const* argv) {
 std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
 
 ExitCode printFailure(ExitCode code, const std::string& message) {
-  std::cerr << message << (message.ends_with('\n') ? "" : "\n");
+  std::cerr << run::wipedLine(STDERR_FILENO) + message + (message.ends_with('\n') ? "" : "\n");
   return code;
 }
 

@@ -2,11 +2,12 @@
 #include "app/progress_line.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "app/duration_text.hpp"
+#include "run/terminal.hpp"
 
 namespace tolman::app {
 namespace {
@@ -19,19 +20,10 @@ std::int64_t percent(const FrameCount& c) {
   return std::clamp<std::int64_t>(100 * c.done / std::max<std::int64_t>(c.total, 1), 0, 100);
 }
 
-/// "0:06 left", or nothing where that is not known.
+/// "6.0 s left", or nothing where that is not known.
 std::string timeLeft(const FrameCount& c) {
   if (c.total < c.done || rate(c) <= 0) return {};
-  const double seconds = static_cast<double>(c.total - c.done) / rate(c);
-  const std::int64_t whole = std::llround(std::clamp(seconds, 0.0, 1e9));
-  if (whole < 3600) return fmt::format("{}:{:02} left", whole / 60, whole % 60);
-  return fmt::format("{}:{:02}:{:02} left", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-int terminalWidth() {
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return known ? size.ws_col : 80;
+  return durationText(static_cast<double>(c.total - c.done) / rate(c)) + " left";
 }
 
 }  // namespace
@@ -97,7 +89,7 @@ void ProgressLine::step() {
                                          : tenths > shown_tenths_ || now - shown_ns_ >= kSilenceNs;
   if (!due) return;
   if (terminal_.interactive) {
-    redraw(barText(count_, terminalWidth()));
+    redraw(barText(count_, run::terminalWidth(STDERR_FILENO)));
   } else {
     out_ << plainText(count_) << '\n' << std::flush;
   }
@@ -107,7 +99,8 @@ void ProgressLine::step() {
 
 void ProgressLine::redraw(const std::string& line) {
   const std::string wipe(drawn_ > line.size() ? drawn_ - line.size() : 0, ' ');
-  out_ << '\r' << line << wipe << (line.empty() ? "\r" : "") << std::flush;
+  // In one piece, so that a line of the log from another thread does not get between.
+  out_ << "\r" + line + wipe + (line.empty() ? "\r" : "") << std::flush;
   drawn_ = line.size();
 }
 

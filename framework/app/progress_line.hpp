@@ -26,9 +26,9 @@ struct FrameCount {
   double seconds = 0;
 };
 
-/// "[====>     ] 40 %  40/100  9.8 frames/s  0:06 left", cut from the right to fit `width`.
+/// "[====>     ] 40 %  40/100  9.8 frames/s  6.1 s left", cut from the right to fit `width`.
 std::string barText(const FrameCount& count, int width);
-/// "frame 40 of 100 (40 %), 9.8 frames/s, 0:06 left"
+/// "frame 40 of 100 (40 %), 9.8 frames/s, 6.1 s left"
 std::string plainText(const FrameCount& count);
 
 /// The number of frames to expect when at most `wanted` (-1: all) of `known` (-1: unknown) are

@@ -6,6 +6,8 @@
 
 #include <vector>
 
+#include "app/duration_text.hpp"
+
 namespace tolman::app {
 namespace {
 
@@ -75,10 +77,10 @@ std::string healthText(const run::Outcome& outcome) {
       n.templates, n.experiences, n.links, n.loop_links, n.loop_links == 1 ? "" : "s",
       fmt::format("{} loop decision{}", n.loop_decisions, n.loop_decisions == 1 ? "" : "s"));
   const double rate = outcome.wall_s > 0 ? static_cast<double>(n.frames) / outcome.wall_s : 0;
-  text += fmt::format("{:<10}{:.1f} s, {:.1f} frames/s", "time", outcome.wall_s, rate);
+  text += fmt::format("{:<10}{}, {:.1f} frames/s", "time", durationText(outcome.wall_s), rate);
   const std::int64_t last_ns = outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)];
-  return text + fmt::format("; final optimisation of the map {:.2f} s\n",
-                            1e-9 * static_cast<double>(last_ns));
+  return text + fmt::format("; final optimisation of the map {}\n",
+                            durationText(1e-9 * static_cast<double>(last_ns)));
 }
 
 std::string figuresText(const evaluation::Metrics& metrics) {

@@ -32,21 +32,28 @@ class SystemOptionsReader {
   explicit SystemOptionsReader(CLI::App& command) {
     command
         .add_option("config", config_, "Configuration file (YAML), or the name of a shipped one")
+        ->type_name("CONFIG")
         ->required();
     command.add_option("--set", overrides_, "Override a value: --set a.b=c (repeatable)")
+        ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
-    command.add_option("--seed", seed_, "Seed of the run; same as --set seed=N");
-    command.add_option("--threads", threads_, "Threads, 0 for all; same as --set threads=N");
+    command.add_option("--seed", seed_, "Seed of the run; same as --set seed=N")->type_name("N");
+    command.add_option("--threads", threads_, "Threads, 0 for all; same as --set threads=N")
+        ->type_name("N");
   }
 
   /// For commands that record a run.
   void addContinue(CLI::App& command) {
-    command.add_option("--continue", continue_,
-                       "Continue the map of this run directory; same as --set continue=DIR");
+    command
+        .add_option("--continue", continue_,
+                    "Continue the map of this run directory; same as --set continue=DIR")
+        ->type_name("RUN");
     command.get_option("config")->required(false);
-    command.add_option("--resume", resume_,
-                       "Go on with this interrupted or killed run, in its directory and with its "
-                       "configuration");
+    command
+        .add_option("--resume", resume_,
+                    "Go on with this interrupted or killed run, in its directory and with its "
+                    "configuration")
+        ->type_name("RUN");
     command_ = &command;
   }
 

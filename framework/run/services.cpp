@@ -4,11 +4,15 @@
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <array>
 #include <csignal>
+#include <cstdio>
 #include <mutex>
 #include <vector>
+
+#include "run/terminal.hpp"
 
 namespace tolman::run {
 namespace {
@@ -37,6 +41,17 @@ struct RunLog::Implementation {
     LogLevel level;
     std::string text;
   };
+
+  /// A line on the terminal, over a progress line that may stand there. The lock of stderr keeps
+  /// the two parts together: others write there by std::cerr, which takes it as well.
+  void show(spdlog::level::level_enum level, const std::string& text) {
+    if (!terminal.should_log(level)) return;
+    ::flockfile(stderr);
+    std::fputs(wipedLine(STDERR_FILENO).c_str(), stderr);
+    terminal.log(level, text);
+    ::funlockfile(stderr);
+  }
+
   std::mutex mutex;
   spdlog::logger terminal{"tolman", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
   std::unique_ptr<spdlog::logger> file;
@@ -55,7 +70,7 @@ void RunLog::write(LogLevel level, std::string_view source, std::string_view mes
                    bool on_terminal) {
   const std::lock_guard lock(implementation_->mutex);
   std::string text = std::string(source) + ": " + std::string(message);
-  if (on_terminal) implementation_->terminal.log(levelOf(level), text);
+  if (on_terminal) implementation_->show(levelOf(level), text);
   if (implementation_->file) {
     implementation_->file->log(levelOf(level), text);
   } else {

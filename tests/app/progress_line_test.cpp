@@ -33,28 +33,28 @@ std::string shown(app::Terminal terminal, std::int64_t total, int frames = 10) {
 
 TEST_CASE("a bar has share, count, rate and time left, and never wraps") {
   CHECK(barText({40, 100, 4}, 80) ==
-        "[=======>            ] 40 %  40/100  10.0 frames/s  0:06 left");
+        "[=======>            ] 40 %  40/100  10.0 frames/s  6.0 s left");
   CHECK(barText({0, 100, 0}, 80) == "[                    ] 0 %  0/100  0.0 frames/s");
   CHECK(barText({100, 100, 10}, 80) ==
-        "[====================] 100 %  100/100  10.0 frames/s  0:00 left");
+        "[====================] 100 %  100/100  10.0 frames/s  0.0 s left");
   CHECK(barText({7, -1, 2}, 80) == "7 frames  3.5 frames/s");
   CHECK(barText({40, 100, 4}, 30).size() == 29);
   CHECK(barText({40, 100, 4}, 0).empty());
 }
 
 TEST_CASE("a plain line says the same in words") {
-  CHECK(plainText({40, 100, 4}) == "frame 40 of 100 (40 %), 10.0 frames/s, 0:06 left");
-  CHECK(plainText({1, 4541, 1}) == "frame 1 of 4541 (0 %), 1.0 frames/s, 1:15:40 left");
+  CHECK(plainText({40, 100, 4}) == "frame 40 of 100 (40 %), 10.0 frames/s, 6.0 s left");
+  CHECK(plainText({1, 4541, 1}) == "frame 1 of 4541 (0 %), 1.0 frames/s, 1:16 h left");
   CHECK(plainText({7, -1, 2}) == "frame 7, 3.5 frames/s");
 }
 
 TEST_CASE("without a terminal there is a line each tenth, or every five seconds") {
   CHECK(shown({false, false}, 20) ==
-        "frame 2 of 20 (10 %), 1.0 frames/s, 0:18 left\n"
-        "frame 4 of 20 (20 %), 1.0 frames/s, 0:16 left\n"
-        "frame 6 of 20 (30 %), 1.0 frames/s, 0:14 left\n"
-        "frame 8 of 20 (40 %), 1.0 frames/s, 0:12 left\n"
-        "frame 10 of 20 (50 %), 1.0 frames/s, 0:10 left\n");
+        "frame 2 of 20 (10 %), 1.0 frames/s, 18.0 s left\n"
+        "frame 4 of 20 (20 %), 1.0 frames/s, 16.0 s left\n"
+        "frame 6 of 20 (30 %), 1.0 frames/s, 14.0 s left\n"
+        "frame 8 of 20 (40 %), 1.0 frames/s, 12.0 s left\n"
+        "frame 10 of 20 (50 %), 1.0 frames/s, 10.0 s left\n");
   CHECK(shown({false, false}, -1) == "frame 5, 1.0 frames/s\nframe 10, 1.0 frames/s\n");
 }
 

@@ -22,7 +22,7 @@ TEST_CASE("health comes first, in one block") {
         "tracking  46 of 50 frames, 1 initialising, 3 lost\n"
         "frames    50 processed, 2 dropped, 1 skipped, 0 without image\n"
         "memory    7 templates, 0 experiences, 20 links, of them 1 loop link (3 loop decisions)\n"
-        "time      5.0 s, 10.0 frames/s; final optimisation of the map 1.25 s\n");
+        "time      5.0 s, 10.0 frames/s; final optimisation of the map 1.3 s\n");
 }
 
 TEST_CASE("that a run never tracked is its first line") {

@@ -32,6 +32,8 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   CHECK(contains(tolman::test::tolman({"version"}).out, "tolman 0.1.0"));
   CHECK(tolman::test::tolman({"help"}).out == help.out);
   CHECK(tolman::test::tolman({"help", "plan"}).out == plan.out);
+  const std::string folder = kFixtures + "steady";  // the option takes one folder, not the rest
+  CHECK(tolman::test::tolman({"check", "--plugin-path", folder, "demo"}).exit_code == 0);
   const auto words = [](const std::vector<std::string>& arguments) {
     const Finished finished = tolman::test::tolman(arguments);
     CHECK(finished.exit_code == 2);

@@ -122,9 +122,9 @@ void Progress::redraw(const std::string& line) {
   // Blanks erase the rest of the old line; unlike control codes they work on every terminal.
   const std::size_t before = std::min(drawn_, static_cast<std::size_t>(std::max(width_() - 1, 0)));
   const std::string wipe(before > line.size() ? before - line.size() : 0, ' ');
-  out_ << '\r' << (colour_ ? coloured(line) : line) << wipe;
-  if (line.empty()) out_ << '\r';
-  out_ << std::flush;
+  // In one piece, so that a line of the log from another thread does not get between.
+  out_ << "\r" + (colour_ ? coloured(line) : line) + wipe + (line.empty() ? "\r" : "")
+       << std::flush;
   drawn_ = line.size();
 }
 

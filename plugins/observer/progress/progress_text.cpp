@@ -15,17 +15,17 @@ std::string count(std::int64_t number, std::string_view what) {
   return std::to_string(number) + " " + std::string(what) + (number == 1 ? "" : "s");
 }
 
-/// "0:07", "12:30", "1:02:03".
+/// "3.7 s", from a minute on "1:04 min", from an hour on "1:02 h".
 std::string duration(double seconds) {
-  const std::int64_t whole = std::llround(std::clamp(seconds, 0.0, 1e9));
+  const double known = std::clamp(seconds, 0.0, 1e9);
   char text[48];
-  if (whole < 3600) {
-    std::snprintf(text, sizeof text, "%d:%02d", static_cast<int>(whole / 60),
-                  static_cast<int>(whole % 60));
-  } else {
-    std::snprintf(text, sizeof text, "%d:%02d:%02d", static_cast<int>(whole / 3600),
-                  static_cast<int>(whole / 60 % 60), static_cast<int>(whole % 60));
+  if (std::llround(10 * known) < 600) {
+    std::snprintf(text, sizeof text, "%.1f s", 0.1 * static_cast<double>(std::llround(10 * known)));
+    return text;
   }
+  const bool hours = std::llround(known) >= 3600;
+  const auto units = static_cast<int>(std::llround(hours ? known / 60 : known));
+  std::snprintf(text, sizeof text, "%d:%02d %s", units / 60, units % 60, hours ? "h" : "min");
   return text;
 }
 

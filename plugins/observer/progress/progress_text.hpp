@@ -25,10 +25,10 @@ std::string barLine(const ProgressState& state, int width);
 /// The same line with a green bar.
 std::string coloured(std::string bar_line);
 
-/// One line for a log: "frame 20 of 51 (39 %), 9.8 frames/s, 0:03 left, 12 templates, ...".
+/// One line for a log: "frame 20 of 51 (39 %), 9.8 frames/s, 3.2 s left, 12 templates, ...".
 std::string plainLine(const ProgressState& state);
 
-/// The last line: "51 frames in 0:05, 9.8 frames/s, 12 templates, 8 experiences, 1 loop
+/// The last line: "51 frames in 5.2 s, 9.8 frames/s, 12 templates, 8 experiences, 1 loop
 /// link".
 std::string summaryLine(const ProgressState& state);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "web_viewer.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <iostream>
@@ -22,6 +23,15 @@ ViewerOptions optionsOf(const WebViewer::Parameters& p) {
   options.jpeg_options = {p.image_width, p.jpeg_quality};
   options.spool_bytes = static_cast<std::uint64_t>(p.spool_mib) << 20U;
   return options;
+}
+
+/// A line on the terminal, over a progress line that may stand there: in one piece, so that the
+/// next drawing comes before or after it.
+void printLine(const std::string& text) {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  const std::string blanks(static_cast<std::size_t>(known ? size.ws_col - 1 : 79), ' ');
+  std::cerr << "\r" + blanks + "\r" + text + "\n" << std::flush;
 }
 
 }  // namespace
@@ -77,7 +87,7 @@ void WebViewer::announce() {
   const std::string text = json.dump(2) + "\n";
   const Status written = artefacts_->write("viewer.json", std::as_bytes(std::span(text)));
   if (!written.isOk()) log_->debug("viewer.json: " + written.message());
-  if (prints_) std::cerr << "\rwatch at " << viewer_->url() << '\n' << std::flush;
+  if (prints_) printLine("watch at " + viewer_->url());
 }
 
 Status WebViewer::observe(const Snapshot& snapshot) {
@@ -90,7 +100,7 @@ Status WebViewer::finish(const MapGraph& graph) {
   const char* state = cancellation_->requested() ? "interrupted" : "finished";
   const bool stay = parameters_.stay && !parameters_.quiet;
   if (stay && prints_ && !cancellation_->requested()) {
-    std::cerr << "\rthe run has ended; " << viewer_->url() << " is served until Ctrl-C\n";
+    printLine("the run has ended; " + viewer_->url() + " is served until Ctrl-C");
   }
   viewer_->finish(&graph, state, [&] { return stay && !cancellation_->requested(); });
   viewer_.reset();

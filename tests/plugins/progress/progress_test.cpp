@@ -68,7 +68,7 @@ TEST_CASE("a log gets a line at round percentages and after a silence") {
   run.place.template_id = 0;
   run.map.experiences = 1;
   CHECK(run.frame(100) ==
-        "frame 2 of 20 (10 %), 10.0 frames/s, 0:02 left, 1 template, 1 experience, 0 loop "
+        "frame 2 of 20 (10 %), 10.0 frames/s, 1.8 s left, 1 template, 1 experience, 0 loop "
         "decisions\n");
   SECTION("slowly") {
     CHECK(run.frame(4900).empty());  // 15 %, after 4.9 s
@@ -93,7 +93,7 @@ TEST_CASE("both kinds of line can be turned off") {
   run.begin(4);
   for (int i = 0; i < 4; ++i) CHECK(run.frame(60'000).empty());
   CHECK(run.finish() ==
-        "4 frames in 4:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links\n");
+        "4 frames in 4:00 min, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links\n");
 }
 
 TEST_CASE("quiet means nothing at all") {
@@ -121,7 +121,7 @@ TEST_CASE("the summary replaces the bar") {
   run.columns = 40;  // the window was made smaller: blanks must not wrap either
   CHECK(run.frame(100) == "\r[          ] 0 %  1/1000  10.0 frames/s");
   CHECK(run.finish() == "\r" + std::string(39, ' ') +
-                            "\r1 frame in 0:00, 10.0 frames/s, 0 templates, 0 experiences, 0 "
+                            "\r1 frame in 0.1 s, 10.0 frames/s, 0 templates, 0 experiences, 0 "
                             "loop links\n");
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("the summary counts the final map, and frames that were left out") {
   graph.links.resize(9);
   graph.links[3].kind = LinkKind::Loop;
   CHECK(run.finish(graph) ==
-        "40 frames in 0:04, 10.0 frames/s, 12 templates, 8 experiences, 1 loop link\n");
+        "40 frames in 4.0 s, 10.0 frames/s, 12 templates, 8 experiences, 1 loop link\n");
 }
 
 TEST_CASE("a later session counts its own frames") {
@@ -181,7 +181,7 @@ TEST_CASE("after reset the counts begin again") {
   run.frame_record.frame = -1;
   run.place.template_id = -1;
   CHECK(run.frame(1000) ==
-        "frame 1 of 4 (25 %), 1.0 frames/s, 0:03 left, 0 templates, 0 experiences, 0 loop "
+        "frame 1 of 4 (25 %), 1.0 frames/s, 3.0 s left, 0 templates, 0 experiences, 0 loop "
         "decisions\n");
 }
 

@@ -20,13 +20,13 @@ const ProgressState kMiddle = {.frames = 215,
 
 TEST_CASE("the bar line takes what the terminal has room for") {
   CHECK(barLine(kMiddle, 200) ==
-        "[===============>                        ] 42 %  215/509  10.0 frames/s  0:29 left  "
+        "[===============>                        ] 42 %  215/509  10.0 frames/s  29.4 s left  "
         "31 templates  20 experiences  1 loop decision");
   CHECK(barLine(kMiddle, 109) ==
-        "[======>            ] 42 %  215/509  10.0 frames/s  0:29 left  31 templates  20 "
+        "[======>          ] 42 %  215/509  10.0 frames/s  29.4 s left  31 templates  20 "
         "experiences  1 loop decision");
   CHECK(barLine(kMiddle, 80) ==
-        "[========>              ] 42 %  215/509  10.0 frames/s  0:29 left  31 templates");
+        "[=======>             ] 42 %  215/509  10.0 frames/s  29.4 s left  31 templates");
   CHECK(barLine(kMiddle, 40) == "[========>              ] 42 %  215/509");
   CHECK(barLine(kMiddle, 20) == "[====>       ] 42 %");
   CHECK(barLine(kMiddle, 10) == "42 %");
@@ -61,17 +61,17 @@ TEST_CASE("colour wraps the filled part only") {
 
 TEST_CASE("lines for a log") {
   CHECK(plainLine(kMiddle) ==
-        "frame 215 of 509 (42 %), 10.0 frames/s, 0:29 left, 31 templates, 20 experiences, 1 loop "
+        "frame 215 of 509 (42 %), 10.0 frames/s, 29.4 s left, 31 templates, 20 experiences, 1 loop "
         "decision");
   CHECK(plainLine({.frames = 1, .total = 40000, .seconds = 1}) ==
-        "frame 1 of 40000 (0 %), 1.0 frames/s, 11:06:39 left, 0 templates, 0 experiences, 0 loop "
+        "frame 1 of 40000 (0 %), 1.0 frames/s, 11:07 h left, 0 templates, 0 experiences, 0 loop "
         "decisions");
   CHECK(summaryLine(kMiddle) ==
-        "215 frames in 0:22, 10.0 frames/s, 31 templates, 20 experiences, 1 loop link");
+        "215 frames in 21.5 s, 10.0 frames/s, 31 templates, 20 experiences, 1 loop link");
   CHECK(summaryLine({.frames = 1, .total = 1, .seconds = 0}) ==
-        "1 frame in 0:00, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links");
+        "1 frame in 0.0 s, 0.0 frames/s, 0 templates, 0 experiences, 0 loop links");
   CHECK(summaryLine({.frames = 90000, .seconds = 125}) ==
-        "90000 frames in 2:05, 720 frames/s, 0 templates, 0 experiences, 0 loop links");
+        "90000 frames in 2:05 min, 720 frames/s, 0 templates, 0 experiences, 0 loop links");
 }
 
 }  // namespace tolman::progress

@@ -30,11 +30,13 @@ export function metres(value: number): string {
   return value >= 1000 ? `${Number(value.toPrecision(6)) / 1000} km` : `${Number(value.toPrecision(3))} m`;
 }
 
-/** Seconds as m:ss.t. */
-export function clock(seconds: number): string {
+/** A time span as in the program's texts: "3.7 s", from a minute on "1:04 min", from an hour on "1:02 h". */
+export function duration(seconds: number): string {
   if (!Number.isFinite(seconds)) return kUnknown;
-  const minutes = Math.floor(seconds / 60);
-  return `${minutes}:${(seconds - 60 * minutes).toFixed(1).padStart(4, '0')}`;
+  if (Math.round(10 * seconds) < 600) return `${fixed(seconds, 1)} s`;
+  const hours = Math.round(seconds) >= 3600;
+  const units = Math.round(hours ? seconds / 60 : seconds);
+  return `${Math.floor(units / 60)}:${String(units % 60).padStart(2, '0')} ${hours ? 'h' : 'min'}`;
 }
 
 /** Name of the value of a column that holds an enumeration. */

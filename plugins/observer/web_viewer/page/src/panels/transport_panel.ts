@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pause, live, speed, and the time line with speed, familiar views, loop closures and lost tracking.
 import { byId, setAttribute, setText, Surface } from '../look/dom';
-import { clock, integer } from '../look/format';
+import { duration, integer } from '../look/format';
 import type { RunModel } from '../model/run_model';
 import { Pace, type Panel, type PageState } from '../model/page_state';
 import { kChoices } from '../wire/records';
@@ -51,7 +51,7 @@ export class TransportPanel implements Panel {
     setText(this.texts.frame, integer(state.frame));
     const total = state.live && state.info && state.info.source.frames > 0 ? state.info.source.frames - 1 : rows.frame(rows.count - 1);
     setText(this.texts.of, ` / ${integer(total)}`);
-    setText(this.texts.time, clock(rows.value(row, 'frame.time') - rows.value(0, 'frame.time')));
+    setText(this.texts.time, duration(rows.value(row, 'frame.time') - rows.value(0, 'frame.time')));
     return this.updateStrip(state, now);
   }
 

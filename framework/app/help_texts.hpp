@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the help of a command, its manual page and the documentation tell in the same words:
+// examples and exit codes.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/exit_code.hpp"
+
+namespace tolman::app {
+
+struct Example {
+  std::string_view command;
+  std::string_view purpose;  ///< empty where the command says it
+};
+
+struct ExitMeaning {
+  ExitCode code;
+  std::string_view meaning;
+};
+
+/// The examples that begin with `command`, such as "tolman plugins".
+std::vector<Example> examplesOf(std::string_view command);
+std::span<const ExitMeaning> exitMeanings();
+
+/// Examples and exit codes, as they end the help of `command`.
+std::string helpFooter(std::string_view command);
+
+}  // namespace tolman::app

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/terminal.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace tolman::run {
+
+int terminalWidth(int descriptor) {
+  winsize size{};
+  const bool known = ::ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return known ? size.ws_col : 80;
+}
+
+std::string wipedLine(int descriptor) {
+  if (::isatty(descriptor) != 1) return {};
+  return "\r" + std::string(static_cast<std::size_t>(terminalWidth(descriptor) - 1), ' ') + "\r";
+}
+
+}  // namespace tolman::run
