@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman bench: speed of the source and of every stage. tolman bench odometry: cost of the odometry
-// relative to decoding its images.
+// relative to decoding its images. tolman bench places: precision and recall of place recognition.
 #include <iostream>
 
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
 #include "bench/bench.hpp"
 #include "bench/bench_odometry.hpp"
+#include "bench/bench_places.hpp"
 
 namespace tolman::app {
 namespace {
@@ -33,8 +34,8 @@ class PassProgress {
 };
 
 /// Measures by `run`, then prints the result.
-template <class Run, class Text, class Json>
-ExitCode bench(const Run& run, bench::BenchOptions options, const Text& text, const Json& json,
+template <class Run, class Options, class Text, class Json>
+ExitCode bench(const Run& run, Options options, const Text& text, const Json& json,
                const Invocation& invocation) {
   const run::Interrupts interrupts;  // before anything that starts threads
   run::RunLog log(invocation.quiet);
@@ -71,6 +72,48 @@ void addOdometryCommand(CLI::App& bench_command, Invocation& invocation) {
   });
 }
 
+void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
+  command.add_option("--second", options.second,
+                     "Folder of a second pass along the same path: image N of both shows the same "
+                     "place; the source's parameter `path` is set to it");
+  command
+      .add_option("--query-set", options.query_overrides,
+                  "Override a value for the second pass only (repeatable)")
+      ->allow_extra_args(false);
+  command
+      .add_option("--tolerance", options.tolerance,
+                  "Two passes: images that a right claim may be away (default: 5)")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--pairs", options.pairs,
+                     "One drive: CSV file of the true pairs, query,match; without it the true "
+                     "poses of the source decide");
+  command
+      .add_option("--near", options.near,
+                  "One drive: claims over at most so many images do not count (default: 20)")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--metres-per-image", options.metres_per_image,
+                  "Motion between images where there are no true poses (default: 1)")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--frames", options.frames, "Use at most this many images of each pass")
+      ->check(CLI::PositiveNumber);
+}
+
+void addPlacesCommand(CLI::App& bench_command, Invocation& invocation) {
+  CLI::App* command = bench_command.add_subcommand(
+      "places", "Precision and recall of place recognition, over one drive or two passes");
+  auto reader = std::make_shared<SystemOptionsReader>(*command);
+  auto options = std::make_shared<bench::PlacesOptions>();
+  addPlacesOptions(*command, *options);
+  command->callback([reader, options, &invocation] {
+    const auto run = [&](auto&&... arguments) {
+      return bench::runPlacesBench(reader->read(invocation), arguments...);
+    };
+    invocation.exit_code =
+        bench(run, *options, bench::placesBenchText, bench::placesBenchJson, invocation);
+  });
+}
+
 }  // namespace
 
 void addBenchCommand(CLI::App& app, Invocation& invocation) {
@@ -81,6 +124,7 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
   addCounts(*command, *options);
   command->add_flag("--source-only", options->source_only, "Leave the other stages out");
   addOdometryCommand(*command, invocation);
+  addPlacesCommand(*command, invocation);
   CLI::Option* config = command->get_option("config")->required(false);
   command->callback([command, config, reader, options, &invocation] {
     if (!command->get_subcommands().empty()) return;  // the subcommand did the work

@@ -22,6 +22,7 @@ void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
   if (scope == Scope::WithoutObservers) return;
   std::vector<std::string_view> needed = {"source"};
   if (scope == Scope::SourceAndOdometry) needed.emplace_back("odometry");
+  if (scope == Scope::SourceAndPlace) needed.emplace_back("place");
   for (const std::string_view stage : kChain) {
     if (stage != needed.back()) loaded.tree.erase(stage);
   }

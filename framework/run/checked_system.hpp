@@ -49,7 +49,13 @@ struct CheckedSystem {
 };
 
 /// Which stages of a configuration are checked and loaded.
-enum class Scope : std::uint8_t { All, WithoutObservers, SourceAndOdometry, Source };
+enum class Scope : std::uint8_t {
+  All,
+  WithoutObservers,
+  SourceAndOdometry,
+  SourceAndPlace,
+  Source
+};
 
 /// The failure lists all problems of files, values and plugins at once.
 std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options,

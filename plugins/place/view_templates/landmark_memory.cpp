@@ -1,22 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "landmark_memory.hpp"
 
-#include <opencv2/imgproc.hpp>
-
-#include "tolman/image_cv.hpp"
-
 namespace tolman::view_templates {
-namespace {
 
-cv::Mat grayOf(const Image& image) {
-  const cv::Mat mat = asMat(image);
-  if (image.format() == PixelFormat::Gray8) return mat;
-  cv::Mat gray;
-  cv::cvtColor(mat, gray, cv::COLOR_BGR2GRAY);
-  return gray;
-}
-
-}  // namespace
+using namespace landmarks;
 
 const Corners& LandmarkMemory::cornersOf(const Frame& frame) {
   if (!has_corners_) frame_corners_ = findCorners(grayOf(frame.left), corners_);

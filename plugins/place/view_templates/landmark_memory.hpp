@@ -28,21 +28,21 @@ class LandmarkMemory {
   /// Whether template `id` has enough landmarks to be recognised by them.
   bool hasEnough(std::int64_t id) const;
   /// Pose of the camera relative to template `id`; none when too few landmarks agree.
-  std::optional<MeasuredPose> locate(const Frame& frame, std::int64_t id);
+  std::optional<landmarks::MeasuredPose> locate(const Frame& frame, std::int64_t id);
 
   void save(StateWriter& writer) const;
   /// False when the state is damaged.
   bool load(StateReader& reader);
 
  private:
-  const Corners& cornersOf(const Frame& frame);
+  const landmarks::Corners& cornersOf(const Frame& frame);
 
   CameraRig rig_;
   int corners_;
   int least_;
-  std::vector<Landmarks> templates_;
-  Corners frame_corners_;     ///< of the current frame
-  bool has_corners_ = false;  ///< whether frame_corners_ is up to date
+  std::vector<landmarks::Landmarks> templates_;
+  landmarks::Corners frame_corners_;  ///< of the current frame
+  bool has_corners_ = false;          ///< whether frame_corners_ is up to date
 };
 
 }  // namespace tolman::view_templates

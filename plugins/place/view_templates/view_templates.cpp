@@ -95,7 +95,7 @@ bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation)
   observation.score = match.distance;
   if (match.id < 0 || match.distance > parameters_.threshold) return false;
   if (landmarks_ && landmarks_->hasEnough(match.id)) {
-    const std::optional<MeasuredPose> measured = landmarks_->locate(frame, match.id);
+    const std::optional<landmarks::MeasuredPose> measured = landmarks_->locate(frame, match.id);
     if (!measured) return false;  // another place of similar appearance
     observation.has_relative_pose = true;
     observation.T_template_current = measured->T_template_current;

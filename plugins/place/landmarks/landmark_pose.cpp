@@ -5,7 +5,7 @@
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 
-namespace tolman::view_templates {
+namespace tolman::landmarks {
 namespace {
 
 constexpr double kSigma = 1.0;   // px, standard deviation of a matched corner
@@ -107,4 +107,4 @@ std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
   return usable ? std::optional(measured) : std::nullopt;
 }
 
-}  // namespace tolman::view_templates
+}  // namespace tolman::landmarks

@@ -6,7 +6,9 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace tolman::view_templates {
+#include "tolman/image_cv.hpp"
+
+namespace tolman::landmarks {
 namespace {
 
 constexpr double kNearest = 2;  // m
@@ -33,6 +35,14 @@ double uniquePeak(const cv::Mat& row) {
 }
 
 }  // namespace
+
+cv::Mat grayOf(const Image& image) {
+  const cv::Mat mat = asMat(image);
+  if (image.format() == PixelFormat::Gray8) return mat;
+  cv::Mat gray;
+  cv::cvtColor(mat, gray, cv::COLOR_BGR2GRAY);
+  return gray;
+}
 
 Corners findCorners(const cv::Mat& gray, int count) {
   const cv::Ptr<cv::ORB> orb = cv::ORB::create(count, 1.3F, 5);
@@ -79,4 +89,4 @@ Landmarks findLandmarks(const cv::Mat& left, const cv::Mat& right, const CameraR
   return landmarks;
 }
 
-}  // namespace tolman::view_templates
+}  // namespace tolman::landmarks

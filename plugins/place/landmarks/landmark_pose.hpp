@@ -9,7 +9,7 @@
 #include "landmarks.hpp"
 #include "tolman/geometry.hpp"
 
-namespace tolman::view_templates {
+namespace tolman::landmarks {
 
 /// A landmark of the template, in its frame (m), and the pixel of the current image that it
 /// matches.
@@ -31,4 +31,4 @@ std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& 
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
                                    const Pinhole& pinhole, int least);
 
-}  // namespace tolman::view_templates
+}  // namespace tolman::landmarks

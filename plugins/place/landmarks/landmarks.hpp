@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "tolman/camera.hpp"
+#include "tolman/image.hpp"
 
-namespace tolman::view_templates {
+namespace tolman::landmarks {
 
 /// Corners of one image with their descriptions.
 struct Corners {
@@ -23,6 +24,9 @@ struct Landmarks {
   cv::Mat descriptions;  ///< as those of Corners
 };
 
+/// Shares the pixels of a grey image; converts a colour one.
+cv::Mat grayOf(const Image& image);
+
 /// At most `count` corners of a grey image; deterministic.
 Corners findCorners(const cv::Mat& gray, int count);
 
@@ -35,4 +39,4 @@ Landmarks findLandmarks(const cv::Mat& left, const cv::Mat& right, const CameraR
 double disparityAt(const cv::Mat& left, const cv::Mat& right, const cv::Point2f& pixel,
                    double largest);
 
-}  // namespace tolman::view_templates
+}  // namespace tolman::landmarks

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/place_truth.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "dataset/loop_truth.hpp"
+
+namespace tolman::bench {
+namespace {
+
+using Pair = std::pair<std::int64_t, std::int64_t>;
+
+std::optional<Pair> pairOf(const std::string& line) {
+  const char* const end = line.data() + line.size();
+  Pair pair;
+  const auto first = std::from_chars(line.data(), end, pair.first);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != ',') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, pair.second);
+  const bool complete = second.ptr == end || *second.ptr == '\r';
+  if (second.ec != std::errc() || !complete) return std::nullopt;
+  return pair;
+}
+
+/// Angle between the optical axes, rad.
+double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+  const Eigen::Vector3d u = a.linear().col(2);
+  const Eigen::Vector3d v = b.linear().col(2);
+  return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+}  // namespace
+
+PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance) {
+  return {
+      [=](std::int64_t query, std::int64_t place) { return std::abs(query - place) <= tolerance; },
+      [=](std::int64_t query) { return query < images_of_first_pass + tolerance; }};
+}
+
+Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream stream(file);
+  if (!std::filesystem::is_regular_file(file, ignored) || !stream) {
+    return Status::invalidInput(file.string() + ": cannot be read as a file of true pairs");
+  }
+  auto pairs = std::make_shared<std::set<Pair>>();
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    const auto pair = pairOf(line);
+    if (!pair && number > 1) {
+      return Status::invalidInput(file.string() + ":" + std::to_string(number) +
+                                  ": a pair is two numbers of images, 'query,match'");
+    }
+    if (pair) pairs->insert(*pair);
+  }
+  return PlaceTruth{[pairs](std::int64_t query, std::int64_t place) {
+                      return pairs->contains({query, place});
+                    },
+                    [pairs](std::int64_t query) {
+                      const auto first = pairs->lower_bound({query, INT64_MIN});
+                      return first != pairs->end() && first->first == query;
+                    }};
+}
+
+PlaceTruth truthOfPoses(const evaluation::Trajectory& truth) {
+  const dataset::RevisitRule rule;
+  auto findable = std::make_shared<std::set<std::int64_t>>();
+  for (const dataset::Revisit& revisit : dataset::findRevisits(truth, rule)) {
+    if (revisit.heading == dataset::Heading::Same) findable->insert(revisit.frame);
+  }
+  auto poses = std::make_shared<evaluation::Trajectory>(truth);
+  const auto isSame = [poses, rule](std::int64_t query, std::int64_t place) {
+    const auto& q = (*poses)[static_cast<std::size_t>(query)].T_world_camera;
+    const auto& p = (*poses)[static_cast<std::size_t>(place)].T_world_camera;
+    constexpr double kRadians = 0.017453292519943295;
+    return (q.translation() - p.translation()).norm() <= rule.distance_m &&
+           angleBetween(q, p) < rule.same_below_deg * kRadians;
+  };
+  return {isSame, [findable](std::int64_t query) { return findable->contains(query); }};
+}
+
+}  // namespace tolman::bench

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Which images show the same place: by their numbers, a list of pairs, or the true poses.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <set>
+
+#include "evaluation/trajectory.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::bench {
+
+struct PlaceTruth {
+  /// Whether image `query` shows the place of `place`.
+  std::function<bool(std::int64_t query, std::int64_t place)> isSame;
+  /// Whether there is an image that `query` should be recognised in.
+  std::function<bool(std::int64_t query)> isFindable;
+};
+
+/// Image N of both passes shows the same place, and so do those up to `tolerance` images away.
+PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance);
+
+/// A CSV file with a header and two columns: query, match. Errors name file and line.
+Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file);
+
+/// Within 5 m, headings less than 45 degrees apart, more than 20 m of path in between.
+PlaceTruth truthOfPoses(const evaluation::Trajectory& truth);
+
+}  // namespace tolman::bench

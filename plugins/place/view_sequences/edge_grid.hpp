@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Appearance of a view: strength of edges in six directions over a grid of 13 x 8 cells, each
+// measured against its neighbourhood (histograms of oriented gradients, Dalal and Triggs, CVPR
+// 2005; square root by Arandjelovic and Zisserman, CVPR 2012). It depends little on light.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "tolman/image.hpp"
+
+namespace tolman::view_sequences {
+
+inline constexpr int kColumns = 13;
+inline constexpr int kRows = 8;
+inline constexpr int kDirections = 6;  ///< over 180 degrees: the sign of a gradient does not count
+inline constexpr int kColumnValues = kRows * kDirections;
+inline constexpr int kValues = kColumns * kColumnValues;
+
+/// Index (column * kRows + row) * kDirections + direction, so that a horizontal shift by a cell is
+/// a contiguous part.
+using EdgeValues = std::array<float, kValues>;
+
+/// False for a view without structure, such as a blank or covered one; `values` is not changed.
+bool edgeGrid(const Image& image, EdgeValues& values);
+
+/// Four bits for each value, two of a column in one byte: 312 bytes a view.
+inline constexpr int kPackedBytes = kValues / 2;
+using PackedView = std::array<std::uint8_t, kPackedBytes>;
+/// Values are stored in units of 1 / kLevelsPerUnit, from 0 to 15; larger ones are clipped.
+inline constexpr float kLevelsPerUnit = 10;
+
+PackedView packed(const EdgeValues& values);
+/// Levels 0 to 15, in the order of EdgeValues.
+void unpack(std::span<const std::uint8_t> view, std::span<std::int16_t, kValues> levels);
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "landmark_store.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+namespace tolman::view_sequences {
+namespace {
+
+using landmarks::kDescriptionBytes;
+using landmarks::Landmarks;
+
+constexpr std::int64_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
+
+/// A file in the folder for temporary files, already removed; -1 when there can be none.
+int unnamedFile() {
+  std::error_code error;
+  std::string name = (std::filesystem::temp_directory_path(error) / "tolman-XXXXXX").string();
+  if (error) return -1;
+  const int file = mkostemp(name.data(), O_CLOEXEC);
+  if (file >= 0) unlink(name.c_str());
+  return file;
+}
+
+Status failure(const char* what) {
+  return Status::failed(std::string("landmarks cannot be ") + what + ": " +
+                        std::generic_category().message(errno) +
+                        "; is the folder for temporary files (TMPDIR) full? Set landmarks to 0 to "
+                        "do without");
+}
+
+std::vector<std::uint8_t> bytesOfLandmarks(const Landmarks& landmarks) {
+  std::vector<std::uint8_t> bytes(landmarks.points.size() * kBytesEach);
+  std::uint8_t* out = bytes.data();
+  for (std::size_t i = 0; i < landmarks.points.size(); ++i, out += kBytesEach) {
+    const cv::Point3f& p = landmarks.points[i];
+    const float xyz[3] = {p.x, p.y, p.z};
+    std::memcpy(out, xyz, sizeof xyz);
+    std::memcpy(out + sizeof xyz, landmarks.descriptions.ptr<std::uint8_t>(static_cast<int>(i)),
+                kDescriptionBytes);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+LandmarkStore::~LandmarkStore() {
+  if (file_ >= 0) close(file_);
+}
+
+Status LandmarkStore::add(std::int64_t view, const Landmarks& landmarks) {
+  return append(view, static_cast<std::int64_t>(landmarks.points.size()),
+                bytesOfLandmarks(landmarks));
+}
+
+Status LandmarkStore::append(std::int64_t view, std::int64_t count,
+                             const std::vector<std::uint8_t>& bytes) {
+  if (file_ < 0) file_ = unnamedFile();
+  if (file_ < 0) return failure("stored");
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t written = pwrite(file_, bytes.data() + done, bytes.size() - done,
+                                   end_ + static_cast<std::int64_t>(done));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return failure("stored");
+    done += static_cast<std::size_t>(written);
+  }
+  entries_.push_back({view, end_, count});
+  end_ += static_cast<std::int64_t>(bytes.size());
+  return Status::ok();
+}
+
+std::optional<std::int64_t> LandmarkStore::nearest(std::int64_t view, std::int64_t reach) const {
+  const auto after = std::ranges::lower_bound(entries_, view, {}, &Entry::view);
+  std::optional<std::int64_t> best;
+  if (after != entries_.begin()) best = std::prev(after)->view;
+  if (after != entries_.end() && (!best || after->view - view < view - *best)) best = after->view;
+  return best && std::abs(*best - view) <= reach ? best : std::nullopt;
+}
+
+Result<std::vector<std::uint8_t>> LandmarkStore::bytesOf(const Entry& entry) const {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(entry.count * kBytesEach));
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t got = pread(file_, bytes.data() + done, bytes.size() - done,
+                              entry.offset + static_cast<std::int64_t>(done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return failure("read");
+    done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+Result<Landmarks> LandmarkStore::read(std::int64_t view) const {
+  const auto entry = std::ranges::lower_bound(entries_, view, {}, &Entry::view);
+  auto bytes = bytesOf(*entry);
+  if (!bytes.isOk()) return bytes.status();
+  Landmarks landmarks;
+  landmarks.descriptions.create(static_cast<int>(entry->count), kDescriptionBytes, CV_8U);
+  const std::uint8_t* in = bytes.value().data();
+  for (int i = 0; i < entry->count; ++i, in += kBytesEach) {
+    float xyz[3];
+    std::memcpy(xyz, in, sizeof xyz);
+    landmarks.points.emplace_back(xyz[0], xyz[1], xyz[2]);
+    std::memcpy(landmarks.descriptions.ptr<std::uint8_t>(i), in + sizeof xyz, kDescriptionBytes);
+  }
+  return landmarks;
+}
+
+Status LandmarkStore::save(StateWriter& writer) const {
+  writer.put(static_cast<std::uint64_t>(entries_.size()));
+  for (const Entry& entry : entries_) {
+    const auto bytes = bytesOf(entry);
+    if (!bytes.isOk()) return bytes.status();
+    writer.put(entry.view);
+    writer.put(entry.count);
+    writer.putAll<std::uint8_t>(bytes.value());
+  }
+  return Status::ok();
+}
+
+Status LandmarkStore::load(StateReader& reader, std::int64_t views) {
+  *this = LandmarkStore();
+  const auto entries = reader.get<std::uint64_t>();
+  for (std::uint64_t i = 0; i < entries && reader.remaining() > 0; ++i) {
+    const auto view = reader.get<std::int64_t>();
+    const auto count = reader.get<std::int64_t>();
+    const bool follows = entries_.empty() ? view >= 0 : view > entries_.back().view;
+    const auto most = static_cast<std::int64_t>(reader.remaining()) / kBytesEach;
+    if (!follows || view >= views || count < 0 || count > most) break;
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count * kBytesEach));
+    reader.getAll<std::uint8_t>(bytes);
+    if (Status status = append(view, count, bytes); !status.isOk()) return status;
+  }
+  return entries_.size() == entries ? Status::ok()
+                                    : Status::invalidInput("the landmarks are damaged");
+}
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Landmarks of stored views, in a file without a name that vanishes with the plugin: only where
+// they begin is held in memory, and only those of candidates are read.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "landmarks.hpp"
+#include "tolman/state_stream.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::view_sequences {
+
+class LandmarkStore {
+ public:
+  LandmarkStore() = default;
+  ~LandmarkStore();
+  LandmarkStore(LandmarkStore&& other) noexcept { swap(other); }
+  LandmarkStore& operator=(LandmarkStore&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+
+  /// `view` must be larger than those before.
+  Status add(std::int64_t view, const landmarks::Landmarks& landmarks);
+  /// The view with landmarks that is nearest to `view`, at most `reach` views away; of two equally
+  /// near ones the older.
+  std::optional<std::int64_t> nearest(std::int64_t view, std::int64_t reach) const;
+  /// Of a view that has some.
+  Result<landmarks::Landmarks> read(std::int64_t view) const;
+
+  /// Fails when the file cannot be read.
+  Status save(StateWriter& writer) const;
+  /// InvalidInput for damaged bytes.
+  Status load(StateReader& reader, std::int64_t views);
+
+ private:
+  struct Entry {
+    std::int64_t view;
+    std::int64_t offset;  ///< in the file
+    std::int64_t count;   ///< of landmarks
+  };
+
+  void swap(LandmarkStore& other) noexcept {
+    std::swap(entries_, other.entries_);
+    std::swap(end_, other.end_);
+    std::swap(file_, other.file_);
+  }
+  Status append(std::int64_t view, std::int64_t count, const std::vector<std::uint8_t>& bytes);
+  Result<std::vector<std::uint8_t>> bytesOf(const Entry& entry) const;
+
+  std::vector<Entry> entries_;
+  std::int64_t end_ = 0;
+  int file_ = -1;
+};
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Mean of the views of this pass so far: what lens, light and season add to all of them.
+#pragma once
+
+#include <algorithm>
+
+#include "edge_grid.hpp"
+#include "tolman/state_stream.hpp"
+
+namespace tolman::view_sequences {
+
+class MeanView {
+ public:
+  /// Takes in a view: mean of the first hundred, then exponentially weighted, so that it follows
+  /// the light.
+  void add(const EdgeValues& view) {
+    constexpr float kViews = 100;
+    weight_ = std::min(weight_ + 1, kViews);
+    for (std::size_t i = 0; i < kValues; ++i) mean_[i] += (view[i] - mean_[i]) / weight_;
+  }
+  /// The next views may be of another light: the mean so far counts as 20 views only.
+  void beginPass() {
+    constexpr float kCarried = 20;
+    weight_ = std::min(weight_, kCarried);
+  }
+  const EdgeValues& mean() const { return mean_; }
+
+  void save(StateWriter& writer) const {
+    writer.put(weight_);
+    writer.putAll<float>(mean_);
+  }
+  void load(StateReader& reader) {
+    weight_ = reader.get<float>();
+    reader.getAll<float>(mean_);
+  }
+
+ private:
+  EdgeValues mean_{};
+  float weight_ = 0;
+};
+
+}  // namespace tolman::view_sequences

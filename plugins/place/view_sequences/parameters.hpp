@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parameters of view_sequences.
+#pragma once
+
+#include "tolman/parameters.hpp"
+
+namespace tolman::view_sequences {
+
+struct Parameters {
+  double spacing = 1.0;
+  double recent = 20;
+  double probability = 0.9;
+  double memory = 0.92;
+  int exhaustive = 4000;
+  double field_of_view = 81.6;
+  int landmarks = 0;
+  int landmarks_agreeing = 20;
+  int landmark_spacing = 3;
+  double probability_verified = 0.3;
+
+  static constexpr auto declaration() {
+    using P = Parameters;
+    return parameters(
+        parameter("spacing", &P::spacing)
+            .range(0.01, 100)
+            .unit("m")
+            .doc("Driven distance from one step to the next; frames between are not looked at."),
+        parameter("recent", &P::recent)
+            .range(0, 10000)
+            .unit("m")
+            .doc("Views of the last so many metres of path are not recognised."),
+        parameter("probability", &P::probability)
+            .range(0.01, 0.999999)
+            .doc("A place must be at least so probable to be familiar. The score is 1 minus the "
+                 "probability of the best place."),
+        parameter("memory", &P::memory)
+            .range(0, 0.99)
+            .doc("Share of the evidence that a step keeps: 0 looks at single views, 0.92 at "
+                 "about a dozen."),
+        parameter("exhaustive", &P::exhaustive)
+            .range(0, 10000000)
+            .unit("views")
+            .doc("With more views than this, codes of 256 bits choose the ones that are compared."),
+        parameter("field_of_view", &P::field_of_view)
+            .range(1, 179)
+            .unit("deg")
+            .doc("Horizontal field of view, for cameras without calibration."),
+        parameter("landmarks", &P::landmarks)
+            .range(0, 5000)
+            .doc("Corners of a stereo pair that views keep to verify places and measure poses; 0 "
+                 "turns this off."),
+        parameter("landmarks_agreeing", &P::landmarks_agreeing)
+            .range(6, 1000)
+            .doc("Fewest landmarks that must agree on a pose."),
+        parameter("landmark_spacing", &P::landmark_spacing)
+            .range(1, 1000)
+            .unit("steps")
+            .doc("One stored view in so many keeps landmarks; a familiar place is measured once "
+                 "in so many steps."),
+        parameter("probability_verified", &P::probability_verified)
+            .range(0.001, 0.999999)
+            .doc("Places at least so probable are tried with landmarks, the best five at most."));
+  }
+};
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evidence for every stored view along the driven path: a Viterbi recursion over the stored
+// sequences, in the spirit of SeqSLAM (Milford and Wyeth, ICRA 2012), whose lines of constant speed
+// become steps of driven metres. For stored view p at step t
+//   E_t(p) = z_t(p) + offset + memory * min(0, min_k(E_{t-1}(p - k) + penalty * |k - advance|))
+// where z is the standardised distance of the view (negative: more alike than usual) and `advance`
+// the number of stored views that the driven metres amount to. The offset lies between the z of a
+// right and of a wrong place, and evidence above 0 is forgotten (as in Page's CUSUM test), so that
+// a sequence that has left the known path loses its evidence within a few steps.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tolman/state_stream.hpp"
+
+namespace tolman::view_sequences {
+
+/// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/places.md tells how.
+struct EvidenceSettings {
+  double memory = 0.92;
+  double penalty = 1.0;
+  double offset = 1.4;
+};
+
+class PathEvidence {
+ public:
+  explicit PathEvidence(const EvidenceSettings& settings) : settings_(settings) {}
+
+  /// A view was stored. `predecessor` is the view before it on the path: the one stored before it,
+  /// an older one where the path left a known one, or -1 for none.
+  void add(std::int64_t predecessor);
+  /// The path leads from one stored view to an older one, where it came back to a known path.
+  void join(std::int64_t from, std::int64_t to);
+  /// One step: `standardised` has z for every stored view. Only the first `candidates` views pass
+  /// evidence on to another sequence: that the view of now is like those of a moment ago says
+  /// nothing about an older place.
+  void step(std::span<const float> standardised, double advance, std::int64_t candidates);
+  /// Adds to the evidence of one view, as if its z had differed by `change`.
+  void correct(std::int64_t view, float change);
+  /// The robot was carried away: no evidence remains.
+  void forget();
+
+  std::span<const float> evidence() const { return evidence_; }
+
+  void save(StateWriter& writer) const;
+  bool load(StateReader& reader, std::int64_t views);
+
+ private:
+  struct Link {
+    std::int64_t from;
+    std::int64_t to;
+  };
+
+  void stepWithinSequences(double advance);
+
+  EvidenceSettings settings_;
+  std::vector<float> evidence_;
+  std::vector<float> best_;           ///< working memory: the best predecessor's evidence
+  std::vector<std::int64_t> starts_;  ///< first view of each stored sequence
+  std::vector<Link> links_;           ///< between sequences
+};
+
+}  // namespace tolman::view_sequences

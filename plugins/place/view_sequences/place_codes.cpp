@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "place_codes.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "wide.hpp"
+
+namespace tolman::view_sequences {
+namespace {
+
+// Every second shift: codes hardly change over one cell.
+constexpr int kCodeShift = 2;
+constexpr int kTriedShifts = 3;
+
+/// splitmix64 (Steele et al., OOPSLA 2014): the same numbers everywhere.
+std::uint64_t nextRandom(std::uint64_t& state) {
+  std::uint64_t z = state += 0x9e3779b97f4a7c15ULL;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+  return z ^ (z >> 31U);
+}
+
+TOLMAN_WIDE_POPCOUNT
+void hammingDistances(const PlaceCode* codes, std::int64_t count,
+                      const std::array<PlaceCode, kTriedShifts>& queries, std::uint16_t* bits) {
+  for (std::int64_t i = 0; i < count; ++i) {
+    int least = kCodeBits;
+    for (const PlaceCode& query : queries) {
+      int differing = 0;
+      for (std::size_t w = 0; w < query.size(); ++w) {
+        differing += __builtin_popcountll(codes[i][w] ^ query[w]);
+      }
+      least = differing < least ? differing : least;
+    }
+    bits[i] = static_cast<std::uint16_t>(least);
+  }
+}
+
+}  // namespace
+
+CodeMaker::CodeMaker() {
+  std::uint64_t state = 20;
+  for (auto& terms : terms_) {
+    for (std::uint16_t& term : terms) {
+      term = static_cast<std::uint16_t>(nextRandom(state) % kValues);
+    }
+  }
+}
+
+PlaceCode CodeMaker::codeOf(const EdgeValues& deviation) const {
+  PlaceCode code{};
+  for (std::size_t bit = 0; bit < kCodeBits; ++bit) {
+    float sum = 0;
+    for (std::size_t t = 0; t < kTerms / 2; ++t) {
+      sum += deviation[terms_[bit][t]] - deviation[terms_[bit][t + kTerms / 2]];
+    }
+    if (sum > 0) code[bit / 64] |= std::uint64_t{1} << (bit % 64);
+  }
+  return code;
+}
+
+PlaceCode CodeMaker::codeOfShifted(const EdgeValues& deviation, int shift) const {
+  EdgeValues shifted{};
+  const int kept = (kColumns - std::abs(shift)) * kColumnValues;
+  std::copy_n(deviation.begin() + std::max(0, -shift) * kColumnValues, kept,
+              shifted.begin() + std::max(0, shift) * kColumnValues);
+  return codeOf(shifted);
+}
+
+void PlaceCodes::update(const ViewBank& bank) {
+  std::array<std::int16_t, kValues> levels;
+  EdgeValues deviation;
+  while (chunks_ < bank.chunks().size() && bank.isSettled(chunks_)) {
+    const Chunk& chunk = bank.chunks()[chunks_++];
+    for (std::int64_t i = chunk.first; i < chunk.first + chunk.count; ++i) {
+      unpack(bank.view(i), levels);
+      for (std::size_t k = 0; k < kValues; ++k) {
+        deviation[k] = levels[k] - static_cast<float>(chunk.mean[k]) / kMeanScale;
+      }
+      codes_.push_back(maker_.codeOf(deviation));
+    }
+  }
+}
+
+void PlaceCodes::distances(const ViewQuery& query, std::vector<std::uint16_t>& bits) const {
+  std::array<PlaceCode, kTriedShifts> queries;
+  for (int i = 0; i < kTriedShifts; ++i) {
+    queries[static_cast<std::size_t>(i)] =
+        maker_.codeOfShifted(query.deviation(), (i - kTriedShifts / 2) * kCodeShift);
+  }
+  bits.resize(codes_.size());
+  hammingDistances(codes_.data(), size(), queries, bits.data());
+}
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A code of 256 bits for each view: the signs of 256 random sums of its deviation from the mean
+// (Charikar, STOC 2002). The Hamming distance between codes grows with the angle between
+// deviations; a million of them are compared in a few milliseconds.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "view_query.hpp"
+
+namespace tolman::view_sequences {
+
+inline constexpr int kCodeBits = 256;
+using PlaceCode = std::array<std::uint64_t, kCodeBits / 64>;
+
+/// The sums are the same in every build and run.
+class CodeMaker {
+ public:
+  CodeMaker();
+  PlaceCode codeOf(const EdgeValues& deviation) const;
+  /// Of the view as it would look if the scene had been further to the right by `shift` cells; what
+  /// is not seen counts as usual.
+  PlaceCode codeOfShifted(const EdgeValues& deviation, int shift) const;
+
+ private:
+  static constexpr int kTerms = 48;
+  /// Indices of values for each bit: the first half is added, the other subtracted.
+  std::array<std::array<std::uint16_t, kTerms>, kCodeBits> terms_;
+};
+
+/// Codes of the stored views whose chunk has its final mean: always a first part of the bank.
+class PlaceCodes {
+ public:
+  /// Makes the codes that the bank allows by now.
+  void update(const ViewBank& bank);
+  std::int64_t size() const { return static_cast<std::int64_t>(codes_.size()); }
+  /// Smallest number of differing bits to any of the tried shifts of the query, for each code.
+  void distances(const ViewQuery& query, std::vector<std::uint16_t>& bits) const;
+
+ private:
+  CodeMaker maker_;
+  std::vector<PlaceCode> codes_;
+  std::size_t chunks_ = 0;  ///< that have codes
+};
+
+}  // namespace tolman::view_sequences

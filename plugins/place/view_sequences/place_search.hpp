@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds where on the stored paths the robot is: compares the view of now with the stored ones, adds
+// up evidence along the path, and says how probable the best places are.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "path_evidence.hpp"
+#include "place_codes.hpp"
+
+namespace tolman::view_sequences {
+
+struct SearchSettings {
+  std::int64_t exhaustive = 4000;  ///< with more views, codes choose which ones are compared
+  double recent = 20;              ///< m of path: younger views are no candidates
+  EvidenceSettings evidence;
+};
+
+struct PlaceCandidate {
+  std::int64_t view = -1;
+  double probability = 0;  ///< that the robot is there
+};
+
+class PlaceSearch {
+ public:
+  explicit PlaceSearch(const SearchSettings& settings)
+      : settings_(settings), evidence_(settings.evidence) {}
+
+  const ViewBank& bank() const { return bank_; }
+  /// Stores a view; `predecessor` as for PathEvidence::add().
+  void add(const PackedView& view, double path, std::int64_t predecessor);
+  void join(std::int64_t from, std::int64_t to) { evidence_.join(from, to); }
+  /// What follows was driven at another time, or elsewhere.
+  void beginPass();
+
+  /// One step along the path: `path` in m so far, `advance` in stored views.
+  void step(const ViewQuery& query, double path, double advance);
+  /// At most `most` places after a step, the most probable first; different places are more than
+  /// ten views apart. Empty as long as there is too little to compare with.
+  std::vector<PlaceCandidate> candidates(int most) const;
+
+  void save(StateWriter& writer) const;
+  bool load(StateReader& reader);
+
+ private:
+  void compareAll(const ViewQuery& query);
+  void compareFrom(const ViewQuery& query, std::int64_t first);
+  void refineBest(const ViewQuery& query);
+  std::vector<float> distancesOf(const ViewQuery& query, const std::vector<std::int64_t>& views);
+  std::vector<std::int64_t> bestViews(std::size_t count) const;
+  std::int64_t coded() const;
+  std::int64_t viewsUntil(double path) const;
+
+  SearchSettings settings_;
+  ViewBank bank_;
+  PlaceCodes codes_;
+  PathEvidence evidence_;
+  std::int64_t candidates_ = 0;   ///< the first so many views are not recent
+  float evidence_of_recent_ = 0;  ///< best of the older half of the recent views
+  std::vector<std::uint16_t> bits_;
+  std::vector<float> distances_;  ///< then standardised in place
+};
+
+/// Distance of `view` and its shift in cells, between the tried ones by interpolation.
+struct MeasuredShift {
+  double distance = 2;
+  double moved_left = 0;
+};
+MeasuredShift shiftOf(const ViewQuery& query, const ViewBank& bank, std::int64_t view);
+
+}  // namespace tolman::view_sequences

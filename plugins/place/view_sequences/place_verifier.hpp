@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Verifies places by landmarks: corners with depth that a stored view keeps agree on the pose of
+// the view of now, or it is another place.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "landmark_pose.hpp"
+#include "landmark_store.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::view_sequences {
+
+struct VerifierSettings {
+  int corners = 0;           ///< of a view
+  int least_agreeing = 20;   ///< landmarks
+  std::int64_t spacing = 3;  ///< views between those that keep landmarks
+};
+
+class PlaceVerifier {
+ public:
+  PlaceVerifier(const CameraRig& rig, const VerifierSettings& settings)
+      : rig_(rig), settings_(settings) {}
+
+  /// A calibrated stereo pair, and not turned off.
+  bool canMeasure() const { return settings_.corners > 0 && rig_.isStereo() && rig_.calibrated; }
+  /// Before the calls for the next frame, which must stay in place until then.
+  void beginFrame(const Frame& frame);
+  /// The frame was stored as `view`: keeps its landmarks, if they are due.
+  Status store(std::int64_t view);
+  /// A view with landmarks at `view` or next to it.
+  std::optional<std::int64_t> viewNear(std::int64_t view) const;
+  /// Pose of the frame relative to a view with landmarks; no value when too few agree.
+  Result<std::optional<landmarks::MeasuredPose>> locate(std::int64_t view);
+
+  Status save(StateWriter& writer) const { return store_.save(writer); }
+  Status load(StateReader& reader, std::int64_t views) { return store_.load(reader, views); }
+
+ private:
+  const landmarks::Corners& corners();
+
+  CameraRig rig_;
+  VerifierSettings settings_;
+  LandmarkStore store_;
+  const Frame* frame_ = nullptr;
+  std::optional<landmarks::Corners> corners_;  ///< of the frame, once they are needed
+};
+
+}  // namespace tolman::view_sequences

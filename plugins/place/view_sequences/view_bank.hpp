@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The stored views, in the order in which they were driven. What all views of a pass have in common
+// (lens, bonnet, light, season) says nothing about the place: each view is compared by its
+// deviation from the mean of the views around it, which is kept for chunks of 64 views.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "edge_grid.hpp"
+#include "tolman/state_stream.hpp"
+
+namespace tolman::view_sequences {
+
+/// Consecutive views of one pass with the mean that they deviate from.
+struct Chunk {
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+  std::int64_t pass = 0;
+  std::array<std::uint8_t, kValues> mean{};  ///< in units of 1 / kMeanScale levels
+};
+inline constexpr float kMeanScale = 16;
+
+class ViewBank {
+ public:
+  /// `path`: m driven until now. Its index is the number of views before it.
+  void add(const PackedView& view, double path);
+  /// The next view belongs to another pass: it begins a chunk of its own, and its mean takes in
+  /// nothing from before.
+  void beginPass() { ++pass_; }
+
+  std::int64_t size() const { return static_cast<std::int64_t>(paths_.size()); }
+  std::span<const std::uint8_t> view(std::int64_t i) const {
+    return {views_.data() + static_cast<std::size_t>(i) * kPackedBytes, kPackedBytes};
+  }
+  double path(std::int64_t i) const { return paths_[static_cast<std::size_t>(i)]; }
+  /// Norm of the deviation from the mean of the chunk, levels.
+  float deviation(std::int64_t i) const { return deviations_[static_cast<std::size_t>(i)]; }
+  const std::vector<Chunk>& chunks() const { return chunks_; }
+  /// Whether the mean of chunk `c` will not change any more.
+  bool isSettled(std::size_t c) const;
+
+  void save(StateWriter& writer) const;
+  /// False for a damaged state.
+  bool load(StateReader& reader);
+
+ private:
+  void refresh(std::size_t chunk);
+
+  std::vector<std::uint8_t> views_;
+  std::vector<float> deviations_;
+  std::vector<float> paths_;
+  std::vector<Chunk> chunks_;
+  std::int64_t pass_ = 0;
+};
+
+}  // namespace tolman::view_sequences

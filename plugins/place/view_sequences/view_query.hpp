@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The view of now, ready to be compared with stored ones: its deviation from the mean of this pass,
+// at every tried shift.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "view_bank.hpp"
+
+namespace tolman::view_sequences {
+
+/// Largest shift to either side, cells: a quarter of the view.
+inline constexpr int kShift = 3;
+inline constexpr int kShifts = 2 * kShift + 1;
+
+struct ViewDistance {
+  float distance = 2;  ///< 1 - cosine between the deviations, of the best shift; 0 to 2
+  int shift = 0;       ///< cells that the scene moved to the left since the view was stored
+};
+
+class ViewQuery {
+ public:
+  /// Both in levels.
+  ViewQuery(const EdgeValues& view, const EdgeValues& mean_of_pass);
+
+  /// Inner products with the mean of a chunk, one for each shift.
+  using ChunkProducts = std::array<float, kShifts>;
+  ChunkProducts productsWith(const Chunk& chunk) const;
+
+  /// Distance to a stored view that deviates by `deviation` from the mean of its chunk.
+  ViewDistance distanceTo(std::span<const std::int16_t, kValues> levels,
+                          const ChunkProducts& of_chunk, float deviation) const;
+  /// Distances of all shifts, as distanceTo().
+  std::array<float, kShifts> distances(std::span<const std::int16_t, kValues> levels,
+                                       const ChunkProducts& of_chunk, float deviation) const;
+
+  /// The deviation of the view, levels.
+  const EdgeValues& deviation() const { return deviation_; }
+
+ private:
+  EdgeValues deviation_;
+  std::array<std::int16_t, kValues> fixed_;  ///< deviation_ in units of 1 / kFixedScale
+  std::array<float, kShifts> scales_;        ///< makes inner products cosines
+};
+
+}  // namespace tolman::view_sequences

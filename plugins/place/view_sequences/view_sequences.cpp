@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "view_sequences.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "tolman/state_stream.hpp"
+
+namespace tolman::view_sequences {
+namespace {
+
+constexpr std::string_view kMagic = "TLMVSEQS";
+constexpr std::uint64_t kStateVersion = 1;
+
+EdgeValues levelsOf(const PackedView& view) {
+  std::array<std::int16_t, kValues> levels;
+  unpack(view, levels);
+  EdgeValues values;
+  for (std::size_t i = 0; i < kValues; ++i) values[i] = levels[i];
+  return values;
+}
+
+/// Strength of the edges of each cell over all directions, 0 to 1; rows x columns.
+std::vector<float> pictureOf(const PackedView& view) {
+  const EdgeValues values = levelsOf(view);
+  std::vector<float> picture;
+  for (int r = 0; r < kRows; ++r) {
+    for (int c = 0; c < kColumns; ++c) {
+      float sum = 0;
+      for (int k = 0; k < kDirections; ++k) {
+        sum += values[static_cast<std::size_t>((c * kRows + r) * kDirections + k)];
+      }
+      picture.push_back(sum / (15 * kDirections));
+    }
+  }
+  return picture;
+}
+
+}  // namespace
+
+Status ViewSequences::configure(const Context& context) {
+  Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return bound.status();
+  parameters_ = std::move(bound).value();
+  rig_ = context.rig;
+  if (Status status = reset(); !status.isOk()) return status;
+  if (parameters_.landmarks > 0 && !verifier_->canMeasure()) {
+    context.log.warning(
+        "landmarks need a calibrated stereo pair; places are recognised by appearance alone: set "
+        "landmarks to 0");
+  }
+  return Status::ok();
+}
+
+Status ViewSequences::reset() {
+  const Parameters& p = parameters_;
+  SearchSettings settings;
+  settings.exhaustive = p.exhaustive;
+  settings.recent = p.recent;
+  settings.evidence.memory = p.memory;
+  steps_ = std::make_unique<PathSteps>(p.spacing, p.recent);
+  search_ = std::make_unique<PlaceSearch>(settings);
+  verifier_ = std::make_unique<PlaceVerifier>(
+      rig_, VerifierSettings{p.landmarks, p.landmarks_agreeing, p.landmark_spacing});
+  mean_ = MeanView();
+  current_ = PackedView{};
+  at_ = -1;
+  at_is_new_ = false;
+  since_measured_ = kNever;
+  return Status::ok();
+}
+
+Status ViewSequences::observe(const Frame& frame, const Motion* motion,
+                              PlaceObservation& observation) {
+  observation.frame = frame.frame;
+  observation.stamp_ns = frame.stamp_ns;
+  if (motion == nullptr) return Status::invalidInput("view_sequences needs the motion");
+  const std::optional<PathStep> step = steps_->move(*motion);
+  if (!step) return Status::ok();
+  EdgeValues edges;
+  if (frame.left.empty() || !edgeGrid(frame.left, edges)) {
+    steps_->postpone(*step);
+    return Status::ok();
+  }
+  return take(*step, frame, packed(edges), observation);
+}
+
+Status ViewSequences::take(const PathStep& step, const Frame& frame, const PackedView& view,
+                           PlaceObservation& observation) {
+  if (step.begins_pass) {
+    mean_.beginPass();
+    search_->beginPass();
+    at_ = -1;
+    since_measured_ = kNever;
+  }
+  current_ = view;
+  const EdgeValues levels = levelsOf(view);
+  mean_.add(levels);
+  const ViewQuery query(levels, mean_.mean());
+  search_->step(query, step.path, step.advance);
+  verifier_->beginFrame(frame);
+  since_measured_ = std::min(since_measured_ + 1, kNever);
+  return answer(step, query, frame.left.width(), observation);
+}
+
+Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int image_width,
+                             PlaceObservation& observation) {
+  // Between two measurements, and for a while after the last one, a likely place is believed but
+  // not named: without a pose it would be known to a few metres only.
+  constexpr std::int64_t kBelieved = 20;  // steps
+  const std::vector<PlaceCandidate> found = search_->candidates(verifier_->canMeasure() ? 5 : 1);
+  const double probability = found.empty() ? 0 : found.front().probability;
+  observation.score = 1 - probability;
+  const bool likely = probability >= parameters_.probability_verified;
+  if (likely && since_measured_ < parameters_.landmark_spacing) return Status::ok();
+  const auto place = verified(found);
+  if (!place.isOk()) return place.status();
+  if (place.value()) {
+    recognise(*place.value(), query, image_width, observation);
+  } else if (probability >= parameters_.probability) {
+    if (since_measured_ > kBelieved)
+      recognise({found.front().view, {}}, query, image_width, observation);
+  } else {
+    return store(step, observation);
+  }
+  return Status::ok();
+}
+
+/// The most probable place whose landmarks agree on a pose.
+Result<std::optional<ViewSequences::Place>> ViewSequences::verified(
+    const std::vector<PlaceCandidate>& candidates) {
+  for (const PlaceCandidate& candidate : candidates) {
+    if (candidate.probability < parameters_.probability_verified) break;
+    const auto view = verifier_->viewNear(candidate.view);
+    if (!view) continue;
+    auto pose = verifier_->locate(*view);
+    if (!pose.isOk()) return pose.status();
+    if (pose.value()) {
+      since_measured_ = 0;
+      return std::optional(Place{*view, std::move(pose).value()});
+    }
+  }
+  return std::optional<Place>();
+}
+
+Status ViewSequences::store(const PathStep& step, PlaceObservation& observation) {
+  observation.recognition = Recognition::Novel;
+  observation.template_id = search_->bank().size();
+  search_->add(current_, step.path, at_);
+  at_ = observation.template_id;
+  at_is_new_ = true;
+  return verifier_->store(at_);
+}
+
+void ViewSequences::recognise(const Place& place, const ViewQuery& query, int image_width,
+                              PlaceObservation& observation) {
+  if (at_is_new_ && at_ >= 0) search_->join(at_, place.view);
+  at_ = place.view;
+  at_is_new_ = false;
+  observation.recognition = Recognition::Familiar;
+  observation.template_id = place.view;
+  observation.has_relative_pose = place.pose.has_value();
+  if (place.pose) {
+    observation.T_template_current = place.pose->T_template_current;
+    observation.covariance = place.pose->covariance;
+    observation.relative_yaw = toPlanar(observation.T_template_current).theta;
+  } else {
+    const MeasuredShift shift = shiftOf(query, search_->bank(), place.view);
+    observation.relative_yaw = yawOf(shift.moved_left, image_width);
+  }
+}
+
+/// Positive to the left: when the camera turns left, the scene moves to the right.
+double ViewSequences::yawOf(double moved_left_cells, int image_width) const {
+  const double cell_px = static_cast<double>(image_width) / kColumns;
+  const double half = 0.5 * parameters_.field_of_view * std::numbers::pi / 180;
+  const double focal = rig_.calibrated ? rig_.pinhole.fx : 0.5 * image_width / std::tan(half);
+  return -std::atan(moved_left_cells * cell_px / focal);
+}
+
+void ViewSequences::arrays(std::vector<NamedArray>& arrays) const {
+  const std::vector<int> shape = {kRows, kColumns};
+  PackedView stored{};
+  if (at_ >= 0) std::ranges::copy(search_->bank().view(at_), stored.begin());
+  arrays.push_back({"view.current", shape, pictureOf(current_)});
+  arrays.push_back({"view.template", shape, pictureOf(stored)});
+}
+
+Status ViewSequences::describe(std::vector<ArrayInfo>& arrays) const {
+  for (const char* name : {"view.current", "view.template"}) {
+    ArrayInfo view;
+    view.name = name;
+    view.doc = std::string(name) == "view.current" ? "edges of the view of now"
+                                                   : "edges of the view of the last answer";
+    view.axes.resize(2);
+    view.axes[0].name = "row";
+    view.axes[1].name = "column";
+    arrays.push_back(std::move(view));
+  }
+  return Status::ok();
+}
+
+/// The parameters that the stored state depends on.
+std::vector<double> ViewSequences::storedParameters() const {
+  return {parameters_.spacing, parameters_.memory, static_cast<double>(parameters_.landmarks)};
+}
+
+Status ViewSequences::save(std::ostream& stream) const {
+  StateWriter writer;
+  writer.putAll<double>(storedParameters());
+  steps_->save(writer);
+  mean_.save(writer);
+  search_->save(writer);
+  if (Status status = verifier_->save(writer); !status.isOk()) return status;
+  writer.put(since_measured_);
+  writer.putAll<std::uint8_t>(current_);
+  writer.put(at_);
+  writer.put(static_cast<std::uint8_t>(at_is_new_));
+  return writer.write(stream, kMagic, kStateVersion);
+}
+
+Status ViewSequences::load(std::istream& stream) {
+  if (Status status = reset(); !status.isOk()) return status;
+  Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
+  if (!opened.isOk()) return opened.status();
+  StateReader& reader = opened.value();
+  std::vector<double> saved(storedParameters().size());
+  reader.getAll<double>(saved);
+  if (saved != storedParameters()) {
+    return Status::invalidInput(
+        "the saved views were made with another spacing, memory or number of landmarks");
+  }
+  steps_->load(reader);
+  mean_.load(reader);
+  bool sound = search_->load(reader);
+  if (sound) sound = verifier_->load(reader, search_->bank().size()).isOk();
+  since_measured_ = reader.get<std::int64_t>();
+  reader.getAll<std::uint8_t>(current_);
+  at_ = reader.get<std::int64_t>();
+  at_is_new_ = reader.get<std::uint8_t>() != 0;
+  if (!sound || !reader.complete() || at_ < -1 || at_ >= search_->bank().size()) {
+    static_cast<void>(reset());
+    return Status::invalidInput("the saved state is damaged: wrong length");
+  }
+  return Status::ok();
+}
+
+}  // namespace tolman::view_sequences

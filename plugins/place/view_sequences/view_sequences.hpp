@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Place recognition by sequences of views along the driven path. Each step of `spacing` metres
+// compares the view of now with the stored ones and adds up the evidence along stored paths; a
+// place that stands out from all others is familiar, any other view is stored. Only the past is
+// used. The answer's score is the probability that the best place is wrong.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "mean_view.hpp"
+#include "parameters.hpp"
+#include "path_steps.hpp"
+#include "place_search.hpp"
+#include "place_verifier.hpp"
+#include "tolman/plugin.hpp"
+
+namespace tolman::view_sequences {
+
+class ViewSequences final : public Place,
+                            public ArraySource,
+                            public ArrayDescriptions,
+                            public StateKeeper {
+ public:
+  using Parameters = view_sequences::Parameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  PlaceInput input() const override { return PlaceInput::FrameAndMotion; }
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
+
+  /// "view.current" and "view.template" (that of the last answer): strength of the edges, rows x
+  /// columns.
+  void arrays(std::vector<NamedArray>& arrays) const override;
+  Status describe(std::vector<ArrayInfo>& arrays) const override;
+
+  Status save(std::ostream& stream) const override;
+  Status load(std::istream& stream) override;
+
+ private:
+  static constexpr std::int64_t kNever = 1'000'000;
+
+  /// A place that the view of now shows.
+  struct Place {
+    std::int64_t view = -1;
+    std::optional<landmarks::MeasuredPose> pose;
+  };
+
+  Status take(const PathStep& step, const Frame& frame, const PackedView& view,
+              PlaceObservation& observation);
+  Status answer(const PathStep& step, const ViewQuery& query, int image_width,
+                PlaceObservation& observation);
+  Result<std::optional<Place>> verified(const std::vector<PlaceCandidate>& candidates);
+  Status store(const PathStep& step, PlaceObservation& observation);
+  void recognise(const Place& place, const ViewQuery& query, int image_width,
+                 PlaceObservation& observation);
+  double yawOf(double moved_left_cells, int image_width) const;
+  std::vector<double> storedParameters() const;
+
+  Parameters parameters_;
+  CameraRig rig_;
+  std::unique_ptr<PathSteps> steps_;
+  std::unique_ptr<PlaceSearch> search_;
+  std::unique_ptr<PlaceVerifier> verifier_;
+  MeanView mean_;
+  PackedView current_{};
+  std::int64_t at_ = -1;                  ///< the stored view of the last answer; -1 after a break
+  bool at_is_new_ = false;                ///< whether the last answer stored it
+  std::int64_t since_measured_ = kNever;  ///< steps since landmarks agreed
+};
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Marks loops that are compiled twice, and the faster version chosen when the plugin is loaded.
+// Both give the same bytes: sums of whole numbers, and no fused multiply-add.
+#pragma once
+
+// Sanitizers are not ready yet when such a choice is made.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define TOLMAN_WIDE __attribute__((target_clones("avx2", "default")))
+#define TOLMAN_WIDE_POPCOUNT __attribute__((target_clones("popcnt", "default")))
+#else
+#define TOLMAN_WIDE
+#define TOLMAN_WIDE_POPCOUNT
+#endif
