@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 
 #include "support/context.hpp"
+#include "support/gray_images.hpp"
 #include "view_templates.hpp"
 
 namespace tolman::view_templates::test {
@@ -18,17 +18,8 @@ inline Status configure(ViewTemplates& plugin, const ParameterValues& parameters
   return plugin.configure(services);
 }
 
-inline Image gray(int width, int height, auto&& value) {
-  return Image::create(width, height, PixelFormat::Gray8, [&](std::uint8_t* pixel) {
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) *pixel++ = static_cast<std::uint8_t>(value(x, y));
-    }
-  });
-}
-
-inline Image noise(int width, int height, RandomStream& random) {
-  return gray(width, height, [&](int, int) { return random.below(256); });
-}
+using tolman::test::gray;
+using tolman::test::noise;
 
 /// Shows one image to the plugin as frame `frame`.
 inline PlaceObservation observe(ViewTemplates& plugin, const Image& image, std::int64_t frame = 0) {

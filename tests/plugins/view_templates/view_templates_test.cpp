@@ -96,11 +96,7 @@ TEST_CASE("grey and equal-channel colour are the same view") {
   ViewTemplates plugin;
   REQUIRE(configure(plugin, plain()).isOk());
   const Image grey = scene(1);
-  const Image colour = Image::create(320, 96, PixelFormat::Bgr8, [&](std::uint8_t* pixel) {
-    for (int y = 0; y < 96; ++y) {
-      for (int x = 0; x < 320; ++x, pixel += 3) std::memset(pixel, grey.row(y)[x], 3);
-    }
-  });
+  const Image colour = tolman::test::coloured(grey);
   observe(plugin, grey);
   CHECK(observe(plugin, colour, 1).score == 0);
 }
