@@ -82,8 +82,7 @@ int parse(CLI::App& app, std::vector<std::string> words) {
     app.parse(words);
   } catch (const CLI::ParseError& error) {
     const std::string unknown = unknownCommand(app);
-    const bool asked = error.get_exit_code() == 0;  // --help
-    if (!asked && !unknown.empty()) return static_cast<int>(printFailure(ExitCode::Usage, unknown));
+    if (!unknown.empty()) return static_cast<int>(printFailure(ExitCode::Usage, unknown));
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::Usage);
   } catch (const run::Failed& failed) {
     return static_cast<int>(printFailure(failed.failure));

@@ -40,6 +40,8 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
     return finished.err;
   };
   CHECK(words({"rnu", "demo"}) == "'rnu' is no command; did you mean 'run'?\n");
+  CHECK(words({"help", "rnu"}) == "'rnu' is no command; did you mean 'run'?\n");
+  CHECK(words({"help", "plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
   CHECK(words({"plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");
   CHECK(contains(words({"fly"}), "'fly' is no command; it is one of: run, check, plugins"));
 }
