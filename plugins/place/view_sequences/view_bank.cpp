@@ -10,6 +10,7 @@ namespace {
 // Views of a chunk. With its neighbours its mean covers three times as many: on campus walks
 // (places_gardens) means over 80 to 400 views were equally good, over 40 worse.
 constexpr std::int64_t kChunkViews = 64;
+constexpr std::int64_t kMostPasses = std::int64_t{1} << 40;  // a larger number is damage
 
 using Levels = std::array<std::int16_t, kValues>;
 
@@ -66,7 +67,8 @@ void ViewBank::refresh(std::size_t index) {
 
 bool ViewBank::isSettled(std::size_t c) const {
   if (c + 1 >= chunks_.size()) return chunks_[c].pass != pass_;
-  return chunks_[c + 1].pass != chunks_[c].pass || chunks_[c + 1].count == kChunkViews;
+  const Chunk& next = chunks_[c + 1];
+  return next.pass != chunks_[c].pass || next.pass != pass_ || next.count == kChunkViews;
 }
 
 void ViewBank::save(StateWriter& writer) const {
@@ -97,12 +99,15 @@ bool ViewBank::load(StateReader& reader) {
     chunk.first = first;
     chunk.count = reader.get<std::int64_t>();
     chunk.pass = reader.get<std::int64_t>();
-    if (chunk.count < 1 || chunk.count > kChunkViews) return false;
+    const std::int64_t before = chunks_.empty() ? 0 : chunks_.back().pass;
+    if (chunk.count < 1 || chunk.count > kChunkViews || chunk.pass < before) return false;
     first += chunk.count;
     chunks_.push_back(chunk);
   }
   pass_ = reader.get<std::int64_t>();
-  if (first != size()) return false;
+  const bool sound = pass_ >= (chunks_.empty() ? 0 : chunks_.back().pass) && pass_ < kMostPasses &&
+                     std::ranges::all_of(paths_, [](float path) { return std::isfinite(path); });
+  if (!sound || first != size()) return false;
   for (std::size_t c = 0; c < chunks_.size(); ++c) refresh(c);
   return true;
 }

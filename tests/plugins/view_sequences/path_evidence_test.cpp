@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Evidence along paths against the equation of path_evidence.hpp, evaluated one view at a time.
+#include "path_evidence.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "part_state.hpp"
+#include "tolman/context.hpp"
+
+using namespace tolman;
+using namespace tolman::view_sequences;
+using namespace tolman::view_sequences::test;
+
+namespace {
+
+constexpr EvidenceSettings kSettings = {0.9, 0.8, 1.2};
+
+/// E_t(p) = z_t(p) + offset + memory * min(0, best of all ways that lead to p).
+class Naive {
+ public:
+  void add(std::int64_t predecessor) {
+    const auto view = static_cast<std::int64_t>(evidence_.size());
+    continues_.push_back(predecessor >= 0 && predecessor == view - 1);
+    if (predecessor >= 0 && predecessor != view - 1) join(predecessor, view);
+    evidence_.push_back(0);
+  }
+  void join(std::int64_t from, std::int64_t to) { links_.emplace_back(from, to); }
+  void step(const std::vector<float>& z, double advance, std::int64_t candidates) {
+    std::vector<double> next;
+    for (std::int64_t p = 0; p < static_cast<std::int64_t>(evidence_.size()); ++p) {
+      double best = 0;
+      std::int64_t from = p;
+      for (int k = 0; k <= 3; ++k) {  // at most three views in one step
+        best = std::min(best, at(from) + kSettings.penalty * std::abs(k - advance));
+        if (!continues_[static_cast<std::size_t>(from)]) break;
+        --from;
+      }
+      for (const auto& [source, target] : links_) {
+        if (target != p || source >= candidates) continue;
+        best = std::min(best, at(source) + kSettings.penalty * std::abs(1 - advance));
+      }
+      next.push_back(z[static_cast<std::size_t>(p)] + kSettings.offset + kSettings.memory * best);
+    }
+    evidence_ = next;
+  }
+  double& at(std::int64_t p) { return evidence_[static_cast<std::size_t>(p)]; }
+  void forget() { evidence_.assign(evidence_.size(), 0); }
+
+ private:
+  std::vector<double> evidence_;
+  std::vector<bool> continues_;
+  std::vector<std::pair<std::int64_t, std::int64_t>> links_;
+};
+
+/// Both, told the same.
+struct Pair {
+  PathEvidence evidence{kSettings};
+  Naive naive;
+  std::int64_t views = 0;
+
+  void add(std::int64_t predecessor) {
+    evidence.add(predecessor);
+    naive.add(predecessor);
+    ++views;
+  }
+  void addSomewhere(RandomStream& random) {
+    const std::uint64_t kind = random.below(10);
+    const bool alone = views == 0 || kind == 0;
+    const auto older =
+        static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(views + 1)));
+    add(alone ? -1 : (kind == 1 ? std::min(older, views - 1) : views - 1));
+  }
+  void join(RandomStream& random) {
+    const auto any = [&] {
+      return static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(views)));
+    };
+    const std::int64_t from = any();
+    const std::int64_t to = any();
+    evidence.join(from, to);
+    naive.join(from, to);
+  }
+  void step(RandomStream& random) {
+    std::vector<float> z;
+    for (std::int64_t i = 0; i < views; ++i) z.push_back(static_cast<float>(random.normal() - 0.5));
+    const double advance = random.uniform(0, 4);
+    const auto candidates =
+        static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(views + 1)));
+    evidence.step(z, advance, candidates);
+    naive.step(z, advance, candidates);
+  }
+  void check() {
+    REQUIRE(evidence.evidence().size() == static_cast<std::size_t>(views));
+    for (std::int64_t p = 0; p < views; ++p) {
+      CAPTURE(p, views);
+      REQUIRE(evidence.evidence()[static_cast<std::size_t>(p)] == Approx(naive.at(p)).margin(1e-4));
+    }
+  }
+};
+
+std::string bytesOf(const PathEvidence& evidence) {
+  return savedBytes([&](StateWriter& writer) { evidence.save(writer); });
+}
+
+bool takes(PathEvidence& evidence, const std::string& bytes, std::int64_t views) {
+  StateReader reader = readerOf(bytes);
+  return evidence.load(reader, views) && reader.complete();
+}
+
+Pair somePaths(RandomStream& random) {
+  Pair pair;
+  for (int i = 0; i < 60; ++i) {
+    pair.addSomewhere(random);
+    if (i % 9 == 8) pair.join(random);
+    pair.step(random);
+  }
+  return pair;
+}
+
+}  // namespace
+
+TEST_CASE("evidence is that of the equation, over random paths, links, steps and candidates") {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    RandomStream random(seed);
+    Pair pair;
+    for (int i = 0; i < 120; ++i) {
+      if (random.below(3) != 0) pair.addSomewhere(random);
+      if (pair.views == 0) continue;
+      if (random.below(12) == 0) pair.join(random);
+      if (random.below(15) == 0) {
+        const auto view = static_cast<std::int64_t>(random.below(std::uint64_t(pair.views)));
+        const auto change = static_cast<float>(random.normal());
+        pair.evidence.correct(view, change);
+        pair.naive.at(view) += change;
+      }
+      if (random.below(40) == 0) {
+        pair.evidence.forget();
+        pair.naive.forget();
+      }
+      pair.step(random);
+      pair.check();
+    }
+  }
+}
+
+TEST_CASE("evidence adds up along a path that is driven again at its own speed") {
+  PathEvidence evidence(kSettings);
+  for (int i = 0; i < 40; ++i) evidence.add(i - 1);
+  for (int t = 0; t < 10; ++t) {
+    std::vector<float> z(40, 0);
+    z[static_cast<std::size_t>(10 + t)] = -3;
+    evidence.step(z, 1, 40);
+  }
+  const auto all = evidence.evidence();
+  CHECK(std::ranges::min_element(all) - all.begin() == 19);
+  double expected = 0;
+  for (int t = 0; t < 10; ++t) expected = -3 + 1.2 + 0.9 * expected;
+  CHECK(all[19] == Approx(expected));
+  CHECK(all[39] == Approx(1.2));  // nothing was alike, and evidence above 0 is forgotten
+  evidence.forget();
+  for (const float e : evidence.evidence()) CHECK(e == 0);
+}
+
+TEST_CASE("a loaded state is the saved one to the bit, and goes on as it would") {
+  RandomStream random(31);
+  Pair pair = somePaths(random);
+  PathEvidence loaded(kSettings);
+  loaded.add(-1);  // forgotten
+  REQUIRE(takes(loaded, bytesOf(pair.evidence), pair.views));
+  CHECK(bytesOf(loaded) == bytesOf(pair.evidence));
+  for (int i = 0; i < 20; ++i) {
+    pair.evidence.add(pair.views - 1);
+    loaded.add(pair.views - 1);
+    ++pair.views;
+    std::vector<float> z(static_cast<std::size_t>(pair.views), -1.5F);
+    pair.evidence.step(z, 1.1, pair.views);
+    loaded.step(z, 1.1, pair.views);
+    REQUIRE(bytesOf(loaded) == bytesOf(pair.evidence));
+  }
+  PathEvidence empty(kSettings);
+  CHECK(takes(empty, bytesOf(PathEvidence(kSettings)), 0));
+}
+
+TEST_CASE("damaged states are refused without asking for memory") {
+  RandomStream random(32);
+  const Pair pair = somePaths(random);
+  const std::string sound = bytesOf(pair.evidence);
+  const auto isRefused = [&](const std::string& bytes, std::int64_t views) {
+    PathEvidence evidence(kSettings);
+    return !takes(evidence, bytes, views);
+  };
+  REQUIRE_FALSE(isRefused(sound, pair.views));
+  for (std::size_t length = 0; length < sound.size(); length += 7) {
+    CAPTURE(length);
+    REQUIRE(isRefused(sound.substr(0, length), pair.views));
+  }
+  CHECK(isRefused(sound, pair.views - 1));
+  CHECK(isRefused(sound, pair.views + 1));
+  CHECK(isRefused(sound, INT64_MAX / 8));
+  CHECK(isRefused(overwritten(sound, 4, NAN), pair.views));
+  CHECK(isRefused(overwritten(sound, 4, INFINITY), pair.views));
+  const std::size_t starts_at = 4 * static_cast<std::size_t>(pair.views);
+  CHECK(isRefused(overwritten(sound, starts_at, std::uint64_t{1} << 60U), pair.views));
+  CHECK(isRefused(overwritten(sound, starts_at + 8, std::int64_t{1}), pair.views));  // not from 0
+  CHECK(isRefused(overwritten(sound, starts_at + 16, pair.views), pair.views));
+  CHECK(isRefused(overwritten(sound, starts_at + 16, std::int64_t{-1}), pair.views));
+  CHECK(isRefused(overwritten(sound, starts_at + 16, std::int64_t{0}), pair.views));  // twice
+  CHECK(isRefused(overwritten(sound, sound.size() - 8, pair.views), pair.views));     // a link
+  CHECK(isRefused(overwritten(sound, sound.size() - 16, std::int64_t{-1}), pair.views));
+}
