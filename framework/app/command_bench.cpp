@@ -73,20 +73,25 @@ void addOdometryCommand(CLI::App& bench_command, Invocation& invocation) {
 }
 
 void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
-  command.add_option("--second", options.second,
-                     "Folder of a second pass along the same path: image N of both shows the same "
-                     "place; the source's parameter `path` is set to it");
+  command
+      .add_option("--second", options.second,
+                  "Folder of a second pass along the same path: image N of both shows the same "
+                  "place; the source's parameter `path` is set to it")
+      ->type_name("FOLDER");
   command
       .add_option("--query-set", options.query_overrides,
                   "Override a value for the second pass only (repeatable)")
+      ->type_name("PATH=VALUE")
       ->allow_extra_args(false);
   command
       .add_option("--tolerance", options.tolerance,
                   "Two passes: images that a right claim may be away (default: 5)")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--pairs", options.pairs,
-                     "One drive: CSV file of the true pairs, query,match; without it the true "
-                     "poses of the source decide");
+  command
+      .add_option("--pairs", options.pairs,
+                  "One drive: CSV file of the true pairs, query,match; without it the true "
+                  "poses of the source decide")
+      ->type_name("FILE");
   command
       .add_option("--near", options.near,
                   "One drive: claims over at most so many images do not count (default: 20)")
