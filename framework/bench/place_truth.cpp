@@ -25,6 +25,7 @@ std::optional<Pair> pairOf(const std::string& line) {
   const auto second = std::from_chars(first.ptr + 1, end, pair.second);
   const bool complete = second.ptr == end || *second.ptr == '\r';
   if (second.ec != std::errc() || !complete) return std::nullopt;
+  if (pair.first < 0 || pair.second < 0) return std::nullopt;
   return pair;
 }
 
@@ -45,8 +46,9 @@ PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t toleran
 
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   std::error_code ignored;
-  std::ifstream stream(file);
-  if (!std::filesystem::is_regular_file(file, ignored) || !stream) {
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would wait
+  if (!stream.is_open()) {
     return Status::invalidInput(file.string() + ": cannot be read as a file of true pairs");
   }
   auto pairs = std::make_shared<std::set<Pair>>();
@@ -58,6 +60,9 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
                                   ": a pair is two numbers of images, 'query,match'");
     }
     if (pair) pairs->insert(*pair);
+  }
+  if (pairs->empty()) {
+    return Status::invalidInput(file.string() + ": lists no pairs; each line is 'query,match'");
   }
   return PlaceTruth{[pairs](std::int64_t query, std::int64_t place) {
                       return pairs->contains({query, place});
