@@ -19,11 +19,14 @@ using landmarks::Landmarks;
 
 constexpr std::int64_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
 
-/// A file in the folder for temporary files, already removed; -1 when there can be none.
+/// A file in the folder for temporary files, already removed; -1 and errno when there can be none.
 int unnamedFile() {
   std::error_code error;
   std::string name = (std::filesystem::temp_directory_path(error) / "tolman-XXXXXX").string();
-  if (error) return -1;
+  if (error) {
+    errno = error.value();
+    return -1;
+  }
   const int file = mkostemp(name.data(), O_CLOEXEC);
   if (file >= 0) unlink(name.c_str());
   return file;

@@ -14,7 +14,6 @@ class MeanView {
   /// Takes in a view: mean of the first hundred, then exponentially weighted, so that it follows
   /// the light.
   void add(const EdgeValues& view) {
-    constexpr float kViews = 100;
     weight_ = std::min(weight_ + 1, kViews);
     for (std::size_t i = 0; i < kValues; ++i) mean_[i] += (view[i] - mean_[i]) / weight_;
   }
@@ -29,12 +28,17 @@ class MeanView {
     writer.put(weight_);
     writer.putAll<float>(mean_);
   }
-  void load(StateReader& reader) {
+  /// False for a damaged state.
+  bool load(StateReader& reader) {
     weight_ = reader.get<float>();
     reader.getAll<float>(mean_);
+    return weight_ >= 0 && weight_ <= kViews &&
+           std::ranges::all_of(mean_, [](float level) { return level >= 0 && level <= 15; });
   }
 
  private:
+  static constexpr float kViews = 100;
+
   EdgeValues mean_{};
   float weight_ = 0;
 };

@@ -2,6 +2,7 @@
 #include "path_steps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tolman::view_sequences {
 
@@ -47,11 +48,13 @@ void PathSteps::save(StateWriter& writer) const {
   }
 }
 
-void PathSteps::load(StateReader& reader) {
+bool PathSteps::load(StateReader& reader) {
   for (double* value : {&path_, &since_step_, &mean_length_}) *value = reader.get<double>();
   for (bool* flag : {&has_started_, &initialising_, &pass_is_due_}) {
     *flag = reader.get<std::uint8_t>() != 0;
   }
+  const auto isLength = [](double value) { return std::isfinite(value) && value >= 0; };
+  return isLength(path_) && isLength(since_step_) && isLength(mean_length_);
 }
 
 }  // namespace tolman::view_sequences

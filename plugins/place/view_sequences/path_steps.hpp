@@ -28,7 +28,8 @@ class PathSteps {
   void postpone(const PathStep& step);
 
   void save(StateWriter& writer) const;
-  void load(StateReader& reader);
+  /// False for a damaged state.
+  bool load(StateReader& reader);
 
  private:
   double lengthOf(const Motion& motion);

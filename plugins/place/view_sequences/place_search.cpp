@@ -181,7 +181,10 @@ std::vector<PlaceCandidate> PlaceSearch::candidates(int most) const {
     if (others.count < kFewest) break;
     // A street looks like itself a while ago: a place seen again is more alike than that.
     if (evidence[static_cast<std::size_t>(view)] > evidence_of_recent_) break;
-    found.push_back({view, probabilityOf(evidence[static_cast<std::size_t>(view)], others)});
+    // Each place has other neighbours left out; less evidence is never more probable.
+    const double most_probable = found.empty() ? 1 : found.back().probability;
+    const double probability = probabilityOf(evidence[static_cast<std::size_t>(view)], others);
+    found.push_back({view, std::min(probability, most_probable)});
     if (static_cast<int>(found.size()) == most) break;
   }
   return found;

@@ -232,17 +232,22 @@ Status ViewSequences::load(std::istream& stream) {
     return Status::invalidInput(
         "the saved views were made with another spacing, memory or number of landmarks");
   }
-  steps_->load(reader);
-  mean_.load(reader);
-  bool sound = search_->load(reader);
-  if (sound) sound = verifier_->load(reader, search_->bank().size()).isOk();
+  const bool sound = steps_->load(reader) && mean_.load(reader) && search_->load(reader);
+  if (sound) {
+    const Status status = verifier_->load(reader, search_->bank().size());
+    if (!status.isOk()) {
+      static_cast<void>(reset());
+      return status;
+    }
+  }
   since_measured_ = reader.get<std::int64_t>();
   reader.getAll<std::uint8_t>(current_);
   at_ = reader.get<std::int64_t>();
   at_is_new_ = reader.get<std::uint8_t>() != 0;
-  if (!sound || !reader.complete() || at_ < -1 || at_ >= search_->bank().size()) {
+  if (!sound || !reader.complete() || at_ < -1 || at_ >= search_->bank().size() ||
+      since_measured_ < 0 || since_measured_ > kNever) {
     static_cast<void>(reset());
-    return Status::invalidInput("the saved state is damaged: wrong length");
+    return Status::invalidInput("the saved state is damaged");
   }
   return Status::ok();
 }
