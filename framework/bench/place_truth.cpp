@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "dataset/loop_truth.hpp"
 
@@ -80,7 +81,11 @@ PlaceTruth truthOfPoses(const evaluation::Trajectory& truth) {
     if (revisit.heading == dataset::Heading::Same) findable->insert(revisit.frame);
   }
   auto poses = std::make_shared<evaluation::Trajectory>(truth);
-  const auto isSame = [poses, rule](std::int64_t query, std::int64_t place) {
+  auto path = std::make_shared<std::vector<double>>(evaluation::distances(truth));
+  const auto isSame = [poses, path, rule](std::int64_t query, std::int64_t place) {
+    const double between =
+        (*path)[static_cast<std::size_t>(query)] - (*path)[static_cast<std::size_t>(place)];
+    if (between <= rule.path_m) return false;
     const auto& q = (*poses)[static_cast<std::size_t>(query)].T_world_camera;
     const auto& p = (*poses)[static_cast<std::size_t>(place)].T_world_camera;
     constexpr double kRadians = 0.017453292519943295;

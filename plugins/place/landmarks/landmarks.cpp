@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -21,18 +22,81 @@ double peakOf(double before, double at, double after) {
   return curve < 0 ? 0.5 * (before - after) / curve : 0;
 }
 
-/// The best place in a row of correlations; negative when it is poor or has a rival.
-double uniquePeak(const cv::Mat& row) {
+/// The best place among correlations; negative when it is poor or has a rival.
+double uniquePeak(const std::vector<float>& value) {
   constexpr float kPoor = 0.85F;
   constexpr float kRival = 0.95F;
-  const float* const value = row.ptr<float>();
-  const int best = static_cast<int>(std::max_element(value, value + row.cols) - value);
-  if (value[best] < kPoor || best == 0 || best == row.cols - 1) return -1;
-  for (int i = 0; i < row.cols; ++i) {
-    if (std::abs(i - best) > 2 && value[i] > kRival * value[best]) return -1;
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(value) - value.begin());
+  if (value[best] < kPoor || best == 0 || best + 1 == value.size()) return -1;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const std::size_t away = i > best ? i - best : best - i;
+    if (away > 2 && value[i] > kRival * value[best]) return -1;
   }
-  return best + peakOf(value[best - 1], value[best], value[best + 1]);
+  return static_cast<double>(best) + peakOf(value[best - 1], value[best], value[best + 1]);
 }
+
+constexpr int kPatch = 2 * kHalfPatch + 1;
+constexpr int kLanes = 16;  // columns of a patch, the last five without weight
+
+/// A patch of the left image, to be found in a strip of the right one.
+class PatchCorrelation {
+ public:
+  PatchCorrelation(const cv::Mat& left, const cv::Rect& patch) {
+    for (int y = 0; y < kPatch; ++y) {
+      const std::uint8_t* row = left.ptr<std::uint8_t>(patch.y + y) + patch.x;
+      for (int x = 0; x < kPatch; ++x) {
+        weights_[y][x] = row[x];
+        sum_ += row[x];
+        squares_ += row[x] * row[x];
+      }
+    }
+  }
+
+  /// Normalised cross-correlation at each place of the strip, which is as high as the patch.
+  void along(const cv::Mat& right, const cv::Rect& strip, std::vector<float>& correlations) {
+    const int width = strip.width + kLanes - kPatch;
+    pixels_.assign(static_cast<std::size_t>(width * kPatch), 0);
+    column_sums_.assign(static_cast<std::size_t>(strip.width), 0);
+    column_squares_.assign(static_cast<std::size_t>(strip.width), 0);
+    for (int y = 0; y < kPatch; ++y) {
+      const std::uint8_t* row = right.ptr<std::uint8_t>(strip.y + y) + strip.x;
+      for (int x = 0; x < strip.width; ++x) {
+        const auto column = static_cast<std::size_t>(x);
+        pixels_[static_cast<std::size_t>(y * width) + column] = row[x];
+        column_sums_[column] += row[x];
+        column_squares_[column] += row[x] * row[x];
+      }
+    }
+    correlations.clear();
+    for (int x = 0; x + kPatch <= strip.width; ++x) correlations.push_back(at(x, width));
+  }
+
+ private:
+  float at(int x, int width) const {
+    std::int32_t product = 0;
+    for (int y = 0; y < kPatch; ++y) {
+      const std::int16_t* row = pixels_.data() + y * width + x;
+      for (int i = 0; i < kLanes; ++i) product += weights_[y][i] * row[i];
+    }
+    double sum = 0;
+    double squares = 0;
+    for (int i = x; i < x + kPatch; ++i) {
+      sum += column_sums_[static_cast<std::size_t>(i)];
+      squares += column_squares_[static_cast<std::size_t>(i)];
+    }
+    constexpr double kCount = kPatch * kPatch;
+    const double covariance = kCount * product - sum_ * sum;
+    const double variances = (kCount * squares_ - sum_ * sum_) * (kCount * squares - sum * sum);
+    return variances > 0 ? static_cast<float>(covariance / std::sqrt(variances)) : 0;
+  }
+
+  std::int16_t weights_[kPatch][kLanes] = {};
+  double sum_ = 0;
+  double squares_ = 0;
+  std::vector<std::int16_t> pixels_;
+  std::vector<std::int32_t> column_sums_;
+  std::vector<std::int32_t> column_squares_;
+};
 
 }  // namespace
 
@@ -65,9 +129,9 @@ double disparityAt(const cv::Mat& left, const cv::Mat& right, const cv::Point2f&
   // One pixel to the right as well, so that a disparity of zero would be a peak and is refused.
   const int last = std::min(left.cols, patch.x + patch.width + 1);
   const cv::Rect strip(first, patch.y, last - first, patch.height);
-  cv::Mat correlation;
-  cv::matchTemplate(right(strip), left(patch), correlation, cv::TM_CCOEFF_NORMED);
-  const double peak = uniquePeak(correlation);
+  std::vector<float> correlations;
+  PatchCorrelation(left, patch).along(right, strip, correlations);
+  const double peak = uniquePeak(correlations);
   return peak < 0 ? -1 : patch.x - (first + peak);
 }
 

@@ -9,14 +9,14 @@ namespace tolman::view_sequences {
 struct Parameters {
   double spacing = 1.0;
   double recent = 20;
-  double probability = 0.9;
+  double probability = 0.8;
   double memory = 0.92;
   int exhaustive = 4000;
   double field_of_view = 81.6;
   int landmarks = 0;
   int landmarks_agreeing = 20;
-  int landmark_spacing = 3;
-  double probability_verified = 0.3;
+  int landmark_spacing = 4;
+  double probability_verified = 0.01;
 
   static constexpr auto declaration() {
     using P = Parameters;
