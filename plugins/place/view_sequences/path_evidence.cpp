@@ -2,6 +2,7 @@
 #include "path_evidence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -12,17 +13,45 @@ namespace {
 
 constexpr int kLargestStep = 3;  // views; a robot that moves faster is penalised
 
-/// best[i] = min(best[i], before[i] + cost)
-TOLMAN_WIDE void takeSmaller(float* best, const float* before, float cost, std::int64_t count) {
-  for (std::int64_t i = 0; i < count; ++i) {
-    const float value = before[i] + cost;
-    best[i] = value < best[i] ? value : best[i];
+/// What one step does to each view of a sequence. `costs` are those of moving by 0 to kLargestStep
+/// views.
+struct Transition {
+  std::array<float, kLargestStep + 1> costs;
+  float memory;
+  float offset;
+
+  float evidence(float z, float best) const { return z + offset + memory * (best < 0 ? best : 0); }
+};
+
+/// A view with fewer than kLargestStep views before it: views that do not exist pass nothing on.
+float firstEvidence(const Transition& t, const float* before, const float* z, std::int64_t i) {
+  float best = 0;
+  for (std::int64_t k = 0; k <= std::min<std::int64_t>(i, kLargestStep); ++k) {
+    best = std::min(best, before[i - k] + t.costs[static_cast<std::size_t>(k)]);
   }
+  return t.evidence(z[i], best);
 }
 
-TOLMAN_WIDE void addRemembered(float* evidence, const float* z, const float* best, float memory,
-                               float offset, std::int64_t count) {
-  for (std::int64_t i = 0; i < count; ++i) evidence[i] = z[i] + offset + memory * best[i];
+TOLMAN_WIDE void stepSequence(const Transition& t, const float* before, const float* z,
+                              float* after, std::int64_t count) {
+  static_assert(kLargestStep == 3);
+  for (std::int64_t i = 0; i < std::min<std::int64_t>(count, kLargestStep); ++i) {
+    after[i] = firstEvidence(t, before, z, i);
+  }
+  const float c0 = t.costs[0];
+  const float c1 = t.costs[1];
+  const float c2 = t.costs[2];
+  const float c3 = t.costs[3];
+  for (std::int64_t i = kLargestStep; i < count; ++i) {
+    const float stay = before[i] + c0;
+    const float one = before[i - 1] + c1;
+    const float two = before[i - 2] + c2;
+    const float three = before[i - 3] + c3;
+    const float near = stay < one ? stay : one;
+    const float far = two < three ? two : three;
+    const float best = near < far ? near : far;
+    after[i] = z[i] + t.offset + t.memory * (best < 0 ? best : 0.0F);
+  }
 }
 
 }  // namespace
@@ -38,32 +67,29 @@ void PathEvidence::add(std::int64_t predecessor) {
 
 void PathEvidence::join(std::int64_t from, std::int64_t to) { links_.push_back({from, to}); }
 
-void PathEvidence::stepWithinSequences(double advance) {
-  const auto views = static_cast<std::int64_t>(evidence_.size());
-  best_.assign(evidence_.size(), 0);
-  for (int k = 0; k <= kLargestStep; ++k) {
-    const auto cost = static_cast<float>(settings_.penalty * std::abs(k - advance));
-    for (std::size_t s = 0; s < starts_.size(); ++s) {
-      const std::int64_t start = starts_[s];
-      const std::int64_t end = s + 1 < starts_.size() ? starts_[s + 1] : views;
-      takeSmaller(best_.data() + start + k, evidence_.data() + start, cost,
-                  std::max<std::int64_t>(0, end - start - k));
-    }
-  }
-}
-
 void PathEvidence::step(std::span<const float> standardised, double advance,
                         std::int64_t candidates) {
-  stepWithinSequences(advance);
-  const auto cost = static_cast<float>(settings_.penalty * std::abs(1 - advance));
+  Transition transition{
+      {}, static_cast<float>(settings_.memory), static_cast<float>(settings_.offset)};
+  for (int k = 0; k <= kLargestStep; ++k) {
+    transition.costs[static_cast<std::size_t>(k)] =
+        static_cast<float>(settings_.penalty * std::abs(k - advance));
+  }
+  before_.swap(evidence_);
+  evidence_.resize(before_.size());
+  for (std::size_t s = 0; s < starts_.size(); ++s) {
+    const std::int64_t start = starts_[s];
+    const auto end =
+        s + 1 < starts_.size() ? starts_[s + 1] : static_cast<std::int64_t>(before_.size());
+    stepSequence(transition, before_.data() + start, standardised.data() + start,
+                 evidence_.data() + start, end - start);
+  }
   for (const Link& link : links_) {
     if (link.from >= candidates) continue;
-    takeSmaller(&best_[static_cast<std::size_t>(link.to)],
-                &evidence_[static_cast<std::size_t>(link.from)], cost, 1);
+    const auto to = static_cast<std::size_t>(link.to);
+    const float best = before_[static_cast<std::size_t>(link.from)] + transition.costs[1];
+    evidence_[to] = std::min(evidence_[to], transition.evidence(standardised[to], best));
   }
-  addRemembered(evidence_.data(), standardised.data(), best_.data(),
-                static_cast<float>(settings_.memory), static_cast<float>(settings_.offset),
-                static_cast<std::int64_t>(evidence_.size()));
 }
 
 void PathEvidence::correct(std::int64_t view, float change) {

@@ -53,11 +53,9 @@ class PathEvidence {
     std::int64_t to;
   };
 
-  void stepWithinSequences(double advance);
-
   EvidenceSettings settings_;
   std::vector<float> evidence_;
-  std::vector<float> best_;           ///< working memory: the best predecessor's evidence
+  std::vector<float> before_;         ///< working memory: the evidence of the step before
   std::vector<std::int64_t> starts_;  ///< first view of each stored sequence
   std::vector<Link> links_;           ///< between sequences
 };
