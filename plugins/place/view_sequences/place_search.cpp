@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "statistics.hpp"
+#include "wide.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -41,6 +42,19 @@ double probabilityOf(double evidence, std::initializer_list<double> rivals) {
   double odds_against = 0;
   for (const double rival : rivals) odds_against += std::exp(kNatsPerEvidence * (evidence - rival));
   return 1 / (1 + odds_against);
+}
+
+/// The least of the values, 0 at most.
+TOLMAN_WIDE float leastOf(const float* values, std::int64_t count) {
+  float lanes[8] = {};
+  std::int64_t i = 0;
+  for (; i + 8 <= count; i += 8) {
+    for (int k = 0; k < 8; ++k) lanes[k] = values[i + k] < lanes[k] ? values[i + k] : lanes[k];
+  }
+  float least = 0;
+  for (const float lane : lanes) least = std::min(least, lane);
+  for (; i < count; ++i) least = std::min(least, values[i]);
+  return least;
 }
 
 constexpr double kEvidenceOfNovelty = -4;
@@ -153,11 +167,16 @@ std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
     return evidence[static_cast<std::size_t>(a)] < evidence[static_cast<std::size_t>(b)];
   };
   float limit = 0;  // evidence against a place is none
-  for (std::int64_t i = 0; i < candidates_; ++i) {
-    if (evidence[static_cast<std::size_t>(i)] >= limit) continue;
-    best.insert(std::upper_bound(best.begin(), best.end(), i, isBetter), i);
-    if (best.size() > count) best.pop_back();
-    if (best.size() == count) limit = evidence[static_cast<std::size_t>(best.back())];
+  constexpr std::int64_t kBlock = 64;
+  for (std::int64_t block = 0; block < candidates_; block += kBlock) {
+    const std::int64_t end = std::min(block + kBlock, candidates_);
+    if (leastOf(evidence.data() + block, end - block) >= limit) continue;
+    for (std::int64_t i = block; i < end; ++i) {
+      if (evidence[static_cast<std::size_t>(i)] >= limit) continue;
+      best.insert(std::upper_bound(best.begin(), best.end(), i, isBetter), i);
+      if (best.size() > count) best.pop_back();
+      if (best.size() == count) limit = evidence[static_cast<std::size_t>(best.back())];
+    }
   }
   return best;
 }
