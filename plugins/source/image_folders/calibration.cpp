@@ -70,7 +70,7 @@ std::map<std::string, Entry> readMatrices(const std::filesystem::path& file,
   return matrices;
 }
 
-/// Whether P is K [I | t] without skew, with positive focal lengths.
+/// Whether P is K [I | t] without skew, with positive focal lengths and a camera on the same robot.
 bool checkPinhole(const std::filesystem::path& file, const Entry& entry, Inspection& inspection) {
   const Projection& P = entry.P;
   if (P(0, 0) <= 0 || P(1, 1) <= 0) {
@@ -85,8 +85,16 @@ bool checkPinhole(const std::filesystem::path& file, const Entry& entry, Inspect
     inspection.error(file, entry.line,
                      "is not the matrix of a rectified camera (fx 0 cx a 0 fy cy b 0 0 1 c); "
                      "rectify the images and give their matrix");
+    return false;
   }
-  return rectified;
+  constexpr double kFarthest = 1000;                                    // m
+  const bool near = (entry.offset().array().abs() <= kFarthest).all();  // false for NaN as well
+  if (!near) {
+    inspection.error(file, entry.line,
+                     "puts the camera more than 1000 m away from camera 0; the fourth numbers of "
+                     "its rows are in px m");
+  }
+  return near;
 }
 
 /// Whether both cameras have one pinhole and the right one is on the x axis, to the right.

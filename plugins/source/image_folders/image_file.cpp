@@ -59,6 +59,34 @@ Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
 }
 
+constexpr std::size_t kPngSignature = 8;
+constexpr std::size_t kAroundPngChunk = 12;  // length, name and CRC
+
+/// The whole chunk at `at`; empty where the file ends within it.
+Bytes pngChunk(Bytes bytes, std::size_t at) {
+  if (at + kAroundPngChunk > bytes.size()) return {};
+  const auto length = static_cast<std::size_t>(bigEndian(bytes, at, 4));
+  if (length > bytes.size() - at - kAroundPngChunk) return {};
+  return bytes.subspan(at, length + kAroundPngChunk);
+}
+
+/// Removes chunks that pixels do not depend on, such as comments and colour profiles: libpng takes
+/// memory of the size that they claim, up to 2 GiB, before it reads them.
+void removeExtras(std::vector<std::uint8_t>& png) {
+  std::size_t end = kPngSignature;
+  std::size_t at = kPngSignature;
+  for (Bytes chunk; !(chunk = pngChunk(png, at)).empty(); at += chunk.size()) {
+    constexpr std::uint8_t kAncillary = 0x20;
+    const std::string_view name = asText(chunk).substr(4, 4);
+    const bool extra = (chunk[4] & kAncillary) != 0 && name != "tRNS";
+    if (extra) continue;
+    if (end != at) std::copy(chunk.begin(), chunk.end(), png.begin() + static_cast<long>(end));
+    end += chunk.size();
+    if (name == "IEND") break;
+  }
+  png.resize(end);
+}
+
 Result<ImageSize> checkPng(Bytes bytes) {
   constexpr std::size_t kHeaderEnd = 33;  // signature, then IHDR with length, name, data and CRC
   if (bytes.size() < kHeaderEnd || asText(bytes).substr(12, 4) != "IHDR") {
@@ -117,7 +145,8 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   return bytes;
 }
 
-Result<Image> decodePng(const std::vector<std::uint8_t>& bytes, bool colour) {
+Result<Image> decodePng(std::vector<std::uint8_t>& bytes, bool colour) {
+  removeExtras(bytes);
   cv::Mat pixels;
   try {
     const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;

@@ -57,7 +57,7 @@ std::optional<Decimal> parseDecimal(std::string_view text) {
   int exponent = 0;
   const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), exponent);
   if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  if (std::abs(exponent) > 1000) return std::nullopt;
+  if (exponent < -1000 || exponent > 1000) return std::nullopt;
   decimal.point += exponent;
   return decimal;
 }

@@ -11,6 +11,8 @@ namespace tolman::motion_log {
 namespace {
 
 constexpr std::int64_t kMostIds = 100'000'000;
+// Metres and radians: no vehicle drives as far, and the poses of all frames stay finite.
+constexpr double kFarthest = 1e9;
 
 Status badLine(const std::filesystem::path& file, int line, const std::string& what) {
   std::string message = file.string();
@@ -22,8 +24,9 @@ std::optional<Edge> parseEdge(std::istringstream& fields, int line) {
   Edge edge;
   edge.line = line;
   fields >> edge.from >> edge.to >> edge.motion.x >> edge.motion.y >> edge.motion.theta;
-  const bool sound = fields && std::isfinite(edge.motion.x) && std::isfinite(edge.motion.y) &&
-                     std::isfinite(edge.motion.theta) && edge.from >= 0 && edge.to >= 0 &&
+  const auto isNear = [](double number) { return std::abs(number) <= kFarthest; };  // no NaN
+  const bool sound = fields && isNear(edge.motion.x) && isNear(edge.motion.y) &&
+                     isNear(edge.motion.theta) && edge.from >= 0 && edge.to >= 0 &&
                      edge.from < kMostIds && edge.to < kMostIds;
   return sound ? std::optional(edge) : std::nullopt;
 }
@@ -54,8 +57,9 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
     }
     const std::optional<Edge> edge = parseEdge(fields, number);
     if (!edge) {
-      return badLine(file, number,
-                     "needs two ids from 0 and three finite numbers (dx dy dtheta); correct it");
+      return badLine(
+          file, number,
+          "needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
     }
     edges.push_back(*edge);
   }

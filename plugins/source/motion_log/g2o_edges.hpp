@@ -20,7 +20,7 @@ struct Edge {
 };
 
 /// All EDGE_SE2 of the file. Vertices, FIX and comments are ignored; anything else, numbers
-/// that are missing or not finite, and negative ids are InvalidInput with file, line and remedy.
+/// that are missing or beyond 1e9, and negative ids are InvalidInput with file, line and remedy.
 Result<std::vector<Edge>> readEdges(const std::filesystem::path& file);
 
 /// Poses 0 ... n from edges that must be (0, 1), (1, 2), ... in this order; pose 0 is the identity.

@@ -72,6 +72,16 @@ TEST_CASE("baselines that cannot be") {
         "-fx * baseline, in px m");
 }
 
+TEST_CASE("a camera that is infinitely far from camera 0, or nowhere, is none of the robot") {
+  const std::string far =
+      "DATA/calib.txt:1: puts the camera more than 1000 m away from camera 0; the fourth numbers "
+      "of its rows are in px m";
+  CHECK(failure("P0: 1e-308 0 1 1e308 0 1 1 0 0 0 1 0\n", false) == far);
+  CHECK(failure("P0: 1 0 1e300 0 0 1 1 0 0 0 1 1e300\n", false) == far);
+  CHECK(failure("P0: 700 0 600 700700 0 700 180 0 0 0 1 0\n", false) == far);
+  CHECK(failure("P0: 700 0 600 699300 0 700 180 0 0 0 1 0\n", false).empty());
+}
+
 TEST_CASE("cameras that do not make a rectified pair") {
   CHECK(failure(kLeft + matrixLine("P1", -25, 51)) ==
         "DATA/calib.txt:2: the two cameras have different focal lengths or centres; rectify the "

@@ -110,6 +110,23 @@ TEST_CASE("damaged images name the file, the damage and the remedy") {
   }
 }
 
+TEST_CASE("comments of a PNG file change no pixel, and none can claim memory") {
+  const DataFolder data;
+  data.writeImage("a.png", 64, 48);
+  const cv::Mat pixels = cv::imread(data.path("a.png").string(), cv::IMREAD_GRAYSCALE);
+  constexpr std::size_t kHeaderEnd = 33;
+  const std::string sound = data.read("a.png");
+  const auto with = [&](const std::string& chunk) {
+    data.write("b.png", std::string(sound).insert(kHeaderEnd, chunk));
+    return readImageFile(data.path("b.png"), false, kSize);
+  };
+  const Result<Image> commented = with(std::string("\0\0\0\5tEXta\0bcd....", 17));
+  REQUIRE(commented.isOk());
+  CHECK(isSame(commented.value(), pixels));
+  // libpng would take 1 GiB before it finds that the file ends.
+  CHECK_FALSE(with(std::string("\x40\0\0\0eXIf....", 12)).isOk());
+}
+
 TEST_CASE("a sound image that cannot be opened is told as that, not as damaged") {
   const DataFolder data;
   data.writeImage("a.jpg", 64, 48);

@@ -36,6 +36,13 @@ TEST_CASE("seconds become nanoseconds exactly") {
   }
 }
 
+TEST_CASE("exponents that no time has are refused, also the least of an int") {
+  for (const char* text : {"0.001e-2147483648", "1e-2147483648", "1e2147483647", "0e99999999999"}) {
+    CAPTURE(text);
+    CHECK_FALSE(parseSeconds(text));
+  }
+}
+
 TEST_CASE("any whole number of nanoseconds survives printing and reading") {
   RandomStream random(7);
   for (int i = 0; i < 2000; ++i) {

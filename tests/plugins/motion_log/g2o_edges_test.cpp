@@ -103,7 +103,7 @@ TEST_CASE("a line with too few, wild or wrong numbers is refused by its number")
     const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0\n\n") + line + "\n");
     CAPTURE(line);
     CHECK(file.refusal() ==
-          ":3: needs two ids from 0 and three finite numbers (dx dy dtheta); correct it");
+          ":3: needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
   }
   for (const char* line : {"EDGE_SE3:QUAT 0 1", "edge_se2 0 1 1 0 0", "0 1 1 0 0", "\xff\xfe",
                            "EDGE_SE2_XY 0 1 1 0 0"}) {

@@ -137,7 +137,7 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
   SECTION("not a number") {
     square.write("odometry.g2o", "EDGE_SE2 0 1 1 zero 0\n");
     CHECK(refusal(square) ==
-          "odometry.g2o:1: needs two ids from 0 and three finite numbers (dx dy dtheta); "
+          "odometry.g2o:1: needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; "
           "correct it");
   }
   SECTION("infinite") {
