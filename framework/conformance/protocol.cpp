@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/json_integer.hpp"
+
 namespace tolman::conformance {
 
 using Json = nlohmann::json;
@@ -11,8 +13,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, check, report_descriptor, file, id
                                    scratch, timeout_s, memory_mib)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CallStarted, call)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurrentInput, description)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckFinding, severity, message, remedy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, value, unit)
+static void to_json(Json& json, const CheckFinding& finding) {
+  json = {{"severity", finding.severity}, {"message", finding.message}, {"remedy", finding.remedy}};
+}
+static void from_json(const Json& json, CheckFinding& finding) {
+  const auto severity = config::integerFrom<std::uint8_t>(json.at("severity"));
+  if (severity >= kCheckSeverityNames.size()) throw std::runtime_error("no severity");
+  finding.severity = static_cast<CheckSeverity>(severity);
+  json.at("message").get_to(finding.message);
+  json.at("remedy").get_to(finding.remedy);
+}
 static void to_json(Json& json, const CheckCompleted&) { json = nullptr; }
 static void from_json(const Json&, CheckCompleted&) {}
 
@@ -25,7 +36,7 @@ std::string dump(const Json& json) {
 /// From [index of the alternative, its value].
 template <class... M>
 void read(const Json& json, std::variant<M...>& message) {
-  const auto index = json.at(0).get<std::size_t>();
+  const auto index = config::integerFrom<std::size_t>(json.at(0));
   std::size_t i = 0;
   ((index == i++ ? void(message = json.at(1).get<M>()) : void()), ...);
   if (index >= sizeof...(M)) throw std::runtime_error("no message");

@@ -3,6 +3,7 @@
 // information and firing fields.
 #pragma once
 
+#include <Eigen/Core>
 #include <numbers>
 #include <optional>
 #include <vector>

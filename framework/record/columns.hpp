@@ -9,6 +9,8 @@
 
 #include <bit>
 #include <concepts>
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -43,6 +45,21 @@ inline Column columnOf(const Field& field, std::string type) {
 template <class T>
 struct Codec;
 
+/// Limits of what is read: differences of stamps and frames fit their type, and squares of poses
+/// and figures stay finite. No run comes near them.
+template <class Stored>
+inline constexpr Stored kMostNumber = Stored{1e100};
+template <>
+inline constexpr std::int64_t kMostNumber<std::int64_t> = std::int64_t{1} << 62U;
+inline constexpr double kFarthest = 1e12;  ///< m
+
+/// Throws BadRow beyond `most` in both directions, and for NaN.
+template <class Stored>
+void checkNumber(Stored number, Stored most) {
+  if (number >= -most && number <= most) return;
+  throw BadRow("a number is larger than any run has");
+}
+
 template <class T>
 inline constexpr bool kIsMatrix = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
 
@@ -56,6 +73,9 @@ struct Codec<T> {
   static void bind(Statement& row, T value) { row.bindNext(static_cast<Stored>(value)); }
   static void read(Statement& row, T& value) {
     const Stored stored = row.next();
+    checkNumber(stored, std::is_integral_v<T> && sizeof(T) < sizeof(Stored)
+                            ? static_cast<Stored>(std::numeric_limits<T>::max())
+                            : kMostNumber<Stored>);
     value = static_cast<T>(stored);
   }
 };
@@ -96,7 +116,10 @@ struct Codec<Eigen::Isometry3d> {
   }
   static void read(Statement& row, Eigen::Isometry3d& T) {
     Eigen::Quaterniond q;
-    for (int i = 0; i < 3; ++i) T.translation()[i] = row.next().getDouble();
+    for (int i = 0; i < 3; ++i) {
+      T.translation()[i] = row.next().getDouble();
+      checkNumber(T.translation()[i], kFarthest);
+    }
     for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.next().getDouble();
     if (!(std::abs(q.norm() - 1) < 1e-3)) throw BadRow("a quaternion is not of unit length");
     T.linear() = q.normalized().toRotationMatrix();
@@ -134,6 +157,10 @@ struct Codec<T> {
     const auto* values = reinterpret_cast<const Scalar*>(bytes.data());
     matrix.template reshaped<Eigen::RowMajor>() =
         Eigen::Map<const Eigen::VectorX<Scalar>>(values, matrix.size());
+    // Arrays of plugins may hold anything; covariances are checked before they are recorded.
+    if (kColumns != Eigen::Dynamic && !matrix.allFinite()) {
+      throw BadRow("a matrix has numbers that are not finite");
+    }
   }
 };
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ranges>
 
 namespace tolman::record {
 namespace {
@@ -185,9 +184,10 @@ void Recorder::removeFrom(std::int64_t next_frame) {
   const std::string first = std::to_string(largest("first_frame", "session"));
   database_.exec("BEGIN");
   const std::vector<Table> tables = schema();
-  for (const Table& table : tables | std::views::reverse) {  // rows before those they refer to
-    const std::string rows = rowsFrom(table, next, first);
-    if (!rows.empty()) database_.exec("DELETE FROM \"" + table.name + "\" WHERE " + rows);
+  // Rows before those they refer to. (clang 14 cannot compile views::reverse of this library.)
+  for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
+    const std::string rows = rowsFrom(*table, next, first);
+    if (!rows.empty()) database_.exec("DELETE FROM \"" + table->name + "\" WHERE " + rows);
   }
   database_.exec("COMMIT");
   points_frame_ = largest("points_frame", "motion");

@@ -9,7 +9,9 @@ namespace {
 std::int64_t lastShown(const Database& database, bool unfinished) {
   Statement row(database, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"");
   row.step();
-  return row.next().getInt64() - (unfinished ? 1 : 0);
+  const std::int64_t last = row.next().getInt64();
+  checkNumber(last, kMostNumber<std::int64_t>);
+  return last - (unfinished ? 1 : 0);
 }
 
 template <class T>

@@ -51,11 +51,13 @@ std::set<std::int64_t> untrackedFrames(const Database& database) {
   return frames;
 }
 
-/// The one number that a query gives.
+/// The one number that a query gives, in the limits of Codec.
 std::int64_t integerOf(const Database& database, const std::string& query) {
   Statement row(database, query);
   row.step();
-  return row.next().getInt64();
+  const std::int64_t number = row.next().getInt64();
+  checkNumber(number, kMostNumber<std::int64_t>);
+  return number;
 }
 
 std::int64_t count(const Database& database, const std::string& table_and_condition) {
@@ -119,7 +121,7 @@ Result<std::vector<RecordedSession>> RunReader::sessions() const {
 
 Result<std::int64_t> RunReader::nextFrame() const {
   return answered(name_, [&] {
-    return integerOf(database_, "SELECT coalesce(max(\"frame\"), -1) + 1 FROM \"frame\"");
+    return integerOf(database_, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"") + 1;
   });
 }
 

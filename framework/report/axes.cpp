@@ -51,10 +51,12 @@ std::vector<double> ticks(const Range& range, int wanted) {
 }
 
 std::string tickText(double value, double step) {
-  const int decimals =
-      step > 0 ? std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9))) : 0;
+  constexpr double kMostDecimals = 9;
+  const bool is_step = step > 0 && std::isfinite(step);
+  const double decimals =
+      is_step ? std::clamp(-std::floor(std::log10(step) + 1e-9), 0.0, kMostDecimals) : 0;
   const double clean = std::abs(value) < 1e-9 * std::max(step, 1e-300) ? 0 : value;
-  return fmt::format("{:.{}f}", clean, std::min(decimals, 9));
+  return fmt::format("{:.{}f}", clean, static_cast<int>(decimals));
 }
 
 Axes::Axes(Svg& svg, AxesPlan plan) : svg_(svg), plan_(std::move(plan)) {

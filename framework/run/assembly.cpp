@@ -2,7 +2,6 @@
 #include "run/assembly.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "isolation/remote_roles.hpp"
 #include "record/artefacts.hpp"
@@ -93,8 +92,9 @@ void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
 
 std::vector<Status> Assembly::teardown() {
   std::vector<Status> failures;
-  for (host::Instance* instance : instances_ | std::views::reverse) {
-    Status status = instance->destroy();
+  // clang 14 cannot compile views::reverse of this library.
+  for (auto instance = instances_.rbegin(); instance != instances_.rend(); ++instance) {
+    Status status = (*instance)->destroy();
     if (!status.isOk()) failures.push_back(std::move(status));
   }
   return failures;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "config/json_integer.hpp"
 #include "record/run_directory.hpp"
 #include "run/page_observer.hpp"
 
@@ -33,7 +34,11 @@ SourceInfo sourceInfo(const record::RunReader& reader, const nlohmann::ordered_j
     const auto found = source->find(key);
     if (found == source->end()) return;
     try {
-      found->get_to(value);
+      if constexpr (std::is_same_v<decltype(value), std::int64_t&>) {
+        value = config::integerFrom<std::int64_t>(*found);
+      } else {
+        found->get_to(value);
+      }
     } catch (const nlohmann::json::exception&) {  // a foreign file
     }
   };

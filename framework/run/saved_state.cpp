@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/saved_state.hpp"
 
+#include "config/json_integer.hpp"
 #include "run/provenance.hpp"
 #include "run/state_files.hpp"
 
@@ -37,9 +38,9 @@ SessionProgress loadSession(Assembly& assembly, const fs::path& file) {
   const Json contents = readContents(file);
   loadStates(assembly, file, "", contents);
   SessionProgress progress;
-  progress.frames = contents.at("frames").get<std::int64_t>();
-  progress.experiences = contents.at("experiences").get<std::int64_t>();
-  progress.templates = contents.at("templates").get<std::int64_t>();
+  progress.frames = config::integerFrom<std::int64_t>(contents.at("frames"));
+  progress.experiences = config::integerFrom<std::int64_t>(contents.at("experiences"));
+  progress.templates = config::integerFrom<std::int64_t>(contents.at("templates"));
   if (progress.frames < 1 || progress.templates < -1 ||
       progress.experiences != experiencesOf(assembly)) {
     refuseToContinue(file.string() +
@@ -124,10 +125,15 @@ pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& director
   return loaded(checkpointFile(directory), [&](const fs::path& file) {
     const Json contents = readContents(file);
     pipeline::Checkpoint checkpoint;
-    checkpoint.frame = contents.at("frame").get<std::int64_t>();
+    checkpoint.frame = config::integerFrom<std::int64_t>(contents.at("frame"));
     if (checkpoint.frame < 0) refuseDamaged(file);
     pipeline::RunCounters::visit(checkpoint.counters, [&](const char* name, auto& value) {
-      contents.at("counters").at(name).get_to(value);
+      const Json& count = contents.at("counters").at(name);
+      if constexpr (std::is_same_v<decltype(value), bool&>) {
+        count.get_to(value);
+      } else {
+        value = config::integerFrom<std::int64_t>(count);
+      }
     });
     loadStates(assembly, file, prefixOf(checkpoint.frame), contents);
     return checkpoint;

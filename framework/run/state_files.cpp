@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "config/json_integer.hpp"
 #include "record/atomic_file.hpp"
 #include "record/sha256.hpp"
 #include "run/value_json.hpp"
@@ -157,7 +158,7 @@ Json readContents(const fs::path& file) {
   Json json = Json::parse(textOf(file), nullptr, false);
   if (!json.is_object())
     refuseToContinue(file.string() + ": is damaged; run the earlier session again");
-  const int format = json.at("format").get<int>();
+  const int format = config::integerFrom<int>(json.at("format"));
   if (format != kFormat) {
     refuseToContinue(file.string() + ": has format " + std::to_string(format) +
                      ", this program reads " + std::to_string(kFormat) +

@@ -47,7 +47,8 @@ TEST_CASE("every kind of message is decoded to what was encoded") {
 
 TEST_CASE("text that a plugin writes to the report is not a message") {
   for (const char* noise :
-       {"", "hello", "{}", "[1]", "[0, 7]", "[2, {\"severity\":\"x\"}]", "[9, null]"}) {
+       {"", "hello", "{}", "[1]", "[0, 7]", "[2, {\"severity\":\"x\"}]", "[9, null]",
+        "[1e300, null]", "[-1, null]", "[2, {\"severity\":4,\"message\":\"\",\"remedy\":\"\"}]"}) {
     CHECK_FALSE(decodeMessage(noise));
   }
 }

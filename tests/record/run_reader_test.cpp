@@ -2,6 +2,7 @@
 #include "record/run_reader.hpp"
 
 #include "record/by_hand.hpp"
+#include "record/replay.hpp"
 #include "record/sample_run.hpp"
 #include "support/data.hpp"
 
@@ -250,6 +251,41 @@ TEST_CASE("a graph with holes is refused, not read past its end") {
   CHECK(reader->graph().status().message() ==
         (folder.path() / "run.sqlite").string() + ": experience 0 is missing");
   CHECK_FALSE(reader->map().isOk());
+}
+
+TEST_CASE("numbers that no run has are refused, not computed with") {
+  const test::TemporaryFolder folder;
+  recordFrames(folder.path(), 3);
+  const auto refusalAfter = [&](const std::string& sql) {
+    test::queryByHand(folder.path(), "PRAGMA foreign_keys = OFF; " + sql);
+    const auto reader = RunReader::open(folder.path()).value();
+    const std::string file = (folder.path() / "run.sqlite").string();
+    const std::string message = reader->odometry().status().message();
+    return message.starts_with(file) ? message.substr(file.size()) : message;
+  };
+  const std::string too_large = ": a number is larger than any run has";
+  CHECK(refusalAfter("SELECT 1").empty());
+  SECTION("stamps whose differences are no stamps") {
+    CHECK(refusalAfter("UPDATE motion SET stamp_ns = -9223372036854775807") == too_large);
+  }
+  SECTION("positions beyond every road") {
+    CHECK(refusalAfter("UPDATE motion SET T_previous_current_z = 1e300") == too_large);
+    CHECK(refusalAfter("UPDATE motion SET T_previous_current_z = 9e999") == too_large);
+  }
+  SECTION("covariances with NaN") {
+    std::string nan;
+    for (int i = 0; i < 36; ++i) nan += "000000000000f87f";
+    CHECK(refusalAfter("UPDATE motion SET covariance = x'" + nan + "'") ==
+          ": a matrix has numbers that are not finite");
+  }
+  SECTION("the last frame, after which there is none") {
+    test::queryByHand(folder.path(),
+                      "PRAGMA foreign_keys = OFF; "
+                      "UPDATE frame SET frame = 9223372036854775807 WHERE frame = 2");
+    const auto reader = RunReader::open(folder.path()).value();
+    CHECK_FALSE(reader->nextFrame().isOk());
+    CHECK_FALSE(Replay::open(*reader, {}, true).isOk());
+  }
 }
 
 TEST_CASE("a damaged database never crashes the reader") {

@@ -32,6 +32,8 @@ TEST_CASE("texts of ticks are as short as the step allows") {
   CHECK(tickText(1500, 500) == "1500");
   CHECK(tickText(0.002, 0.001) == "0.002");
   CHECK(tickText(-1e-18, 0.5) == "0.0");  // no "-0"
+  CHECK(tickText(3, std::numeric_limits<double>::infinity()) == "0");
+  CHECK(tickText(0, 1e-300) == "0.000000000");
 }
 
 TEST_CASE("values come to the right pixels") {

@@ -54,6 +54,20 @@ TEST_CASE("after a read beyond the end nothing remains, so loops over the rest s
   CHECK_FALSE(reader.value().complete());
 }
 
+TEST_CASE("a bool is 0 or 1; any other byte makes the state incomplete") {
+  for (const int byte : {0, 1, 2, 63, 255}) {
+    CAPTURE(byte);
+    StateWriter writer;
+    writer.put(static_cast<std::uint8_t>(byte));
+    std::stringstream stream;
+    REQUIRE(writer.write(stream, "toystate", 3).isOk());
+    auto reader = StateReader::open(stream, "toystate", 3);
+    REQUIRE(reader.isOk());
+    CHECK(reader.value().get<bool>() == (byte == 1));
+    CHECK(reader.value().complete() == (byte < 2));
+  }
+}
+
 TEST_CASE("foreign, older and damaged states are refused with their reason") {
   const std::string good = saved();
   CHECK(open("hello").message() == "this is not a saved state of 'toystate'");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "saved_state.hpp"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "tolman/state_stream.hpp"
 
@@ -31,7 +32,10 @@ class Loader {
   template <class T>
   void operator()(T& number) requires std::is_arithmetic_v<T> {
     number = reader.get<T>();
-    if constexpr (std::is_floating_point_v<T>) sound = sound && std::isfinite(number);
+    if constexpr (std::is_floating_point_v<T>) {  // squares of it stay finite; false for NaN
+      constexpr double kLargest = 1e15;
+      sound = sound && std::abs(number) <= kLargest;
+    }
     if constexpr (std::is_same_v<T, std::int64_t>) {  // counters go on from there
       constexpr std::int64_t kMost = std::int64_t{1} << 62U;
       sound = sound && number > -kMost && number < kMost;
@@ -137,6 +141,42 @@ void experiences(Archive& archive, Log& log) {
   }
 }
 
+bool isPose(const Eigen::Isometry3d& T) {
+  const Eigen::Matrix3d R = T.linear();
+  return (R.transpose() * R).isIdentity(1e-6) && R.determinant() > 0 &&
+         T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1);
+}
+
+/// Symmetric, and no variance in any direction is negative, but for rounding.
+bool isCovariance(const Eigen::Matrix3d& covariance) {
+  const double rounding = 1e-6 * covariance.cwiseAbs().maxCoeff();
+  return (covariance - covariance.transpose()).cwiseAbs().maxCoeff() <= rounding &&
+         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[0] >= -rounding;
+}
+
+bool isPattern(const FiringPattern& pattern) {
+  return pattern.heading >= 0 && pattern.heading <= kTurn;
+}
+
+bool isBump(const Bump& bump) { return isPattern(bump.centre) && isCovariance(bump.covariance); }
+
+/// Poses are poses, covariances are covariances.
+bool hasSoundValues(const AttractorState& state) {
+  const NetworkState& network = state.network.state();
+  const ExperienceLog::State log = state.log.state();
+  return isBump(network.integrator) && isBump(network.anchor) && isPose(log.T_experience_current) &&
+         isPose(log.T_made_current) &&
+         std::ranges::all_of(network.calibration, isBump, &CalibrationBump::bump) &&
+         std::ranges::all_of(
+             state.waiting.list(),
+             [](const WaitingLoop& waiting) { return isPose(waiting.loop.T_experience_camera); }) &&
+         std::ranges::all_of(state.links, [](const auto& entry) {
+           const ViewLink& link = entry.second;
+           return isPattern(link.learned.pattern) && isCovariance(link.learned.covariance) &&
+                  isPose(link.T_experience_template);
+         });
+}
+
 /// Every experience that is named exists.
 bool isSound(const AttractorState& state) {
   const ExperienceLog::State log = state.log.state();
@@ -202,7 +242,7 @@ Status loadState(std::istream& stream, AttractorState& state) {
   if (!loader.reader.complete()) {
     return Status::invalidInput("the saved state is damaged: wrong length");
   }
-  if (!loader.sound || !isSound(state)) {
+  if (!loader.sound || !isSound(state) || !hasSoundValues(state)) {
     return Status::invalidInput("the saved state is damaged: numbers that cannot be");
   }
   return Status::ok();

@@ -15,6 +15,9 @@ constexpr std::string_view kMagic = "TLMEXMAP";
 constexpr std::uint64_t kStateVersion = 1;
 /// Counters go on from a saved one, and stamps are subtracted.
 constexpr std::int64_t kMost = std::int64_t{1} << 62U;
+/// Metres: no vehicle drives as far, and what is computed from it stays finite. Covariances are
+/// below its square.
+constexpr double kFarthest = 1e9;
 
 void put(StateWriter& writer, const UncertainPose& pose) {
   writer.putAll(std::span<const double>(pose.T.data(), 16));
@@ -31,6 +34,8 @@ UncertainPose getPose(StateReader& reader) {
 bool isSound(const UncertainPose& pose) {
   const Eigen::Matrix3d R = pose.T.linear();
   return pose.T.matrix().allFinite() && pose.covariance.allFinite() &&
+         pose.T.translation().cwiseAbs().maxCoeff() <= kFarthest &&
+         pose.covariance.cwiseAbs().maxCoeff() <= kFarthest * kFarthest &&
          (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-6 && R.determinant() > 0 &&
          pose.T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
          pose.covariance.diagonal().minCoeff() >= 0;
@@ -120,11 +125,13 @@ bool areSound(const std::vector<Anchor>& anchors, const std::vector<ReckonedFram
     const Anchor& anchor = anchors[i];
     const bool in_order =
         i == 0 ? anchor.slot == 0 && !anchor.visit : anchor.slot >= anchors[i - 1].slot;
-    const bool finite = std::isfinite(anchor.correction.x) && std::isfinite(anchor.correction.y) &&
-                        std::isfinite(anchor.correction.theta);
+    const PlanarPose& moved = anchor.correction;
+    const bool near = std::ranges::all_of(std::array{moved.x, moved.y, moved.theta}, [](double n) {
+      return std::abs(n) <= kFarthest;  // false for NaN
+    });
     const bool known = anchor.visit ? anchor.experience >= 0 && anchor.experience < made
                                     : anchor.experience == -1 || anchor.experience == made;
-    if (!in_order || !finite || !known || anchor.slot >= frames.size() ||
+    if (!in_order || !near || !known || anchor.slot >= frames.size() ||
         !isWeight(anchor.way_weight) || !isWeight(anchor.offset_weight) ||
         !isSound(anchor.offset)) {
       return false;

@@ -21,6 +21,15 @@ const NamedArray* sensor(const Frame& frame, std::string_view name) {
   return found == frame.sensors.end() ? nullptr : &*found;
 }
 
+/// Indices are subtracted, and counters go on from a saved one.
+bool isIndex(std::int64_t index) {
+  constexpr std::int64_t kMost = std::int64_t{1} << 62U;
+  return index > -kMost && index < kMost;
+}
+
+/// A pose that was driven to, m and rad; not NaN.
+bool isNear(double number) { return std::abs(number) <= 1e9; }
+
 }  // namespace
 
 Status PlaceReplay::configure(const Context& context) {
@@ -201,9 +210,9 @@ Status PlaceReplay::read(StateReader& reader) {
   if (owed != kNothing) pending_ = owed;
   run_end_ = reader.get<std::int64_t>();
   run_offset_ = reader.get<std::int64_t>();
-  constexpr std::int64_t kMostOffset = std::int64_t{1} << 62;
-  bool sound = std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) &&
-               run_offset_ > -kMostOffset && run_offset_ < kMostOffset;
+  bool sound =
+      std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) && templates_ >= 0 &&
+      std::ranges::all_of(std::array{templates_, last_look, owed, run_end_, run_offset_}, isIndex);
   const auto count = reader.get<std::int64_t>();
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
     const auto source_index = reader.get<std::int64_t>();
@@ -211,8 +220,9 @@ Status PlaceReplay::read(StateReader& reader) {
     view.template_id = reader.get<std::int64_t>();
     PlanarPose& pose = view.in_template;
     for (double* number : {&pose.x, &pose.y, &pose.theta}) *number = reader.get<double>();
-    sound = sound && view.template_id >= 0 && view.template_id < templates_ &&
-            std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta);
+    sound = sound && isIndex(source_index) && view.template_id >= 0 &&
+            view.template_id < templates_ &&
+            std::ranges::all_of(std::array{pose.x, pose.y, pose.theta}, isNear);
   }
   sound = sound && static_cast<std::int64_t>(views_.size()) == count;
   if (sound && reader.complete()) return Status::ok();

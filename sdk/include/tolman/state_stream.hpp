@@ -59,7 +59,8 @@ class StateWriter {
   std::string payload_;
 };
 
-/// Reads one envelope; a get beyond its end gives zero and makes complete() false.
+/// Reads one envelope; a get beyond its end gives zero and makes complete() false, as does a bool
+/// that is neither 0 nor 1.
 class StateReader {
  public:
   static Result<StateReader> open(std::istream& stream, std::string_view magic,
@@ -84,9 +85,15 @@ class StateReader {
 
   template <class T>
   T get() requires std::is_arithmetic_v<T> {
-    T value{};
-    take(&value, sizeof value);
-    return value;
+    if constexpr (std::is_same_v<T, bool>) {
+      const auto byte = get<std::uint8_t>();
+      overrun_ = overrun_ || byte > 1;
+      return byte == 1;
+    } else {
+      T value{};
+      take(&value, sizeof value);
+      return value;
+    }
   }
   template <class T>
   void getAll(std::span<T> values) requires std::is_arithmetic_v<T> {

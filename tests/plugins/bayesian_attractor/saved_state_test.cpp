@@ -74,6 +74,20 @@ TEST_CASE("counts beyond the payload end with it, also where it ends within a nu
   }
 }
 
+TEST_CASE("covariances and poses that are none are refused") {
+  const std::string sound = payload();
+  const std::size_t modules = 4;     // of the default parameters
+  constexpr std::size_t kFirst = 2;  // words: period, modules
+  const std::size_t covariance = kFirst + 1 + 2 * modules;
+  for (const double wrong : {-1.0, 1e300}) {
+    std::string bytes = sound;
+    std::memcpy(bytes.data() + 8 * covariance, &wrong, sizeof wrong);
+    BayesianAttractor plugin;
+    REQUIRE(configure(plugin, {}).isOk());
+    CHECK(load(plugin, bytes).message() == "the saved state is damaged: numbers that cannot be");
+  }
+}
+
 TEST_CASE("a number that is none is refused wherever it stands") {
   const std::string sound = payload();
   const double nan = std::numeric_limits<double>::quiet_NaN();

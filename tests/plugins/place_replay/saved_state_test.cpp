@@ -72,6 +72,17 @@ TEST_CASE("every other length is refused at once, whatever the count of views sa
   CHECK(replay.load(sound).isOk());
 }
 
+TEST_CASE("indices whose differences are no index are refused") {
+  const std::string sound = payload();
+  constexpr std::size_t kFirstView = 4 * 8 + 8 + 4 + 4 * 8 + 8;
+  for (const std::int64_t index : {INT64_MIN + 2, INT64_MAX}) {
+    std::string bytes = sound;
+    std::memcpy(bytes.data() + kFirstView, &index, sizeof index);
+    Replay replay;
+    CHECK(replay.load(bytes).message() == "the saved views are damaged: numbers that cannot be");
+  }
+}
+
 TEST_CASE("wild numbers are refused, or views are reported that the host accepts") {
   const std::string sound = payload();
   int refused = 0;
