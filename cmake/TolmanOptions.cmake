@@ -2,6 +2,7 @@
 option(TOLMAN_BUILD_TESTS "Build the tests" ON)
 option(TOLMAN_MARCH_V3 "Build for x86-64-v3 (AVX2); plugins must then be built so too" OFF)
 option(TOLMAN_ASAN "Address and undefined-behaviour sanitizers" OFF)
+option(TOLMAN_FUZZ "Instrument for libFuzzer (clang only); see scripts/fuzz" OFF)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -27,6 +28,13 @@ if(TOLMAN_ASAN)
                       -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
   add_link_options(-fsanitize=address,undefined)
 endif()
+if(TOLMAN_FUZZ)
+  set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
+  add_compile_options(-fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow
+                      -fno-sanitize=object-size,vptr -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer -g1)
+  add_link_options(-fsanitize=address,undefined)
+endif()
 
 # ccache keeps what is compiled with a precompiled header only if it may ignore the header's macros
 # and times, and finds what another checkout compiled only by relative paths. CCACHE_DEPEND: two
@@ -45,6 +53,9 @@ endif()
 
 # The house's warnings; for our own targets only, never for a third party's plugin.
 function(tolman_warnings target)
+  if(TOLMAN_FUZZ)
+    return() # clang warns of other things; clang-tidy reads the sources with them
+  endif()
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     # GCC 12's optimiser sees overflows in inlined std::string that are not there

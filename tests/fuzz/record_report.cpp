@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fuzz target: the same changed records, as metrics, figures and page of a report.
+#include "edited_record.hpp"
+#include "input.hpp"
+#include "report/page.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tolman;
+  const fuzz::ScratchFolder folder;
+  fuzz::writeEditedRecord(folder.path(), fuzz::asText({data, size}));
+  auto page = report::makePage(folder.path(), {});
+  if (!page.isOk()) {
+    fuzz::require(!page.status().message().empty(), "refused without a message");
+    return 0;
+  }
+  (void)evaluation::toJson(page.value().data.metrics).dump();
+  fuzz::require(!report::html({page.value()}).empty(), "an empty page");
+  return 0;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fuzz target: the JSON files of a run: run.json, and session.json of a saved session.
+#include "input.hpp"
+#include "record/run_directory.hpp"
+#include "run/failure.hpp"
+#include "run/state_files.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tolman;
+  const fuzz::ScratchFolder folder;
+  const std::string_view text = fuzz::asText({data, size});
+  folder.write("run.json", text);
+  const auto json = record::RunDirectory::readRunFile(folder.path());
+  (void)json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  (void)record::RunDirectory::wasKilled(folder.path());
+  try {
+    (void)run::readContents(folder.path() / "run.json");
+  } catch (const run::Failed&) {                // as declared
+  } catch (const nlohmann::json::exception&) {  // likewise
+  }
+  return 0;
+}
