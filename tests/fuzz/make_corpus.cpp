@@ -20,6 +20,7 @@
 #include "small_plugins.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/state_stream.hpp"
+#include "view_sequences.hpp"
 #include "view_templates.hpp"
 
 using namespace tolman;
@@ -81,6 +82,19 @@ void writeTemplates(const fs::path& folder) {
                   "no view");
   }
   write(folder / "state_templates" / "two", payloadOf(place.plugin));
+}
+
+void writeSequences(const fs::path& folder) {
+  fuzz::Small<view_sequences::ViewSequences> place(fuzz::smallSequences(), test::streetRig());
+  write(folder / "state_sequences" / "empty", payloadOf(place.plugin));
+  for (std::int64_t i = 0; i < 8; ++i) {
+    const Eigen::Isometry3d pose(Eigen::Translation3d(0, 0, static_cast<double>(i % 4)));
+    const Motion motion = fuzz::straightMotion(i);
+    PlaceObservation seen;
+    fuzz::require(place.plugin.observe(test::streetFrame(i, pose), &motion, seen).isOk(),
+                  "no view");
+  }
+  write(folder / "state_sequences" / "driven", payloadOf(place.plugin));
 }
 
 void writeReplay(const fs::path& folder) {
@@ -320,6 +334,7 @@ int main(int argc, char** argv) {
   const fs::path folder = argv[1];
   writeImages(folder);
   writeTemplates(folder);
+  writeSequences(folder);
   writeReplay(folder);
   writeCells(folder);
   writeMap(folder);

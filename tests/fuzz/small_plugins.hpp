@@ -27,6 +27,13 @@ inline ParameterValues smallTemplates() {
           {"landmarks", std::int64_t{20}}, {"landmarks_agreeing", std::int64_t{6}}};
 }
 
+inline ParameterValues smallSequences() {
+  return {{"recent", 2.0},
+          {"landmarks", std::int64_t{10}},
+          {"landmarks_agreeing", std::int64_t{6}},
+          {"probability", 0.3}};
+}
+
 inline ParameterValues smallReplay() {
   return {{"relative_pose", true},
           {"kept", 0.7},
