@@ -49,7 +49,7 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
 TEST_CASE("plugins list shows all of ours, and broken ones with their refusal") {
   const Finished list = tolman::test::tolman({"plugins", "list"});
   CHECK(list.exit_code == 0);
-  for (const char* id : {"kitti", "images", "feature_stereo", "view_templates",
+  for (const char* id : {"kitti", "images", "feature_stereo", "view_sequences", "view_templates",
                          "bayesian_attractor", "experience_map", "progress"}) {
     CHECK(contains(list.out, id));
   }
@@ -242,7 +242,7 @@ TEST_CASE("export of what is no run is one clear error") {
 
 TEST_CASE("docs/reference/plugins.md is up to date (scripts/generate-reference)") {
   const std::string page = readText(inSource("docs/reference/plugins.md"));
-  for (const char* id : {"kitti", "images", "feature_stereo", "view_templates",
+  for (const char* id : {"kitti", "images", "feature_stereo", "view_sequences", "view_templates",
                          "bayesian_attractor", "experience_map", "progress"}) {
     INFO(id);
     CHECK(contains(page, tolman::test::tolman({"plugins", "describe", id, "--markdown"}).out));

@@ -20,6 +20,7 @@ TEST_CASE("install, build a stranger's plugin against the package, run it") {
   const Finished list = run({program, "plugins", "list"});
   REQUIRE(list.exit_code == 0);
   CHECK(contains(list.out, "view_templates"));
+  CHECK(contains(list.out, "view_sequences"));
   CHECK(fs::exists(prefix + "/share/tolman/configs/kitti.yaml"));
   CHECK(run({"sh", "-c", "cd / && '" + program + "' check demo"}).exit_code == 0);
 
