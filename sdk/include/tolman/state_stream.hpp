@@ -59,8 +59,8 @@ class StateWriter {
   std::string payload_;
 };
 
-/// Reads one envelope; a get beyond its end gives zero and makes complete() false, as does a bool
-/// that is neither 0 nor 1.
+/// Reads one envelope; a get beyond its end gives zero and makes complete() false. Any byte but
+/// 0 is a bool that is true.
 class StateReader {
  public:
   static Result<StateReader> open(std::istream& stream, std::string_view magic,
@@ -85,15 +85,10 @@ class StateReader {
 
   template <class T>
   T get() requires std::is_arithmetic_v<T> {
-    if constexpr (std::is_same_v<T, bool>) {
-      const auto byte = get<std::uint8_t>();
-      overrun_ = overrun_ || byte > 1;
-      return byte == 1;
-    } else {
-      T value{};
-      take(&value, sizeof value);
-      return value;
-    }
+    // A damaged byte is no bool: it must not be read as one.
+    std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T> value{};
+    take(&value, sizeof value);
+    return static_cast<T>(value);
   }
   template <class T>
   void getAll(std::span<T> values) requires std::is_arithmetic_v<T> {
