@@ -28,6 +28,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                     unsigned seed) __attribute__((weak));
 std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+int LLVMFuzzerInitialize(int* argc, char*** argv) __attribute__((weak));
 void __sanitizer_set_death_callback(void (*callback)()) __attribute__((weak));
 }
 
@@ -208,6 +209,7 @@ int main(int argc, char** argv) {
   }
   if (__sanitizer_set_death_callback != nullptr) __sanitizer_set_death_callback(keepInput);
   g_random.seed(options.seed);
+  if (LLVMFuzzerInitialize != nullptr) LLVMFuzzerInitialize(&argc, &argv);
   addAll(options);
   if (g_corpus.empty()) {
     std::fprintf(stderr, "fuzz: no corpus; give its folder\n");

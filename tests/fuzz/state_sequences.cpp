@@ -5,22 +5,42 @@
 #include "support/street_scene.hpp"
 #include "view_sequences.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace tolman;
+namespace {
+
+using namespace tolman;
+
+fuzz::Small<view_sequences::ViewSequences>& place() {
   static fuzz::Small<view_sequences::ViewSequences> place(fuzz::smallSequences(),
                                                           test::streetRig());
-  static const Frame street = test::streetFrame(9, Eigen::Isometry3d::Identity());
-  if (!fuzz::loadState(place.plugin, "TLMVSEQS", 1, {data, size}).isOk()) return 0;
-  fuzz::checkSaved(place.plugin);
+  return place;
+}
+
+const Frame& street() {
+  static const Frame kFrame = test::streetFrame(9, Eigen::Isometry3d::Identity());
+  return kFrame;
+}
+
+}  // namespace
+
+/// Painting the street takes longer than any input may.
+extern "C" int LLVMFuzzerInitialize(int*, char***) {
+  place();
+  street();
+  return 0;
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (!fuzz::loadState(place().plugin, "TLMVSEQS", 1, {data, size}).isOk()) return 0;
+  fuzz::checkSaved(place().plugin);
   for (std::int64_t i = 9; i < 11; ++i) {
-    Frame frame = street;
+    Frame frame = street();
     frame.frame = i;
     const Motion motion = fuzz::straightMotion(i);
     PlaceObservation observation;
-    const Status status = place.plugin.observe(frame, &motion, observation);
+    const Status status = place().plugin.observe(frame, &motion, observation);
     fuzz::checkAnswer(status, observation);
     std::vector<NamedArray> arrays;
-    place.plugin.arrays(arrays);
+    place().plugin.arrays(arrays);
   }
   return 0;
 }
