@@ -10,9 +10,9 @@ namespace {
 using namespace tolman;
 
 fuzz::Small<view_sequences::ViewSequences>& place() {
-  static fuzz::Small<view_sequences::ViewSequences> place(fuzz::smallSequences(),
-                                                          test::streetRig());
-  return place;
+  static fuzz::Small<view_sequences::ViewSequences> instance(fuzz::smallSequences(),
+                                                             test::streetRig());
+  return instance;
 }
 
 const Frame& street() {

@@ -12,9 +12,9 @@ namespace {
 using namespace tolman;
 
 fuzz::Small<view_templates::ViewTemplates>& place() {
-  static fuzz::Small<view_templates::ViewTemplates> place(fuzz::smallTemplates(),
-                                                          test::streetRig());
-  return place;
+  static fuzz::Small<view_templates::ViewTemplates> instance(fuzz::smallTemplates(),
+                                                             test::streetRig());
+  return instance;
 }
 
 const Frame& street() {
