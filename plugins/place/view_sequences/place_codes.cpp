@@ -2,16 +2,12 @@
 #include "place_codes.hpp"
 
 #include <algorithm>
-#include <bit>
-
-#include "wide.hpp"
 
 namespace tolman::view_sequences {
 namespace {
 
 // Every second shift: codes hardly change over one cell.
 constexpr int kCodeShift = 2;
-constexpr int kTriedShifts = 3;
 
 /// splitmix64 (Steele et al., OOPSLA 2014): the same numbers everywhere.
 std::uint64_t nextRandom(std::uint64_t& state) {
@@ -19,22 +15,6 @@ std::uint64_t nextRandom(std::uint64_t& state) {
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
   return z ^ (z >> 31U);
-}
-
-TOLMAN_WIDE_POPCOUNT
-void hammingDistances(const PlaceCode* codes, std::int64_t count,
-                      const std::array<PlaceCode, kTriedShifts>& queries, std::uint16_t* bits) {
-  for (std::int64_t i = 0; i < count; ++i) {
-    int least = kCodeBits;
-    for (const PlaceCode& query : queries) {
-      int differing = 0;
-      for (std::size_t w = 0; w < query.size(); ++w) {
-        differing += __builtin_popcountll(codes[i][w] ^ query[w]);
-      }
-      least = differing < least ? differing : least;
-    }
-    bits[i] = static_cast<std::uint16_t>(least);
-  }
 }
 
 }  // namespace
@@ -84,13 +64,13 @@ void PlaceCodes::update(const ViewBank& bank) {
 }
 
 void PlaceCodes::distances(const ViewQuery& query, std::vector<std::uint16_t>& bits) const {
-  std::array<PlaceCode, kTriedShifts> queries;
+  CodeQueries queries;
   for (int i = 0; i < kTriedShifts; ++i) {
     queries[static_cast<std::size_t>(i)] =
         maker_.codeOfShifted(query.deviation(), (i - kTriedShifts / 2) * kCodeShift);
   }
   bits.resize(codes_.size());
-  hammingDistances(codes_.data(), size(), queries, bits.data());
+  hammingScans().front()(codes_.data(), size(), queries, bits.data());
 }
 
 }  // namespace tolman::view_sequences

@@ -9,12 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "hamming_scan.hpp"
 #include "view_query.hpp"
 
 namespace tolman::view_sequences {
-
-inline constexpr int kCodeBits = 256;
-using PlaceCode = std::array<std::uint64_t, kCodeBits / 64>;
 
 /// The sums are the same in every build and run.
 class CodeMaker {

@@ -26,7 +26,10 @@ constexpr float kLargestEvidence = 4;
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
 
-double cosineOfBits(int bits) { return std::cos(std::numbers::pi * bits / kCodeBits); }
+/// 1 - cosine of the angle that so many differing bits stand for.
+float distanceOfBits(int bits) {
+  return static_cast<float>(1 - std::cos(std::numbers::pi * bits / kCodeBits));
+}
 
 float standardised(float distance, double mean, double deviation) {
   const auto z = static_cast<float>((distance - mean) / deviation);
@@ -57,6 +60,11 @@ TOLMAN_WIDE float leastOf(const float* values, std::int64_t count) {
   return least;
 }
 
+TOLMAN_WIDE void lookUp(const float* table, const std::uint16_t* at, float* values,
+                        std::int64_t count) {
+  for (std::int64_t i = 0; i < count; ++i) values[i] = table[at[i]];
+}
+
 constexpr double kEvidenceOfNovelty = -4;
 
 }  // namespace
@@ -78,16 +86,10 @@ std::int64_t PlaceSearch::coded() const {
 }
 
 void PlaceSearch::step(const ViewQuery& query, double path, double advance) {
-  const std::int64_t views = bank_.size();
   candidates_ = 0;
-  if (views == 0) return;
+  if (bank_.size() == 0) return;
   candidates_ = viewsUntil(path - settings_.recent);
   compareAll(query);
-  const std::int64_t compared = std::min(views, std::max(candidates_, kFewest));
-  const Sums sums =
-      sumsOf(std::span<const float>(distances_).first(static_cast<std::size_t>(compared)));
-  const double deviation = sums.deviationWithPrior(kPriorViews, kPriorDeviation);
-  for (float& distance : distances_) distance = standardised(distance, sums.mean(), deviation);
   evidence_.step(distances_, advance, candidates_);
   if (coded() > 0) refineBest(query);
   evidence_of_recent_ = 0;
@@ -105,26 +107,51 @@ std::int64_t PlaceSearch::viewsUntil(double path) const {
   return views;
 }
 
-/// The distances of all stored views, those that have codes by their codes.
+/// The standardised distances of all stored views, those that have codes by their codes.
 void PlaceSearch::compareAll(const ViewQuery& query) {
-  distances_.resize(static_cast<std::size_t>(bank_.size()));
+  const std::int64_t views = bank_.size();
   const std::int64_t by_code = coded();
-  if (by_code > 0) {
-    std::array<float, kCodeBits + 1> distance_of_bits;
-    for (int b = 0; b <= kCodeBits; ++b) {
-      distance_of_bits[static_cast<std::size_t>(b)] = static_cast<float>(1 - cosineOfBits(b));
-    }
-    codes_.distances(query, bits_);
-    for (std::size_t i = 0; i < bits_.size(); ++i) distances_[i] = distance_of_bits[bits_[i]];
-  }
+  const std::int64_t compared = std::min(views, std::max(candidates_, kFewest));
+  distances_.resize(static_cast<std::size_t>(views));
+  if (by_code > 0) codes_.distances(query, bits_);
   compareFrom(query, by_code);
+  const std::span<float> in_full = std::span(distances_).subspan(static_cast<std::size_t>(by_code));
+  Sums sums = sumsOf(
+      in_full.first(static_cast<std::size_t>(std::max<std::int64_t>(compared - by_code, 0))));
+  if (by_code > 0) sums.add(sumsOfBits(std::min(compared, by_code)));
+  const double deviation = sums.deviationWithPrior(kPriorViews, kPriorDeviation);
+  for (float& distance : in_full) distance = standardised(distance, sums.mean(), deviation);
+  if (by_code == 0) return;
+  std::array<float, kCodeBits + 1> z_of_bits;
+  for (int b = 0; b <= kCodeBits; ++b) {
+    z_of_bits[static_cast<std::size_t>(b)] =
+        standardised(distanceOfBits(b), sums.mean(), deviation);
+  }
+  lookUp(z_of_bits.data(), bits_.data(), distances_.data(), by_code);
+}
+
+/// The distances that codes give the first `count` views, or a part of them that tells as much.
+Sums PlaceSearch::sumsOfBits(std::int64_t count) const {
+  constexpr std::int64_t kEnough = 65536;
+  const std::int64_t stride = 1 + count / kEnough;
+  std::array<std::int64_t, kCodeBits + 1> views_with{};
+  for (std::int64_t i = 0; i < count; i += stride) ++views_with[bits_[static_cast<std::size_t>(i)]];
+  Sums sums;
+  for (int b = 0; b <= kCodeBits; ++b) {
+    const auto views =
+        static_cast<double>(views_with[static_cast<std::size_t>(b)]) * static_cast<double>(stride);
+    sums.add({views, views * distanceOfBits(b), views * distanceOfBits(b) * distanceOfBits(b)});
+  }
+  return sums;
 }
 
 void PlaceSearch::compareFrom(const ViewQuery& query, std::int64_t first) {
   std::array<std::int16_t, kValues> levels;
-  for (const Chunk& chunk : bank_.chunks()) {
+  const std::vector<Chunk>& chunks = bank_.chunks();
+  auto begin = std::ranges::upper_bound(chunks, first, {}, &Chunk::first);
+  if (begin != chunks.begin()) --begin;
+  for (const Chunk& chunk : std::ranges::subrange(begin, chunks.end())) {
     const std::int64_t end = chunk.first + chunk.count;
-    if (end <= first) continue;
     const ViewQuery::ChunkProducts products = query.productsWith(chunk);
     for (std::int64_t i = std::max(first, chunk.first); i < end; ++i) {
       unpack(bank_.view(i), levels);

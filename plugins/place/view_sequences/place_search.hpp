@@ -8,6 +8,7 @@
 
 #include "path_evidence.hpp"
 #include "place_codes.hpp"
+#include "statistics.hpp"
 
 namespace tolman::view_sequences {
 
@@ -47,6 +48,7 @@ class PlaceSearch {
   void compareAll(const ViewQuery& query);
   void compareFrom(const ViewQuery& query, std::int64_t first);
   void refineBest(const ViewQuery& query);
+  Sums sumsOfBits(std::int64_t count) const;
   std::vector<float> distancesOf(const ViewQuery& query, const std::vector<std::int64_t>& views);
   std::vector<std::int64_t> bestViews(std::size_t count) const;
   std::int64_t coded() const;
@@ -59,7 +61,7 @@ class PlaceSearch {
   std::int64_t candidates_ = 0;   ///< the first so many views are not recent
   float evidence_of_recent_ = 0;  ///< best of the older half of the recent views
   std::vector<std::uint16_t> bits_;
-  std::vector<float> distances_;  ///< then standardised in place
+  std::vector<float> distances_;  ///< of all views, standardised by compareAll()
 };
 
 /// Distance of `view` and its shift in cells, between the tried ones by interpolation.

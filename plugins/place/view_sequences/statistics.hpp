@@ -14,10 +14,10 @@ struct Sums {
   double sum = 0;
   double squares = 0;
 
-  void subtract(double value) {
-    count -= 1;
-    sum -= value;
-    squares -= value * value;
+  void add(const Sums& other) {
+    count += other.count;
+    sum += other.sum;
+    squares += other.squares;
   }
   double mean() const { return count > 0 ? sum / count : 0; }
   double variance() const {

@@ -7,8 +7,6 @@
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOLMAN_WIDE __attribute__((target_clones("avx2", "default")))
-#define TOLMAN_WIDE_POPCOUNT __attribute__((target_clones("popcnt", "default")))
 #else
 #define TOLMAN_WIDE
-#define TOLMAN_WIDE_POPCOUNT
 #endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Counts the differing bits between a few codes and very many: the part of the search whose time
+// grows with the stored views.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tolman::view_sequences {
+
+inline constexpr int kCodeBits = 256;
+using PlaceCode = std::array<std::uint64_t, kCodeBits / 64>;
+
+/// The view of now at each tried shift.
+inline constexpr int kTriedShifts = 3;
+using CodeQueries = std::array<PlaceCode, kTriedShifts>;
+
+/// Writes for each of `count` codes the smallest number of bits in which it differs from a query.
+using HammingScan = void (*)(const PlaceCode* codes, std::int64_t count, const CodeQueries& queries,
+                             std::uint16_t* bits);
+
+/// Those that this processor can run, the fastest first; all give the same numbers.
+std::vector<HammingScan> hammingScans();
+
+}  // namespace tolman::view_sequences
