@@ -27,6 +27,9 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
             "--set", "probability=0.05",   "--set", "landmarks=300",
             "--set", "landmark_spacing=1", "--set", "landmarks_agreeing=10"};
   }
+  if (id == "seqslam") {
+    return {"--set", "sequence=5", "--set", "recent=5", "--set", "quotient=0.9"};
+  }
   return {};
 }
 

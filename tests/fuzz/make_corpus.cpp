@@ -17,7 +17,9 @@
 #include "isolation/codec.hpp"
 #include "isolation/context_message.hpp"
 #include "place_replay.hpp"
+#include "seqslam.hpp"
 #include "small_plugins.hpp"
+#include "support/gray_images.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/state_stream.hpp"
 #include "view_sequences.hpp"
@@ -95,6 +97,20 @@ void writeSequences(const fs::path& folder) {
                   "no view");
   }
   write(folder / "state_sequences" / "driven", payloadOf(place.plugin));
+}
+
+void writeSeqSlam(const fs::path& folder) {
+  fuzz::Small<seqslam::SeqSlam> place(fuzz::smallSeqSlam());
+  write(folder / "state_seqslam" / "empty", payloadOf(place.plugin));
+  for (std::int64_t i = 0; i < 9; ++i) {
+    RandomStream random(static_cast<std::uint64_t>(i % 5));
+    Frame frame;
+    frame.frame = i;
+    frame.left = test::noise(16, 8, random);
+    PlaceObservation seen;
+    fuzz::require(place.plugin.observe(frame, nullptr, seen).isOk(), "no view");
+  }
+  write(folder / "state_seqslam" / "driven", payloadOf(place.plugin));
 }
 
 void writeReplay(const fs::path& folder) {
@@ -335,6 +351,7 @@ int main(int argc, char** argv) {
   writeImages(folder);
   writeTemplates(folder);
   writeSequences(folder);
+  writeSeqSlam(folder);
   writeReplay(folder);
   writeCells(folder);
   writeMap(folder);

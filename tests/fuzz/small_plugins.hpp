@@ -34,6 +34,12 @@ inline ParameterValues smallSequences() {
           {"probability", 0.3}};
 }
 
+inline ParameterValues smallSeqSlam() {
+  return {{"columns", std::int64_t{16}},   {"rows", std::int64_t{8}},
+          {"sequence", std::int64_t{3}},   {"recent", std::int64_t{2}},
+          {"same_place", std::int64_t{1}}, {"quotient", 0.9}};
+}
+
 inline ParameterValues smallReplay() {
   return {{"relative_pose", true},
           {"kept", 0.7},

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SeqSLAM (Milford and Wyeth, ICRA 2012): a place is recognised when the last images resemble
+// stored ones along a line of constant speed much more than along any other. Only the past is
+// used: the answer says where the newest image is. The score is the quotient of the best line's
+// score and its best rival's, 0 to 1.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "line_search.hpp"
+#include "patch_view.hpp"
+#include "tolman/plugin.hpp"
+#include "tolman/state_stream.hpp"
+
+namespace tolman::seqslam {
+
+class SeqSlam final : public Place, public StateKeeper {
+ public:
+  struct Parameters {
+    int columns = 64;
+    int rows = 32;
+    int patch = 8;
+    int contrast_window = 10;
+    int sequence = 10;
+    double slowest = 0.8;
+    double fastest = 1.2;
+    double speed_step = 0.1;
+    int same_place = 5;
+    int recent = 20;
+    double quotient = 0.7;
+
+    static constexpr auto declaration() {
+      using P = Parameters;
+      return parameters(
+          parameter("columns", &P::columns)
+              .range(1, 1024)
+              .unit("px")
+              .doc("Width that images are reduced to."),
+          parameter("rows", &P::rows)
+              .range(1, 1024)
+              .unit("px")
+              .doc("Height that images are reduced to."),
+          parameter("patch", &P::patch)
+              .range(2, 128)
+              .unit("px")
+              .doc("Side of the squares that are brought to mean 0 and standard deviation 1; those "
+                   "at the "
+                   "right and lower edge may be smaller."),
+          parameter("contrast_window", &P::contrast_window)
+              .range(2, 1000)
+              .unit("views")
+              .doc("R_window: the difference from a view is measured against those from so many "
+                   "views around it."),
+          parameter("sequence", &P::sequence)
+              .range(2, 1000)
+              .unit("images")
+              .doc("d_s: length of the sequence that is searched for."),
+          parameter("slowest", &P::slowest)
+              .range(0, 10)
+              .doc("V_min: least speed against that of the stored pass, views for each image."),
+          parameter("fastest", &P::fastest)
+              .range(0, 10)
+              .doc("V_max: greatest speed, at least slowest."),
+          parameter("speed_step", &P::speed_step)
+              .range(0.01, 10)
+              .doc("Step between the speeds that are tried."),
+          parameter("same_place", &P::same_place)
+              .range(0, 1000)
+              .unit("views")
+              .doc("Views so near to the best one show the same place and are no rivals."),
+          parameter("recent", &P::recent)
+              .range(0, 1000000)
+              .unit("images")
+              .doc("Views that were stored within the last so many images are not recognised."),
+          parameter("quotient", &P::quotient)
+              .range(0, 1)
+              .doc("A view is familiar if the best line's score is at most so much of its best "
+                   "rival's; 1 always answers."));
+    }
+  };
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override;
+
+  Status save(std::ostream& stream) const override;
+  Status load(std::istream& stream) override;
+
+ private:
+  std::int64_t views() const { return static_cast<std::int64_t>(image_of_view_.size()); }
+  std::size_t viewSize() const {
+    return static_cast<std::size_t>(parameters_.columns) *
+           static_cast<std::size_t>(parameters_.rows);
+  }
+  void compare(const PatchView& view);
+  std::int64_t candidates() const;
+  double quotientOf(const std::optional<BestLine>& best) const;
+  std::vector<double> storedParameters() const;
+  bool loadViews(StateReader& reader);
+  bool loadColumns(StateReader& reader);
+
+  Parameters parameters_;
+  std::optional<LineSearch> search_;
+  std::int64_t images_ = 0;                  ///< seen so far
+  std::vector<std::int8_t> views_;           ///< all stored ones
+  std::vector<std::int64_t> image_of_view_;  ///< number of the image that each was made of
+  std::deque<std::vector<float>> columns_;   ///< of the last images, at most `sequence`
+};
+
+}  // namespace tolman::seqslam
