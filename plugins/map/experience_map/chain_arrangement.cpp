@@ -15,7 +15,6 @@ namespace {
 /// residual may come from drift within the parts, which is not yet corrected.
 constexpr double kNearTranslation = 20;  // m
 constexpr double kNearRotation = 0.5;    // rad
-constexpr double kRejectedWeight = 1e-6;
 
 bool isNear(const PlanarLink& link, const std::vector<PlanarPose>& nodes) {
   const Eigen::Vector3d off = residualOf(link, nodes[link.from], nodes[link.to]);

@@ -2,7 +2,6 @@
 #include "dead_reckoning.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace tolman::experience_map {
 
@@ -19,16 +18,18 @@ void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
   logged.stamp_ns = motion.stamp_ns;
   logged.anchor = anchor;
   logged.initialising = motion.state == TrackingState::Initialising;
+  UncertainPose moved;
   if (!frames_.empty()) {
     logged.gap = logged.initialising && !frames_.back().initialising;
-    logged.motion = {motion.T_previous_current, motion.covariance};
+    moved = {motion.T_previous_current, motion.covariance};
     if (motion.state != TrackingState::Tracking) {
-      logged.motion.covariance +=
+      moved.covariance +=
           isotropic(parameters_.lost_sigma_translation, parameters_.lost_sigma_rotation);
     }
-    logged.T_start_camera = normalised(frames_.back().T_start_camera * logged.motion.T);
+    logged.T_start_camera = normalised(frames_.back().T_start_camera * moved.T);
   }
   frames_.push_back(logged);
+  motions_.append(moved);
 }
 
 std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std::size_t& unknown) {
@@ -39,7 +40,7 @@ std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std
     if (!slot) ++unknown;
     // The first frame and the frame after a gap have no motion.
     if (!slot || *slot == 0 || frames_[*slot].gap) continue;
-    frames_[*slot].motion = {revision.T_previous_current, revision.covariance};
+    motions_.replace(*slot, {revision.T_previous_current, revision.covariance});
     first = std::min(first, *slot);
   }
   reckon(first);
@@ -48,14 +49,15 @@ std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std
 
 void DeadReckoning::reckon(std::size_t first) {
   for (std::size_t slot = first; slot < frames_.size(); ++slot) {
-    frames_[slot].T_start_camera =
-        normalised(frames_[slot - 1].T_start_camera * frames_[slot].motion.T);
+    frames_[slot].T_start_camera = normalised(frames_[slot - 1].T_start_camera * motions_[slot].T);
   }
 }
 
-void DeadReckoning::restore(std::vector<ReckonedFrame> frames) {
-  frames_ = std::move(frames);
-  if (!frames_.empty()) reckon(1);
+void DeadReckoning::restore(ReckonedFrame frame, const UncertainPose& motion) {
+  frame.T_start_camera = frames_.empty() ? Eigen::Isometry3d::Identity()
+                                         : normalised(frames_.back().T_start_camera * motion.T);
+  frames_.push_back(frame);
+  motions_.append(motion);
 }
 
 std::optional<std::size_t> DeadReckoning::slotOf(std::int64_t frame) const {
@@ -68,8 +70,9 @@ UncertainPose DeadReckoning::between(std::size_t from, std::size_t to) const {
   UncertainPose way;
   double length = 0;
   for (std::size_t slot = from + 1; slot <= to; ++slot) {
-    way = compose(way, frames_[slot].motion);
-    length += frames_[slot].motion.T.translation().norm();
+    const UncertainPose motion = motions_[slot];
+    way = compose(way, motion);
+    length += motion.T.translation().norm();
   }
   way.T = frames_[from].T_start_camera.inverse() * frames_[to].T_start_camera;
   // Systematic drift, which covariances between frames do not contain. The minimal length keeps the

@@ -9,11 +9,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <tolman/records.hpp>
-#include <vector>
 
+#include "motion_store.hpp"
 #include "parameters.hpp"
 #include "uncertain_pose.hpp"
 
@@ -22,7 +23,6 @@ namespace tolman::experience_map {
 struct ReckonedFrame {
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
-  UncertainPose motion;  ///< from the previous slot; the identity at slot 0
   Eigen::Isometry3d T_start_camera = Eigen::Isometry3d::Identity();  ///< dead reckoning
   std::int64_t anchor = 0;                                           ///< see ExperienceChain
   bool initialising = false;                                         ///< odometry had no motion yet
@@ -48,17 +48,20 @@ class DeadReckoning {
   double seconds(std::size_t from, std::size_t to) const;
 
   const ReckonedFrame& operator[](std::size_t slot) const { return frames_[slot]; }
+  /// From the previous slot; the identity at slot 0. Reads a file where the slot is old.
+  UncertainPose motionTo(std::size_t slot) const { return motions_[slot]; }
   void moveTo(std::size_t slot, std::int64_t anchor) { frames_[slot].anchor = anchor; }
   std::size_t size() const { return frames_.size(); }
   std::size_t last() const { return frames_.size() - 1; }
-  /// Frames of a saved state; T_start_camera is recomputed.
-  void restore(std::vector<ReckonedFrame> frames);
+  /// The next frame of a saved state; T_start_camera is recomputed.
+  void restore(ReckonedFrame frame, const UncertainPose& motion);
 
  private:
   void reckon(std::size_t first);
 
   Parameters parameters_;
-  std::vector<ReckonedFrame> frames_;
+  std::deque<ReckonedFrame> frames_;  ///< grows without a copy, so memory has no peaks
+  MotionStore motions_;
 };
 
 }  // namespace tolman::experience_map

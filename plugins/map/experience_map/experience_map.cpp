@@ -182,17 +182,15 @@ Status ExperienceMap::graph(MapGraph& graph) const {
 }
 
 Status ExperienceMap::save(std::ostream& stream) const {
-  return saveMap({motions_, chain_, version_, next_correction_}, stream);
+  return saveMap(motions_, chain_, {version_, next_correction_}, stream);
 }
 
 Status ExperienceMap::load(std::istream& stream) {
   if (Status status = reset(); !status.isOk()) return status;
-  MapState loaded{motions_, chain_, 0, 0};
-  if (Status status = loadMap(stream, loaded); !status.isOk()) return status;
-  motions_ = std::move(loaded.motions);
-  chain_ = std::move(loaded.chain);
-  version_ = loaded.version;
-  next_correction_ = loaded.next_correction;
+  MapCounters counters;
+  if (Status status = loadMap(stream, motions_, chain_, counters); !status.isOk()) return status;
+  version_ = counters.version;
+  next_correction_ = counters.next_correction;
   return Status::ok();
 }
 

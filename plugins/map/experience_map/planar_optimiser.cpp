@@ -12,8 +12,7 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr double kRejectedWeight = 1e-6;  ///< initial weight of a loop that is left out
-constexpr double kAcceptedWeight = 0.5;   ///< with all weights above it, other starts are not tried
+constexpr double kAcceptedWeight = 0.5;  ///< with all weights above it, other starts are not tried
 
 class GaussNewton {
  public:

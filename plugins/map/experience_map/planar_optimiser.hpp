@@ -20,6 +20,9 @@
 
 namespace tolman::experience_map {
 
+/// Initial weight of a loop that is left out.
+inline constexpr double kRejectedWeight = 1e-6;
+
 /// rho as a function of r, the length of a residual in standard deviations.
 enum class Loss : std::uint8_t {
   Huber,         ///< convex, the paper's: quadratic up to delta, linear beyond

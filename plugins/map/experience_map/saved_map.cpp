@@ -43,24 +43,30 @@ bool isSound(const UncertainPose& pose) {
 
 bool isWeight(double weight) { return weight >= 0 && weight <= 1; }
 
-void put(StateWriter& writer, const ReckonedFrame& frame) {
+struct SavedFrame {
+  ReckonedFrame frame;
+  UncertainPose motion;
+};
+
+void put(StateWriter& writer, const ReckonedFrame& frame, const UncertainPose& motion) {
   writer.put(frame.frame);
   writer.put(frame.stamp_ns);
   writer.put(frame.anchor);
   writer.put(std::int64_t{frame.initialising});
   writer.put(std::int64_t{frame.gap});
-  put(writer, frame.motion);
+  put(writer, motion);
 }
 
-ReckonedFrame getFrame(StateReader& reader) {
-  ReckonedFrame frame;
+SavedFrame getFrame(StateReader& reader) {
+  SavedFrame saved;
+  ReckonedFrame& frame = saved.frame;
   frame.frame = reader.get<std::int64_t>();
   frame.stamp_ns = reader.get<std::int64_t>();
   frame.anchor = reader.get<std::int64_t>();
   frame.initialising = reader.get<std::int64_t>() != 0;
   frame.gap = reader.get<std::int64_t>() != 0;
-  frame.motion = getPose(reader);
-  return frame;
+  saved.motion = getPose(reader);
+  return saved;
 }
 
 void put(StateWriter& writer, const Anchor& anchor) {
@@ -104,12 +110,12 @@ std::vector<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   return list;
 }
 
-bool areSound(const std::vector<ReckonedFrame>& frames, std::size_t anchors) {
+bool areSound(const std::vector<SavedFrame>& frames, std::size_t anchors) {
   for (std::size_t slot = 0; slot < frames.size(); ++slot) {
-    const ReckonedFrame& frame = frames[slot];
-    const bool later = slot == 0 || frame.frame > frames[slot - 1].frame;
+    const ReckonedFrame& frame = frames[slot].frame;
+    const bool later = slot == 0 || frame.frame > frames[slot - 1].frame.frame;
     if (!later || frame.frame < 0 || frame.frame >= kMost || frame.stamp_ns >= kMost ||
-        frame.stamp_ns <= -kMost || frame.anchor < 0 || !isSound(frame.motion) ||
+        frame.stamp_ns <= -kMost || frame.anchor < 0 || !isSound(frames[slot].motion) ||
         frame.anchor >= static_cast<std::int64_t>(anchors)) {
       return false;
     }
@@ -119,7 +125,7 @@ bool areSound(const std::vector<ReckonedFrame>& frames, std::size_t anchors) {
 
 /// Checks that anchors are in the order of their frames, that experiences are numbered in the order
 /// of creation, and that visits follow the creation of their experience.
-bool areSound(const std::vector<Anchor>& anchors, const std::vector<ReckonedFrame>& frames) {
+bool areSound(const std::vector<Anchor>& anchors, const std::vector<SavedFrame>& frames) {
   std::int64_t made = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const Anchor& anchor = anchors[i];
@@ -143,44 +149,47 @@ bool areSound(const std::vector<Anchor>& anchors, const std::vector<ReckonedFram
 
 }  // namespace
 
-Status saveMap(const MapState& map, std::ostream& stream) {
+Status saveMap(const DeadReckoning& motions, const ExperienceChain& chain,
+               const MapCounters& counters, std::ostream& stream) {
   StateWriter writer;
-  writer.put(map.version);
-  writer.put(static_cast<std::int64_t>(map.next_correction));
-  writer.put(static_cast<std::int64_t>(map.motions.size()));
-  for (std::size_t slot = 0; slot < map.motions.size(); ++slot) put(writer, map.motions[slot]);
-  const ExperienceChain::State chain = map.chain.state();
-  writer.put(static_cast<std::int64_t>(chain.anchors.size()));
-  for (const Anchor& anchor : chain.anchors) put(writer, anchor);
-  writer.put(chain.links);
-  writer.put(chain.loops);
-  writer.put(std::int64_t{chain.pending});
+  writer.put(counters.version);
+  writer.put(static_cast<std::int64_t>(counters.next_correction));
+  writer.put(static_cast<std::int64_t>(motions.size()));
+  for (std::size_t slot = 0; slot < motions.size(); ++slot) {
+    put(writer, motions[slot], motions.motionTo(slot));
+  }
+  const ExperienceChain::State state = chain.state();
+  writer.put(static_cast<std::int64_t>(state.anchors.size()));
+  for (const Anchor& anchor : state.anchors) put(writer, anchor);
+  writer.put(state.links);
+  writer.put(state.loops);
+  writer.put(std::int64_t{state.pending});
   return writer.write(stream, kMagic, kStateVersion);
 }
 
-Status loadMap(std::istream& stream, MapState& map) {
+Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& chain,
+               MapCounters& counters) {
   Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
   if (!opened.isOk()) return opened.status();
   StateReader& reader = opened.value();
   const auto version = reader.get<std::int64_t>();
   const auto next_correction = reader.get<std::int64_t>();
-  std::vector<ReckonedFrame> frames = getList(reader, &getFrame);
-  ExperienceChain::State chain;
-  chain.anchors = getList(reader, &getAnchor);
-  chain.links = reader.get<std::int64_t>();
-  chain.loops = reader.get<std::int64_t>();
-  chain.pending = reader.get<std::int64_t>() != 0;
+  const std::vector<SavedFrame> frames = getList(reader, &getFrame);
+  ExperienceChain::State state;
+  state.anchors = getList(reader, &getAnchor);
+  state.links = reader.get<std::int64_t>();
+  state.loops = reader.get<std::int64_t>();
+  state.pending = reader.get<std::int64_t>() != 0;
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
   const bool counted =
-      std::ranges::all_of(std::array{version, next_correction, chain.links, chain.loops},
+      std::ranges::all_of(std::array{version, next_correction, state.links, state.loops},
                           [](std::int64_t number) { return number >= 0 && number < kMost; });
-  if (!counted || !areSound(frames, chain.anchors.size()) || !areSound(chain.anchors, frames)) {
+  if (!counted || !areSound(frames, state.anchors.size()) || !areSound(state.anchors, frames)) {
     return Status::invalidInput("the saved map is damaged: a number is out of range");
   }
-  map.motions.restore(std::move(frames));
-  map.chain.restore(map.motions, std::move(chain));
-  map.version = version;
-  map.next_correction = static_cast<std::size_t>(next_correction);
+  for (const SavedFrame& saved : frames) motions.restore(saved.frame, saved.motion);
+  chain.restore(motions, std::move(state));
+  counters = {version, static_cast<std::size_t>(next_correction)};
   return Status::ok();
 }
 

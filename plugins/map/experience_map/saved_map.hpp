@@ -13,16 +13,16 @@
 
 namespace tolman::experience_map {
 
-struct MapState {
-  DeadReckoning motions;
-  ExperienceChain chain;
+struct MapCounters {
   std::int64_t version = 0;
   std::size_t next_correction = 0;
 };
 
-Status saveMap(const MapState& map, std::ostream& stream);
+Status saveMap(const DeadReckoning& motions, const ExperienceChain& chain,
+               const MapCounters& counters, std::ostream& stream);
 
-/// Fills `map`, which must be new. On failure nothing changes.
-Status loadMap(std::istream& stream, MapState& map);
+/// Fills `motions` and `chain`, which must be new. On failure nothing changes.
+Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& chain,
+               MapCounters& counters);
 
 }  // namespace tolman::experience_map

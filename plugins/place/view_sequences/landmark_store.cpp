@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "landmark_store.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
+#include <span>
 #include <string>
 
 namespace tolman::view_sequences {
@@ -19,24 +15,9 @@ using landmarks::Landmarks;
 
 constexpr std::int64_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
 
-/// A file in the folder for temporary files, already removed; -1 and errno when there can be none.
-int unnamedFile() {
-  std::error_code error;
-  std::string name = (std::filesystem::temp_directory_path(error) / "tolman-XXXXXX").string();
-  if (error) {
-    errno = error.value();
-    return -1;
-  }
-  const int file = mkostemp(name.data(), O_CLOEXEC);
-  if (file >= 0) unlink(name.c_str());
-  return file;
-}
-
-Status failure(const char* what) {
-  return Status::failed(std::string("landmarks cannot be ") + what + ": " +
-                        std::generic_category().message(errno) +
-                        "; is the folder for temporary files (TMPDIR) full? Set landmarks to 0 to "
-                        "do without");
+Status failure(const char* what, const Status& status) {
+  return Status::failed(std::string("landmarks cannot be ") + what + ": " + status.message() +
+                        " Set landmarks to 0 to do without");
 }
 
 std::vector<std::uint8_t> bytesOfLandmarks(const Landmarks& landmarks) {
@@ -54,10 +35,6 @@ std::vector<std::uint8_t> bytesOfLandmarks(const Landmarks& landmarks) {
 
 }  // namespace
 
-LandmarkStore::~LandmarkStore() {
-  if (file_ >= 0) close(file_);
-}
-
 Status LandmarkStore::add(std::int64_t view, const Landmarks& landmarks) {
   return append(view, static_cast<std::int64_t>(landmarks.points.size()),
                 bytesOfLandmarks(landmarks));
@@ -65,14 +42,8 @@ Status LandmarkStore::add(std::int64_t view, const Landmarks& landmarks) {
 
 Status LandmarkStore::append(std::int64_t view, std::int64_t count,
                              const std::vector<std::uint8_t>& bytes) {
-  if (file_ < 0) file_ = unnamedFile();
-  if (file_ < 0) return failure("stored");
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t written = pwrite(file_, bytes.data() + done, bytes.size() - done,
-                                   end_ + static_cast<std::int64_t>(done));
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return failure("stored");
-    done += static_cast<std::size_t>(written);
+  if (Status status = file_.write(end_, std::as_bytes(std::span(bytes))); !status.isOk()) {
+    return failure("stored", status);
   }
   entries_.push_back({view, end_, count});
   end_ += static_cast<std::int64_t>(bytes.size());
@@ -89,13 +60,8 @@ std::optional<std::int64_t> LandmarkStore::nearest(std::int64_t view, std::int64
 
 Result<std::vector<std::uint8_t>> LandmarkStore::bytesOf(const Entry& entry) const {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(entry.count * kBytesEach));
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t got = pread(file_, bytes.data() + done, bytes.size() - done,
-                              entry.offset + static_cast<std::int64_t>(done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return failure("read");
-    done += static_cast<std::size_t>(got);
-  }
+  const Status status = file_.read(entry.offset, std::as_writable_bytes(std::span(bytes)));
+  if (!status.isOk()) return failure("read", status);
   return bytes;
 }
 

@@ -5,10 +5,10 @@
 
 #include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "landmarks.hpp"
+#include "scratch_file.hpp"
 #include "tolman/state_stream.hpp"
 #include "tolman/status.hpp"
 
@@ -16,14 +16,6 @@ namespace tolman::view_sequences {
 
 class LandmarkStore {
  public:
-  LandmarkStore() = default;
-  ~LandmarkStore();
-  LandmarkStore(LandmarkStore&& other) noexcept { swap(other); }
-  LandmarkStore& operator=(LandmarkStore&& other) noexcept {
-    swap(other);
-    return *this;
-  }
-
   /// `view` must be larger than those before.
   Status add(std::int64_t view, const landmarks::Landmarks& landmarks);
   /// The view with landmarks that is nearest to `view`, at most `reach` views away; of two equally
@@ -44,17 +36,12 @@ class LandmarkStore {
     std::int64_t count;   ///< of landmarks
   };
 
-  void swap(LandmarkStore& other) noexcept {
-    std::swap(entries_, other.entries_);
-    std::swap(end_, other.end_);
-    std::swap(file_, other.file_);
-  }
   Status append(std::int64_t view, std::int64_t count, const std::vector<std::uint8_t>& bytes);
   Result<std::vector<std::uint8_t>> bytesOf(const Entry& entry) const;
 
   std::vector<Entry> entries_;
   std::int64_t end_ = 0;
-  int file_ = -1;
+  ScratchFile file_;
 };
 
 }  // namespace tolman::view_sequences

@@ -80,6 +80,9 @@ class Decoder {
 
   Result<Image> decode(std::span<const std::uint8_t> bytes, bool colour) {
     if (!readHeader(jpeg_, errors_, bytes)) return problem();
+    if (jpeg_.jpeg_color_space == JCS_CMYK || jpeg_.jpeg_color_space == JCS_YCCK) {
+      return Status::invalidInput("is a JPEG file for printing (CMYK); convert it to grey or RGB");
+    }
     jpeg_.progress = &progress_;
     jpeg_.out_color_space = colour ? JCS_EXT_BGR : JCS_GRAYSCALE;
     const PixelFormat format = colour ? PixelFormat::Bgr8 : PixelFormat::Gray8;

@@ -50,7 +50,7 @@ TEST_CASE("frames that do not come in order are refused") {
 
 TEST_CASE("a revision moves everything behind it and nothing before") {
   DeadReckoning log = drive(10);
-  const DeadReckoning before = log;
+  const DeadReckoning before = drive(10);
   std::size_t unknown = 0;
   MotionRevision first_try{
       .frame = 6, .T_previous_current = step(9, 9), .covariance = Matrix6d::Zero()};

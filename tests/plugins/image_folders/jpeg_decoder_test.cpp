@@ -2,8 +2,12 @@
 // JPEG data, sound and damaged. cv::imdecode is the oracle for the sound ones.
 #include "jpeg_decoder.hpp"
 
+#include <jpeglib.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>  // for jpeglib.h
+#include <cstdlib>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <vector>
@@ -36,6 +40,31 @@ std::size_t dataBegin(const Bytes& bytes) {
   const auto marker = std::search(bytes.begin(), bytes.end(), std::begin(kSos), std::end(kSos));
   const auto at = static_cast<std::size_t>(marker - bytes.begin());
   return at + 2 + bytes.at(at + 2) * 256U + bytes.at(at + 3);
+}
+
+/// As printers want it: four colours, all of one value.
+Bytes fourColours(int width, int height) {
+  jpeg_compress_struct jpeg{};
+  jpeg_error_mgr errors{};
+  jpeg.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&jpeg);
+  unsigned char* memory = nullptr;
+  unsigned long size = 0;  // NOLINT(google-runtime-int): libjpeg's type
+  jpeg_mem_dest(&jpeg, &memory, &size);
+  jpeg.image_width = static_cast<JDIMENSION>(width);
+  jpeg.image_height = static_cast<JDIMENSION>(height);
+  jpeg.input_components = 4;
+  jpeg.in_color_space = JCS_CMYK;
+  jpeg_set_defaults(&jpeg);
+  jpeg_start_compress(&jpeg, TRUE);
+  Bytes row(static_cast<std::size_t>(width) * 4, 100);
+  JSAMPROW rows = row.data();
+  for (int y = 0; y < height; ++y) jpeg_write_scanlines(&jpeg, &rows, 1);
+  jpeg_finish_compress(&jpeg);
+  jpeg_destroy_compress(&jpeg);
+  const Bytes bytes(memory, memory + size);
+  std::free(memory);
+  return bytes;
 }
 
 double difference(const Image& image, const cv::Mat& expected) {
@@ -84,6 +113,13 @@ TEST_CASE("damaged entropy-coded data are a failure where OpenCV shows a wrong i
   CAPTURE(shown_by_opencv, refused);
   CHECK(shown_by_opencv > 90);
   CHECK(refused > 75);  // without a check sum some changes are legal code
+}
+
+TEST_CASE("JPEG data for printing are refused as such, not as damaged") {
+  for (const bool colour : {false, true}) {
+    CHECK(decodeJpeg(fourColours(64, 48), colour).status().message() ==
+          "is a JPEG file for printing (CMYK); convert it to grey or RGB");
+  }
 }
 
 TEST_CASE("truncated JPEG data are a failure at every length") {

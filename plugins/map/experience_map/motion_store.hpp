@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The motions of all frames, by slot. The map needs the newest for links and revisions, and older
+// ones seldom: for loops told later, for the last revisions and to save. So the newest stay in
+// memory and older ones lie in a temporary file. Where that cannot be written, for example on a
+// full disk, they stay in memory as well.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "scratch_file.hpp"
+#include "uncertain_pose.hpp"
+
+namespace tolman::experience_map {
+
+/// Not thread-safe, also not for reading. Throws std::runtime_error when the file cannot be read.
+class MotionStore {
+ public:
+  void append(const UncertainPose& motion);
+  void replace(std::size_t slot, const UncertainPose& motion);
+  UncertainPose operator[](std::size_t slot) const;
+  std::size_t size() const { return filed_ + recent_.size(); }
+
+ private:
+  void loadBlock(std::size_t first) const;
+  void fileOldest();
+
+  ScratchFile file_;
+  std::size_t filed_ = 0;              ///< slots in the file, a multiple of the block
+  std::vector<UncertainPose> recent_;  ///< of the slots from filed_ on
+  /// The block of the file that was read last, so that its neighbours cost nothing.
+  mutable std::vector<UncertainPose> block_;
+  mutable std::size_t block_first_ = 0;
+};
+
+}  // namespace tolman::experience_map
