@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <tolman/records.hpp>
 #include <vector>
 
@@ -98,7 +99,7 @@ class ExperienceChain {
 
   /// The state to save, besides that of DeadReckoning. Anchor::way is recomputed.
   struct State {
-    std::vector<Anchor> anchors;
+    std::deque<Anchor> anchors;
     std::int64_t links = 0;
     std::int64_t loops = 0;
     bool pending = false;
@@ -135,7 +136,7 @@ class ExperienceChain {
   void apply(const PlanarGraph& graph);
 
   Parameters parameters_;
-  std::vector<Anchor> anchors_;
+  std::deque<Anchor> anchors_;  ///< a deque grows without copies, which long drives need
   std::vector<std::size_t> of_experience_;  ///< anchor that created each experience
   std::vector<std::size_t> begins_ = {0};   ///< anchors at which parts of the path begin
   std::int64_t links_ = 0;

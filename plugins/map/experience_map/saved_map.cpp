@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <tolman/state_stream.hpp>
 #include <utility>
-#include <vector>
 
 namespace tolman::experience_map {
 namespace {
@@ -103,14 +103,14 @@ Anchor getAnchor(StateReader& reader) {
 
 /// A list with its size before it; a damaged size cannot exceed the bytes that are left.
 template <class T>
-std::vector<T> getList(StateReader& reader, T (*get)(StateReader&)) {
+std::deque<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   const auto count = reader.get<std::int64_t>();
-  std::vector<T> list;
+  std::deque<T> list;
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) list.push_back(get(reader));
   return list;
 }
 
-bool areSound(const std::vector<SavedFrame>& frames, std::size_t anchors) {
+bool areSound(const std::deque<SavedFrame>& frames, std::size_t anchors) {
   for (std::size_t slot = 0; slot < frames.size(); ++slot) {
     const ReckonedFrame& frame = frames[slot].frame;
     const bool later = slot == 0 || frame.frame > frames[slot - 1].frame.frame;
@@ -125,7 +125,7 @@ bool areSound(const std::vector<SavedFrame>& frames, std::size_t anchors) {
 
 /// Checks that anchors are in the order of their frames, that experiences are numbered in the order
 /// of creation, and that visits follow the creation of their experience.
-bool areSound(const std::vector<Anchor>& anchors, const std::vector<SavedFrame>& frames) {
+bool areSound(const std::deque<Anchor>& anchors, const std::deque<SavedFrame>& frames) {
   std::int64_t made = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const Anchor& anchor = anchors[i];
@@ -174,7 +174,7 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
   StateReader& reader = opened.value();
   const auto version = reader.get<std::int64_t>();
   const auto next_correction = reader.get<std::int64_t>();
-  const std::vector<SavedFrame> frames = getList(reader, &getFrame);
+  const std::deque<SavedFrame> frames = getList(reader, &getFrame);
   ExperienceChain::State state;
   state.anchors = getList(reader, &getAnchor);
   state.links = reader.get<std::int64_t>();
