@@ -8,6 +8,8 @@
 #include "bench/bench.hpp"
 #include "bench/bench_odometry.hpp"
 #include "bench/bench_places.hpp"
+#include "bench/place_curves.hpp"
+#include "record/atomic_file.hpp"
 
 namespace tolman::app {
 namespace {
@@ -104,18 +106,59 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
       ->check(CLI::PositiveNumber);
 }
 
+/// A figure of the curve that was measured, and of earlier ones.
+struct PlaceFigure {
+  std::string file;                 ///< empty: no figure
+  std::vector<std::string> beside;  ///< what --json printed earlier
+
+  void addOptions(CLI::App& command) {
+    CLI::Option* figure = command
+                              .add_option("--figure", file,
+                                          "Write precision over recall as a figure (SVG); its "
+                                          "curve has the name of the configuration")
+                              ->type_name("FILE")
+                              ->check(notEmpty);
+    command
+        .add_option("--beside", beside,
+                    "Draw an earlier measurement in the same figure, what --json printed "
+                    "(repeatable)")
+        ->type_name("FILE")
+        ->allow_extra_args(false)
+        ->needs(figure);
+  }
+  /// Before the measurement, which takes longer.
+  std::vector<bench::PlaceCurve> read() const {
+    std::vector<bench::PlaceCurve> curves;
+    for (const std::string& name : beside) {
+      curves.push_back(run::require(bench::placeCurveOf(name), run::FailureKind::Dataset));
+    }
+    return curves;
+  }
+  void write(const std::vector<bench::PlaceCurve>& curves) const {
+    if (file.empty()) return;
+    run::require(record::writeAtomically(file, bench::placeCurvesFigure(curves)),
+                 run::FailureKind::Record);
+  }
+};
+
 void addPlacesCommand(CLI::App& bench_command, Invocation& invocation) {
   CLI::App* command = bench_command.add_subcommand(
       "places", "Precision and recall of place recognition, over one drive or two passes");
   auto reader = std::make_shared<SystemOptionsReader>(*command);
   auto options = std::make_shared<bench::PlacesOptions>();
   addPlacesOptions(*command, *options);
-  command->callback([reader, options, &invocation] {
+  auto figure = std::make_shared<PlaceFigure>();
+  figure->addOptions(*command);
+  command->callback([reader, options, figure, &invocation] {
+    std::vector<bench::PlaceCurve> curves = figure->read();
     const auto run = [&](auto&&... arguments) {
-      return bench::runPlacesBench(reader->read(invocation), arguments...);
+      auto measured = bench::runPlacesBench(reader->read(invocation), arguments...);
+      curves.insert(curves.begin(), {measured.name, measured.curve});
+      return measured;
     };
     invocation.exit_code =
         bench(run, *options, bench::placesBenchText, bench::placesBenchJson, invocation);
+    figure->write(curves);
   });
 }
 

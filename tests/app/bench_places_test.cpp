@@ -179,6 +179,42 @@ TEST_CASE("bench places prints the curve, recalls, times and memory") {
   CHECK(std::count(table.begin(), table.end(), '\n') <= 13);
 }
 
+TEST_CASE("bench places draws its curve, beside those of earlier measurements") {
+  const Walks walks;
+  const auto earlier =
+      walks.json("day", {"--second", walks.path("night"), "--set", "name=earlier"});
+  std::ofstream(walks.path("earlier.json")) << earlier;
+  const std::string figure = walks.path("curves.svg");
+  const Finished finished = walks.bench("day", {"--second", walks.path("night"), "--figure", figure,
+                                                "--beside", walks.path("earlier.json")});
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  CHECK(contains(finished.out, "recall at 100 % precision: "));
+  std::ifstream file(figure);
+  const std::string svg{std::istreambuf_iterator<char>(file), {}};
+  CHECK(svg.starts_with("<svg "));
+  CHECK(contains(svg, ">places</text>"));
+  CHECK(contains(svg, ">earlier</text>"));
+  const auto first = svg.find("<polyline");
+  CHECK(svg.find("<polyline", first + 1) != std::string::npos);
+}
+
+TEST_CASE("bench places refuses figures that cannot be drawn or written") {
+  const Walks walks;
+  const Finished alone = walks.bench("day", {"--beside", walks.path("x.json")});
+  CHECK(alone.exit_code == 2);
+  std::ofstream(walks.path("odd.json")) << "{}";
+  const Finished odd =
+      walks.bench("day", {"--figure", walks.path("f.svg"), "--beside", walks.path("odd.json")});
+  CHECK(odd.exit_code == 5);
+  CHECK(contains(odd.err, "odd.json: is not what `tolman bench places --json` prints"));
+  CHECK_FALSE(fs::exists(walks.path("f.svg")));
+  const Finished nowhere = walks.bench(
+      "day", {"--second", walks.path("night"), "--figure", walks.path("absent") + "/f.svg"});
+  CHECK(nowhere.exit_code == 8);
+  CHECK(contains(nowhere.out, "recall at 100 % precision: "));  // not lost
+}
+
 TEST_CASE("bench places: true poses decide where the source has them") {
   TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 40);

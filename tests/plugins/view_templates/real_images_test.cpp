@@ -98,7 +98,7 @@ Score scoreOf(const std::vector<Image>& images, const Pairs& truth, ParameterVal
 
 }  // namespace
 
-// scripts/place-curve draws the whole curves. The floors stand well below them.
+// `tolman bench places --figure` draws whole curves. The floors stand well below them.
 TEST_CASE("a corridor walked twice: gradients recognise half of it without an error, grey a part",
           "[data]") {
   const auto folder = tolman::test::dataOrSkip("places_two_laps");
