@@ -25,6 +25,8 @@ constexpr float kLargestEvidence = 4;
 // Views that are compared in full after the codes, and those that tell what is usual.
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
+// With so many, the best view elsewhere is among them for each place that is asked for.
+constexpr std::size_t kBestViews = (PlaceSearch::kMostPlaces + 1) * 2 * kSamePlace;
 
 /// 1 - cosine of the angle that so many differing bits stand for.
 float distanceOfBits(int bits) {
@@ -79,6 +81,7 @@ void PlaceSearch::beginPass() {
   bank_.beginPass();
   codes_.update(bank_);
   evidence_.forget();
+  best_.clear();
 }
 
 std::int64_t PlaceSearch::coded() const {
@@ -87,16 +90,20 @@ std::int64_t PlaceSearch::coded() const {
 
 void PlaceSearch::step(const ViewQuery& query, double path, double advance) {
   candidates_ = 0;
+  best_.clear();
   if (bank_.size() == 0) return;
   candidates_ = viewsUntil(path - settings_.recent);
   compareAll(query);
   evidence_.step(distances_, advance, candidates_);
-  if (coded() > 0) refineBest(query);
+  if (coded() > 0) {
+    refineBest(query);
+  } else {
+    best_ = bestViews(kBestViews);
+  }
   evidence_of_recent_ = 0;
   const std::int64_t end = viewsUntil(path - 0.5 * settings_.recent);
   for (std::int64_t i = candidates_; i < end; ++i) {
-    evidence_of_recent_ =
-        std::min(evidence_of_recent_, evidence_.evidence()[static_cast<std::size_t>(i)]);
+    evidence_of_recent_ = std::min(evidence_of_recent_, evidenceOf(i));
   }
 }
 
@@ -177,13 +184,20 @@ void PlaceSearch::refineBest(const ViewQuery& query) {
   const std::vector<float> usual = distancesOf(query, sample);
   const Sums sums = sumsOf(usual);
   const double deviation = sums.deviationWithPrior(kPriorViews, kPriorDeviation);
-  std::vector<std::int64_t> best = bestViews(kShortList);
-  std::erase_if(best, [&](std::int64_t view) { return view >= coded(); });
-  const std::vector<float> distances = distancesOf(query, best);
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    const float by_code = distances_[static_cast<std::size_t>(best[i])];
-    evidence_.correct(best[i], standardised(distances[i], sums.mean(), deviation) - by_code);
+  // The others keep their order: the best views after the correction are among these.
+  best_ = bestViews(kBestViews + kShortList);
+  std::vector<std::int64_t> corrected = best_;
+  corrected.resize(std::min(corrected.size(), kShortList));
+  std::erase_if(corrected, [&](std::int64_t view) { return view >= coded(); });
+  const std::vector<float> distances = distancesOf(query, corrected);
+  for (std::size_t i = 0; i < corrected.size(); ++i) {
+    const float by_code = distances_[static_cast<std::size_t>(corrected[i])];
+    evidence_.correct(corrected[i], standardised(distances[i], sums.mean(), deviation) - by_code);
   }
+  std::erase_if(best_, [&](std::int64_t view) { return evidenceOf(view) >= 0; });
+  std::ranges::sort(best_, {},
+                    [&](std::int64_t view) { return std::pair(evidenceOf(view), view); });
+  best_.resize(std::min(best_.size(), kBestViews));
 }
 
 /// The candidates with the most evidence, the best first; of equal ones the older.
@@ -212,19 +226,18 @@ std::vector<PlaceCandidate> PlaceSearch::candidates(int most) const {
   std::vector<PlaceCandidate> found;
   if (candidates_ < kFewest) return found;
   std::vector<std::int64_t> places;  // the best view of each
-  for (const std::int64_t view : bestViews(static_cast<std::size_t>((most + 1) * 2 * kSamePlace))) {
+  const auto count = static_cast<std::size_t>((most + 1) * 2 * kSamePlace);
+  for (const std::int64_t view : std::span(best_).first(std::min(count, best_.size()))) {
     const bool known = std::ranges::any_of(
         places, [&](std::int64_t place) { return std::abs(place - view) <= kSamePlace; });
     if (!known) places.push_back(view);
   }
-  const auto evidenceOf = [&](std::size_t i) {
-    return i < places.size()
-               ? static_cast<double>(evidence_.evidence()[static_cast<std::size_t>(places[i])])
-               : 0.0;
+  const auto evidenceOfPlace = [&](std::size_t i) {
+    return i < places.size() ? static_cast<double>(evidenceOf(places[i])) : 0.0;
   };
   for (std::size_t i = 0; i < places.size() && static_cast<int>(i) < most; ++i) {
-    const double other = evidenceOf(i == 0 ? 1 : 0);
-    found.push_back({places[i], probabilityOf(evidenceOf(i),
+    const double other = evidenceOfPlace(i == 0 ? 1 : 0);
+    found.push_back({places[i], probabilityOf(evidenceOfPlace(i),
                                               {other, evidence_of_recent_, kEvidenceOfNovelty})});
   }
   return found;
@@ -237,6 +250,7 @@ void PlaceSearch::save(StateWriter& writer) const {
 
 bool PlaceSearch::load(StateReader& reader) {
   codes_ = PlaceCodes();
+  best_.clear();
   if (!bank_.load(reader) || !evidence_.load(reader, bank_.size())) return false;
   codes_.update(bank_);
   return true;

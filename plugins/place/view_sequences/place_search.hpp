@@ -37,8 +37,9 @@ class PlaceSearch {
 
   /// One step along the path: `path` in m so far, `advance` in stored views.
   void step(const ViewQuery& query, double path, double advance);
-  /// At most `most` places after a step, the most probable first; different places are more than
-  /// ten views apart. Empty as long as there is too little to compare with.
+  static constexpr int kMostPlaces = 5;
+  /// At most `most` places after a step, kMostPlaces or fewer, the most probable first; different
+  /// places are more than ten views apart. Empty as long as there is too little to compare with.
   std::vector<PlaceCandidate> candidates(int most) const;
 
   void save(StateWriter& writer) const;
@@ -51,6 +52,9 @@ class PlaceSearch {
   Sums sumsOfBits(std::int64_t count) const;
   std::vector<float> distancesOf(const ViewQuery& query, const std::vector<std::int64_t>& views);
   std::vector<std::int64_t> bestViews(std::size_t count) const;
+  float evidenceOf(std::int64_t view) const {
+    return evidence_.evidence()[static_cast<std::size_t>(view)];
+  }
   std::int64_t coded() const;
   std::int64_t viewsUntil(double path) const;
 
@@ -58,8 +62,9 @@ class PlaceSearch {
   ViewBank bank_;
   PlaceCodes codes_;
   PathEvidence evidence_;
-  std::int64_t candidates_ = 0;   ///< the first so many views are not recent
-  float evidence_of_recent_ = 0;  ///< best of the older half of the recent views
+  std::int64_t candidates_ = 0;     ///< the first so many views are not recent
+  float evidence_of_recent_ = 0;    ///< best of the older half of the recent views
+  std::vector<std::int64_t> best_;  ///< after a step, the views with the most evidence, in order
   std::vector<std::uint16_t> bits_;
   std::vector<float> distances_;  ///< of all views, standardised by compareAll()
 };

@@ -110,7 +110,8 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   // Between two measurements, and for a while after the last one, a likely place is believed but
   // not named: without a pose it would be known to a few metres only.
   constexpr std::int64_t kBelieved = 20;  // steps
-  const std::vector<PlaceCandidate> found = search_->candidates(verifier_->canMeasure() ? 5 : 1);
+  const std::vector<PlaceCandidate> found =
+      search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMostPlaces : 1);
   const double probability = found.empty() ? 0 : found.front().probability;
   observation.score = 1 - probability;
   const bool likely = probability >= parameters_.probability_verified;
