@@ -63,6 +63,10 @@ std::map<std::string, Entry> readMatrices(const std::filesystem::path& file,
     }
     const std::string name = line.text.substr(0, colon);
     if (name.size() != 2 || name[0] != 'P') continue;  // other calibration, such as "Tr"
+    if (matrices.contains(name)) {
+      inspection.error(file, line.number, name + " is given twice; remove one of the two lines");
+      continue;
+    }
     Entry entry;
     const bool good = parseMatrix(file, line, entry, inspection);
     matrices[name] = good ? entry : Entry{};
@@ -132,7 +136,7 @@ std::optional<Calibration> readKittiCalibration(const std::filesystem::path& fil
   const std::size_t errors_before = inspection.findings().size();
   std::map<std::string, Entry> matrices = readMatrices(file, inspection);
   const bool file_is_good = inspection.findings().size() == errors_before;
-  bool good = true;
+  bool good = file_is_good;
   for (int camera = left; camera <= left + (stereo ? 1 : 0); ++camera) {
     const std::string name = matrixName(camera);
     const auto found = matrices.find(name);

@@ -13,6 +13,9 @@ Status FolderSource::configure(const Context& context) {
   ready_ = load(context.parameters, parameters_, dataset_, inspection_);
   if (ready_.isOk()) ready_ = inspection_.status();
   if (!ready_.isOk()) return ready_;
+  for (const Finding& warning : inspection_.findings()) {  // errors are in ready_
+    context.log.warning(warning.where + ": " + warning.message);
+  }
   Result<FrameSequence> sequence = FrameSequence::make(parameters_, dataset_.stamps_ns);
   ready_ = sequence.status();
   if (sequence.isOk()) sequence_ = std::move(sequence).value();
@@ -72,7 +75,7 @@ Status FolderSource::readImages(std::size_t index, Frame& frame) const {
 Status FolderSource::inspect(std::vector<Finding>& findings) {
   const std::vector<Finding>& problems = inspection_.findings();
   findings.insert(findings.end(), problems.begin(), problems.end());
-  if (problems.empty() && !ready_.isOk()) {
+  if (!inspection_.hasErrors() && !ready_.isOk()) {
     findings.push_back({Finding::Severity::Error, "configuration", ready_.message()});
   }
   if (dataset_.rig.width > 0) checkImageFiles(dataset_, findings);

@@ -21,6 +21,23 @@ std::string_view takeNumber(std::string_view& text) {
   return number;
 }
 
+/// Below, at or above 0 for a before, at or after b; leading zeros make no difference.
+int naturalOrder(std::string_view a, std::string_view b) {
+  while (!a.empty() && !b.empty()) {
+    if (isDigit(a.front()) && isDigit(b.front())) {
+      const std::string_view number_a = takeNumber(a);
+      const std::string_view number_b = takeNumber(b);
+      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size() ? -1 : 1;
+      if (const int order = number_a.compare(number_b); order != 0) return order;
+    } else {
+      if (a.front() != b.front()) return a.front() < b.front() ? -1 : 1;
+      a.remove_prefix(1);
+      b.remove_prefix(1);
+    }
+  }
+  return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
+}
+
 bool isImage(const fs::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -37,25 +54,30 @@ void reportLonely(const fs::path& file, const fs::path& other_folder, Inspection
                                      shortName(file) + "; restore it, or remove the partner");
 }
 
+/// Two images of one name are an error. Of one number they are a warning: where names are decimal
+/// numbers, 1.5 and 1.05 are two.
+void checkDoubles(const fs::path& folder, const std::vector<fs::path>& sorted,
+                  Inspection& inspection) {
+  bool warned = false;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const std::string before = sorted[i - 1].stem().string();
+    const std::string here = sorted[i].stem().string();
+    const std::string both =
+        "has both " + sorted[i - 1].filename().string() + " and " + sorted[i].filename().string();
+    if (here == before) {
+      inspection.error(folder, both + "; remove one of them");
+    } else if (!warned && naturalOrder(before, here) == 0) {
+      warned = true;
+      inspection.warning(folder, both + ", which are two frames; remove one if they are one image");
+    }
+  }
+}
+
 }  // namespace
 
 bool naturalLess(std::string_view a, std::string_view b) {
-  const std::string_view whole_a = a;
-  const std::string_view whole_b = b;
-  while (!a.empty() && !b.empty()) {
-    if (isDigit(a.front()) && isDigit(b.front())) {
-      const std::string_view number_a = takeNumber(a);
-      const std::string_view number_b = takeNumber(b);
-      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
-      if (number_a != number_b) return number_a < number_b;
-    } else {
-      if (a.front() != b.front()) return a.front() < b.front();
-      a.remove_prefix(1);
-      b.remove_prefix(1);
-    }
-  }
-  if (a.empty() != b.empty()) return a.empty();
-  return whole_a < whole_b;  // differ in leading zeros only
+  const int order = naturalOrder(a, b);
+  return order != 0 ? order < 0 : a < b;
 }
 
 std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection) {
@@ -75,11 +97,7 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
     const std::string stem_b = b.stem().string();
     return stem_a != stem_b ? naturalLess(stem_a, stem_b) : a < b;
   });
-  for (std::size_t i = 1; i < images.size(); ++i) {
-    if (images[i].stem() != images[i - 1].stem()) continue;
-    inspection.error(folder, "has both " + images[i - 1].filename().string() + " and " +
-                                 images[i].filename().string() + "; remove one of them");
-  }
+  checkDoubles(folder, images, inspection);
   return images;
 }
 

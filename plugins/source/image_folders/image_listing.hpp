@@ -15,7 +15,8 @@ namespace tolman::image_folders {
 bool naturalLess(std::string_view a, std::string_view b);
 
 /// The PNG and JPEG files in `folder`, by naturalLess of their names without extension. None, with
-/// an error, when there are none; two of one name are an error too.
+/// an error, when there are none; two of one name are an error too, two that differ in leading
+/// zeros only a warning.
 std::vector<std::filesystem::path> listImages(const std::filesystem::path& folder,
                                               Inspection& inspection);
 

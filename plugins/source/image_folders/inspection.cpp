@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "inspection.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tolman::image_folders {
@@ -11,6 +12,10 @@ void Inspection::error(const std::filesystem::path& file, std::string message) {
 
 void Inspection::error(const std::filesystem::path& file, int line, std::string message) {
   add(file.string(), file.string() + ":" + std::to_string(line), std::move(message));
+}
+
+void Inspection::warning(const std::filesystem::path& file, std::string message) {
+  findings_.push_back({Finding::Severity::Warning, file.string(), std::move(message)});
 }
 
 void Inspection::add(const std::string& file, std::string where, std::string message) {
@@ -25,9 +30,13 @@ void Inspection::add(const std::string& file, std::string where, std::string mes
 }
 
 Status Inspection::status() const {
-  if (findings_.empty()) return Status::ok();
-  std::string message = findings_.front().where + ": " + findings_.front().message;
-  const std::size_t more = findings_.size() - 1;
+  const auto isError = [](const Finding& finding) {
+    return finding.severity == Finding::Severity::Error;
+  };
+  const auto first = std::find_if(findings_.begin(), findings_.end(), isError);
+  if (first == findings_.end()) return Status::ok();
+  std::string message = first->where + ": " + first->message;
+  const auto more = std::count_if(first + 1, findings_.end(), isError);
   if (more > 0) {
     message += " (and " + std::to_string(more) + (more == 1 ? " more problem" : " more problems") +
                "; `tolman dataset check` lists all)";

@@ -16,8 +16,10 @@ class Inspection {
  public:
   void error(const std::filesystem::path& file, std::string message);
   void error(const std::filesystem::path& file, int line, std::string message);
+  /// What may be meant as it is: the data are used.
+  void warning(const std::filesystem::path& file, std::string message);
 
-  bool hasErrors() const { return !findings_.empty(); }
+  bool hasErrors() const { return !errors_of_file_.empty(); }
   const std::vector<Finding>& findings() const { return findings_; }
   /// Ok, or the first error and how many more there are.
   Status status() const;

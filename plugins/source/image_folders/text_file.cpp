@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kSeparators = " \t\r,;";
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 /// Splits off an optional sign; true for minus.
 bool takeSign(std::string_view& text) {
@@ -80,6 +81,7 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
   int number = 0;
   for (std::string text; std::getline(stream, text);) {
     ++number;
+    if (number == 1 && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
     const std::size_t begin = text.find_first_not_of(kSeparators);
     if (begin == std::string::npos || text[begin] == '#') continue;
     if (text.back() == '\r') text.pop_back();

@@ -18,8 +18,8 @@ struct TextLine {
   std::string text;
 };
 
-/// All lines but blank ones and '#' comments, without line ends. A file that cannot be read or has
-/// no such lines is an error in `inspection`, and gives no lines.
+/// All lines but blank ones and '#' comments, without line ends and byte order mark. A file that
+/// cannot be read or has no such lines is an error in `inspection`, and gives no lines.
 std::vector<TextLine> readLines(const std::filesystem::path& file, Inspection& inspection);
 
 /// The fields between blanks, commas and semicolons.

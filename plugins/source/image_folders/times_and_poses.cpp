@@ -2,6 +2,7 @@
 #include "times_and_poses.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 
 #include "text_file.hpp"
@@ -48,6 +49,7 @@ std::optional<std::int64_t> parseTime(const fs::path& file, const TextLine& line
 /// 12 numbers to a rigid motion; the identity after an error.
 Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspection& inspection) {
   constexpr double kTolerance = 1e-3;  // KITTI prints seven digits
+  constexpr double kFarthest = 1e9;    // m; as of a trajectory that is evaluated
   const auto fields = splitFields(line.text);
   if (fields.size() != 12) {
     inspection.error(
@@ -74,10 +76,39 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
                      "its first three columns are no rotation; write camera-to-world poses");
     return Eigen::Isometry3d::Identity();
   }
+  if ((M.col(3).array().abs() > kFarthest).any()) {
+    inspection.error(file, line.number,
+                     "its position is beyond 1e9 m; write metres, as the fourth, eighth and "
+                     "twelfth number");
+    return Eigen::Isometry3d::Identity();
+  }
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
   T.linear() = Eigen::Quaterniond(R).normalized().toRotationMatrix();
   T.translation() = M.col(3);
   return T;
+}
+
+/// Tells times that are not seconds by their median step. Chosen for cameras of 10 to 100 Hz: in
+/// milliseconds their images would be 10 to 100 s apart, in microseconds 10 000 s and more.
+void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
+               Inspection& inspection) {
+  constexpr std::int64_t kUnusual_ns = 5'000'000'000;
+  constexpr std::int64_t kImpossible_ns = 1'000'000'000'000;
+  if (times.size() < 2) return;
+  std::vector<std::int64_t> steps(times.size() - 1);
+  std::transform(times.begin() + 1, times.end(), times.begin(), steps.begin(), std::minus<>());
+  const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), median, steps.end());
+  if (*median <= kUnusual_ns) return;
+  const std::string found =
+      "has images " + fixed(static_cast<double>(*median) * 1e-9, 1) + " s apart (median); ";
+  if (*median > kImpossible_ns) {
+    inspection.error(file, found +
+                               "times are in seconds: divide nanoseconds by 1e9, microseconds by "
+                               "1e6");
+  } else {
+    inspection.warning(file, found + "if the times are in milliseconds, divide them by 1000");
+  }
 }
 
 }  // namespace
@@ -92,6 +123,7 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
   }
   std::vector<std::int64_t> times;
   std::optional<std::int64_t> previous;
+  bool sound = true;
   for (const TextLine& line : lines) {
     const std::optional<std::int64_t> ns = parseTime(file, line, index, inspection);
     times.push_back(ns.value_or(0));
@@ -102,7 +134,9 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
                                 : "has the time of the frame before; remove one of the two");
     }
     if (ns) previous = ns;
+    sound = sound && ns;
   }
+  if (sound) checkStep(file, times, inspection);
   return times;
 }
 

@@ -15,7 +15,8 @@ namespace tolman::image_folders {
 
 /// Stamps in ns from seconds; they must increase strictly. `column` is a name of the table's first
 /// line, or empty for a file of one number a line. A line
-/// with an error is an error in `inspection`, and still counts as an entry.
+/// with an error is an error in `inspection`, and still counts as an entry. Steps that only other
+/// units explain are an error (over 1000 s) or a warning (over 5 s).
 std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
                                     Inspection& inspection);
 

@@ -9,6 +9,8 @@
 namespace tolman::image_folders {
 namespace {
 
+using namespace std::string_literals;
+
 std::string failure(const std::string& text, bool stereo = true, int left = 0) {
   const DataFolder data;
   data.write("calib.txt", text);
@@ -94,6 +96,17 @@ TEST_CASE("cameras that do not make a rectified pair") {
         "rectify the images and give their matrix");
   CHECK(failure(matrixLine("P0", 0, -50), false) ==
         "DATA/calib.txt:1: focal lengths are -50.000 and -50.000 px; they must be positive");
+}
+
+TEST_CASE("a matrix that is given twice is refused at the second line, be it the same or not") {
+  const std::string right = matrixLine("P1", -25);
+  for (const std::string& again : {matrixLine("P0", 0), matrixLine("P0", 0, 90), "P0: 1\n"s}) {
+    CHECK(failure(kLeft + right + again) ==
+          "DATA/calib.txt:3: P0 is given twice; remove one of the two lines");
+  }
+  CHECK(failure(kLeft + right + right) ==
+        "DATA/calib.txt:3: P1 is given twice; remove one of the two lines");
+  CHECK(failure(kLeft + right + "Tr: 1\nTr: 2\n").empty());  // is not read
 }
 
 TEST_CASE("files that are no calibration") {

@@ -48,6 +48,35 @@ TEST_CASE("a folder's images, and only they") {
   CHECK_FALSE(inspection.hasErrors());
 }
 
+TEST_CASE("numbers that differ in leading zeros are two frames, with one warning a folder") {
+  const DataFolder data;
+  for (const char* name : {"1.png", "01.png", "2.png", "02.png", "3.png"}) {
+    data.write(std::string("x/") + name, "");
+    data.write(std::string("y/a") + name, "");
+  }
+  data.write("z/0.png", "");
+  data.write("z/10.png", "");
+  for (const auto& [folder, warning] :
+       {std::pair("x",
+                  "has both 01.png and 1.png, which are two frames; remove one if they are "
+                  "one image"),
+        std::pair("y",
+                  "has both a01.png and a1.png, which are two frames; remove one if they are "
+                  "one image"),
+        std::pair("z", "")}) {
+    Inspection inspection;
+    const auto images = listImages(data.path(folder), inspection);
+    CHECK(images.size() == (*warning == 0 ? 2 : 5));
+    CHECK_FALSE(inspection.hasErrors());
+    CHECK(inspection.status().isOk());
+    REQUIRE(inspection.findings().size() == (*warning == 0 ? 0 : 1));
+    if (*warning == 0) continue;
+    CHECK(inspection.findings()[0].severity == Finding::Severity::Warning);
+    CHECK(inspection.findings()[0].where == data.path(folder).string());
+    CHECK(inspection.findings()[0].message == warning);
+  }
+}
+
 TEST_CASE("problems of a folder") {
   const DataFolder data;
   const auto failure = [&](const std::string& name) {

@@ -91,6 +91,26 @@ TEST_CASE("stamps from a file") {
         "DATA/frames.csv: has 2 entries, but there are 4 images; one line per image is needed");
 }
 
+TEST_CASE("a warning is listed and told in the log, and the run goes on") {
+  const DataFolder data;
+  data.write("ms.txt", "0\n100\n200\n300\n");
+  test::TestContext services({{"path", data.path().string()},
+                              {"left", std::string("image_0")},
+                              {"stamps", std::string("ms.txt")}});
+  ImagesSource source;
+  REQUIRE(source.configure(services).isOk());
+  const std::string warning = data.path("ms.txt").string() +
+                              ": has images 100.0 s apart (median); if the times are in "
+                              "milliseconds, divide them by 1000";
+  CHECK(services.log == std::vector<std::string>{warning});
+  std::vector<Finding> findings;
+  REQUIRE(source.inspect(findings).isOk());
+  REQUIRE(findings.size() == 2);
+  CHECK(findings[0].severity == Finding::Severity::Warning);
+  CHECK(findings[0].where + ": " + findings[0].message == warning);
+  CHECK(findings[1].severity == Finding::Severity::Note);
+}
+
 TEST_CASE("contradictions are refused") {
   const DataFolder data;
   CHECK(Opened(data, kPair).message ==

@@ -35,6 +35,20 @@ TEST_CASE("without problems the status is ok; of several it tells the first and 
         std::vector<std::string>{"a.txt:3: is odd", "b.txt: is missing", "c.txt:1: is worse"});
 }
 
+TEST_CASE("warnings are listed and refuse nothing, before and between errors") {
+  Inspection inspection;
+  inspection.warning("w.txt", "is unusual");
+  CHECK_FALSE(inspection.hasErrors());
+  CHECK(inspection.status().isOk());
+  inspection.error("a.txt", 3, "is odd");
+  inspection.warning("w.txt", "is unusual again");
+  inspection.error("b.txt", "is missing");
+  CHECK(inspection.hasErrors());
+  CHECK(inspection.status().message() ==
+        "a.txt:3: is odd (and 1 more problem; `tolman dataset check` lists all)");
+  CHECK(inspection.findings().size() == 4);
+}
+
 TEST_CASE("a file of garbage is cut short without hiding the problems of others") {
   Inspection inspection;
   for (int line = 1; line <= 500; ++line) inspection.error("bad.txt", line, "is odd");

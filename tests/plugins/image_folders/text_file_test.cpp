@@ -54,6 +54,27 @@ TEST_CASE("any whole number of nanoseconds survives printing and reading") {
   }
 }
 
+TEST_CASE("a byte order mark before the first line is no part of it, and elsewhere garbage") {
+  const DataFolder data;
+  const std::string mark = "\xEF\xBB\xBF";
+  for (const std::string& text :
+       {mark + "P0: 1\nb\n", mark + "# note\nP0: 1\r\nb", mark + "\n\nP0: 1\nb\n"}) {
+    data.write("f.txt", text);
+    Inspection inspection;
+    const auto lines = readLines(data.path("f.txt"), inspection);
+    CHECK_FALSE(inspection.hasErrors());
+    REQUIRE(lines.size() == 2);
+    CHECK(lines[0].text == "P0: 1");
+    CHECK(lines[1].text == "b");
+  }
+  data.write("f.txt", "a\n" + mark + "b\n");
+  Inspection inspection;
+  CHECK(readLines(data.path("f.txt"), inspection)[1].text == mark + "b");
+  data.write("f.txt", mark);
+  readLines(data.path("f.txt"), inspection);
+  CHECK(data.anonymous(inspection.status().message()) == "DATA/f.txt: is empty; restore it");
+}
+
 TEST_CASE("numbers fill their field and are finite") {
   CHECK(parseNumber("-3.798145000000e+02") == -379.8145);
   for (const char* text : {"", "nan", "inf", "-inf", "1e999", "1.0x", "+-1", "one"}) {

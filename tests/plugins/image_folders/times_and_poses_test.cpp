@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "data_folder.hpp"
+#include "text_file.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::image_folders {
@@ -76,6 +77,36 @@ TEST_CASE("times that no run can have") {
   }
 }
 
+TEST_CASE("times that are not in seconds are told by their steps") {
+  const auto drive = [](double first, double step, int frames) {
+    std::string text;
+    for (int i = 0; i < frames; ++i) text += fixed(first + i * step, 6) + "\n";
+    return text;
+  };
+  const std::string apart =
+      " s apart (median); times are in seconds: divide nanoseconds by 1e9, "
+      "microseconds by 1e6";
+  CHECK(timesFailure(drive(0, 1e8, 40)) == "DATA/f.txt: has images 100000000.0" + apart);
+  CHECK(timesFailure(drive(7e8, 1e5, 40)) == "DATA/f.txt: has images 100000.0" + apart);
+  CHECK(timesFailure(drive(0, 33333.3, 2)) == "DATA/f.txt: has images 33333.3" + apart);
+  SECTION("milliseconds may be seconds of a slow camera: a warning") {
+    for (const double step : {10.0, 33.3, 100.0, 999.0}) {
+      Reading reading(drive(0, step, 40));
+      CHECK(reading.times().size() == 40);
+      CHECK(reading.message.empty());
+      REQUIRE(reading.inspection.findings().size() == 1);
+      CHECK(reading.inspection.findings()[0].message ==
+            "has images " + fixed(step, 1) +
+                " s apart (median); if the times are in milliseconds, divide them by 1000");
+    }
+  }
+  SECTION("single gaps of a drive do not count") {
+    Reading reading("0\n0.1\n5000\n5000.1\n5000.2\n");
+    CHECK(reading.times().size() == 5);
+    CHECK(reading.inspection.findings().empty());
+  }
+}
+
 TEST_CASE("poses come as written, with clean rotations") {
   const Eigen::Matrix3d R = expSo3({0.1, -0.5, 0.2});
   char line[400];
@@ -100,6 +131,13 @@ TEST_CASE("poses that are none") {
   CHECK(posesFailure("2 0 0 0 0 1 0 0 0 0 1 0\n") == no_rotation);
   CHECK(posesFailure("-1 0 0 0 0 1 0 0 0 0 1 0\n") == no_rotation);  // a mirror
   CHECK(posesFailure("0 0 0 0 0 0 0 0 0 0 0 0\n") == no_rotation);
+  for (const char* far : {"1 0 0 1e200 0 1 0 0 0 0 1 0", "1 0 0 0 0 1 0 0 0 0 1 -1.1e9",
+                          "1 0 0 0 0 1 0 2e9 0 0 1 0"}) {
+    CHECK(posesFailure(good + far + "\n") ==
+          "DATA/f.txt:2: its position is beyond 1e9 m; write metres, as the fourth, eighth and "
+          "twelfth number");
+  }
+  CHECK(posesFailure("1 0 0 1e9 0 1 0 0 0 0 1 -1e9\n").empty());
 }
 
 TEST_CASE("one entry an image") {
