@@ -178,14 +178,15 @@ TEST_CASE("changed motion logs are damaged data, or still sound") {
   RandomStream random(105);
   std::string sound;
   for (int k = 0; k < 8; ++k) {
-    sound += "EDGE_SE2 " + std::to_string(k) + " " + std::to_string(k + 1) + " 1.25 0 0.1\n";
+    sound +=
+        "EDGE_SE2 " + std::to_string(k) + " " + std::to_string(k + 1) + " 1.25 0 0.1 1 0 0 1 0 1\n";
   }
   Ends ends{{0, 5}};
   for (int i = 0; i < 30; ++i) {
     const std::string text = changed(sound, random);
     CAPTURE(i, text);
     writeBytes(folder.path() / "odometry.g2o", text);
-    writeBytes(folder.path() / "loop_candidates.g2o", "EDGE_SE2 7 0 1 0 0\n");
+    writeBytes(folder.path() / "loop_candidates.g2o", "EDGE_SE2 7 0 1 0 0 1 0 0 1 0 1\n");
     ends.of({"dataset", "check", folder.path().string(), "--source", "motion_log"});
   }
   ends.hasSeen(5, 10);

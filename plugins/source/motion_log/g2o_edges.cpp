@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "g2o_edges.hpp"
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <optional>
@@ -31,6 +32,38 @@ std::optional<Edge> parseEdge(std::istringstream& fields, int line) {
   return sound ? std::optional(edge) : std::nullopt;
 }
 
+/// What is wrong with the information in the rest of a line; empty for nothing. It is not used, but
+/// a line that was cut within a number is told by it.
+std::string informationProblem(std::istringstream& fields) {
+  std::vector<std::string> rest;
+  for (std::string word; fields >> word;) rest.push_back(word);
+  if (rest.size() != 6) {
+    return "has " + std::to_string(rest.size()) +
+           " information values instead of six after dx dy dtheta; the file may be cut off";
+  }
+  std::array<double, 6> v{};  // upper triangle, row by row
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    std::istringstream word(rest[i]);
+    if (!(word >> v[i]) || word.peek() != std::istringstream::traits_type::eof()) {
+      return "has an information value that is no number; correct it";
+    }
+  }
+  const auto& [xx, xy, xt, yy, yt, tt] = v;
+  const double minor = xx * yy - xy * xy;
+  const double determinant =
+      xx * (yy * tt - yt * yt) - xy * (xy * tt - yt * xt) + xt * (xy * yt - yy * xt);
+  if (xx > 0 && minor > 0 && determinant > 0) return "";
+  return "has information values that are no positive definite matrix; write 1 0 0 1 0 1 where it "
+         "is not known";
+}
+
+/// Reads a line without the mark that some editors put before UTF-8.
+bool readLine(std::ifstream& stream, std::string& line, int& number) {
+  if (!std::getline(stream, line)) return false;
+  if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  return true;
+}
+
 bool isPassedOver(const std::string& tag) {
   return tag.empty() || tag.front() == '#' || tag.starts_with("VERTEX") || tag == "FIX";
 }
@@ -46,8 +79,7 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
   }
   std::vector<Edge> edges;
   int number = 0;
-  for (std::string line; std::getline(stream, line);) {
-    ++number;
+  for (std::string line; readLine(stream, line, number);) {
     std::istringstream fields(line);
     std::string tag;
     fields >> tag;
@@ -61,6 +93,8 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
           file, number,
           "needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
     }
+    const std::string problem = informationProblem(fields);
+    if (!problem.empty()) return badLine(file, number, problem);
     edges.push_back(*edge);
   }
   return edges;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "motion_log.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <filesystem>
@@ -81,6 +82,13 @@ Status MotionLog::loadCandidates() {
       return Status::invalidInput(place + "leads from frame " + std::to_string(edge.from) + " to " +
                                   std::to_string(edge.to) +
                                   "; a candidate leads from a frame to an earlier one");
+    }
+    const auto [first, last] = candidates_.equal_range(edge.from);
+    const auto same = std::find_if(
+        first, last, [&](const auto& earlier) { return earlier.second.to == edge.to; });
+    if (same != last) {
+      return Status::invalidInput(place + "repeats the candidate of line " +
+                                  std::to_string(same->second.line) + "; remove one of the two");
     }
     candidates_.emplace(edge.from, edge);
     looked_.insert({edge.from, edge.to});

@@ -4,6 +4,7 @@
 
 #include <sys/stat.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -33,7 +34,7 @@ struct EdgeFile {
   std::filesystem::path path = folder.path() / "edges.g2o";
 };
 
-std::string edgeText(const Edge& edge, const char* end = "\n") {
+std::string edgeText(const Edge& edge, const char* end = " 1 0 0 1 0 1\n") {
   std::ostringstream text;
   text << std::setprecision(17) << "EDGE_SE2 " << edge.from << ' ' << edge.to << ' '
        << edge.motion.x << ' ' << edge.motion.y << ' ' << edge.motion.theta << end;
@@ -53,7 +54,8 @@ std::vector<Edge> randomChain(std::uint64_t seed, int count) {
 }  // namespace
 
 TEST_CASE("edges come back to the last bit, with Windows line ends and any blanks too") {
-  for (const char* end : {"\n", "\r\n", " 1 0 0 1 0 1\r\n", "   \n\n", "\n# a comment\n\r\n"}) {
+  for (const char* end : {" 1 0 0 1 0 1\n", " 4 -1 0.5 3 0 1e6\r\n", "\t1 0 0 1 0 1   \n\n",
+                          " 1 0 0 1 0 1\n# a comment\n\r\n"}) {
     const std::vector<Edge> written = randomChain(3, 50);
     std::string text;
     for (const Edge& edge : written) text += edgeText(edge, end);
@@ -100,7 +102,7 @@ TEST_CASE("a line with too few, wild or wrong numbers is refused by its number")
                            "EDGE_SE2 0 -1 0 0 0", "EDGE_SE2 0 100000000 0 0 0",
                            "EDGE_SE2 0 99999999999999999999 0 0 0", "EDGE_SE2 0.5 1 0 0 0",
                            "EDGE_SE2 0 1 1,5 0 0", "EDGE_SE2 a b c d e"}) {
-    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0\n\n") + line + "\n");
+    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n\n") + line + "\n");
     CAPTURE(line);
     CHECK(file.refusal() ==
           ":3: needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
@@ -113,6 +115,72 @@ TEST_CASE("a line with too few, wild or wrong numbers is refused by its number")
   }
 }
 
+TEST_CASE("six information values of a positive definite matrix are demanded") {
+  const std::string edge = "EDGE_SE2 0 1 1 0 0 ";
+  for (const auto& [values, count] :
+       {std::pair("", 0), std::pair("1", 1), std::pair("1 0 0 1 0", 5),
+        std::pair("1 0 0 1 0 1 1", 7), std::pair("1 0 0 1 0 1 # comment", 8)}) {
+    const EdgeFile file("\n" + edge + values + "\n");
+    CHECK(file.refusal() == ":2: has " + std::to_string(count) +
+                                " information values instead of six after dx dy dtheta; the file "
+                                "may be cut off");
+  }
+  for (const char* values :
+       {"1 0 0 1 0 x", "1 0 0 1 0 1x", "nan 0 0 1 0 1", "1 0 0 1 0 -", "1 0 0 1 0 1e999"}) {
+    CAPTURE(values);
+    CHECK(EdgeFile(edge + values).refusal() ==
+          ":1: has an information value that is no number; correct it");
+  }
+  // Zero, negative, and matrices with one eigenvalue of 0 or below.
+  for (const char* values :
+       {"0 0 0 0 0 0", "-1 0 0 -1 0 -1", "1 0 0 1 0 0", "1 0 0 0 0 1", "0 0 0 1 0 1", "1 1 0 1 0 1",
+        "1 2 0 1 0 1", "1 0 2 1 0 1", "1 0 0 1 -2 1", "1 0.8 0.8 1 -0.8 1"}) {
+    CAPTURE(values);
+    CHECK(EdgeFile(edge + values).refusal() ==
+          ":1: has information values that are no positive definite matrix; write 1 0 0 1 0 1 "
+          "where it is not known");
+  }
+}
+
+TEST_CASE("positive definite means that every eigenvalue is positive") {
+  RandomStream random(5);
+  int definite = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double shift = random.uniform(-1, 2);
+    Eigen::Matrix3d M;
+    for (double& number : M.reshaped()) number = random.normal();
+    M = (M + M.transpose() + shift * Eigen::Matrix3d::Identity()).eval();
+    std::ostringstream text;
+    text << std::setprecision(17) << "EDGE_SE2 0 1 1 0 0 " << M(0, 0) << ' ' << M(0, 1) << ' '
+         << M(0, 2) << ' ' << M(1, 1) << ' ' << M(1, 2) << ' ' << M(2, 2);
+    const double least = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(M).eigenvalues().x();
+    if (std::abs(least) < 1e-9) continue;
+    definite += least > 0 ? 1 : 0;
+    REQUIRE(readEdges(EdgeFile(text.str()).path).isOk() == (least > 0));
+  }
+  CHECK(definite > 10);
+}
+
+TEST_CASE("a byte order mark is no part of the first line") {
+  const EdgeFile file(
+      "\xEF\xBB\xBF"
+      "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n");
+  CHECK(readEdges(file.path).value().size() == 1);
+}
+
+TEST_CASE("every recorded motion of the real sequences is accepted", "[data]") {
+  for (const char* name : {"00", "02", "05", "06", "07"}) {
+    const auto folder = test::dataOrSkip(std::string("kitti_motion/") + name);
+    if (!folder) return;
+    for (const char* file : {"odometry.g2o", "ground_truth.g2o"}) {
+      const auto chain = readChain(*folder / file);
+      INFO(chain.status().message());
+      CHECK(chain.isOk());
+    }
+    CHECK(readEdges(*folder / "loop_candidates.g2o").isOk());
+  }
+}
+
 TEST_CASE("vertices, fixed ones and comments are passed over") {
   const EdgeFile file("VERTEX_SE2 0 nan\nFIX 0\n#EDGE_SE2\n\n  \nVERTEX_TRACKXYZ 3\n");
   const auto edges = readEdges(file.path);
@@ -122,9 +190,10 @@ TEST_CASE("vertices, fixed ones and comments are passed over") {
 }
 
 TEST_CASE("chains that skip, repeat or turn back are refused where they do") {
-  for (const char* second : {"EDGE_SE2 0 1 1 0 0", "EDGE_SE2 2 3 1 0 0", "EDGE_SE2 1 0 1 0 0",
-                             "EDGE_SE2 1 3 1 0 0", "EDGE_SE2 1 1 1 0 0"}) {
-    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0\n") + second + "\n");
+  for (const char* second : {"EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1", "EDGE_SE2 2 3 1 0 0 1 0 0 1 0 1",
+                             "EDGE_SE2 1 0 1 0 0 1 0 0 1 0 1", "EDGE_SE2 1 3 1 0 0 1 0 0 1 0 1",
+                             "EDGE_SE2 1 1 1 0 0 1 0 0 1 0 1"}) {
+    const EdgeFile file(std::string("EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n") + second + "\n");
     CAPTURE(second);
     CHECK(readChain(file.path).status().message() ==
           file.path.string() + ":2: should lead from 1 to 2; sort the edges and fill the gaps");

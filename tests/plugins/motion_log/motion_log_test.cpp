@@ -21,12 +21,13 @@ struct Square {
   Square() {
     write("odometry.g2o",
           "# a comment\nVERTEX_SE2 0 0 0 0\n"
-          "EDGE_SE2 0 1 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.5707963\n"
-          "EDGE_SE2 2 3 2 0 1.5707963\nEDGE_SE2 3 4 2 0 1.5707963\n");
+          "EDGE_SE2 0 1 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.5707963 1 0 0 1 0 1\n"
+          "EDGE_SE2 2 3 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 3 4 2 0 1.5707963 1 0 0 1 0 1\n");
     write("ground_truth.g2o",
-          "EDGE_SE2 0 1 2.1 0 1.5707963\nEDGE_SE2 1 2 2.1 0 1.5707963\n"
-          "EDGE_SE2 2 3 2.1 0 1.5707963\nEDGE_SE2 3 4 2.1 0 1.5707963\n");
-    write("loop_candidates.g2o", "EDGE_SE2 4 0 0.5 0.25 0.1\nEDGE_SE2 4 1 0 0 0\n");
+          "EDGE_SE2 0 1 2.1 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 1 2 2.1 0 1.5707963 1 0 0 1 0 1\n"
+          "EDGE_SE2 2 3 2.1 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 3 4 2.1 0 1.5707963 1 0 0 1 0 1\n");
+    write("loop_candidates.g2o",
+          "EDGE_SE2 4 0 0.5 0.25 0.1 1 0 0 1 0 1\nEDGE_SE2 4 1 0 0 0 1 0 0 1 0 1\n");
   }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(folder.path() / name) << text;
@@ -102,8 +103,10 @@ TEST_CASE("frames say which drive they are of: the odometry's, whatever else is 
   const float whole = drive_of(drive(square.values()).at(0));
   CHECK(drive_of(drive(square.values({{"first", 2}, {"candidates", ""}})).at(1)) == whole);
   CHECK(whole == std::trunc(whole));
-  square.write("odometry.g2o", "EDGE_SE2 0 1 2 0 1.5707963\nEDGE_SE2 1 2 2 0 1.5707964\n");
-  square.write("ground_truth.g2o", "EDGE_SE2 0 1 2 0 1.57\nEDGE_SE2 1 2 2 0 1.57\n");
+  square.write("odometry.g2o",
+               "EDGE_SE2 0 1 2 0 1.5707963 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.5707964 1 0 0 1 0 1\n");
+  square.write("ground_truth.g2o",
+               "EDGE_SE2 0 1 2 0 1.57 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.57 1 0 0 1 0 1\n");
   square.write("loop_candidates.g2o", "");
   CHECK(drive_of(drive(square.values()).at(0)) != whole);
 }
@@ -130,18 +133,19 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     CHECK(refusal(square) == "odometry.g2o is no file that can be read; check the path");
   }
   SECTION("gap") {
-    square.write("odometry.g2o", "EDGE_SE2 0 1 1 0 0\nEDGE_SE2 2 3 1 0 0\n");
+    square.write("odometry.g2o",
+                 "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 2 3 1 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "odometry.g2o:2: should lead from 1 to 2; sort the edges and fill the gaps");
   }
   SECTION("not a number") {
-    square.write("odometry.g2o", "EDGE_SE2 0 1 1 zero 0\n");
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1 zero 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "odometry.g2o:1: needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; "
           "correct it");
   }
   SECTION("infinite") {
-    square.write("odometry.g2o", "EDGE_SE2 0 1 1e999 0 0\n");
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1e999 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square).starts_with("odometry.g2o:1: needs two ids"));
   }
   SECTION("spatial") {
@@ -149,18 +153,33 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     CHECK(refusal(square) == "odometry.g2o:1: is no EDGE_SE2; a motion log has planar edges only");
   }
   SECTION("truth of another sequence") {
-    square.write("ground_truth.g2o", "EDGE_SE2 0 1 1 0 0\n");
+    square.write("ground_truth.g2o", "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "ground_truth.g2o has 2 poses, the odometry 5; give the truth of this sequence");
   }
+  SECTION("a candidate that is given twice") {
+    square.write("loop_candidates.g2o",
+                 "EDGE_SE2 4 0 0 0 0 1 0 0 1 0 1\nEDGE_SE2 4 1 0 0 0 1 0 0 1 0 1\n"
+                 "EDGE_SE2 3 0 0 0 0 1 0 0 1 0 1\nEDGE_SE2 4 0 9 0 0 1 0 0 1 0 1\n");
+    CHECK(refusal(square) ==
+          "loop_candidates.g2o:4: repeats the candidate of line 1; remove one of the two");
+  }
+  SECTION("cut within a number") {
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0.00");
+    CHECK(refusal(square).starts_with("odometry.g2o:2: needs two ids"));
+    square.write("odometry.g2o", "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\nEDGE_SE2 1 2 1 0.001 0.0");
+    CHECK(refusal(square) ==
+          "odometry.g2o:2: has 0 information values instead of six after dx dy dtheta; the file "
+          "may be cut off");
+  }
   SECTION("a candidate from the future") {
-    square.write("loop_candidates.g2o", "EDGE_SE2 1 3 0 0 0\n");
+    square.write("loop_candidates.g2o", "EDGE_SE2 1 3 0 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "loop_candidates.g2o:1: leads from frame 1 to 3; a candidate leads from a frame to an "
           "earlier one");
   }
   SECTION("a candidate beyond the end") {
-    square.write("loop_candidates.g2o", "EDGE_SE2 9 3 0 0 0\n");
+    square.write("loop_candidates.g2o", "EDGE_SE2 9 3 0 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "loop_candidates.g2o:1: there is no frame 9; the odometry has 5, and the candidates must "
           "be of the same drive");
@@ -171,7 +190,7 @@ TEST_CASE("garbage never crashes the reader") {
   const Square square;
   RandomStream random(3);
   for (int i = 0; i < 300; ++i) {
-    std::string text = "EDGE_SE2 0 1 2 0 1.57 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.57\n";
+    std::string text = "EDGE_SE2 0 1 2 0 1.57 1 0 0 1 0 1\nEDGE_SE2 1 2 2 0 1.57 1 0 0 1 0 1\n";
     for (int k = 0; k < 3; ++k) {
       text[random.below(text.size())] = static_cast<char>(random.below(256));
     }
