@@ -5,6 +5,8 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <span>
+#include <utility>
 
 #include "statistics.hpp"
 #include "wide.hpp"
@@ -157,7 +159,7 @@ void PlaceSearch::compareFrom(const ViewQuery& query, std::int64_t first) {
   const std::vector<Chunk>& chunks = bank_.chunks();
   auto begin = std::ranges::upper_bound(chunks, first, {}, &Chunk::first);
   if (begin != chunks.begin()) --begin;
-  for (const Chunk& chunk : std::ranges::subrange(begin, chunks.end())) {
+  for (const Chunk& chunk : std::span(begin, chunks.end())) {
     const std::int64_t end = chunk.first + chunk.count;
     const ViewQuery::ChunkProducts products = query.productsWith(chunk);
     for (std::int64_t i = std::max(first, chunk.first); i < end; ++i) {
