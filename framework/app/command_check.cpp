@@ -18,6 +18,8 @@ void addCheckCommand(CLI::App& app, Invocation& invocation) {
     const auto checked = run::require(run::checkSystem(system));
     if (*explain) {
       std::cout << config::explain(checked.config, checked.values);
+    } else if (invocation.json) {
+      std::cout << R"({"sound": true, "stages": )" << checked.config.stages.size() << "}\n";
     } else if (!invocation.quiet) {
       std::cout << "sound: " << checked.config.stages.size() << " stages\n";
     }

@@ -8,6 +8,7 @@
 #include "app/program.hpp"
 #include "record/export.hpp"
 #include "record/reference.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::app {
 namespace {
@@ -17,11 +18,11 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   // Files of another session go to a folder of their own: those of the run have digests.
   std::filesystem::path folder = out.empty() ? run : out;
   if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
+  if (!out.empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
   std::filesystem::create_directories(folder, ignored);
   const auto written = valueOrEnd(record::exportRun(run, folder, session));
-  if (invocation.quiet) return;
-  for (const auto& file : written) std::cout << file.string() << "\n";
+  printFiles(written, invocation);
 }
 
 }  // namespace
@@ -38,8 +39,10 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("FOLDER")
       ->check(notEmpty);
   auto session = std::make_shared<std::int64_t>(-1);
-  command->add_option("--session", *session,
-                      "Session whose trajectories to write, from 0 (default: the run's own)");
+  command
+      ->add_option("--session", *session,
+                   "Session whose trajectories to write, from 0 (default: the run's own)")
+      ->check(CLI::NonNegativeNumber);
   command->callback(
       [run, out, session, &invocation] { exportFiles(*run, *out, *session, invocation); });
 

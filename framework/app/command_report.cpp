@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "record/run_directory.hpp"
 #include "run/report_files.hpp"
 
 namespace tolman::app {
@@ -53,10 +54,10 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
   const auto units = addUnitOptions(*command);
   command->callback([runs, out, units, &invocation] {
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
+    if (!out->empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(runs->front(), folder));
     const auto written =
         valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
-    if (invocation.quiet) return;
-    for (const auto& file : written) std::cout << file.string() << "\n";
+    printFiles(written, invocation);
   });
 }
 

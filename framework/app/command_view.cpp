@@ -63,7 +63,8 @@ class ViewCommand {
   }
 
   void note(const std::string& text) const {
-    if (!invocation_.quiet) std::cerr << run::wipedLine(STDERR_FILENO) + text + "\n";
+    if (!invocation_.quiet)
+      std::cerr << run::wipedLine(STDERR_FILENO) + run::printable(text) + "\n";
   }
 
   const Invocation& invocation_;

@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <iostream>
+#include <optional>
 
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 
 namespace {
 
@@ -14,7 +17,7 @@ namespace {
 void repairInheritedState() {
   int descriptor = 0;
   do {
-    descriptor = ::open("/dev/null", O_RDWR);
+    descriptor = ::open("/dev/null", O_RDONLY);  // so that writing fails, and is told
   } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
   if (descriptor >= 0) ::close(descriptor);
   std::signal(SIGCHLD, SIG_DFL);
@@ -26,5 +29,7 @@ void repairInheritedState() {
 
 int main(int argc, char** argv) {
   repairInheritedState();
+  std::optional<tolman::app::TerminalOutput> terminal;
+  if (::isatty(STDOUT_FILENO) == 1) terminal.emplace(std::cout);
   return tolman::app::runProgram(argc, argv);
 }

@@ -143,10 +143,24 @@ int runProgram(int argc, const char* const* argv) {
   return static_cast<int>(printFailure(ExitCode::Record, text));
 }
 
+void requireOrEnd(const Status& status) {
+  if (!status.isOk()) throw Ended{exitCode(status), status.message()};
+}
+
+void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation) {
+  auto list = nlohmann::ordered_json::array();
+  for (const auto& file : files) {
+    list.push_back(file.string());
+    if (!invocation.json && !invocation.quiet) std::cout << file.string() << "\n";
+  }
+  if (invocation.json) std::cout << nlohmann::ordered_json{{"files", list}}.dump(2) << "\n";
+}
+
 std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }
 
 ExitCode printFailure(ExitCode code, const std::string& message) {
-  std::cerr << run::wipedLine(STDERR_FILENO) + message + (message.ends_with('\n') ? "" : "\n");
+  std::cerr << run::wipedLine(STDERR_FILENO) + run::printable(message) +
+                   (message.ends_with('\n') ? "" : "\n");
   return code;
 }
 

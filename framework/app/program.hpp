@@ -2,6 +2,7 @@
 // The command line `tolman`.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,8 @@ T valueOrEnd(Result<T> result) {
   return valueOrEnd(std::move(result), code);
 }
 
+void requireOrEnd(const Status& status);
+
 /// Runs the program; the result is the exit code of the process.
 int runProgram(int argc, const char* const* argv);
 
@@ -52,6 +55,10 @@ struct Invocation {
   bool quiet = false;
   ExitCode exit_code = ExitCode::Ok;
 };
+
+/// Names of the files that a command wrote: lines, with --json a list "files", with --quiet
+/// nothing.
+void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation);
 
 // Each adds one command to `app`; the command stores its exit code in `invocation`.
 void addRunCommand(CLI::App& app, Invocation& invocation);

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/chrono.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 
 #include <ctime>
 #include <fstream>
@@ -86,6 +87,26 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string&
   return RunDirectory(path, std::move(descriptor));
 }
 
+Status RunDirectory::mayTakeFilesOf(const fs::path& run, const fs::path& folder) {
+  std::error_code ignored;
+  const bool holds_run =
+      fs::exists(folder / "run.sqlite", ignored) || fs::exists(folder / "run.json", ignored);
+  if (!holds_run || fs::equivalent(run, folder, ignored)) return Status::ok();
+  return Status::failed(folder.string() + ": holds another run; " + kOther);
+}
+
+Status RunDirectory::stillInPlace() const {
+  struct stat held {};
+  struct stat named {};
+  if (::fstat(lock_.number(), &held) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+      held.st_dev == named.st_dev && held.st_ino == named.st_ino) {
+    return Status::ok();
+  }
+  return Status::failed(path_.string() +
+                        ": this run directory was moved, removed or replaced while the run was "
+                        "going; where it is now it has the frames until then, for `tolman export`");
+}
+
 bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
   const FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   return descriptor.isOpen() && ::flock(descriptor.number(), LOCK_SH | LOCK_NB) != 0;
@@ -129,7 +150,8 @@ Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState st
   provenance["status"] = enumName(state);
   const std::string text =
       provenance.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  return writeAtomically(path_ / "run.json", text + "\n");
+  const fs::path held = "/proc/self/fd/" + std::to_string(lock_.number());
+  return writeAtomically((stillInPlace().isOk() ? path_ : held) / "run.json", text + "\n");
 }
 
 }  // namespace tolman::record

@@ -38,6 +38,9 @@ class RunDirectory {
   /// Takes the directory of an earlier run as it is, for a run that goes on there.
   static Result<RunDirectory> reopen(const std::filesystem::path& path);
 
+  /// Whether result files of `run` may be written to `folder`: not where another run is.
+  static Status mayTakeFilesOf(const std::filesystem::path& run,
+                               const std::filesystem::path& folder);
   /// Whether a run is writing there at this moment.
   static bool isBeingWritten(const std::filesystem::path& path);
   /// run.json of the run there; null where there is none, or none that is JSON.
@@ -46,8 +49,11 @@ class RunDirectory {
   static bool wasKilled(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
+  /// Fails after the folder was moved, removed or replaced: then path() may be of another run.
+  Status stillInPlace() const;
 
-  /// Writes run.json: `provenance`, an object, and "status".
+  /// Writes run.json: `provenance`, an object, and "status". Into this folder, also where it was
+  /// moved to.
   Status writeRunFile(nlohmann::ordered_json provenance, RunState state) const;
 
  private:

@@ -31,21 +31,35 @@ bool isSameMotion(const Motion& a, const Motion& b) {
   return a.T_previous_current.isApprox(b.T_previous_current, kRounding);
 }
 
+/// Stamp and truth; the record holds a rotation as a quaternion.
+bool isSameFrame(const Frame& a, const Frame& b) {
+  constexpr double kRounding = 1e-9;
+  return a.stamp_ns == b.stamp_ns && a.source_index == b.source_index &&
+         a.has_truth == b.has_truth &&
+         (!a.has_truth || a.T_world_camera_truth.isApprox(b.T_world_camera_truth, kRounding));
+}
+
 /// Tracks the frames that were recorded; one that a realtime run dropped is skipped again.
 class RepeatedOdometry {
  public:
-  RepeatedOdometry(Assembly& assembly, const std::vector<Motion>& recorded)
-      : assembly_(assembly), recorded_(recorded) {}
+  RepeatedOdometry(Assembly& assembly, const std::vector<Motion>& recorded,
+                   const std::vector<Frame>& frames)
+      : assembly_(assembly), recorded_(recorded), frames_(frames) {}
 
   /// Returns the motion of the last frame.
   Motion repeat(std::int64_t last_frame, const Cancellation& cancellation) {
     for (std::int64_t done = -1; done < last_frame && !cancellation.requested();) {
       Frame frame;
-      require(assembly_.source().next(frame), FailureKind::Dataset,
-              assembly_.stageName(Role::Source));
+      const Status read = assembly_.source().next(frame);
+      if (read.code() == StatusCode::EndOfStream) {
+        refuseToContinue(fmt::format("{}: has fewer frames than were recorded ({}); {}",
+                                     assembly_.stageName(Role::Source), last_frame + 1, kRemedy));
+      }
+      require(read, FailureKind::Dataset, assembly_.stageName(Role::Source));
       done = frame.frame;
       while (next_ + 1 < recorded_.size() && recorded_[next_].frame < frame.frame) ++next_;
       if (recorded_[next_].frame != frame.frame) continue;
+      compare(frame);
       (void)assembly_.checkedOdometry().admit(frame);  // its note is in the record
       track(frame, recorded_[next_]);
     }
@@ -53,6 +67,20 @@ class RepeatedOdometry {
   }
 
  private:
+  static constexpr const char* kRemedy =
+      "resume with the data of the recorded run, or run it again";
+
+  void compare(const Frame& frame) {
+    const auto recorded = std::ranges::lower_bound(frames_, frame.frame, {}, &Frame::frame);
+    if (recorded != frames_.end() && recorded->frame == frame.frame &&
+        isSameFrame(frame, *recorded)) {
+      return;
+    }
+    refuseToContinue(
+        fmt::format("{}: stamp or true pose of frame {} is another than was recorded; {}",
+                    assembly_.stageName(Role::Source), frame.frame, kRemedy));
+  }
+
   void track(const Frame& frame, const Motion& before) {
     Motion motion;
     std::string impossible;
@@ -67,6 +95,7 @@ class RepeatedOdometry {
 
   Assembly& assembly_;
   const std::vector<Motion>& recorded_;
+  const std::vector<Frame>& frames_;
   std::size_t next_ = 0;
   Motion last_;
 };
@@ -95,7 +124,8 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   require(assembly.map().graph(graph), kKind);
   assembly.place().expect(-1);
   assembly.cells().expect(static_cast<std::int64_t>(graph.experiences.size()));
-  point.motion = RepeatedOdometry(assembly, motions).repeat(last, cancellation);
+  const auto frames = require(reader->records<Frame>(), kKind);
+  point.motion = RepeatedOdometry(assembly, motions, frames).repeat(last, cancellation);
   return point;
 }
 

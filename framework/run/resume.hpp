@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Going on with an interrupted or killed run in its own directory. Place recognition, cells and map
 // are loaded from the last checkpoint. Source and odometry, which save no state, process the frames
-// up to it again; their motions must be those of the record.
+// up to it again; their stamps, true poses and motions must be those of the record.
 #pragma once
 
 #include <filesystem>

@@ -7,6 +7,7 @@
 
 #include "config/resolved.hpp"
 #include "record/atomic_file.hpp"
+#include "record/digest.hpp"
 #include "run/provenance.hpp"
 #include "run/report_files.hpp"
 #include "run/results.hpp"
@@ -22,6 +23,18 @@ record::RunState stateOf(const Outcome& outcome) {
 }
 
 Failure recordFailure(const Status& status) { return {FailureKind::Record, status.message()}; }
+
+constexpr const char* kResolvedConfig = "config.resolved.yaml";
+constexpr const char* kConfigDigest = "config_sha256";
+
+/// The first half of a resumed run was made with the configuration that was written then.
+void refuseOtherConfig(const std::filesystem::path& run, const nlohmann::ordered_json& run_file) {
+  const auto recorded = run_file.find(kConfigDigest);
+  const auto digest = record::fileDigest(run / kResolvedConfig);
+  if (recorded == run_file.end() || (digest.isOk() && *recorded == digest.value())) return;
+  refuseToContinue((run / kResolvedConfig).string() +
+                   ": has changed since the run was recorded; put it back, or run it again");
+}
 
 }  // namespace
 
@@ -42,6 +55,11 @@ Outcome Run::execute(CheckedSystem system) {
     return outcome;
   }
   drive(outcome);
+  if (const Status moved = directory_->stillInPlace(); !moved.isOk()) {
+    outcome.failure = recordFailure(moved);
+    writeRunFile(outcome);
+    return outcome;
+  }
   conclude(outcome);
   if (stateOf(outcome) == record::RunState::Finished) removeCheckpoint(directory_->path());
   return outcome;
@@ -97,6 +115,7 @@ void Run::resumeRun() {
                      ": this run has finished, there is nothing to resume; to continue its map in "
                      "a new run use --continue");
   }
+  refuseOtherConfig(path, before);
   record::RunDirectory directory =
       require(record::RunDirectory::reopen(path), FailureKind::Continuation);
   log_.write(LogLevel::Info, "resume", "source and odometry repeat the recorded frames");
@@ -111,7 +130,7 @@ void Run::reopenRecord(nlohmann::ordered_json before) {
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
   run_file_ = provenance(assembly_->system(), assembly_->sourceInfo(), options_.command_line);
-  for (const char* kept : {"started", "command_line", "continued", "resumed"}) {
+  for (const char* kept : {"started", "command_line", kConfigDigest, "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
   if (!run_file_["resumed"].is_array()) run_file_["resumed"] = nlohmann::ordered_json::array();
@@ -157,9 +176,10 @@ void Run::openRecord() {
     run_file_["continued"] = {{"directory", config().general.continue_from},
                               {"first_frame", first_frame_}};
   }
-  require(record::writeAtomically(directory_->path() / "config.resolved.yaml",
-                                  config::resolvedYaml(config(), assembly_->system().values)),
-          FailureKind::Record);
+  const std::string yaml = config::resolvedYaml(config(), assembly_->system().values);
+  require(record::writeAtomically(directory_->path() / kResolvedConfig, yaml), FailureKind::Record);
+  run_file_[kConfigDigest] =
+      require(record::fileDigest(directory_->path() / kResolvedConfig), FailureKind::Record);
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
   recorder_ = require(record::Recorder::open(directory_->path()), FailureKind::Record);
   recordSessions();
@@ -168,7 +188,7 @@ void Run::openRecord() {
 
 void Run::drive(Outcome& outcome) {
   const std::int64_t begin_ns = clock_.steadyNs();
-  RunListener listener(*recorder_, *assembly_, directory_->path(), log_, clock_);
+  RunListener listener(*recorder_, *assembly_, *directory_, log_, clock_);
   pipeline::Chain chain(assembly_->stages(), assembly_->policies(), listener);
   if (resume_) {
     chain.resume(*resume_);
@@ -221,7 +241,10 @@ std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure
 /// save its state, the run logs a warning and still succeeds.
 std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunListener& listener) {
   const pipeline::RunCounters& n = result.counters;
-  if (result.failure || n.frames == 0 || !listener.recordStatus().isOk()) return std::nullopt;
+  if (result.failure || n.frames == 0 || !listener.recordStatus().isOk() ||
+      !directory_->stillInPlace().isOk()) {
+    return std::nullopt;
+  }
   const auto unsaved =
       run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
   if (!unsaved || unsaved->kind == FailureKind::Record) return unsaved;
@@ -244,6 +267,10 @@ void Run::conclude(Outcome& outcome) {
     outcome.counters.loop_decisions = counts.loop_decisions;
   }
   check(outcome, log_.status());
+  if (!std::filesystem::exists(directory_->path() / "log.txt")) {
+    check(outcome, Status::failed((directory_->path() / "log.txt").string() +
+                                  ": was removed while the run was going"));
+  }
   writeRunFile(outcome);
   if (!results.isOk()) return;
   const Status reported = writeReport(*results.value().reader, std::move(results.value().data));

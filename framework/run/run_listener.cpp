@@ -8,11 +8,11 @@
 namespace tolman::run {
 
 RunListener::RunListener(record::Recorder& recorder, Assembly& assembly,
-                         std::filesystem::path directory, RunLog& log, const Clock& clock)
+                         const record::RunDirectory& directory, RunLog& log, const Clock& clock)
     : recorder_(recorder),
       assembly_(assembly),
       observers_(assembly.observers()),
-      directory_(std::move(directory)),
+      directory_(directory),
       log_(log),
       clock_(clock),
       settings_(assembly.system().config.record),
@@ -94,8 +94,11 @@ bool RunListener::checkpointDue() {
 /// The record is made safe first: a checkpoint must not be ahead of it.
 Status RunListener::onCheckpoint(const pipeline::Checkpoint& checkpoint) {
   if (settings_.state_every == 0 || !record_status_.isOk()) return record_status_;
-  record_status_ = recorder_.sync();
-  if (record_status_.isOk()) record_status_ = saveCheckpoint(assembly_, directory_, checkpoint);
+  record_status_ = directory_.stillInPlace();
+  if (record_status_.isOk()) record_status_ = recorder_.sync();
+  if (record_status_.isOk()) {
+    record_status_ = saveCheckpoint(assembly_, directory_.path(), checkpoint);
+  }
   return record_status_;
 }
 

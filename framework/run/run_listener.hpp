@@ -2,7 +2,6 @@
 // Passes what happens in a run to the recorder, the log and the observers.
 #pragma once
 
-#include <filesystem>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/listener.hpp"
 #include "record/recorder.hpp"
+#include "record/run_directory.hpp"
 #include "run/assembly.hpp"
 
 namespace tolman::run {
@@ -17,7 +17,7 @@ namespace tolman::run {
 class RunListener : public pipeline::Listener {
  public:
   /// `assembly` must be of the whole chain; checkpoints are written below `directory`.
-  RunListener(record::Recorder& recorder, Assembly& assembly, std::filesystem::path directory,
+  RunListener(record::Recorder& recorder, Assembly& assembly, const record::RunDirectory& directory,
               RunLog& log, const Clock& clock);
 
   Status begin(const RunInfo& run);
@@ -48,7 +48,7 @@ class RunListener : public pipeline::Listener {
   record::Recorder& recorder_;
   Assembly& assembly_;
   std::vector<Assembly::Observer>& observers_;
-  std::filesystem::path directory_;
+  const record::RunDirectory& directory_;
   RunLog& log_;
   const Clock& clock_;
   config::RecordSettings settings_;

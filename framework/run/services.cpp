@@ -69,7 +69,9 @@ RunLog::~RunLog() = default;
 void RunLog::write(LogLevel level, std::string_view source, std::string_view message,
                    bool on_terminal) {
   const std::lock_guard lock(implementation_->mutex);
-  std::string text = std::string(source) + ": " + std::string(message);
+  constexpr std::size_t kLongest = 10'000;
+  std::string text = std::string(source) + ": " + printable(message.substr(0, kLongest));
+  if (message.size() > kLongest) text += "...";
   if (on_terminal) implementation_->show(levelOf(level), text);
   if (implementation_->file) {
     implementation_->file->log(levelOf(level), text);

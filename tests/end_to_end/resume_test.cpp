@@ -132,6 +132,45 @@ TEST_CASE("a killed run's map can be continued in a new run, from its last check
   CHECK(recordRows(next, "SELECT count(*) FROM frame")[0][0] == last + 1 + 60);
 }
 
+TEST_CASE("a run whose directory is moved writes nothing into the one that takes its place") {
+  const TinyRun run;
+  const fs::path moved = run.folder.path() / "moved";
+  const bool replaced = GENERATE(true, false);
+  Finished finished;
+  {
+    Process process(joined({tolmanProgram().string()}, run.words), run.folder.path());
+    while (checkpointOf(run.out) < 5) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    fs::rename(run.out, moved);
+    if (replaced) {
+      fs::create_directory(run.out);
+      std::ofstream(run.out / "run.json") << "{\"status\": \"of another run\"}";
+    }
+    finished = process.wait();
+  }
+  CAPTURE(replaced, finished.err);
+  CHECK(finished.exit_code == 8);
+  CHECK(contains(finished.err, "/run: this run directory was moved, removed or replaced"));
+  if (replaced) {
+    CHECK(filesOf(run.out).size() == 1);
+    CHECK(readJson(run.out / "run.json")["status"] == "of another run");
+  } else {
+    CHECK_FALSE(fs::exists(run.out));
+  }
+  CHECK(readJson(moved / "run.json")["status"] == "failed");
+  CHECK(tolman::test::tolman({"export", moved.string()}).exit_code == 0);
+  CHECK(readText(moved / "trajectory.tum").size() > 100);
+}
+
+TEST_CASE("a log that is removed while the run goes on is told at its end") {
+  const TinyRun run;
+  Process process(joined({tolmanProgram().string()}, run.words), run.folder.path());
+  while (checkpointOf(run.out) < 5) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  fs::remove(run.out / "log.txt");
+  const Finished finished = process.wait();
+  CHECK(finished.exit_code == 8);
+  CHECK(contains(finished.err, "log.txt: was removed while the run was going"));
+}
+
 TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it is") {
   const TinyRun run;
   signalled(run.words, run.out, SIGKILL, 8);
@@ -151,7 +190,32 @@ TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it i
     REQUIRE(contains(text, " speed: 10\n"));
     text.replace(text.find(" speed: 10\n"), 10, " speed: 11");
     std::ofstream(config) << text;
+    CHECK(contains(refusal(), "config.resolved.yaml: has changed since the run was recorded"));
+    auto json = readJson(run.out / "run.json");
+    json.erase("config_sha256");  // as versions before wrote it
+    std::ofstream(run.out / "run.json") << json;
     CHECK(contains(refusal(), "gives another motion at frame 1 than was recorded"));
+  }
+  SECTION("other true poses, and none") {
+    const fs::path poses = run.folder.path() / "sequence/poses.txt";
+    text = readText(poses);
+    std::size_t line = 0;
+    for (int i = 0; i < 3; ++i) line = text.find('\n', line) + 1;
+    std::ofstream(poses) << text.substr(0, line) << text.substr(text.find('\n', line) + 1)
+                         << text.substr(line, text.find('\n', line) + 1 - line);
+    CHECK(contains(refusal(), "stamp or true pose of frame 3 is another than was recorded"));
+    fs::remove(poses);
+    CHECK(contains(refusal(), "stamp or true pose of frame 0 is another than was recorded"));
+  }
+  SECTION("fewer frames") {
+    text = readText(config);
+    REQUIRE(contains(text, " last: -1\n"));
+    text.replace(text.find(" last: -1\n"), 9, " last: 4");
+    std::ofstream(config) << text;
+    auto json = readJson(run.out / "run.json");
+    json.erase("config_sha256");
+    std::ofstream(run.out / "run.json") << json;
+    CHECK(contains(refusal(), "has fewer frames than were recorded"));
   }
   SECTION("a damaged checkpoint") {
     std::ofstream(checkpoint) << "{\"format\": 1, \"frame\": \"x\"}";

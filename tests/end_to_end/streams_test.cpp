@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "end_to_end/tiny_kitti.hpp"
@@ -55,6 +56,29 @@ TEST_CASE("output that cannot be written is exit code 8 of every command") {
   CHECK(code({"plugins", "describe", "steady", "--json-schema"}) == 8);
   CHECK(code({"plugins", "list", "--json"}) == 8);
   CHECK(code({"--help"}) == 8);
+}
+
+TEST_CASE("a closed output is told as one that cannot be written") {
+  const Tiny tiny;
+  const std::string truth = tiny.folder.path() / "sequence/poses.txt";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"eval", truth, truth}, {"plugins", "list"}, {"version"}}) {
+    CAPTURE(words);
+    CHECK(run(script("exec", words, " >&-")).exit_code == 8);
+  }
+  CHECK(run(script("exec", tiny.arguments({"--quiet"}), " >&- 2>&- <&-")).exit_code == 0);
+  CHECK(readJson(tiny.out / "run.json")["status"] == "finished");
+}
+
+TEST_CASE("control sequences in configurations and names of folders do not reach the terminal") {
+  const TemporaryFolder folder;
+  const fs::path config = folder.path() / "\x1b]0;title\a.yaml";
+  std::ofstream(config) << "\"\\e]0;title\\a\\e[31mkey\": 1\nseed: \"\\e[31m\"\n";
+  const Finished finished = run({tolmanProgram().string(), "check", config.string()});
+  CHECK(finished.exit_code == 3);
+  CHECK(contains(finished.err, "?]0;title??[31mkey"));
+  CHECK_FALSE(contains(finished.err, "\x1b"));
+  CHECK_FALSE(contains(finished.err, "\a"));
 }
 
 TEST_CASE("a closed pipe does not end a run; its exit code is 8") {
