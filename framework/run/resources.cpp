@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/resources.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -95,6 +96,12 @@ std::int64_t diskNeeded(const fs::path& directory) {
   }
   const std::int64_t trajectories = sizeOf(directory / "run.sqlite") / 8;
   return kResults + sizeOf(directory / "run.sqlite-wal") + 2 * state + trajectories;
+}
+
+void returnFreedMemory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 }  // namespace tolman::run

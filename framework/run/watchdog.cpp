@@ -25,13 +25,17 @@ WatchdogSettings WatchdogSettings::of(const std::filesystem::path& directory) {
           memoryLeft,
           [=] { return diskLeft(directory); },
           [=] { return diskNeeded(directory); },
+          returnFreedMemory,
           [](LogLevel, std::string_view, const std::string&) {},
           [](const std::string&) {}};
 }
 
 Watchdog::Watchdog(const pipeline::Activity& activity, const Clock& clock,
                    WatchdogSettings settings)
-    : activity_(activity), clock_(clock), settings_(std::move(settings)) {}
+    : activity_(activity),
+      clock_(clock),
+      settings_(std::move(settings)),
+      returned_ns_(clock.steadyNs()) {}
 
 void Watchdog::start() {
   thread_ = std::jthread([this](const std::stop_token& stop) {
@@ -49,6 +53,7 @@ void Watchdog::look() {
   if (settings_.deadline_s > 0) {
     for (const Role role : kWatched) lookAt(role);
   }
+  returnMemory();
   lookAtMemory();
   lookAtDisk();
 }
@@ -70,6 +75,13 @@ void Watchdog::lookAt(Role role) {
                    fmt::format("has worked on one call for {:.1f} s; the deadline is {:.3g} s "
                                "(pipeline.stage_deadline). The run waits for it",
                                seconds(since), settings_.deadline_s));
+}
+
+void Watchdog::returnMemory() {
+  constexpr std::int64_t kEvery = 30'000'000'000;  // ns
+  if (clock_.steadyNs() - returned_ns_ < kEvery) return;
+  returned_ns_ = clock_.steadyNs();
+  settings_.return_memory();
 }
 
 void Watchdog::lookAtMemory() {

@@ -24,6 +24,7 @@ struct WatchdogSettings {
   std::function<std::optional<std::int64_t>()> disk;
   std::function<std::int64_t()> disk_needed;
   // What to do; called from the watchdog's thread.
+  std::function<void()> return_memory;  ///< every 30 s: gives freed memory back to the system
   std::function<void(LogLevel, std::string_view source, const std::string& text)> report;
   std::function<void(const std::string& why)> stop;  ///< at most once
 
@@ -44,6 +45,7 @@ class Watchdog {
 
  private:
   void lookAt(Role role);
+  void returnMemory();
   void lookAtMemory();
   void lookAtDisk();
 
@@ -51,6 +53,7 @@ class Watchdog {
   const Clock& clock_;
   WatchdogSettings settings_;
   std::array<std::int64_t, kRoleNames.size()> reported_{};  ///< Activity::since() of the call
+  std::int64_t returned_ns_;                                ///< when memory was given back
   bool memory_is_short_ = false;
   bool stopped_ = false;
   std::jthread thread_;  // last, because it uses the members above

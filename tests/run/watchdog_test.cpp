@@ -31,6 +31,7 @@ struct Watched {
     settings.memory = [this] { return memory; };
     settings.disk = [this] { return disk; };
     settings.disk_needed = [] { return std::int64_t{100} << 20; };
+    settings.return_memory = [this] { ++returned; };
     settings.report = [this](LogLevel level, std::string_view source, const std::string& text) {
       said.push_back(std::string(enumName(level)) + " " + std::string(source) + ": " + text);
     };
@@ -40,12 +41,23 @@ struct Watched {
   pipeline::Activity activity;
   std::optional<Memory> memory;
   std::optional<std::int64_t> disk;
+  int returned = 0;
   std::vector<std::string> said;
   std::vector<std::string> stops;
   WatchdogSettings settings;
 };
 
 }  // namespace
+
+TEST_CASE("freed memory is given back to the system every half minute") {
+  Watched watched;
+  Watchdog watchdog(watched.activity, watched.clock, watched.settings);
+  for (int second = 1; second <= 95; ++second) {
+    watched.clock.advance(1);
+    watchdog.look();
+    CHECK(watched.returned == second / 30);
+  }
+}
 
 TEST_CASE("a stage that does not answer in time is reported once, and its answer too") {
   Watched run;
