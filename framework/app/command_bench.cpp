@@ -54,7 +54,7 @@ ExitCode bench(const Run& run, Options options, const Text& text, const Json& js
 
 void addCounts(CLI::App& command, bench::BenchOptions& options) {
   command.add_option("--frames", options.frames, "Measure at most this many frames")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
   command.add_option("--repeat", options.repeats, "Passes of each kind (default: 3)")
       ->check(CLI::Range(1, 1000));
 }
@@ -88,7 +88,7 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
   command
       .add_option("--tolerance", options.tolerance,
                   "Two passes: images that a right claim may be away (default: 5)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(notNegative);
   command
       .add_option("--pairs", options.pairs,
                   "One drive: CSV file of the true pairs, query,match; without it the true "
@@ -97,13 +97,13 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
   command
       .add_option("--near", options.near,
                   "One drive: claims over at most so many images do not count (default: 20)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(notNegative);
   command
       .add_option("--metres-per-image", options.metres_per_image,
                   "Motion between images where there are no true poses (default: 1)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
   command.add_option("--frames", options.frames, "Use at most this many images of each pass")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
 }
 
 /// A figure of the curve that was measured, and of earlier ones.

@@ -21,9 +21,45 @@ struct EvalOptions {
   double max_difference = -1;
 };
 
+void requireStamps(const std::string& file, const evaluation::Trajectory& trajectory) {
+  if (evaluation::hasStamps(trajectory)) return;
+  throw Ended{ExitCode::Usage,
+              file +
+                  ": has no times, as all KITTI files; leave out --max-difference, and poses "
+                  "are matched by frame"};
+}
+
+/// Poses that are matched by frame must not be of different times.
+void checkOrder(const EvalOptions& options, const evaluation::Trajectory& truth,
+                const evaluation::Trajectory& estimate, const Invocation& invocation) {
+  using evaluation::StampAgreement;
+  const evaluation::StampComparison found = evaluation::compareStamps(truth, estimate);
+  const double apart_s = 1e-9 * static_cast<double>(found.apart_ns);
+  if (found.agreement == StampAgreement::Contradicts) {
+    throw Ended{
+        ExitCode::Dataset,
+        fmt::format("{}: poses of one number are up to {:.3f} s from those of {}; match them by "
+                    "time with --max-difference {:.3g}, half the time between true poses",
+                    options.estimate, apart_s, options.truth,
+                    0.5e-9 * static_cast<double>(found.period_ns))};
+  }
+  if (found.agreement == StampAgreement::OtherClock && !invocation.quiet) {
+    std::cerr << fmt::format(
+        "warning: {}: all stamps are {:.3f} s from those of {}; the poses are matched by their "
+        "order, whatever the stamps say\n",
+        options.estimate, apart_s, options.truth);
+  }
+}
+
 void evaluate(const EvalOptions& options, const Invocation& invocation) {
   const auto truth = valueOrEnd(evaluation::readTrajectory(options.truth), ExitCode::Dataset);
   const auto estimate = valueOrEnd(evaluation::readTrajectory(options.estimate), ExitCode::Dataset);
+  if (options.max_difference >= 0) {
+    requireStamps(options.truth, truth);
+    requireStamps(options.estimate, estimate);
+  } else {
+    checkOrder(options, truth, estimate, invocation);
+  }
   const auto difference_ns = static_cast<std::int64_t>(options.max_difference * 1e9);
   const auto metrics =
       evaluation::scoreTrajectory(truth, estimate, options.alignment, std::nullopt, difference_ns);
@@ -58,6 +94,7 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--max-difference", options->max_difference,
                    "Match by time, at most this many seconds apart (default: by frame)")
+      ->check(notNegative)
       ->check(CLI::Range(0.0, 1e6));
   command->callback([options, &invocation] { evaluate(*options, invocation); });
 }

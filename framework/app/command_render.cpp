@@ -182,7 +182,7 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation) {
       ->required()
       ->check(notEmpty);
   command->add_option("--frames", render->render.frames, "Take at most this many frames")
-      ->check(CLI::PositiveNumber);
+      ->check(positive);
   command->add_flag("--depth", render->depth, "Write depth maps too (16 bits, m * 256)");
   command->add_flag("--force", render->replace, "Replace an earlier rendering in the folder");
   command->callback([options, render, &invocation] {

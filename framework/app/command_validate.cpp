@@ -104,7 +104,7 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
       ->allow_extra_args(false)
       ->check(CLI::IsMember(checkIds()));
   command->add_option("--timeout", options->timeout, "Seconds for each check")
-      ->check(CLI::PositiveNumber)
+      ->check(positive)
       ->capture_default_str();
   command->add_option("--memory", options->memory_mib, "MiB for each check; 0 for no limit")
       ->capture_default_str();

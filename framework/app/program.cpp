@@ -5,8 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -37,6 +40,14 @@ void addWordCommands(CLI::App& app) {
   app.add_subcommand("help-tree", "All commands and options as JSON (internal)")
       ->group("")
       ->callback([&app] { std::cout << helpTree(app).dump(1) << "\n"; });
+}
+
+std::optional<double> finiteNumber(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool whole = error == std::errc() && end == text.data() + text.size();
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 /// The words behind `tolman`, with `help COMMAND` as `COMMAND --help`, and `version`.
@@ -154,6 +165,14 @@ void printFiles(const std::vector<std::filesystem::path>& files, const Invocatio
     if (!invocation.json && !invocation.quiet) std::cout << file.string() << "\n";
   }
   if (invocation.json) std::cout << nlohmann::ordered_json{{"files", list}}.dump(2) << "\n";
+}
+
+std::string positive(const std::string& value) {
+  return finiteNumber(value).value_or(0) > 0 ? "" : "must be a number above 0";
+}
+
+std::string notNegative(const std::string& value) {
+  return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
 }
 
 std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }

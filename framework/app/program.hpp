@@ -46,6 +46,9 @@ ExitCode printFailure(ExitCode code, const std::string& message);
 
 /// A check of an option's value: without it `--out ""` would take the default.
 std::string notEmpty(const std::string& value);
+// Checks of numbers; those of CLI11 let NaN pass and tell ranges in 300 digits.
+std::string positive(const std::string& value);
+std::string notNegative(const std::string& value);
 
 /// What commands share.
 struct Invocation {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <string>
 
 namespace tolman::evaluation {
@@ -28,6 +29,17 @@ const TrajectoryPose& nearest(const Trajectory& truth, const TrajectoryPose& pos
   const auto before = std::prev(after);
   if (after == truth.end()) return *before;
   return difference(*after, pose) < difference(*before, pose) ? *after : *before;
+}
+
+std::int64_t medianStep(const Trajectory& trajectory) {
+  if (trajectory.size() < 2) return 0;
+  std::vector<std::int64_t> steps;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    steps.push_back(trajectory[i].stamp_ns - trajectory[i - 1].stamp_ns);
+  }
+  const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), median, steps.end());
+  return *median;
 }
 
 }  // namespace
@@ -65,6 +77,29 @@ Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& esti
   }
   return checked(std::move(matches), estimate,
                  "stamp within " + std::to_string(max_difference_ns) + " ns");
+}
+
+StampComparison compareStamps(const Trajectory& truth, const Trajectory& estimate) {
+  StampComparison result;
+  const Result<Matches> matches = associateByFrame(truth, estimate);
+  result.period_ns = medianStep(truth);
+  if (result.period_ns == 0 || !hasStamps(estimate) || !matches.isOk()) return result;
+  std::int64_t least = std::numeric_limits<std::int64_t>::max();
+  std::int64_t most = std::numeric_limits<std::int64_t>::min();
+  for (std::size_t i = 0; i < matches.value().size(); ++i) {
+    const std::int64_t ns =
+        matches.value().estimate[i].stamp_ns - matches.value().truth[i].stamp_ns;
+    least = std::min(least, ns);
+    most = std::max(most, ns);
+  }
+  result.apart_ns = std::max(std::abs(least), std::abs(most));
+  if (result.apart_ns <= result.period_ns / 2) return result;
+  const bool overlap = truth.front().stamp_ns <= estimate.back().stamp_ns &&
+                       estimate.front().stamp_ns <= truth.back().stamp_ns;
+  const bool constant = most - least <= result.period_ns / 2;
+  result.agreement =
+      constant && !overlap ? StampAgreement::OtherClock : StampAgreement::Contradicts;
+  return result;
 }
 
 }  // namespace tolman::evaluation

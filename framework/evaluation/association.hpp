@@ -32,4 +32,17 @@ Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& esti
 Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
                                  std::int64_t max_difference_ns);
 
+/// What the stamps say of poses that are matched by frame index.
+enum class StampAgreement : std::uint8_t {
+  Agrees,      ///< at most half a frame period apart; or there are no stamps
+  OtherClock,  ///< apart by one offset, and in time no frame of one is at one of the other
+  Contradicts,
+};
+struct StampComparison {
+  StampAgreement agreement = StampAgreement::Agrees;
+  std::int64_t apart_ns = 0;   ///< the largest difference of two matched poses
+  std::int64_t period_ns = 0;  ///< median step of the truth; 0 without stamps
+};
+StampComparison compareStamps(const Trajectory& truth, const Trajectory& estimate);
+
 }  // namespace tolman::evaluation

@@ -82,6 +82,10 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
     return metrics;
   }
   metrics.matched = matches.value().size();
+  if (metrics.matched < 2 && alignment != Alignment::None) {
+    metrics.reason = "only one pose matches; any one is aligned without an error, so give more";
+    return metrics;
+  }
   const Result<Similarity> similarity = align(matches.value(), alignment);
   if (!similarity.isOk()) {
     metrics.reason = similarity.status().message();

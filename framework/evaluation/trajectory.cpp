@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory.hpp"
 
+#include <algorithm>
+
 namespace tolman::evaluation {
+
+bool hasStamps(const Trajectory& trajectory) {
+  return std::ranges::any_of(trajectory, [](const TrajectoryPose& p) { return p.stamp_ns != 0; });
+}
 
 std::vector<double> distances(const Trajectory& trajectory) {
   std::vector<double> result;

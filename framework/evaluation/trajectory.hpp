@@ -17,6 +17,9 @@ struct TrajectoryPose {
 };
 using Trajectory = std::vector<TrajectoryPose>;
 
+/// Whether times are known: KITTI files have none, and all their stamps are 0.
+bool hasStamps(const Trajectory& trajectory);
+
 /// Distance travelled up to each pose, m: as long as the trajectory, starting with 0.
 std::vector<double> distances(const Trajectory& trajectory);
 

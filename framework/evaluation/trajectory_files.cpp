@@ -15,6 +15,8 @@ namespace {
 constexpr double kRotationTolerance = 1e-2;
 // Metres: no vehicle drives as far, and the squares of all errors stay finite.
 constexpr double kFarthest = 1e9;
+// Seconds, the year 2096: differences of two stamps stay within 64 bits of nanoseconds.
+constexpr double kLatest = 4e9;
 
 /// What is wrong with a line; the reader adds file and line.
 struct LineError : std::runtime_error {
@@ -63,7 +65,7 @@ double coordinate(std::string_view word) {
 /// Seconds to nanoseconds, without a detour over double where the word is plain decimal.
 std::int64_t stampNs(std::string_view word) {
   const double seconds = number(word);
-  if (std::abs(seconds) > 9e9) {
+  if (std::abs(seconds) > kLatest) {
     throw LineError("stamp " + shown(word) + " is too large; stamps are seconds");
   }
   const std::size_t point = std::min(word.find('.'), word.size());
@@ -152,6 +154,7 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
   LineReader reader = nullptr;
   std::string line;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
+    if (number_of_line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // of UTF-8
     try {
       const std::vector<std::string_view> entries = words(line);
       if (entries.empty()) continue;

@@ -70,6 +70,26 @@ TEST_CASE("bench measures the source alone and the chain, each repeat in its own
   }
 }
 
+TEST_CASE("bench refuses counts and lengths that are none, in a short sentence") {
+  const auto refusal = [](const std::vector<std::string>& words) {
+    const Finished finished = tolman::test::tolman(words);
+    CHECK(finished.exit_code == 2);
+    CHECK(finished.err.size() < 250);
+    return finished.err;
+  };
+  for (const char* wrong : {"0", "-3", "nan", "inf", "1e999", "many"}) {
+    CAPTURE(wrong);
+    CHECK(contains(refusal({"bench", "demo", "--frames", wrong}),
+                   "--frames: must be a number above 0"));
+    CHECK(contains(refusal({"bench", "places", "places", "--metres-per-image", wrong}),
+                   "--metres-per-image: must be a number above 0"));
+  }
+  for (const char* wrong : {"-1", "nan", "inf"}) {
+    CHECK(contains(refusal({"bench", "places", "places", "--near", wrong}),
+                   "--near: must be a number of at least 0"));
+  }
+}
+
 TEST_CASE("bench --frames counts exactly so many") {
   const Track track;
   const auto json = track.json({"--repeat", "1", "--frames", "5"});

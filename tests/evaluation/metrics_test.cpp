@@ -49,6 +49,21 @@ TEST_CASE("metrics.json has the promised keys with the right figures") {
   CHECK(json["timing"]["odometry"]["mean_ms"] == 2.0);
 }
 
+TEST_CASE("one pose that matches has no aligned error, as any pose can be put on any other") {
+  const Trajectory truth = test::straightPath(30);
+  Trajectory one = test::straightPath(1);
+  one[0].T_world_camera.translation().x() = 3;
+  for (const Alignment alignment : {Alignment::Se2, Alignment::Se3, Alignment::Sim3}) {
+    const TrajectoryMetrics metrics = scoreTrajectory(truth, one, alignment);
+    CHECK(metrics.matched == 1);
+    CHECK_FALSE(metrics.scores);
+    CHECK(metrics.reason ==
+          "only one pose matches; any one is aligned without an error, so give more");
+  }
+  CHECK(scoreTrajectory(truth, one, Alignment::None).scores->ate_m.rmse == 3);
+  CHECK(scoreTrajectory(truth, test::straightPath(2), Alignment::Se3).scores);
+}
+
 TEST_CASE("without truth the scores are null with a reason, the path length is not") {
   Metrics metrics;
   metrics.odometry = scoreTrajectory({}, test::straightPath(11), Alignment::Se3);

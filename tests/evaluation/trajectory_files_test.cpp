@@ -103,6 +103,8 @@ TEST_CASE("broken trajectory files are refused with file and line") {
         "poses.txt:1: the quaternion has length 0.500000 instead of 1");
   CHECK(folder.tumRefusal("99999999999 0 0 0 0 0 0 1\n") ==
         "poses.txt:1: stamp '99999999999' is too large; stamps are seconds");
+  CHECK(folder.tumRefusal("-4000000001 0 0 0 0 0 0 1\n") ==
+        "poses.txt:1: stamp '-4000000001' is too large; stamps are seconds");
   CHECK(folder.kittiRefusal(kIdentity + "1 2 3\n") ==
         "poses.txt:2: expected 12 numbers (rows of a 3x4 pose), found 3");
   CHECK(folder.kittiRefusal("1 0 0 0 0 1 0 0 0 0 -1 0\n") ==

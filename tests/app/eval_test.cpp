@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman eval: which poses are compared, and what is refused instead of compared.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "end_to_end/process.hpp"
+#include "support/data.hpp"
+
+using namespace tolman::test;
+
+namespace {
+
+/// Pose k of a curved drive, with its stamp in front (TUM) or without (KITTI).
+std::string line(int k, double stamp_s, bool tum) {
+  const double x = 0.002 * k * k;
+  if (tum) return fmt::format("{:.3f} {} 0 {} 0 0 0 1\n", stamp_s, x, k);
+  return fmt::format("1 0 0 {} 0 1 0 0 0 0 1 {}\n", x, k);
+}
+
+struct Files {
+  TemporaryFolder folder;
+
+  /// Poses 0, step, ... of a drive with 10 frames a second.
+  std::string write(const std::string& name, bool tum, double start_s = 0, int step = 1,
+                    int end = 60) const {
+    const std::filesystem::path path = folder.path() / name;
+    std::ofstream file(path);
+    for (int k = 0; k < end; k += step) file << line(k, start_s + 0.1 * k, tum);
+    return path.string();
+  }
+};
+
+Finished eval(const std::string& truth, const std::string& estimate,
+              const std::vector<std::string>& more = {}) {
+  std::vector<std::string> words = {"eval", truth, estimate};
+  words.insert(words.end(), more.begin(), more.end());
+  return tolman::test::tolman(words);
+}
+
+}  // namespace
+
+TEST_CASE("eval by time refuses files without times") {
+  const Files files;
+  const std::string tum = files.write("a.tum", true);
+  const std::string kitti = files.write("a.kitti", false);
+  const std::string refusal =
+      kitti +
+      ": has no times, as all KITTI files; leave out --max-difference, and poses are matched by "
+      "frame\n";
+  for (const auto& [truth, estimate] :
+       {std::pair(kitti, kitti), std::pair(tum, kitti), std::pair(kitti, tum)}) {
+    const Finished finished = eval(truth, estimate, {"--max-difference", "0.02"});
+    CHECK(finished.exit_code == 2);
+    CHECK(finished.err == refusal);
+    CHECK(finished.out.empty());
+    CHECK(eval(truth, estimate).exit_code == 0);
+  }
+  CHECK(eval(tum, tum, {"--max-difference", "0.02"}).exit_code == 0);
+}
+
+TEST_CASE("eval by frame refuses stamps that say another order") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string third = files.write("third.tum", true, 0, 3);
+  const Finished finished = eval(truth, third);
+  CHECK(finished.exit_code == 5);
+  CHECK(finished.err ==
+        third + ": poses of one number are up to 3.800 s from those of " + truth +
+            "; match them by time with --max-difference 0.05, half the time between true poses\n");
+  CHECK(finished.out.empty());
+  const Finished timed = eval(truth, third, {"--max-difference", "0.05"});
+  CHECK(timed.exit_code == 0);
+  CHECK(contains(timed.out, "matched 20; 33.3 % of the truth tracked"));
+  CHECK(contains(timed.out, "ATE rmse 0.000 m"));
+}
+
+TEST_CASE("eval by frame warns of stamps by another clock") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string moved = files.write("moved.tum", true, 10000);
+  const Finished finished = eval(truth, moved, {"--json"});
+  CHECK(finished.exit_code == 0);
+  CHECK(finished.err == "warning: " + moved + ": all stamps are 10000.000 s from those of " +
+                            truth +
+                            "; the poses are matched by their order, whatever the stamps say\n");
+  CHECK(nlohmann::json::parse(finished.out)["matched"] == 60);
+  CHECK(eval(truth, moved, {"--quiet"}).err.empty());
+  CHECK(eval(truth, files.write("early.tum", true, 0, 1, 40)).err.empty());  // ends early
+}
+
+TEST_CASE("eval refuses a distance in time that is no number") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  for (const char* wrong : {"nan", "-nan", "inf", "-1", "1e999", "x", "0.1s"}) {
+    const Finished finished = eval(truth, truth, {"--max-difference", wrong});
+    CAPTURE(wrong);
+    CHECK(finished.exit_code == 2);
+    CHECK(contains(finished.err, "--max-difference: must be a number of at least 0"));
+  }
+  CHECK(eval(truth, truth, {"--max-difference", "0"}).exit_code == 0);
+}
+
+TEST_CASE("eval of a single pose tells no error of zero") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string one = files.write("one.tum", true, 0, 1, 1);
+  const Finished finished = eval(truth, one);
+  CHECK(finished.exit_code == 5);
+  CHECK(contains(finished.err, "only one pose matches"));
+  CHECK(eval(truth, one, {"--align", "none"}).exit_code == 0);
+}
+
+TEST_CASE("eval reads files that begin with a byte order mark") {
+  const Files files;
+  for (const bool tum : {true, false}) {
+    const std::string plain = files.write("plain", tum);
+    const std::filesystem::path marked = files.folder.path() / "marked";
+    std::ofstream(marked) << "\xEF\xBB\xBF" << readText(plain);
+    CHECK(eval(plain, marked.string()).exit_code == 0);
+  }
+}
