@@ -9,7 +9,6 @@
 #include <system_error>
 
 #include "dataset/png_encoder.hpp"
-#include "record/atomic_file.hpp"
 #include "record/pose_files.hpp"
 
 namespace tolman::dataset {
@@ -87,13 +86,19 @@ Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
     return Status::failed(folder.string() +
                           ": is not a folder and cannot be made; choose another --out");
   }
+  record::FileDescriptor lock = record::lockFolder(folder);
+  if (!lock.isOpen()) {
+    return Status::failed(folder.string() +
+                          ": another rendering or run is writing here; wait for its end, or choose "
+                          "another --out");
+  }
   if (!fs::is_empty(folder, failure) && !replace) {
     return Status::failed(folder.string() +
                           ": is not empty; choose another --out, or give --force to replace an "
                           "earlier rendering");
   }
   if (replace) removeEarlier(folder);
-  return KittiFolder(folder);
+  return KittiFolder(folder, std::move(lock));
 }
 
 Status KittiFolder::writeImage(const char* name, std::int64_t index,

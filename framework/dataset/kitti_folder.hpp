@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dataset/loop_truth.hpp"
+#include "record/atomic_file.hpp"
 #include "tolman/records.hpp"
 #include "tolman/status.hpp"
 
@@ -26,10 +27,11 @@ std::string calibrationText(const CameraRig& rig);
 /// Seconds, exact to the nanosecond, one line an image.
 std::string timesText(const std::vector<std::int64_t>& stamps_ns);
 
+/// Holds a lock on the folder while it lives, so that no two renderings write one.
 class KittiFolder {
  public:
-  /// Makes the folder. Fails when it is not empty, unless `replace`: then the files of an earlier
-  /// rendering are removed, and nothing else.
+  /// Makes the folder. Fails when somebody else writes there, and when it is not empty, unless
+  /// `replace`: then the files of an earlier rendering are removed, and nothing else.
   static Result<KittiFolder> create(const std::filesystem::path& folder, bool replace);
 
   const std::filesystem::path& path() const { return folder_; }
@@ -45,10 +47,12 @@ class KittiFolder {
                     const std::vector<Revisit>& revisits) const;
 
  private:
-  explicit KittiFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  KittiFolder(std::filesystem::path folder, record::FileDescriptor lock)
+      : folder_(std::move(folder)), lock_(std::move(lock)) {}
   Status writeImage(const char* name, std::int64_t index, const Result<std::string>& png) const;
 
   std::filesystem::path folder_;
+  record::FileDescriptor lock_;
 };
 
 }  // namespace tolman::dataset

@@ -2,6 +2,7 @@
 #include "record/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -49,6 +50,12 @@ FileDescriptor::~FileDescriptor() {
 FileDescriptor& FileDescriptor::operator=(FileDescriptor&& other) noexcept {
   std::swap(number_, other.number_);
   return *this;
+}
+
+FileDescriptor lockFolder(const std::filesystem::path& folder) {
+  FileDescriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  const bool locked = descriptor.isOpen() && ::flock(descriptor.number(), LOCK_EX | LOCK_NB) == 0;
+  return locked ? std::move(descriptor) : FileDescriptor(-1);
 }
 
 Status writeAtomicallyAt(const FileDescriptor& directory, const std::string& name,

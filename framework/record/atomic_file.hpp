@@ -27,6 +27,10 @@ class FileDescriptor {
   int number_;
 };
 
+/// The open folder, locked against every other writer of it while it lives; not open when somebody
+/// else holds the lock, or for what is no folder.
+FileDescriptor lockFolder(const std::filesystem::path& folder);
+
 /// Whether the bytes are on the disk when the call returns, so that they survive a loss of power.
 enum class Sync : std::uint8_t { Yes, No };
 

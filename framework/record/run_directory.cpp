@@ -80,8 +80,8 @@ Result<RunDirectory> RunDirectory::reopen(const fs::path& path) {
 }
 
 Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string& remedy) {
-  FileDescriptor descriptor(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (!descriptor.isOpen() || ::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0) {
+  FileDescriptor descriptor = lockFolder(path);
+  if (!descriptor.isOpen()) {
     return Status::failed(path.string() + ": another run is writing here; " + remedy);
   }
   return RunDirectory(path, std::move(descriptor));

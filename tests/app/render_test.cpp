@@ -332,3 +332,24 @@ TEST_CASE("SIGINT leaves whole files that are a data set, and exits with 130") {
   CHECK(lines(easel.out / "poses.txt") == images);
   CHECK(tolman::test::tolman({"dataset", "check", easel.out.string()}).exit_code == 0);
 }
+
+TEST_CASE("a folder that is being rendered is refused to others, force or not") {
+  const Easel easel;
+  auto words = easel.command({"--set", "source.frames=1000000"});
+  words.insert(words.begin(), tolmanProgram().string());
+  Process process(words, easel.folder.path());
+  for (int i = 0; i < 3000 && !fs::exists(easel.out / "image_0/000003.png"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  easel.refused({"--frames", "5", "--force"}, 8,
+                easel.out.string() +
+                    ": another rendering or run is writing here; wait for its end, or choose "
+                    "another --out\n");
+  process.signal(SIGINT);
+  CHECK(process.wait().exit_code == 130);
+  const auto images = files(easel.out / "image_0");
+  CHECK(lines(easel.out / "times.txt") == images);
+  CHECK(tolman::test::tolman({"dataset", "check", easel.out.string()}).exit_code == 0);
+  CHECK(easel.render({"--frames", "5", "--force"}).exit_code == 0);
+  CHECK(files(easel.out / "image_0") == 5);
+}

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "record/run_directory.hpp"
 #include "support/data.hpp"
 
 using namespace tolman;
@@ -88,6 +89,29 @@ TEST_CASE("replacing removes an earlier rendering, and nothing else") {
   CHECK(entries(folder.path() / "image_0") == 2);
   CHECK(fs::exists(folder.path() / "thesis.tex"));
   CHECK(fs::exists(folder.path() / "velodyne/000000.png"));
+}
+
+TEST_CASE("two renderings cannot share a folder, and neither a rendering and a run") {
+  const test::TemporaryFolder folder;
+  const fs::path path = fs::canonical(folder.path()) / "out";
+  const std::string refusal =
+      path.string() +
+      ": another rendering or run is writing here; wait for its end, or choose another --out";
+  {
+    const auto first = dataset::KittiFolder::create(path, false);
+    REQUIRE(first.isOk());
+    touch(path / "image_0/000000.png");
+    for (const bool replace : {false, true}) {
+      CHECK(dataset::KittiFolder::create(path, replace).status().message() == refusal);
+    }
+    CHECK(fs::exists(path / "image_0/000000.png"));  // the refused one removed nothing
+    record::RunDirectoryOptions options;
+    options.out = path;
+    options.replace = true;
+    CHECK_FALSE(record::RunDirectory::create(options).isOk());
+  }
+  CHECK(dataset::KittiFolder::create(path, true).isOk());
+  CHECK_FALSE(fs::exists(path / "image_0"));
 }
 
 TEST_CASE("an image that cannot be written is named, and leaves nothing behind") {
