@@ -17,6 +17,8 @@
 namespace tolman::app {
 namespace {
 
+constexpr double kFarthest = 1e9;  // m; as of all positions that are read
+
 struct PlanOptions {
   std::string run;
   std::string from;
@@ -60,10 +62,10 @@ End endOf(const std::string& text, const MapGraph& graph) {
   Eigen::Vector2d place;
   const std::string_view all = text;
   if (comma == std::string::npos || !parse(all.substr(0, comma), place.x()) ||
-      !parse(all.substr(comma + 1), place.y()) || !place.allFinite()) {
+      !parse(all.substr(comma + 1), place.y()) || !((place.array().abs() <= kFarthest).all())) {
     throw Ended{ExitCode::Usage, "'" + text +
                                      "' is not a place: give an experience (17) or metres right "
-                                     "and forward of the start (12.5,-30)"};
+                                     "and forward of the start (12.5,-30), at most 1e9"};
   }
   id = planning::nearestExperience(firstPart(graph), place);
   if (id < 0) return End{text, id, std::nullopt};  // the search reports that it is not in the map

@@ -274,7 +274,8 @@ void Chain::publishTrajectory() {
 
 void Chain::finish() {
   if (counters_.neverTracked()) {
-    listener_.onEvent({-1, LogLevel::Warning, "odometry", std::string(kNeverTracked)});
+    listener_.onEvent(
+        {-1, LogLevel::Warning, "odometry", std::string(counters_.neverTrackedText())});
   }
   std::vector<MotionRevision> revisions;
   MapGraph graph;

@@ -7,6 +7,13 @@
 
 namespace tolman::pipeline {
 
+inline constexpr std::string_view kNeverTracked =
+    "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
+    "`tolman dataset check`";
+
+inline constexpr std::string_view kOneFrame =
+    "no motion in the whole run: it has one frame, and motion is found between two; take more";
+
 /// Health of a run, to be read before any error figure.
 struct RunCounters {
   std::int64_t frames = 0;          ///< processed
@@ -43,11 +50,9 @@ struct RunCounters {
 
   std::int64_t tracked() const { return frames - initialising - lost; }
   /// Whether no motion was found in the whole run.
-  bool neverTracked() const { return frames > 1 && tracked() == 0; }
+  bool neverTracked() const { return frames > 0 && tracked() == 0; }
+  /// What to say of a run that never tracked: one frame shows no motion, however good it is.
+  std::string_view neverTrackedText() const { return frames == 1 ? kOneFrame : kNeverTracked; }
 };
-
-inline constexpr std::string_view kNeverTracked =
-    "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
-    "`tolman dataset check`";
 
 }  // namespace tolman::pipeline

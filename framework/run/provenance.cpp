@@ -93,7 +93,7 @@ void addOutcome(Json& json, const Outcome& outcome) {
   const pipeline::RunCounters& n = outcome.counters;
   json["ended"] = utcText(utcSeconds());
   json["message"] = outcome.failure    ? outcome.failure->message
-                    : n.neverTracked() ? std::string(pipeline::kNeverTracked)
+                    : n.neverTracked() ? std::string(n.neverTrackedText())
                                        : "";
   if (outcome.failure) {
     json["failure"] = {{"kind", enumName(outcome.failure->kind)},

@@ -79,18 +79,20 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, con
                                           const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
   std::set<std::string> taken;
-  std::vector<fs::path> written{folder / "report.html"};
-  for (const fs::path& run : runs) {
+  for (const fs::path& run : runs) {  // all before the first file: one that fails leaves nothing
     const config::SystemConfig system = systemOf(run);
     const auto seed = static_cast<std::uint64_t>(system.general.seed);
     auto page = report::makePage(run, system.evaluation, units, seed);
     if (!page.isOk()) return page.status();
-    const std::string name = folderOf(run, taken);
-    page.value().directory = name;
-    FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : name), true, written);
-    const Status status = figures.addAll(page.value());
-    if (!status.isOk()) return status;
+    page.value().directory = folderOf(run, taken);
     pages.push_back(std::move(page).value());
+  }
+  std::vector<fs::path> written{folder / "report.html"};
+  for (const report::RunPage& page : pages) {
+    FigureFolder figures(folder / "figures" / (runs.size() == 1 ? "" : page.directory), true,
+                         written);
+    const Status status = figures.addAll(page);
+    if (!status.isOk()) return status;
   }
   const std::string comparison = report::comparisonFigure(pages);
   if (!comparison.empty()) {

@@ -37,6 +37,19 @@ TEST_CASE("that a run never tracked is its first line") {
                         "          no motion in the whole run; are the images rectified"));
 }
 
+TEST_CASE("a run of one frame found no motion either, and is not told to look at its images") {
+  run::Outcome outcome;
+  outcome.counters.frames = 1;
+  outcome.counters.initialising = 1;
+  CHECK_THAT(app::healthText(outcome),
+             Catch::StartsWith("tracking  0 of 1 frames, 1 initialising, 0 lost\n"
+                               "          no motion in the whole run: it has one frame, and motion "
+                               "is found between two; take more\n"));
+  outcome.counters.frames = 0;  // nothing was processed: the failure says why
+  outcome.counters.initialising = 0;
+  CHECK_FALSE(outcome.counters.neverTracked());
+}
+
 TEST_CASE("figures name their alignment, coverage and segments") {
   evaluation::TrajectoryMetrics scored;
   scored.path_length_m = 60.1;

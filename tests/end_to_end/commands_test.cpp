@@ -179,6 +179,27 @@ TEST_CASE("report of runs that were made and moved; of what is none, one clear e
   const Finished none = tolman::test::tolman({"report", folder.path().string()});
   CHECK(none.exit_code == 5);
   CHECK(contains(none.err, "run.sqlite"));
+  const auto half = folder.path() / "half";  // the second run is none: nothing is written
+  CHECK(tolman::test::tolman({"report", (folder.path() / "one").string(),
+                              (folder.path() / "nowhere").string(), "--out", half.string()})
+            .exit_code == 5);
+  CHECK_FALSE(std::filesystem::exists(half));
+}
+
+TEST_CASE("a run of one frame is one without motion, with its own sentence") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 1);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const auto out = folder.path() / "run";
+  const Finished finished = tolman::test::tolman(tinyRun(config, out));
+  INFO(finished.err);
+  CHECK(finished.exit_code == 6);
+  CHECK(contains(finished.out, "tracking  0 of 1 frames"));
+  CHECK(contains(finished.out, "no motion in the whole run: it has one frame"));
+  CHECK_FALSE(contains(finished.out, "ATE"));
+  const auto json = readJson(out / "run.json");
+  CHECK(json["status"] == "finished");
+  CHECK(contains(json["message"], "it has one frame"));
 }
 
 TEST_CASE("report draws the units that are asked for, counted from one") {
@@ -231,6 +252,13 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
       tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "somewhere"});
   CHECK(nowhere.exit_code == 2);
   CHECK(contains(nowhere.err, "'somewhere' is not a place"));
+  for (const char* far : {"1e300,1e300", "0,-1e10", "nan,0", "0,inf"}) {
+    const Finished finished =
+        tolman::test::tolman({"plan", out.string(), "--from", far, "--to", "0"});
+    CHECK(finished.exit_code == 2);
+    CHECK(contains(finished.err, std::string("'") + far + "' is not a place"));
+    CHECK(contains(finished.err, "at most 1e9"));
+  }
 }
 
 TEST_CASE("export of what is no run is one clear error") {
