@@ -29,8 +29,8 @@ TEST_CASE("of an outcome a failure counts first, then an interruption, then lost
   CHECK(exitCode(outcome) == app::ExitCode::TrackingLost);
   outcome.counters.frames = 3;  // one of them was tracked
   CHECK(exitCode(outcome) == app::ExitCode::Ok);
-  outcome.counters.frames = outcome.counters.initialising = 1;  // one frame has no motion
-  CHECK(exitCode(outcome) == app::ExitCode::Ok);
+  outcome.counters.frames = outcome.counters.initialising = 1;  // one frame shows no motion
+  CHECK(exitCode(outcome) == app::ExitCode::TrackingLost);
   outcome.counters.lost_at_end = true;
   outcome.interrupted = true;
   CHECK(exitCode(outcome) == app::ExitCode::Interrupted);
