@@ -79,7 +79,8 @@ std::string describe(const ImageDataset& dataset, std::int64_t frames) {
   const std::vector<std::int64_t>& stamps = dataset.stamps_ns;
   if (stamps.size() > 1 && stamps.back() > stamps.front()) {
     const double seconds = static_cast<double>(stamps.back() - stamps.front()) * 1e-9;
-    text += " px at " + fixed(static_cast<double>(stamps.size() - 1) / seconds, 1) + " Hz";
+    const double rate = static_cast<double>(stamps.size() - 1) / seconds;
+    text += " px at " + fixed(rate, rate < 1 ? 4 : 1) + " Hz";
   }
   if (stereo) text += ", baseline " + fixed(dataset.rig.baseline, 4) + " m";
   if (!dataset.rig.calibrated) text += ", uncalibrated";

@@ -129,6 +129,10 @@ TEST_CASE("the description says what there is and what of it is used") {
   dataset.rig.height = 370;
   CHECK(describe(dataset, 51) ==
         "folders, 51 images of one camera of 1226x370 px at 9.7 Hz, uncalibrated, no truth");
+  dataset.stamps_ns = uniformStamps(51, 0.0096);
+  CHECK(describe(dataset, 51) ==
+        "folders, 51 images of one camera of 1226x370 px at 0.0096 Hz, uncalibrated, no truth");
+  dataset.stamps_ns = uniformStamps(51, 9.7);
   dataset.rig.calibrated = true;
   dataset.rig.baseline = 0.53716;
   dataset.T_world_left.resize(51);
