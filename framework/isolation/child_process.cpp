@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "isolation/process_mark.hpp"
 #include "tolman/version.hpp"
 
 namespace tolman::isolation {
@@ -19,6 +20,15 @@ namespace {
 
 void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
+}
+
+/// As exec() takes them.
+std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 /// What happens between fork and exec. posix_spawn(), because the host has threads.
@@ -46,13 +56,12 @@ class SpawnPlan {
   SpawnPlan(const SpawnPlan&) = delete;
   SpawnPlan& operator=(const SpawnPlan&) = delete;
 
-  pid_t start(std::vector<std::string> command) const {
-    std::vector<char*> words;
-    words.reserve(command.size() + 1);
-    for (std::string& word : command) words.push_back(word.data());
-    words.push_back(nullptr);
+  pid_t start(std::vector<std::string> command, const std::string& mark) const {
+    std::vector<std::string> environment = environmentWith(mark);
+    const std::vector<char*> words = pointersTo(command);
     pid_t pid = -1;
-    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(), environ),
+    check(::posix_spawn(&pid, words[0], &actions_, &attributes_, words.data(),
+                        pointersTo(environment).data()),
           "no further process can be started");
     return pid;
   }
@@ -87,7 +96,7 @@ std::string ProcessEnd::text() const {
 
 ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
                            int output)
-    : pid_(SpawnPlan(passed, output).start(command)) {}
+    : mark_(newMark()), pid_(SpawnPlan(passed, output).start(command, mark_)) {}
 
 ChildProcess::~ChildProcess() { (void)end(std::chrono::milliseconds(0)); }
 
@@ -116,10 +125,11 @@ ProcessEnd ChildProcess::end(std::chrono::milliseconds timeout) {
   while (!hasEnded() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // The group may still hold processes that it started, and it may have left the group itself.
-  // Kill both before reaping: until then the id cannot belong to another process.
+  // The group may still hold processes that it started, and it, or they, may have left the group.
+  // Kill all before reaping: until then the id cannot belong to another process.
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);
+  killMarked(mark_);
   reap();
   return end_;
 }

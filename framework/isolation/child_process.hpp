@@ -31,17 +31,19 @@ class ChildProcess {
   /// and stderr go to `output`. Throws std::system_error.
   ChildProcess(const std::vector<std::string>& command, const std::vector<int>& passed,
                int output = 2);
-  /// Kills the process group.
+  /// Kills the process and all that it started.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   bool hasEnded() const;
-  /// Waits at most `timeout`, then kills the process group.
+  /// Waits at most `timeout`, then kills the process and all that it started: its group, and
+  /// processes with its mark (process_mark.hpp).
   ProcessEnd end(std::chrono::milliseconds timeout);
 
  private:
   void reap();
+  std::string mark_;
   pid_t pid_ = -1;
   bool reaped_ = false;
   ProcessEnd end_;

@@ -17,6 +17,7 @@
 #include "isolation/channel.hpp"
 #include "isolation/child_process.hpp"
 #include "isolation/context_message.hpp"
+#include "isolation/process_mark.hpp"
 
 namespace tolman::isolation {
 namespace {
@@ -42,13 +43,15 @@ class RemoteCancellation : public Cancellation {
   const ControlBlock& control_;
 };
 
-/// Kills this process group as soon as the host ends, even during a call that does not return.
+/// Kills this process and all that it started as soon as the host ends, even during a call that
+/// does not return.
 void endWithHost(int socket) {
   // The id of the original group: the plugin may have moved this process to another one.
-  std::thread([socket, group = ::getpid()] {
+  std::thread([socket, group = ::getpid(), mark = ownMark()] {
     pollfd watched{socket, 0, 0};  // POLLHUP is always reported
     while (::poll(&watched, 1, -1) <= 0) {
     }
+    killMarked(mark);
     ::kill(-group, SIGKILL);
     ::kill(group, SIGKILL);
   }).detach();

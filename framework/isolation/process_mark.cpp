@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "isolation/process_mark.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace tolman::isolation {
+namespace {
+
+constexpr const char* kVariable = "TOLMAN_PROCESS";
+
+bool hasMark(const std::filesystem::path& process, const std::string& mark) {
+  std::ifstream file(process / "environ", std::ios::binary);
+  const std::string environment{std::istreambuf_iterator<char>(file), {}};
+  return environment.find(mark) != std::string::npos;
+}
+
+/// Returns whether there was one.
+bool killOnce(const std::string& mark) {
+  bool any = false;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry("/proc", error), end; entry != end;
+       entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos) continue;
+    const auto id = static_cast<pid_t>(std::strtol(name.c_str(), nullptr, 10));
+    if (id == ::getpid() || !hasMark(entry->path(), mark)) continue;
+    any = ::kill(id, SIGKILL) == 0 || any;
+  }
+  return any;
+}
+
+}  // namespace
+
+std::string newMark() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+  const std::string own = ownMark();
+  const std::string unique = std::to_string(::getpid()) + "." + std::to_string(::gettid()) + "." +
+                             std::to_string(now) + ";";
+  return (own.empty() ? std::string(kVariable) + "=" : own) + unique;
+}
+
+std::string ownMark() {
+  const char* value = std::getenv(kVariable);
+  return value == nullptr ? "" : std::string(kVariable) + "=" + value;
+}
+
+std::vector<std::string> environmentWith(const std::string& mark) {
+  std::vector<std::string> variables = {mark};
+  for (char** variable = environ; variable != nullptr && *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    if (!text.starts_with(std::string(kVariable) + "=")) variables.push_back(text);
+  }
+  return variables;
+}
+
+void killMarked(const std::string& mark) {
+  constexpr int kMostPasses = 20;  // it may start others meanwhile
+  for (int pass = 0; !mark.empty() && pass < kMostPasses && killOnce(mark); ++pass) {
+  }
+}
+
+}  // namespace tolman::isolation
