@@ -2,6 +2,7 @@
 #include "pipeline/chain.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "pipeline/task_isolation.hpp"
 
@@ -54,7 +55,7 @@ bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int
     fail(role, status);
     return false;
   }
-  ++counters_.skipped;
+  if (frame >= 0 && std::exchange(last_skipped_frame_, frame) != frame) ++counters_.skipped;
   const FailureTally::Report report = failures_.count(name);
   if (report == FailureTally::Report::No) return true;
   const char* last =

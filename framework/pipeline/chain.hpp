@@ -122,6 +122,7 @@ class Chain {
   std::optional<StageFailure> failure_;
   std::optional<Status> input_failure_;
   FailureTally failures_;  // by role
+  std::int64_t last_skipped_frame_ = -1;
   mutable std::mutex failure_mutex_;
   Motion last_motion_;
   Decision last_decision_;

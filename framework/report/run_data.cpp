@@ -110,7 +110,9 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   metrics.parts = parts.count;
   metrics.sessions =
       sessionFigures(must(reader.sessions()), must(reader.nextFrame()), run.graph, parts);
-  if (settings.sessions == config::SessionScope::Joint && parts.count > 1) {
+  if (run.graph.experiences.empty()) {
+    metrics.map.reason = "the map has no experience, so its poses are those of odometry";
+  } else if (settings.sessions == config::SessionScope::Joint && parts.count > 1) {
     metrics.map.reason = evaluation::unjoinedText(metrics);
   } else {
     metrics.map = evaluation::scoreTrajectory(truth, run.map, metrics.alignment, lengths);

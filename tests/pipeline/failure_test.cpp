@@ -79,6 +79,18 @@ TEST_CASE("skip: place, cells and map answer nothing new for the frame") {
   }
 }
 
+TEST_CASE("a stage that fails to the end skips as many frames as there are") {
+  Hooks hooks;
+  hooks.cells = [](std::int64_t) { return Status::failed("broken"); };
+  hooks.map_finish = [] { throw std::runtime_error("broken"); };
+  ToySystem system(hooks);
+  const auto result = system.drive(
+      {}, 2, {FailurePolicy::Stop, FailurePolicy::Stop, FailurePolicy::Skip, FailurePolicy::Skip});
+  CHECK_FALSE(result.failure);
+  CHECK(result.counters.frames == 30);
+  CHECK(result.counters.skipped == 30);
+}
+
 TEST_CASE("a listener that fails (a full disk) stops the run with its own status") {
   Hooks hooks;
   ToySystem system(hooks);

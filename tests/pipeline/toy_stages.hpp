@@ -55,7 +55,9 @@ struct ToyOdometry : Odometry {
   Status track(const Frame& frame, Motion& motion) override {
     motion.frame = frame.frame;
     motion.stamp_ns = frame.stamp_ns;
-    motion.state = TrackingState::Tracking;
+    if (frame.frame > 0) motion.state = TrackingState::Tracking;
+    motion.dt = last_ns < 0 ? 0 : 1e-9 * static_cast<double>(frame.stamp_ns - last_ns);
+    last_ns = frame.stamp_ns;
     state = 0.9 * state + static_cast<double>(frame.frame);
     motion.v = state;
     return Hooks::call(hooks.odometry, frame.frame);
@@ -67,6 +69,7 @@ struct ToyOdometry : Odometry {
   }
   Hooks& hooks;
   double state = 0;
+  std::int64_t last_ns = -1;
 };
 
 /// A metre a frame at 10 Hz, but at frame 3 a hundred; each frame revises the one before.
@@ -166,7 +169,7 @@ struct ToyMap : Map, ToyState<double> {
   }
   Status poseOf(std::int64_t, Eigen::Isometry3d&) const override { return Status::ok(); }
   Status graph(MapGraph& graph) const override {
-    for (std::int64_t id = 0; id < experiences; ++id) graph.experiences.emplace_back().id = id;
+    for (std::int64_t id = 0; id < experiences; ++id) graph.experiences.push_back({id, id});
     return Status::ok();
   }
   Status finish(const std::vector<MotionRevision>&) override {
