@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "report/axes.hpp"
 #include "report/colour_map.hpp"
@@ -17,6 +18,7 @@ namespace {
 using evaluation::PopulationHistory;
 
 constexpr double kArrayPanel = 190;        // px, height of the panel of one array
+constexpr std::size_t kMostPanels = 40;    // what pngOf() can draw
 constexpr std::size_t kMostColumns = 100;  // cells of a heat map
 constexpr std::size_t kMostRows = 24;
 constexpr std::array<const char*, 5> kLineColours = {kBlue, kOrange, kGreen, kVermilion, kPurple};
@@ -88,9 +90,10 @@ void drawHeatMap(Svg& svg, double top, const PopulationHistory& array) {
 
 std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays) {
   if (arrays.empty()) return "";
-  Svg svg(900, kArrayPanel * static_cast<double>(arrays.size()));
+  const std::span shown = std::span(arrays).first(std::min(arrays.size(), kMostPanels));
+  Svg svg(900, kArrayPanel * static_cast<double>(shown.size()));
   double top = 0;
-  for (const PopulationHistory& array : arrays) {
+  for (const PopulationHistory& array : shown) {
     const bool few = array.activity.front().size() <= kLineColours.size();
     few ? drawLines(svg, top, array) : drawHeatMap(svg, top, array);
     top += kArrayPanel;

@@ -100,7 +100,8 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
       page, "activity",
       "State of the attractor networks at four moments; the red line is the estimated heading.",
       activityFigure(data.cells, decisions.value()));
-  addFigure(page, "arrays", "Other arrays of the cells over time.", arrayFigure(data.cells.others));
+  addFigure(page, "arrays", "Other arrays of the cells over time; at most 40 are drawn.",
+            arrayFigure(data.cells.others));
   const Status neurons = addNeurons(page, units);
   if (!neurons.isOk()) return neurons;
   addFigure(page, "timing", "Time that each stage took for a frame, ms.",

@@ -6,10 +6,12 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <utility>
 
+#include "config/printable_text.hpp"
+
 namespace tolman::report {
 
 std::string escaped(std::string_view text) {
-  std::string safe(text);
+  std::string safe = config::printable(text);
   for (const auto& [character, entity] : {std::pair("&", "&amp;"), std::pair("<", "&lt;"),
                                           std::pair(">", "&gt;"), std::pair("\"", "&quot;")}) {
     boost::replace_all(safe, character, entity);

@@ -25,7 +25,8 @@ inline constexpr const char* kGridLine = "#e6e6e6";
 inline constexpr const char* kFaintLine = "#bbbbbb";
 inline constexpr const char* kPaleBlue = "#cfe3f1";
 
-/// `text` with the special characters of XML and HTML replaced by entities.
+/// `text` with the special characters of XML and HTML replaced by entities, and what
+/// cannot be printed by U+FFFD.
 std::string escaped(std::string_view text);
 
 enum class TextAnchor : std::uint8_t { Start, Middle, End };

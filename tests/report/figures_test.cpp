@@ -7,6 +7,7 @@
 #include <cmath>
 #include <regex>
 
+#include "report/raster.hpp"
 #include "report/recorded_walk.hpp"
 #include "report/sample_pages.hpp"
 #include "report/svg.hpp"
@@ -83,6 +84,12 @@ TEST_CASE("arrays that no figure knows are drawn as they are, and one by one") {
   CHECK(heat_map.find("place (2 x 6, Hz): rates of places") != std::string::npos);
   CHECK(count(heat_map, "<image") == 1);
   CHECK(heat_map.find("nan") == std::string::npos);
+}
+
+TEST_CASE("of very many arrays only as many are drawn as a picture can hold") {
+  const RecordedRun sample;
+  const std::vector<evaluation::PopulationHistory> many(256, sample.data.cells.others[0]);
+  CHECK(pngOf(arrayFigure(many)).isOk());
 }
 
 TEST_CASE("rates of two opposite head direction units and one grid unit") {

@@ -15,6 +15,10 @@ TEST_CASE("names from a configuration cannot become markup") {
   CHECK(text.find("&lt;/text&gt;&lt;script&gt;") != std::string::npos);
 }
 
+TEST_CASE("control characters and damaged UTF-8 are replaced: XML forbids them") {
+  CHECK(escaped("a\033[31m\xff\n") == "a\xef\xbf\xbd[31m\xef\xbf\xbd\n");
+}
+
 TEST_CASE("a picture says its size and draws what it is told") {
   Svg svg(120, 80);
   svg.line({1, 2}, {3, 4}, kBlue, 2);
