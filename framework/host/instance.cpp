@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "host/instance.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -63,14 +62,18 @@ Status Instance::arrays(std::int64_t frame, std::vector<NamedArray>& arrays) {
   if (object_.arrays == nullptr) return Status::ok();
   return guarded({name_, manifest_.id, "arrays", frame}, [&] {
     object_.arrays->arrays(arrays);
-    return checkArrays(arrays);
+    return shapes_.check(arrays);
   });
 }
 
 Status Instance::describe(std::vector<ArrayInfo>& arrays) {
   if (object_.descriptions == nullptr) return Status::ok();
-  return guarded({name_, manifest_.id, "describe", -1},
-                 [&] { return object_.descriptions->describe(arrays); });
+  return guarded({name_, manifest_.id, "describe", -1}, [&] {
+    const std::size_t before = arrays.size();
+    const Status status = object_.descriptions->describe(arrays);
+    if (!status.isOk() || arrays.size() < before) return status;
+    return checkDescriptions(std::span(arrays).subspan(before));
+  });
 }
 
 Result<std::string> Instance::url() {
@@ -101,25 +104,6 @@ Status Instance::load(const std::string& bytes) {
 
 Status Instance::unsupported(const std::string& what) const {
   return Status::unsupported(name_ + " (" + manifest_.id + "): this plugin " + what);
-}
-
-Status Instance::checkArrays(const std::vector<NamedArray>& arrays) {
-  for (const NamedArray& array : arrays) {
-    std::size_t size = 1;
-    for (const int side : array.shape) size *= static_cast<std::size_t>(std::max(side, 0));
-    if (size != array.values.size()) {
-      return Status::failed("array '" + array.name + "' has a size that differs from its shape");
-    }
-    if (!std::all_of(array.values.begin(), array.values.end(),
-                     [](float value) { return std::isfinite(value); })) {
-      return Status::failed("array '" + array.name + "' has NaN or infinity");
-    }
-    const auto [known, is_new] = array_shapes_.try_emplace(array.name, array.shape);
-    if (!is_new && known->second != array.shape) {
-      return Status::failed("array '" + array.name + "' changed its shape");
-    }
-  }
-  return Status::ok();
 }
 
 }  // namespace tolman::host

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "host/arrays.hpp"
 #include "host/guard.hpp"
 #include "host/library.hpp"
 #include "tolman/context.hpp"
@@ -40,7 +40,8 @@ class Instance {
   const std::string& name() const { return name_; }
   const Manifest& manifest() const { return manifest_; }
 
-  /// Replaces `arrays` by the plugin's state; leaves it empty when it offers none.
+  /// Replaces `arrays` by the plugin's state, with names and shapes of the first call; leaves it
+  /// empty when it offers none.
   Status arrays(std::int64_t frame, std::vector<NamedArray>& arrays);
   /// Appends the descriptions of the plugin's arrays (for a source: of Frame::sensors); nothing
   /// when it offers none. After configure().
@@ -62,13 +63,12 @@ class Instance {
 
  private:
   Status unsupported(const std::string& what) const;
-  Status checkArrays(const std::vector<NamedArray>& arrays);
 
   Manifest manifest_;
   std::string name_;
   PluginObject object_;
   Destroy destroy_;
-  std::map<std::string, std::vector<int>> array_shapes_;  // constant over a run
+  ArrayShapes shapes_;
 };
 
 }  // namespace tolman::host

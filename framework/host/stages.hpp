@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The roles as the host calls them: under the guard, and with every answer checked against the
-// contract (frame, stamp, finite values, order in time).
+// contract: frame, stamp, order in time, values that can be recorded (values.hpp, arrays.hpp), and
+// what its role promises (answers.hpp).
 #pragma once
 
 #include <cstdint>
@@ -9,12 +10,10 @@
 #include <vector>
 
 #include "host/instance.hpp"
+#include "host/motion_times.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::host {
-
-/// Checks that a template id is dense or known. `templates`: number so far, -1 if not known.
-Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates);
 
 /// Owns the instance of a role.
 template <class RoleType>
@@ -64,10 +63,13 @@ class OdometryStage : public Stage<Odometry> {
   Status finish(std::vector<MotionRevision>& revisions);
   /// As SourceStage::startAt(): odometry starts anew in each session.
   void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
+  /// After reset(), or after a saved state was loaded.
+  void expect() { times_ = {}; }
 
  private:
   Status track(Odometry& odometry, const Frame& frame, Motion& motion) const;
   std::int64_t first_frame_ = 0;
+  MotionTimes times_;
 };
 
 class PlaceStage : public Stage<Place> {
@@ -93,11 +95,15 @@ class CellsStage : public Stage<Cells> {
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish() { return call("finish", -1, &Cells::finish); }
   /// Number of experiences after reset() (0), or after a saved state was loaded.
-  void expect(std::int64_t experiences = 0) { experiences_ = experiences; }
+  void expect(std::int64_t experiences = 0) {
+    experiences_ = experiences;
+    last_ = experiences == 0 ? -1 : kUnknown;
+  }
 
  private:
-  Status check(const Decision& decision) const;
+  static constexpr std::int64_t kUnknown = -2;
   std::int64_t experiences_ = 0;
+  std::int64_t last_ = -1;  ///< the experience of the last decision
 };
 
 class MapStage : public Stage<Map> {
@@ -109,6 +115,15 @@ class MapStage : public Stage<Map> {
   Status finish(const std::vector<MotionRevision>& revisions) {
     return call("finish", -1, &Map::finish, revisions);
   }
+  /// After reset(), or after a saved state was loaded.
+  void expect() {
+    newest_frame_ = INT64_MAX;
+    version_ = INT64_MIN;
+  }
+
+ private:
+  std::int64_t newest_frame_ = INT64_MAX;  ///< the largest number: not known
+  std::int64_t version_ = INT64_MIN;       ///< of the last update; the smallest: not known
 };
 
 class ObserverStage : public Stage<Observer> {

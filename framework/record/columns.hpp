@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "config/limits.hpp"
 #include "config/named_value.hpp"
 #include "record/sqlite.hpp"
 #include "tolman/fields.hpp"
@@ -45,13 +46,10 @@ inline Column columnOf(const Field& field, std::string type) {
 template <class T>
 struct Codec;
 
-/// Limits of what is read: differences of stamps and frames fit their type, and squares of poses
-/// and figures stay finite. No run comes near them.
 template <class Stored>
-inline constexpr Stored kMostNumber = Stored{1e100};
+inline constexpr Stored kMostNumber = config::kMostNumber;
 template <>
-inline constexpr std::int64_t kMostNumber<std::int64_t> = std::int64_t{1} << 62U;
-inline constexpr double kFarthest = 1e12;  ///< m
+inline constexpr std::int64_t kMostNumber<std::int64_t> = config::kMostInteger;
 
 /// Throws BadRow beyond `most` in both directions, and for NaN.
 template <class Stored>
@@ -118,10 +116,11 @@ struct Codec<Eigen::Isometry3d> {
     Eigen::Quaterniond q;
     for (int i = 0; i < 3; ++i) {
       T.translation()[i] = row.next().getDouble();
-      checkNumber(T.translation()[i], kFarthest);
+      checkNumber(T.translation()[i], config::kFarthest);
     }
     for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.next().getDouble();
-    if (!(std::abs(q.norm() - 1) < 1e-3)) throw BadRow("a quaternion is not of unit length");
+    constexpr double kError = 1e-3;  // much more than config::kRotationError causes
+    if (!(std::abs(q.norm() - 1) < kError)) throw BadRow("a quaternion is not of unit length");
     T.linear() = q.normalized().toRotationMatrix();
   }
 };

@@ -5,6 +5,7 @@
 
 #include <charconv>
 
+#include "config/limits.hpp"
 #include "record/rows.hpp"
 
 namespace tolman::record {
@@ -24,17 +25,6 @@ std::vector<int> shapeOf(const std::string& text) {
     next = after < end ? after + 1 : end;
   }
   return shape;
-}
-
-void checkSize(const NamedArray& array) {
-  std::size_t size = 1;
-  for (const int side : array.shape) {
-    const bool fits =
-        side >= 0 && (side == 0 || size <= array.values.size() / static_cast<std::size_t>(side));
-    if (!fits) throw BadRow("an array's shape does not fit its values");
-    size *= static_cast<std::size_t>(side);
-  }
-  if (size != array.values.size()) throw BadRow("an array's shape does not fit its values");
 }
 
 }  // namespace
@@ -64,7 +54,9 @@ void StoreWriter::insertArrays(std::int64_t frame, std::string_view source,
 
 NamedArray arrayOf(const RecordedArray& row) {
   NamedArray array{row.name, shapeOf(row.shape), {row.values.begin(), row.values.end()}};
-  checkSize(array);
+  if (!config::shapeFits(array.shape, array.values.size())) {
+    throw BadRow("an array's shape does not fit its values");
+  }
   return array;
 }
 

@@ -88,6 +88,81 @@ TEST_CASE("plugins that fail at frame 3 end with exit code 7; frames 0 to 2 are 
   }
 }
 
+namespace {
+
+struct WrongAnswer {
+  const char* plugin;
+  const char* message;  ///< after "STAGE (PLUGIN), "
+};
+
+/// The run ends with 7 and this message, and what was recorded before can be read.
+void expectStopped(const std::string& stage, const WrongAnswer& wrong,
+                   const std::string& isolation = "none") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto out = folder.path() / "run";
+  auto arguments = tinyRun(writeTinyConfig(folder.path(), folder.path() / "sequence"), out);
+  for (const std::string& word : std::vector<std::string>{
+           "--plugin-path", kFixtures + "answer_faults", "--plugin-path", kFixtures + "role_faults",
+           "--set", stage + "={plugin: " + wrong.plugin + ", isolation: " + isolation + "}"}) {
+    arguments.push_back(word);
+  }
+  const Finished run = tolman::test::tolman(arguments);
+  INFO(wrong.plugin << ": " << run.err);
+  CHECK(run.exit_code == 7);
+  CHECK(contains(run.err, stage + " (" + wrong.plugin + "), " + wrong.message));
+  CHECK(tolman::test::tolman({"export", out.string(), "--out", (folder.path() / "e").string()})
+            .exit_code == 0);
+  const Finished report = tolman::test::tolman({"report", out.string()});
+  INFO(report.err);
+  CHECK(report.exit_code == 0);
+}
+
+}  // namespace
+
+TEST_CASE("answers that the record cannot take, or that break the contract, are not recorded") {
+  for (const WrongAnswer& wrong : std::vector<WrongAnswer>{
+           {"mirror", "track, frame 3: the rotation of 'T_previous_current' is not orthonormal"},
+           {"huge_speed", "track, frame 3: 'v' is larger than a record takes"},
+           {"far_revision", "track, frame 3: 'revisions.T_previous_current' is farther than"},
+           {"negative_dt", "track, frame 3: 'dt' is -3 s"},
+           {"negative_tracked", "track, frame 3: 'tracked' is -9"},
+           {"negative_variance", "track, frame 3: 'covariance' has a negative variance"},
+           {"future_points", "track, frame 3: points of frame 4"},
+           {"finishes_the_future", "finish: revised frame 999999"}}) {
+    expectStopped("odometry", wrong);
+  }
+  for (const WrongAnswer& wrong : std::vector<WrongAnswer>{
+           {"far_loop", "step, frame 3: 'T_experience_current' is farther than a record takes"},
+           {"no_rotation", "step, frame 3: the rotation of 'T_experience_current' is not"},
+           {"negative_loop", "step, frame 3: 'covariance' has a negative variance"},
+           {"exact_loop", "step, frame 3: 'covariance' is zero"},
+           {"array_twice", "arrays, frame 3: array 'a' is given twice"},
+           {"array_escape", "arrays, frame 3: the array name 'a\xef\xbf\xbd[31m' is not"},
+           {"array_renamed", "arrays, frame 3: array 'b' was not there before"},
+           {"array_many", "arrays, frame 3: 3001 arrays; at most 256"}}) {
+    expectStopped("cells", wrong);
+  }
+}
+
+TEST_CASE("answers of isolated stages are checked in the same way") {
+  expectStopped("odometry", {"mirror", "track, frame 3: the rotation"}, "process");
+  expectStopped("cells", {"far_loop", "step, frame 3: 'T_experience_current' is"}, "process");
+  expectStopped("cells", {"array_twice", "arrays, frame 3: array 'a' is given"}, "process");
+}
+
+TEST_CASE("without any experience the map gets no figures, and each frame is skipped once") {
+  const Attempt attempt("role_faults", "feature_stereo",
+                        {"--set", "cells={plugin: fails_always, on_failure: skip}"});
+  INFO(attempt.finished.err);
+  CHECK(contains(attempt.finished.out, "6 processed, 0 dropped, 6 skipped"));
+  const auto metrics = readJson(attempt.out / "metrics.json");
+  CHECK(metrics["odometry"]["reason"].is_null());
+  CHECK(metrics["map"]["coverage"].is_null());
+  CHECK(metrics["map"]["reason"] ==
+        "the map has no experience, so its poses are those of odometry");
+}
+
 TEST_CASE("on_failure: skip goes on without the frame") {
   const Attempt attempt("misbehaving", "throws_in_track", {"--set", "odometry.on_failure=skip"});
   INFO(attempt.finished.err);

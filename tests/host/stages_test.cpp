@@ -172,13 +172,14 @@ TEST_CASE("loops of earlier frames name a past frame and a known experience") {
   wrong.frame = wrong.experience = 0;
   wrong.covariance(2, 2) = std::nan("");
   CHECK(cells.say(Action::Stay, 0, 0, 1, {wrong}) ==
-        "the answer has NaN, infinity or an illegal value in 'earlier'");
+        "the answer has NaN, infinity or an illegal value in 'earlier.covariance'");
 }
 
-TEST_CASE("arrays hold finite numbers and keep their shapes") {
+TEST_CASE("arrays are checked, with the call and the frame in the message") {
   PuppetStage cells;
-  CHECK(cells.show({{"a", {2}, {1, 2}}, {"b", {}, {1}}}).empty());
-  CHECK(cells.show({{"a", {2}, {1}}}) == "array 'a' has a size that differs from its shape");
-  CHECK(cells.show({{"a", {2}, {1, std::nanf("")}}}) == "array 'a' has NaN or infinity");
-  CHECK(cells.show({{"a", {1}, {1}}}) == "array 'a' changed its shape");
+  CHECK(cells.show({{"a", {2}, {1, 2}}}).empty());
+  Puppet::shows = {{"a", {1}, {1}}};
+  std::vector<NamedArray> seen;
+  CHECK(cells.stage.instance().arrays(7, seen).message() ==
+        "cells (puppet), arrays, frame 7: array 'a' changed its shape");
 }

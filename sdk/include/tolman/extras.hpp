@@ -18,7 +18,8 @@ namespace tolman {
 class ArraySource {
  public:
   virtual ~ArraySource() noexcept(false) {}  // as Plugin's, so that one class can be both
-  /// Appends arrays. Names and shapes stay the same over a run.
+  /// Appends arrays, at most 256. Names and shapes stay the same over a run. A name has 1 to 100
+  /// bytes of UTF-8 without control characters, and no other array has it.
   virtual void arrays(std::vector<NamedArray>& arrays) const = 0;
 };
 

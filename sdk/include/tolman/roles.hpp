@@ -18,8 +18,9 @@
 //           with `isolation: process`). After a skipped frame the next call comes as usual;
 //           later stages receive a substitute: a predicted motion (Lost), no observation, Stay.
 //           T_previous_current is always the motion since the last frame that odometry was given.
-//           The host refuses answers with NaN or infinity, and answers whose frame index or stamp
-//           differs from the input's.
+//           The host refuses answers with NaN or infinity, numbers above 1e100, positions beyond
+//           1e12 m, matrices that are no rotation or no covariance, and answers whose frame index
+//           or stamp differs from the input's.
 // Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
 #pragma once
 

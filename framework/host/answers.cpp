@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/answers.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <numbers>
+
+#include "host/values.hpp"
+
+namespace tolman::host {
+namespace {
+
+template <class... T>
+Status failed(fmt::format_string<const T&...> text, const T&... values) {
+  return Status::failed(fmt::format(text, values...));
+}
+
+/// Of a relative pose. With zero covariance the map would trust it over all other measurements.
+Status checkMeasured(const Matrix6d& covariance, const char* field) {
+  if (covariance.trace() != 0) return checkCovariance(covariance, field);
+  return failed("'{}' is zero, which claims an exact pose; set it", field);
+}
+
+Status checkEarlier(const EarlierLoop& loop, std::int64_t frame, std::int64_t experiences) {
+  if (loop.frame < 0 || loop.frame >= frame) {
+    return failed("answered a loop of frame {}, which is not an earlier frame", loop.frame);
+  }
+  if (loop.experience < 0 || loop.experience >= experiences) {
+    return failed("answered a loop of frame {} to experience {}, which does not exist", loop.frame,
+                  loop.experience);
+  }
+  return checkMeasured(loop.covariance, "earlier.covariance");
+}
+
+Status checkExperience(const Decision& decision, std::int64_t experiences, std::int64_t last) {
+  const std::int64_t id = decision.experience;
+  const bool stays = decision.action == Action::Stay;
+  if (decision.action == Action::CreateExperience) {
+    if (id == experiences) return Status::ok();
+    return failed("created experience {}; ids are dense, the next one is {}", id, experiences);
+  }
+  if (id < (stays ? -1 : 0) || id >= experiences) {
+    return failed("decided for experience {}, which does not exist", id);
+  }
+  if (!stays || last < -1 || id == last) return Status::ok();
+  return failed("stays at experience {}, but was at {}", id, last);
+}
+
+}  // namespace
+
+Status checkCovariance(const Matrix6d& covariance, const char* field) {
+  const double size = covariance.cwiseAbs().maxCoeff();
+  if (size == 0) return Status::ok();
+  // Shares of the largest element that rounding may cause: of the inverse of a badly conditioned
+  // information matrix, and of a product with one that is singular.
+  constexpr double kAsymmetry = 1e-6;
+  constexpr double kNegative = 1e-12;
+  const Matrix6d scaled = covariance / size;
+  if ((scaled - scaled.transpose()).cwiseAbs().maxCoeff() > kAsymmetry) {
+    return failed("'{}' is not symmetric", field);
+  }
+  if (scaled.diagonal().minCoeff() < -kNegative) {
+    return failed("'{}' has a negative variance", field);
+  }
+  Matrix6d lifted = scaled;
+  lifted.diagonal() += 1e-6 * scaled.diagonal() + Vector6d::Constant(1e-9);
+  if (lifted.llt().info() == Eigen::Success) return Status::ok();
+  return failed("'{}' is not positive semidefinite", field);
+}
+
+Status checkRevisions(const std::vector<MotionRevision>& revisions, std::int64_t oldest,
+                      std::int64_t newest) {
+  for (const MotionRevision& revision : revisions) {
+    if (revision.frame < oldest || revision.frame > newest) {
+      return failed("revised frame {}, which is not a past frame", revision.frame);
+    }
+    Status status = checkCovariance(revision.covariance, "revisions.covariance");
+    if (!status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+Status checkMotion(const Motion& motion, bool is_first) {
+  const bool moved = !motion.T_previous_current.isApprox(Eigen::Isometry3d::Identity(), 1e-12);
+  if (is_first && (motion.state != TrackingState::Initialising || moved)) {
+    return Status::failed("frame 0 has no motion: answer Initialising and the identity");
+  }
+  if (motion.state == TrackingState::Initialising && moved) {
+    return Status::failed("an Initialising motion is the identity");
+  }
+  if (motion.tracked < 0)
+    return failed("'tracked' is {}, a number of measurements", motion.tracked);
+  if (motion.points.cols() > 0 && (motion.points_frame < 0 || motion.points_frame > motion.frame)) {
+    return failed("points of frame {}, which is not a past frame", motion.points_frame);
+  }
+  return checkCovariance(motion.covariance, "covariance");
+}
+
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates) {
+  const std::int64_t id = observation.template_id;
+  switch (observation.recognition) {
+    case Recognition::None:
+      if (id == -1) break;
+      return failed("answered None with template {}; None has template_id -1", id);
+    case Recognition::Novel:
+      if (id == templates || (templates < 0 && id >= 0)) break;
+      return failed("made template {}; ids are dense, the next one is {}", id, templates);
+    case Recognition::Familiar:
+      if (id >= 0 && (id < templates || templates < 0)) break;
+      return failed("recognised template {}, which was never made", id);
+  }
+  return Status::ok();
+}
+
+Status checkPlace(const PlaceObservation& observation) {
+  if (observation.has_relative_pose) return checkMeasured(observation.covariance, "covariance");
+  return Status::ok();
+}
+
+Status checkDecision(const Decision& decision, std::int64_t experiences, std::int64_t last) {
+  Status status = checkExperience(decision, experiences, last);
+  for (const EarlierLoop& loop : decision.earlier) {
+    if (status.isOk()) status = checkEarlier(loop, decision.frame, experiences);
+  }
+  if (!status.isOk()) return status;
+  if (decision.heading < 0 || decision.heading >= 2 * std::numbers::pi) {
+    return failed("heading {:f} is not in [0, 2 pi)", decision.heading);
+  }
+  if (decision.confidence < 0 || decision.confidence > 1) {
+    return failed("confidence {:f} is not in [0, 1]", decision.confidence);
+  }
+  if (decision.action != Action::CloseLoop || !decision.has_relative_pose) return Status::ok();
+  return checkMeasured(decision.covariance, "covariance");
+}
+
+Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {
+  if (update.version < last_version) return Status::failed("the version of the map decreased");
+  if (update.experience < -1 || update.experience >= update.experiences) {
+    return failed("the frame is attached to experience {}, which does not exist",
+                  update.experience);
+  }
+  if (update.links >= 0 && update.loops >= 0) return Status::ok();
+  return Status::failed("a number of links is negative");
+}
+
+Status checkGraph(const MapGraph& graph, std::int64_t newest) {
+  const auto count = static_cast<std::int64_t>(graph.experiences.size());
+  const auto isPast = [&](std::int64_t frame) { return frame >= 0 && frame <= newest; };
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Experience& experience = graph.experiences[static_cast<std::size_t>(i)];
+    if (experience.id != i) return Status::failed("experience ids are not dense from 0");
+    if (!isPast(experience.frame)) {
+      return failed("experience {} was made at frame {}, which is not a past frame", i,
+                    experience.frame);
+    }
+    if (Status status = checkValues(experience); !status.isOk()) return status;
+  }
+  for (std::size_t i = 0; i < graph.links.size(); ++i) {
+    const Link& link = graph.links[i];
+    if (link.id != static_cast<std::int64_t>(i)) return Status::failed("link ids are not dense");
+    if (link.from < 0 || link.from >= count || link.to < 0 || link.to >= count) {
+      return failed("link {} has an unknown experience", i);
+    }
+    if (!isPast(link.frame)) {
+      return failed("link {} was made at frame {}, which is not a past frame", i, link.frame);
+    }
+    if (Status status = checkValues(link); !status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+}  // namespace tolman::host

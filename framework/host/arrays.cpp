@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "host/arrays.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
+#include "config/limits.hpp"
+#include "config/printable_text.hpp"
+#include "host/values.hpp"
+
+namespace tolman::host {
+namespace {
+
+/// A name as far as it can be shown, in quotes.
+std::string quoted(std::string_view name) {
+  return "'" + config::printable(name.substr(0, config::kLongestName)) + "'";
+}
+
+Status checkName(std::string_view name) {
+  const bool fits = !name.empty() && name.size() <= config::kLongestName;
+  if (fits && config::isPrintable(name)) return Status::ok();
+  return Status::failed(
+      fmt::format("the array name {} is not of 1 to {} bytes of UTF-8 without control characters",
+                  quoted(name), config::kLongestName));
+}
+
+Status checkText(std::string_view text, const std::string& array) {
+  const bool fits = text.size() <= config::kLongestText;
+  if (fits && config::printable(text) == text) return Status::ok();
+  return Status::failed(
+      fmt::format("a text that describes array '{}' is not of up to {} bytes of UTF-8 without "
+                  "control characters: {}",
+                  array, config::kLongestText, quoted(text)));
+}
+
+Status checkArray(const NamedArray& array) {
+  if (Status status = checkName(array.name); !status.isOk()) return status;
+  if (!config::shapeFits(array.shape, array.values.size())) {
+    return Status::failed("array '" + array.name + "' has a size that differs from its shape");
+  }
+  if (std::ranges::all_of(array.values, [](float value) { return std::isfinite(value); })) {
+    return Status::ok();
+  }
+  return Status::failed("array '" + array.name + "' has NaN or infinity");
+}
+
+Status checkTexts(const ArrayInfo& info) {
+  std::vector<std::string_view> texts = {info.unit, info.doc, info.population};
+  for (const ArrayAxis& axis : info.axes) {
+    texts.insert(texts.end(), {axis.name, axis.unit});
+    texts.insert(texts.end(), axis.labels.begin(), axis.labels.end());
+  }
+  for (const std::string_view text : texts) {
+    if (Status status = checkText(text, info.name); !status.isOk()) return status;
+  }
+  return Status::ok();
+}
+
+/// Number and names are those of one frame.
+template <class Named, class CheckOne>
+Status checkEach(std::span<const Named> all, const CheckOne& check_one) {
+  if (all.size() > config::kMostArrays) {
+    return Status::failed(
+        fmt::format("{} arrays; at most {} are allowed", all.size(), config::kMostArrays));
+  }
+  std::set<std::string_view> names;
+  for (const Named& one : all) {
+    if (Status status = check_one(one); !status.isOk()) return status;
+    if (!names.insert(one.name).second) {
+      return Status::failed("array '" + one.name + "' is given twice");
+    }
+  }
+  return Status::ok();
+}
+
+}  // namespace
+
+Status checkArrays(const std::vector<NamedArray>& arrays) {
+  return checkEach(std::span(arrays), checkArray);
+}
+
+Status checkDescriptions(std::span<const ArrayInfo> arrays) {
+  return checkEach(arrays, [](const ArrayInfo& info) {
+    Status status = checkName(info.name);
+    if (status.isOk()) status = checkValues(info);
+    return status.isOk() ? checkTexts(info) : status;
+  });
+}
+
+Status ArrayShapes::check(const std::vector<NamedArray>& arrays) {
+  if (Status status = checkArrays(arrays); !status.isOk()) return status;
+  if (known_.empty()) {
+    for (const NamedArray& array : arrays) known_.emplace(array.name, array.shape);
+    return Status::ok();
+  }
+  for (const NamedArray& array : arrays) {
+    const auto found = known_.find(array.name);
+    if (found == known_.end()) {
+      return Status::failed("array '" + array.name +
+                            "' was not there before; the names stay the "
+                            "same over a run");
+    }
+    if (found->second != array.shape) {
+      return Status::failed("array '" + array.name + "' changed its shape");
+    }
+  }
+  if (arrays.size() == known_.size()) return Status::ok();
+  const auto missing = std::ranges::find_if(known_, [&](const auto& known) {
+    return std::ranges::find(arrays, known.first, &NamedArray::name) == arrays.end();
+  });
+  return Status::failed("array '" + missing->first +
+                        "' is missing; the names stay the same over "
+                        "a run");
+}
+
+}  // namespace tolman::host

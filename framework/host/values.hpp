@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether the values of an answer can be recorded: finite, within the limits of a record
+// (config/limits.hpp), enumerations with a name, poses with a rotation. Arrays: see arrays.hpp.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "config/limits.hpp"
+#include "tolman/fields.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::host {
+
+/// The first field with a wrong value, with those that contain it ("revisions.covariance").
+struct Problem {
+  std::string field;
+  const char* what = nullptr;  ///< null: all is well
+};
+
+inline constexpr const char* kIllegal = "the answer has NaN, infinity or an illegal value in '{}'";
+inline constexpr const char* kTooLarge =
+    "'{}' is larger than a record takes (1e100; integers 2^62)";
+inline constexpr const char* kTooFar = "'{}' is farther than a record takes (1e12 m)";
+inline constexpr const char* kNoRotation =
+    "the rotation of '{}' is not orthonormal; use normalised()";
+
+template <class T>
+concept MatrixValue = std::is_base_of_v<Eigen::DenseBase<T>, T>;
+
+inline const char* wrongIn(const Eigen::Isometry3d& T) {
+  if (!T.matrix().allFinite()) return kIllegal;
+  if (!config::isRotation(T.linear())) return kNoRotation;
+  return config::isNear(T.translation()) ? nullptr : kTooFar;
+}
+
+/// What is wrong in a value that is neither a record nor a list of them; null where nothing is.
+template <class T>
+const char* wrongIn(const T& value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    if (!std::isfinite(value)) return kIllegal;
+    return std::abs(value) <= config::kMostNumber ? nullptr : kTooLarge;
+  } else if constexpr (NamedEnum<T>) {
+    return static_cast<std::size_t>(value) < enumNames(value).size() ? nullptr : kIllegal;
+  } else if constexpr (std::is_same_v<T, std::int64_t>) {
+    return value >= -config::kMostInteger && value <= config::kMostInteger ? nullptr : kTooLarge;
+  } else if constexpr (MatrixValue<T>) {
+    if (!value.allFinite()) return kIllegal;
+    if constexpr (std::is_same_v<typename T::Scalar, double>) {
+      return (value.array().abs() <= config::kMostNumber).all() ? nullptr : kTooLarge;
+    }
+  }
+  return nullptr;  // shorter integers, text, pixels
+}
+
+template <Record R>
+Problem problemOf(const R& record);
+
+template <class T>
+Problem problemOf(const T& value) {
+  return {"", wrongIn(value)};
+}
+
+template <Record R>
+Problem problemOf(const std::vector<R>& records) {
+  Problem problem;
+  for (const R& record : records) {
+    if (problem = problemOf(record); problem.what != nullptr) break;
+  }
+  return problem;
+}
+
+inline Problem problemOf(const std::vector<NamedArray>&) { return {}; }
+
+template <Record R>
+Problem problemOf(const R& record) {
+  Problem first;
+  visitFields(record, [&](const Field& field, const auto& value) {
+    if (first.what != nullptr) return;
+    first = problemOf(value);
+    if (first.what == nullptr) return;
+    first.field = std::string(field.name) + (first.field.empty() ? "" : "." + first.field);
+  });
+  return first;
+}
+
+Status statusOf(const Problem& problem);
+
+template <class T>
+Status checkValues(const T& record) {
+  const Problem problem = problemOf(record);
+  return problem.what == nullptr ? Status::ok() : statusOf(problem);
+}
+
+}  // namespace tolman::host
