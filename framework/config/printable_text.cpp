@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "config/printable_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -24,40 +23,48 @@ constexpr std::size_t lengthOf(std::uint8_t first) {
   return first < 0xf5 ? 4 : 0;
 }
 
-}  // namespace
+struct Character {
+  std::size_t length;  ///< bytes, at least 1
+  bool is_printable;
+};
 
-std::size_t printableLength(std::string_view text) {
-  if (text.empty()) return 0;
+/// The first character of a text that is not empty.
+Character firstOf(std::string_view text) {
+  constexpr Character kNone = {1, false};
   const auto first = static_cast<std::uint8_t>(text[0]);
   const std::size_t length = lengthOf(first);
-  if (length == 0 || length > text.size()) return 0;
+  if (length == 0 || length > text.size()) return kNone;
   std::uint32_t c = length == 1 ? first : first & (0x7fU >> length);
   for (std::size_t i = 1; i < length; ++i) {
     const auto next = static_cast<std::uint8_t>(text[i]);
-    if ((next & 0xc0U) != 0x80U) return 0;
+    if ((next & 0xc0U) != 0x80U) return kNone;
     c = c << 6U | (next & 0x3fU);
   }
   constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
-  return c >= kLeast.at(length) && c <= 0x10ffff && !isControl(c) ? length : 0;
+  if (c < kLeast.at(length) || c > 0x10ffff) return kNone;
+  return {length, !isControl(c)};
 }
+
+}  // namespace
 
 bool isPrintable(std::string_view text) {
   while (!text.empty()) {
-    const std::size_t length = printableLength(text);
-    if (length == 0) return false;
-    text.remove_prefix(length);
+    const Character character = firstOf(text);
+    if (!character.is_printable) return false;
+    text.remove_prefix(character.length);
   }
   return true;
 }
 
-std::string printable(std::string_view text) {
+std::string printable(std::string_view text, std::string_view instead) {
   std::string safe;
   safe.reserve(text.size());
   while (!text.empty()) {
     const bool is_space = text[0] == '\n' || text[0] == '\t';
-    const std::size_t length = is_space ? 1 : printableLength(text);
-    length > 0 ? safe.append(text.substr(0, length)) : safe.append("\xef\xbf\xbd");
-    text.remove_prefix(std::max<std::size_t>(length, 1));
+    const Character character = firstOf(text);
+    const bool stays = is_space || character.is_printable;
+    safe.append(stays ? text.substr(0, character.length) : instead);
+    text.remove_prefix(character.length);
   }
   return safe;
 }

@@ -33,7 +33,8 @@ TEST_CASE("control characters and damaged UTF-8 are not") {
   }
 }
 
-TEST_CASE("what cannot be printed is replaced byte by byte, lines stay") {
+TEST_CASE("control characters, and bytes that are no UTF-8, are replaced one by one; lines stay") {
+  CHECK(printable("\xc2\x9bm\xe2\x82", "?") == "?m??");
   CHECK(printable("a\n\tb") == "a\n\tb");
   CHECK_FALSE(isPrintable("a\nb"));
   CHECK(printable("\x1b[31m\xff\xc3\xa4") == "\xef\xbf\xbd[31m\xef\xbf\xbd\xc3\xa4");

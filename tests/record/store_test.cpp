@@ -2,6 +2,7 @@
 // Records into tables and out of them, nested lists included.
 #include "record/store.hpp"
 
+#include "config/limits.hpp"
 #include "record/by_hand.hpp"
 #include "record/sample_run.hpp"
 #include "support/data.hpp"
@@ -121,4 +122,25 @@ TEST_CASE("a shape or a blob that cannot be is refused") {
   tables.database.exec("UPDATE array SET \"values\" = x'010203'");
   CHECK_THROWS_WITH(readArrays(tables.database, 0, "cells"),
                     "a matrix has 3 bytes, which do not fit");
+}
+
+TEST_CASE("the largest values that the host lets pass can be read") {
+  Motion motion = test::motionAt(1);
+  motion.v = -config::kMostNumber;
+  motion.tracked = config::kMostInteger;
+  motion.T_previous_current.translation().setConstant(-config::kFarthest);
+  auto R = motion.T_previous_current.linear();
+  R.setIdentity();
+  const double stretch = 0.49 * config::kRotationError;
+  R *= 1 + stretch;
+  REQUIRE(config::isRotation(R));
+  REQUIRE(config::isNear(motion.T_previous_current.translation()));
+  Tables tables;
+  tables.store.insert(motion);
+  const auto rows = tables.rows<Motion>();
+  REQUIRE(rows.size() == 1);
+  CHECK(rows[0].v == motion.v);
+  CHECK(rows[0].tracked == motion.tracked);
+  R *= 1 + stretch;
+  CHECK_FALSE(config::isRotation(R));
 }
