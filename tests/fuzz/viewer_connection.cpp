@@ -5,6 +5,7 @@
 
 #include <array>
 #include <boost/asio/io_context.hpp>
+#include <chrono>
 
 #include "handover.hpp"
 #include "http_connection.hpp"
@@ -78,6 +79,7 @@ void connectAndSend(std::string_view bytes) {
     const bool answered = readAnswer(client);
     idle = worked || answered ? 0 : idle + 1;
   }
+  io.run_for(state->connections > 0 ? std::chrono::seconds(2) : std::chrono::seconds(0));
   require(state->connections == 0, "a connection stays although its client has gone");
   require(state->clients.empty(), "a live client stays although it has gone");
   ::close(client);

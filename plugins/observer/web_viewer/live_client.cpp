@@ -15,11 +15,15 @@ constexpr std::size_t kMaxSentRows = 2000;  // in one message
 constexpr std::size_t kMaxSentEvents = 100;
 constexpr std::size_t kMaxCommandBytes = 4096;
 constexpr int kMaxCommands = 50;  // per second
+constexpr auto kClosing = 1s;     // for the client's answer to a close frame
 
 }  // namespace
 
 LiveClient::LiveClient(beast::tcp_stream&& stream, std::shared_ptr<ServerState> state)
-    : stream_(std::move(stream)), state_(std::move(state)), buffer_(kMaxCommandBytes) {
+    : stream_(std::in_place, std::move(stream)),
+      closing_(stream_->get_executor()),
+      state_(std::move(state)),
+      buffer_(kMaxCommandBytes) {
   ++state_->connections;
   state_->clients.insert(this);
 }
@@ -30,15 +34,15 @@ LiveClient::~LiveClient() {
 }
 
 void LiveClient::start(const Request& request) {
-  beast::get_lowest_layer(stream_).expires_never();
-  stream_.set_option(websocket::stream_base::timeout{5s, 30s, true});
-  stream_.set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
+  beast::get_lowest_layer(*stream_).expires_never();
+  stream_->set_option(websocket::stream_base::timeout{5s, 30s, true});
+  stream_->set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
     response.set(beast::http::field::server, "tolman");
   }));
-  stream_.read_message_max(kMaxCommandBytes);
-  stream_.auto_fragment(false);
-  stream_.binary(true);
-  stream_.async_accept(request, [self = shared_from_this()](beast::error_code error) {
+  stream_->read_message_max(kMaxCommandBytes);
+  stream_->auto_fragment(false);
+  stream_->binary(true);
+  stream_->async_accept(request, [self = shared_from_this()](beast::error_code error) {
     if (error) return;
     self->sendHello();
     self->read();
@@ -56,15 +60,15 @@ void LiveClient::sendHello() {
 }
 
 void LiveClient::read() {
-  stream_.async_read(buffer_,
-                     [self = shared_from_this()](beast::error_code error, std::size_t bytes) {
-                       if (error) return self->disconnect();
-                       const auto data = self->buffer_.cdata();
-                       const std::string command(static_cast<const char*>(data.data()), bytes);
-                       self->buffer_.consume(bytes);
-                       if (!self->stream_.got_text()) return self->refuse();
-                       self->onCommand(command);
-                     });
+  stream_->async_read(buffer_,
+                      [self = shared_from_this()](beast::error_code error, std::size_t bytes) {
+                        if (error) return self->disconnect();
+                        const auto data = self->buffer_.cdata();
+                        const std::string command(static_cast<const char*>(data.data()), bytes);
+                        self->buffer_.consume(bytes);
+                        if (!self->stream_->got_text()) return self->refuse();
+                        self->onCommand(command);
+                      });
 }
 
 /// There is one command: {"type":"flow","live":true|false}, whether to send images and arrays.
@@ -86,13 +90,25 @@ void LiveClient::refuse() { close(websocket::close_code::policy_error); }
 
 void LiveClient::close(websocket::close_code code) {
   if (!std::exchange(open_, false)) return;
-  stream_.async_close(code, [self = shared_from_this()](beast::error_code) { self->disconnect(); });
+  // After some inputs (one is in the fuzz corpus) neither the read nor the close of Beast 1.74 ever
+  // completes, not even when the socket is closed: only destroying the stream ends them.
+  closing_.expires_after(kClosing);
+  closing_.async_wait([self = shared_from_this()](beast::error_code error) {
+    if (error) return;
+    self->disconnect();
+    self->stream_.reset();
+  });
+  stream_->async_close(code, [self = shared_from_this()](beast::error_code) {
+    self->closing_.cancel();
+    self->disconnect();
+  });
 }
 
 void LiveClient::disconnect() {
   open_ = false;
+  if (!stream_) return;
   beast::error_code ignored;
-  beast::get_lowest_layer(stream_).socket().close(ignored);
+  beast::get_lowest_layer(*stream_).socket().close(ignored);
 }
 
 bool LiveClient::isStalled(Clock::duration patience) const {
@@ -147,12 +163,12 @@ std::string LiveClient::frameMessage(bool with_arrays) {
 void LiveClient::send(std::shared_ptr<const std::string> message) {
   message_ = std::move(message);
   sent_at_ = Clock::now();
-  stream_.async_write(boost::asio::buffer(*message_),
-                      [self = shared_from_this()](beast::error_code error, std::size_t) {
-                        self->message_.reset();
-                        if (error) return self->disconnect();
-                        self->sendNext();
-                      });
+  stream_->async_write(boost::asio::buffer(*message_),
+                       [self = shared_from_this()](beast::error_code error, std::size_t) {
+                         self->message_.reset();
+                         if (error) return self->disconnect();
+                         self->sendNext();
+                       });
 }
 
 }  // namespace tolman::web_viewer

@@ -3,6 +3,7 @@
 // waits, so a slow client misses frames and delays nobody else.
 #pragma once
 
+#include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
@@ -10,6 +11,7 @@
 #include <boost/beast/websocket.hpp>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "server_state.hpp"
 
@@ -44,7 +46,8 @@ class LiveClient : public std::enable_shared_from_this<LiveClient> {
   void send(std::shared_ptr<const std::string> message);
   std::string frameMessage(bool with_arrays);
 
-  boost::beast::websocket::stream<boost::beast::tcp_stream> stream_;
+  std::optional<boost::beast::websocket::stream<boost::beast::tcp_stream>> stream_;
+  boost::asio::steady_timer closing_;
   std::shared_ptr<ServerState> state_;
   boost::beast::flat_buffer buffer_;
   std::shared_ptr<const std::string> message_;  ///< being sent
