@@ -128,11 +128,21 @@ struct PlaceFigure {
   }
   /// Before the measurement, which takes longer.
   std::vector<bench::PlaceCurve> read() const {
+    refuseOtherFile();
     std::vector<bench::PlaceCurve> curves;
     for (const std::string& name : beside) {
       curves.push_back(run::require(bench::placeCurveOf(name), run::FailureKind::Dataset));
     }
     return curves;
+  }
+  /// An earlier figure may be replaced, any other file not.
+  void refuseOtherFile() const {
+    std::error_code ignored;
+    if (file.empty() || !std::filesystem::exists(file, ignored)) return;
+    std::string begin(5, ' ');
+    std::ifstream(file).read(begin.data(), 5);
+    if (begin.starts_with("<svg") || begin == "<?xml") return;
+    throw Ended{ExitCode::Record, file + ": exists and is no SVG figure; choose another --figure"};
   }
   void write(const std::vector<bench::PlaceCurve>& curves) const {
     if (file.empty()) return;

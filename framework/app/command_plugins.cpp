@@ -25,6 +25,11 @@ using host::HostIdentity;
 using host::Manifest;
 using host::Refusal;
 
+/// Texts of plugins may be no UTF-8.
+std::string textOf(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 void listJson(const host::Catalogue& catalogue) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const Manifest& m : catalogue.manifests()) {
@@ -36,7 +41,7 @@ void listJson(const host::Catalogue& catalogue) {
                     {"file", m.file.string()},
                     {"refusal", refusal ? refusal->id : ""}});
   }
-  std::cout << json.dump(2) << "\n";
+  std::cout << textOf(json) << "\n";
 }
 
 void list(Invocation& invocation) {
@@ -104,18 +109,18 @@ std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
 void describeJson(const std::vector<host::LoadedPlugin>& loaded) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
-  std::cout << (loaded.size() == 1 ? json.front() : json).dump(2) << "\n";
+  std::cout << textOf(loaded.size() == 1 ? json.front() : json) << "\n";
 }
 
 void describe(const Description& asked, Invocation& invocation) {
   if (asked.ids.empty()) {
     if (!asked.json_schema) throw CLI::RequiredError("id");
-    std::cout << fileSchema(openUsable(invocation)).dump(2) << "\n";
+    std::cout << textOf(fileSchema(openUsable(invocation))) << "\n";
     return;
   }
   const auto loaded = openAll(asked.ids, invocation);
   if (asked.json_schema) {
-    std::cout << stageSchema(loaded).dump(2) << "\n";
+    std::cout << textOf(stageSchema(loaded)) << "\n";
     return;
   }
   if (invocation.json) return describeJson(loaded);

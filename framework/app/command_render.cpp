@@ -71,7 +71,8 @@ bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& ou
     if (info.type != ParameterType::Path || value == values.end()) return false;
     const std::string text = std::get<std::string>(value->second);
     const fs::path read = fs::weakly_canonical(text, ignored) / "";
-    return !text.empty() && read.string().starts_with(folder.string());
+    return !text.empty() && (read.string().starts_with(folder.string()) ||
+                             folder.string().starts_with(read.string()));
   });
 }
 

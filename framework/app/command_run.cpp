@@ -50,7 +50,9 @@ ExitCode execute(const RunCommand& command, run::SystemOptions options,
   const run::Outcome outcome = run.execute(std::move(checked));
   if (!outcome.directory.empty()) print(outcome, invocation);
   if (outcome.failure) return printFailure(*outcome.failure);
-  return exitCode(outcome);
+  const ExitCode code = exitCode(outcome);
+  if (invocation.quiet && code == ExitCode::TrackingLost) std::cerr << healthText(outcome);
+  return code;
 }
 
 }  // namespace

@@ -110,6 +110,7 @@ class OdometryComparison {
       : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
 
   OdometryBench run() {
+    refuseProcesses();
     for (int i = 0; i < options_.repeats && !cancellation_.requested(); ++i) {
       if (i == 0) findFiles();
       odometryPass();
@@ -120,6 +121,18 @@ class OdometryComparison {
   }
 
  private:
+  /// The time of another process would not be counted.
+  void refuseProcesses() {
+    const run::CheckedSystem checked =
+        run::require(run::checkSystem(system_, run::Scope::SourceAndOdometry));
+    for (const config::StageConfig& stage : checked.config.stages) {
+      if (stage.isolation == config::Isolation::None) continue;
+      throw run::Failed({run::FailureKind::Configuration,
+                         stage.instance + ": runs in a process of its own, whose time is not "
+                                          "counted; set isolation to none"});
+    }
+  }
+
   run::Assembly open(run::Scope scope) {
     return {run::require(run::checkSystem(system_, scope)), log_, clock_, cancellation_};
   }

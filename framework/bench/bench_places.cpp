@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/bench_places.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -151,7 +153,11 @@ class PlacesMeasurement {
 
   PlaceTruth truthOf(const Pass& pass) const {
     if (!options_.pairs.empty()) {
-      return run::require(truthOfPairs(options_.pairs), run::FailureKind::Dataset);
+      PlaceTruth truth = run::require(truthOfPairs(options_.pairs), run::FailureKind::Dataset);
+      if (countFindable(truth, pass) > 0) return truth;
+      throw run::Failed({run::FailureKind::Dataset,
+                         fmt::format("{}: has no pair of the {} images that were shown",
+                                     options_.pairs, pass.images())});
     }
     if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
       return truthOfPoses(pass.truth);
@@ -159,6 +165,12 @@ class PlacesMeasurement {
     throw run::Failed({run::FailureKind::Configuration,
                        "nothing says which images show the same place: the source has no true "
                        "poses; give --pairs or --second"});
+  }
+
+  static std::int64_t countFindable(const PlaceTruth& truth, const Pass& pass) {
+    std::int64_t count = 0;
+    for (std::int64_t i = 0; i < pass.images(); ++i) count += truth.isFindable(i);
+    return count;
   }
 
   void judge(const Pass& pass, const PlaceTruth& truth) {
@@ -170,7 +182,7 @@ class PlacesMeasurement {
       bench_.claims.push_back(
           {answer.query, answer.place, answer.score, truth.isSame(answer.query, answer.place)});
     }
-    for (std::int64_t i = 0; i < pass.images(); ++i) bench_.findable += truth.isFindable(i);
+    bench_.findable = countFindable(truth, pass);
     bench_.curve = evaluation::precisionRecall(bench_.claims, bench_.findable);
     std::vector<double> times = pass.milliseconds;
     if (times.empty()) return;

@@ -30,6 +30,11 @@ std::optional<Pair> pairOf(const std::string& line) {
   return pair;
 }
 
+bool isHeader(std::string line) {
+  std::erase_if(line, [](char c) { return c == ' ' || c == '\r' || c == '"'; });
+  return line == "query,match";
+}
+
 /// Angle between the optical axes, rad.
 double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   const Eigen::Vector3d u = a.linear().col(2);
@@ -56,11 +61,15 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
     const auto pair = pairOf(line);
-    if (!pair && number > 1) {
-      return Status::invalidInput(file.string() + ":" + std::to_string(number) +
-                                  ": a pair is two numbers of images, 'query,match'");
+    if (number == 1 && isHeader(line)) continue;
+    const std::string where = file.string() + ":" + std::to_string(number) + ": ";
+    if (!pair) {
+      return Status::invalidInput(where + "a pair is two numbers of images, 'query,match'");
     }
-    if (pair) pairs->insert(*pair);
+    if (pair->second >= pair->first) {
+      return Status::invalidInput(where + "the match must be an earlier image than the query");
+    }
+    pairs->insert(*pair);
   }
   if (pairs->empty()) {
     return Status::invalidInput(file.string() + ": lists no pairs; each line is 'query,match'");

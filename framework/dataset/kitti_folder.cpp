@@ -19,6 +19,9 @@ namespace {
 constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
 constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
 
+/// Written first, so that --force replaces renderings and nothing else.
+constexpr const char* kMark = ".tolman-rendering";
+
 /// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
 bool isOurs(const fs::path& file) {
   std::string name = file.filename().string();
@@ -26,6 +29,33 @@ bool isOurs(const fs::path& file) {
   if (name.starts_with('.') && partial != std::string::npos) name = name.substr(1, partial - 1);
   return name.size() >= 10 && name.ends_with(".png") &&
          name.find_first_not_of("0123456789") == name.size() - 4;
+}
+
+/// A link would lead what is removed and written to another folder.
+Status refuseLinks(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : kImageFolders) {
+    if (!fs::is_symlink(folder / name, ignored)) continue;
+    return Status::failed((folder / name).string() +
+                          ": is a link to another folder; remove it, or choose another --out");
+  }
+  return Status::ok();
+}
+
+/// An empty folder, or with `replace` one that an earlier rendering has written.
+Status mayBeWritten(const fs::path& folder, bool replace) {
+  std::error_code failure;
+  if (fs::is_empty(folder, failure)) return Status::ok();
+  if (!replace) {
+    return Status::failed(folder.string() +
+                          ": is not empty; choose another --out, or give --force to replace an "
+                          "earlier rendering");
+  }
+  if (!fs::is_regular_file(folder / kMark, failure)) {
+    return Status::failed(folder.string() + ": holds no rendering of Tolman (it has no " + kMark +
+                          "), so --force does not replace it; choose another --out");
+  }
+  return refuseLinks(folder);
 }
 
 void removeEarlier(const fs::path& folder) {
@@ -92,12 +122,11 @@ Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
                           ": another rendering or run is writing here; wait for its end, or choose "
                           "another --out");
   }
-  if (!fs::is_empty(folder, failure) && !replace) {
-    return Status::failed(folder.string() +
-                          ": is not empty; choose another --out, or give --force to replace an "
-                          "earlier rendering");
-  }
+  if (Status status = mayBeWritten(folder, replace); !status.isOk()) return status;
   if (replace) removeEarlier(folder);
+  const Status marked = record::writeAtomically(
+      folder / kMark, "`tolman dataset render` wrote this folder; --force may replace it.\n");
+  if (!marked.isOk()) return marked;
   return KittiFolder(folder, std::move(lock));
 }
 

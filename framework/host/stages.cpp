@@ -61,6 +61,7 @@ Status SourceStage::check(const Frame& frame) const {
 }
 
 Status SourceStage::next(Frame& frame) {
+  frame = Frame{};  // sources add to it, and callers use one object for many frames
   const Status status = call("next", first_frame_ + next_frame_, [&](Source& source) {
     const Status answered = source.next(frame);
     return answered.isOk() ? check(frame) : answered;

@@ -248,9 +248,26 @@ TEST_CASE("bench places without truth says what is missing") {
   const Finished odd = walks.bench("lap", {"--pairs", walks.path("odd.csv")});
   CHECK(odd.exit_code == 5);
   CHECK(contains(odd.err, "odd.csv:3: a pair is two numbers of images, 'query,match'"));
+  std::ofstream(walks.path("far.csv")) << "query,match\n60000,1\n";
+  const Finished far = walks.bench("lap", {"--pairs", walks.path("far.csv")});
+  CHECK(far.exit_code == 5);
+  CHECK(contains(far.err, "far.csv: has no pair of the "));
   const Finished folder = walks.bench("day", {"--second", walks.path("dusk")});
   CHECK(folder.exit_code == 5);
   CHECK(contains(folder.err, "dusk"));
+}
+
+TEST_CASE("bench places: a figure replaces an earlier figure and no other file") {
+  const Walks walks;
+  const std::string figure = walks.path("figure.svg");
+  const std::vector<std::string> words = {"--pairs", walks.path("pairs.csv"), "--figure", figure};
+  std::ofstream(figure) << "years of work\n";
+  const Finished refused = walks.bench("lap", words);
+  CHECK(refused.exit_code == 8);
+  CHECK(contains(refused.err, figure + ": exists and is no SVG figure; choose another --figure"));
+  std::ofstream(figure) << "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
+  CHECK(walks.bench("lap", words).exit_code == 0);
+  CHECK(walks.bench("lap", words).exit_code == 0);  // of its own, too
 }
 
 TEST_CASE("bench places refuses wrong options and configurations as other commands do") {

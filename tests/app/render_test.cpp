@@ -248,7 +248,30 @@ TEST_CASE("refusals name the remedy") {
                   easel.out.string() +
                       ": is not empty; choose another --out, or give --force to replace an "
                       "earlier rendering\n");
-    CHECK(easel.render({"--force"}).exit_code == 0);
+    fs::create_directories(easel.out / "image_0");
+    std::ofstream(easel.out / "image_0/000000.png") << "recorded";
+    easel.refused({"--force"}, 8,
+                  easel.out.string() +
+                      ": holds no rendering of Tolman (it has no .tolman-rendering), so --force "
+                      "does not replace it; choose another --out\n");
+    CHECK(readText(easel.out / "thesis.tex") == "years\n");
+    CHECK(readText(easel.out / "image_0/000000.png") == "recorded");
+  }
+  SECTION("a link to another folder in an earlier rendering") {
+    REQUIRE(easel.render({"--frames", "2"}).exit_code == 0);
+    const fs::path other = easel.folder.path() / "other";
+    fs::rename(easel.out / "image_0", other);
+    fs::create_directory_symlink(other, easel.out / "image_0");
+    easel.refused({"--force"}, 8,
+                  (easel.out / "image_0").string() +
+                      ": is a link to another folder; remove it, or choose another --out\n");
+    CHECK(files(other) == 2);
+  }
+  SECTION("what is ours is replaced, the rest stays") {
+    REQUIRE(easel.render({"--frames", "2"}).exit_code == 0);
+    std::ofstream(easel.out / "thesis.tex") << "years\n";
+    CHECK(easel.render({"--frames", "1", "--force"}).exit_code == 0);
+    CHECK(files(easel.out / "image_0") == 1);
     CHECK(readText(easel.out / "thesis.tex") == "years\n");
   }
   SECTION("a source without calibration") {
@@ -296,7 +319,8 @@ TEST_CASE("a source is never rendered onto its own data, force or not") {
   const fs::path sequence = folder.path() / "sequence";
   writeTinyKitti(sequence, 2);
   const auto config = writeTinyConfig(folder.path(), sequence);
-  for (const fs::path& out : {sequence, folder.path(), folder.path() / "sequence/../sequence/."}) {
+  for (const fs::path& out :
+       {sequence, folder.path(), folder.path() / "sequence/../sequence/.", sequence / "image_0"}) {
     const Finished finished = tolman::test::tolman(
         {"dataset", "render", config.string(), "--out", out.string(), "--force"});
     CHECK(finished.exit_code == 8);

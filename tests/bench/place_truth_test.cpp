@@ -48,6 +48,16 @@ evaluation::TrajectoryPose poseAt(std::int64_t frame, double x, double z, double
 
 }  // namespace
 
+TEST_CASE("a header of another order and matches that are not earlier are refused") {
+  const PairsFile file;
+  CHECK(file.refusalOf("match,query\n2,30\n") ==
+        "pairs.csv:1: a pair is two numbers of images, 'query,match'");
+  for (const char* match : {"30", "31"}) {
+    CHECK(file.refusalOf(std::string("query,match\n30,2\n30,") + match + "\n") ==
+          "pairs.csv:3: the match must be an earlier image than the query");
+  }
+}
+
 TEST_CASE("two passes: image N of both shows the same place, and so do its neighbours") {
   const PlaceTruth truth = truthByNumber(100, 5);
   CHECK(truth.isSame(50, 50));

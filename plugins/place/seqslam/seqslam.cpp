@@ -21,6 +21,9 @@ constexpr std::int64_t kMostImages = std::int64_t{1} << 40;  // a larger number 
 Status SeqSlam::configure(const Context& context) {
   Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
+  if (context.rig.width == 0) {
+    context.log.warning("the source has no images, so no place will be recognised");
+  }
   parameters_ = std::move(bound).value();
   if (parameters_.fastest < parameters_.slowest) {
     return Status::invalidParameter("fastest must be at least slowest");

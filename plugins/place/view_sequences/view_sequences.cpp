@@ -43,6 +43,9 @@ std::vector<float> pictureOf(const PackedView& view) {
 Status ViewSequences::configure(const Context& context) {
   Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
+  if (context.rig.width == 0) {
+    context.log.warning("the source has no images, so no place will be recognised");
+  }
   parameters_ = std::move(bound).value();
   rig_ = context.rig;
   if (Status status = reset(); !status.isOk()) return status;

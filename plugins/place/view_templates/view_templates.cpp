@@ -44,6 +44,9 @@ Status check(const ViewTemplates::Parameters& p) {
 Status ViewTemplates::configure(const Context& context) {
   Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
   if (!bound.isOk()) return bound.status();
+  if (context.rig.width == 0) {
+    context.log.warning("the source has no images, so no place will be recognised");
+  }
   parameters_ = std::move(bound).value();
   if (Status status = check(parameters_); !status.isOk()) return status;
   rig_ = context.rig;
