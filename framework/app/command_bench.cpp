@@ -93,7 +93,8 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
       .add_option("--pairs", options.pairs,
                   "One drive: CSV file of the true pairs, query,match; without it the true "
                   "poses of the source decide")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->excludes("--second");
   command
       .add_option("--near", options.near,
                   "One drive: claims over at most so many images do not count (default: 20)")

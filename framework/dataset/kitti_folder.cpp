@@ -42,10 +42,18 @@ Status refuseLinks(const fs::path& folder) {
   return Status::ok();
 }
 
+bool hasNothingButMark(const fs::path& folder) {
+  std::error_code failure;
+  const fs::directory_iterator entries(folder, failure);
+  return std::all_of(begin(entries), end(entries), [](const fs::directory_entry& entry) {
+    return entry.path().filename() == kMark;
+  });
+}
+
 /// An empty folder, or with `replace` one that an earlier rendering has written.
 Status mayBeWritten(const fs::path& folder, bool replace) {
   std::error_code failure;
-  if (fs::is_empty(folder, failure)) return Status::ok();
+  if (hasNothingButMark(folder)) return Status::ok();
   if (!replace) {
     return Status::failed(folder.string() +
                           ": is not empty; choose another --out, or give --force to replace an "

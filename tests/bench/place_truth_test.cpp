@@ -97,7 +97,7 @@ TEST_CASE("pairs are those of the file, in the order query, match") {
 TEST_CASE("a line that is no pair is refused with file and line") {
   const PairsFile file;
   const std::string wanted = ": a pair is two numbers of images, 'query,match'";
-  CHECK(file.refusalOf("query,match\n1,2\n3;4\n") == "pairs.csv:3" + wanted);
+  CHECK(file.refusalOf("query,match\n2,1\n3;4\n") == "pairs.csv:3" + wanted);
   CHECK(file.refusalOf("query,match\n1\n") == "pairs.csv:2" + wanted);
   CHECK(file.refusalOf("query,match\n1,\n") == "pairs.csv:2" + wanted);
   CHECK(file.refusalOf("query,match\n1,2,3\n") == "pairs.csv:2" + wanted);
@@ -105,7 +105,7 @@ TEST_CASE("a line that is no pair is refused with file and line") {
   CHECK(file.refusalOf("query,match\n5,-1\n") == "pairs.csv:2" + wanted);
   CHECK(file.refusalOf("query,match\n5,3\n\n6,4\n") == "pairs.csv:3" + wanted);
   CHECK(file.refusalOf("query,match\n99999999999999999999,1\n") == "pairs.csv:2" + wanted);
-  CHECK(file.refusalOf("1,2\nnot,numbers\n") == "pairs.csv:2" + wanted);
+  CHECK(file.refusalOf("2,1\nnot,numbers\n") == "pairs.csv:2" + wanted);
 }
 
 TEST_CASE("a file without pairs is refused, not scored as if nothing could be found") {
@@ -113,7 +113,8 @@ TEST_CASE("a file without pairs is refused, not scored as if nothing could be fo
   const std::string wanted = "pairs.csv: lists no pairs; each line is 'query,match'";
   CHECK(file.refusalOf("") == wanted);
   CHECK(file.refusalOf("query,match\n") == wanted);
-  CHECK(file.refusalOf("something else") == wanted);
+  CHECK(file.refusalOf("something else") ==
+        "pairs.csv:1: a pair is two numbers of images, 'query,match'");
 }
 
 TEST_CASE("what is no file is refused at once, also a pipe that nobody writes to") {

@@ -75,9 +75,10 @@ TEST_CASE("a folder that holds something is left alone") {
 
 TEST_CASE("replacing removes an earlier rendering, and nothing else") {
   const test::TemporaryFolder folder;
-  for (const char* ours : {"image_0/000000.png", "image_0/.000001.png.partial",
-                           "image_1/000000.png", "image_3/1234567.png", "depth_0/000000.png",
-                           "calib.txt", "times.txt", "poses.txt", "loops.txt"}) {
+  for (const char* ours :
+       {"image_0/000000.png", "image_0/.000001.png.partial", "image_1/000000.png",
+        "image_3/1234567.png", "depth_0/000000.png", "calib.txt", "times.txt", "poses.txt",
+        "loops.txt", ".tolman-rendering"}) {
     touch(folder.path() / ours);
   }
   for (const char* foreign :
@@ -85,10 +86,22 @@ TEST_CASE("replacing removes an earlier rendering, and nothing else") {
     touch(folder.path() / foreign);
   }
   REQUIRE(dataset::KittiFolder::create(folder.path(), true).isOk());
-  CHECK(entries(folder.path()) == 3);
+  CHECK(entries(folder.path()) == 4);  // with the mark of the new one
   CHECK(entries(folder.path() / "image_0") == 2);
   CHECK(fs::exists(folder.path() / "thesis.tex"));
   CHECK(fs::exists(folder.path() / "velodyne/000000.png"));
+}
+
+TEST_CASE("a data set that no rendering has made is not replaced") {
+  const test::TemporaryFolder folder;
+  touch(folder.path() / "image_0/000000.png");
+  touch(folder.path() / "calib.txt");
+  const auto refused = dataset::KittiFolder::create(folder.path(), true);
+  REQUIRE_FALSE(refused.isOk());
+  CHECK(refused.status().message().starts_with(folder.path().string() +
+                                               ": holds no rendering of Tolman"));
+  CHECK(fs::exists(folder.path() / "image_0/000000.png"));
+  CHECK(fs::exists(folder.path() / "calib.txt"));
 }
 
 TEST_CASE("two renderings cannot share a folder, and neither a rendering and a run") {
@@ -126,7 +139,7 @@ TEST_CASE("an image that cannot be written is named, and leaves nothing behind")
   CHECK(status.message() == (folder.path() / "out/image_0/000007.png").string() +
                                 ": its folder cannot be opened; check path and permissions "
                                 "(Not a directory)");
-  CHECK(entries(folder.path() / "out") == 1);
+  CHECK(entries(folder.path() / "out") == 2);  // with the mark
 }
 
 TEST_CASE("poses and loops are written with the whole truth only") {
@@ -136,8 +149,8 @@ TEST_CASE("poses and loops are written with the whole truth only") {
   log.stamps_ns = {0, 100'000'000};
   log.truth = {{0, 0, Eigen::Isometry3d::Identity()}};
   REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());
-  CHECK(entries(folder.path()) == 2);
+  CHECK(entries(folder.path()) == 3);
   log.truth.push_back({1, 100'000'000, Eigen::Isometry3d::Identity()});
   REQUIRE(target.value().writeTexts(kittiRig(), log, {}).isOk());
-  CHECK(entries(folder.path()) == 4);
+  CHECK(entries(folder.path()) == 5);
 }
