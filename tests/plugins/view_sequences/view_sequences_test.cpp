@@ -228,8 +228,17 @@ TEST_CASE("without a motion the input is refused") {
   CHECK(tour.plugin().input() == PlaceInput::FrameAndMotion);
 }
 
+TEST_CASE("a source without images: a warning that no place will be recognised") {
+  const Tour tour;
+  REQUIRE(tour.log().size() == 1);
+  CHECK(tour.log().front() == "the source has no images, so no place will be recognised");
+}
+
 TEST_CASE("landmarks without a stereo pair: a warning with the remedy, and recognition as ever") {
-  Tour tour(bold({{"landmarks", std::int64_t{300}}}));
+  CameraRig one_camera;
+  one_camera.width = 640;
+  one_camera.height = 480;
+  Tour tour(bold({{"landmarks", std::int64_t{300}}}), one_camera);
   REQUIRE(tour.log().size() == 1);
   CHECK(tour.log().front() ==
         "landmarks need a calibrated stereo pair; places are recognised by appearance alone: set "
