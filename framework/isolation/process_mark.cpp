@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <thread>
 
 namespace tolman::isolation {
 namespace {
@@ -63,7 +64,11 @@ std::vector<std::string> environmentWith(const std::string& mark) {
 
 void killMarked(const std::string& mark) {
   constexpr int kMostPasses = 20;  // it may start others meanwhile
-  for (int pass = 0; !mark.empty() && pass < kMostPasses && killOnce(mark); ++pass) {
+  constexpr int kEmptyPasses = 3;  // a process has no environment while it starts a program
+  if (mark.empty()) return;
+  for (int pass = 0, empty = 0; pass < kMostPasses && empty < kEmptyPasses; ++pass) {
+    empty = killOnce(mark) ? 0 : empty + 1;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
 }
 
