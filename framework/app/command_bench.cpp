@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman bench: speed of the source and of every stage. tolman bench odometry: cost of the odometry
 // relative to decoding its images. tolman bench places: precision and recall of place recognition.
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 
 #include "app/progress_line.hpp"
@@ -13,6 +15,13 @@
 
 namespace tolman::app {
 namespace {
+
+/// Refuses overrides that are no parameter of place recognition: the second pass must differ from
+/// the first in nothing else.
+std::string isOfPlace(const std::string& override) {
+  const bool is_parameter = override.starts_with("place.") && !override.starts_with("place.plugin");
+  return is_parameter ? "" : "'" + override + "' is no parameter of place (place.NAME=VALUE)";
+}
 
 /// A progress line for each pass, on stderr.
 class PassProgress {
@@ -82,8 +91,9 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
       ->type_name("FOLDER");
   command
       .add_option("--query-set", options.query_overrides,
-                  "Override a value for the second pass only (repeatable)")
+                  "Override a parameter of place for the second pass only (repeatable)")
       ->type_name("PATH=VALUE")
+      ->check(isOfPlace)
       ->allow_extra_args(false);
   command
       .add_option("--tolerance", options.tolerance,

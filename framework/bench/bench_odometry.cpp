@@ -110,7 +110,6 @@ class OdometryComparison {
       : system_(system), options_(options), log_(log), cancellation_(cancellation) {}
 
   OdometryBench run() {
-    refuseProcesses();
     for (int i = 0; i < options_.repeats && !cancellation_.requested(); ++i) {
       if (i == 0) findFiles();
       odometryPass();
@@ -122,9 +121,7 @@ class OdometryComparison {
 
  private:
   /// The time of another process would not be counted.
-  void refuseProcesses() {
-    const run::CheckedSystem checked =
-        run::require(run::checkSystem(system_, run::Scope::SourceAndOdometry));
+  static void refuseProcesses(const run::CheckedSystem& checked) {
     for (const config::StageConfig& stage : checked.config.stages) {
       if (stage.isolation == config::Isolation::None) continue;
       throw run::Failed({run::FailureKind::Configuration,
@@ -134,7 +131,9 @@ class OdometryComparison {
   }
 
   run::Assembly open(run::Scope scope) {
-    return {run::require(run::checkSystem(system_, scope)), log_, clock_, cancellation_};
+    run::CheckedSystem checked = run::require(run::checkSystem(system_, scope));
+    refuseProcesses(checked);
+    return {std::move(checked), log_, clock_, cancellation_};
   }
 
   /// The files of the first frame that has an image.

@@ -60,8 +60,8 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   auto pairs = std::make_shared<std::set<Pair>>();
   std::string line;
   for (int number = 1; std::getline(stream, line); ++number) {
-    const auto pair = pairOf(line);
     if (number == 1 && isHeader(line)) continue;
+    const auto pair = pairOf(line);
     const std::string where = file.string() + ":" + std::to_string(number) + ": ";
     if (!pair) {
       return Status::invalidInput(where + "a pair is two numbers of images, 'query,match'");

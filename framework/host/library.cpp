@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/schema.hpp"
+
 namespace tolman::host {
 namespace {
 
@@ -71,7 +73,9 @@ OrRefusal<LoadedPlugin> describe(const Manifest& manifest, const PluginDescripto
         "the library was assembled from two builds: build it again from clean"};
   }
   try {
-    return LoadedPlugin{manifest, &descriptor, descriptor.schema()};
+    LoadedPlugin plugin{manifest, &descriptor, descriptor.schema()};
+    if (auto refusal = checkSchema(manifest, plugin.schema)) return *refusal;
+    return plugin;
   } catch (const std::exception& error) {
     return Refusal{"plugin/entry-failed",
                    manifest.file.string() + ": the parameters of '" + manifest.id +

@@ -18,8 +18,8 @@ struct LoadedPlugin {
 /// Checks the gate, opens the library (all symbols resolved, none exported to others), calls the
 /// entry function and reads the schema. The library stays loaded, because inline statics,
 /// thread-local variables and exceptions make unloading C++ code unsafe. Refusals: those of
-/// checkGate(), plugin/load-failed, plugin/entry-missing, plugin/entry-failed,
-/// plugin/stale-manifest.
+/// checkGate(), checkSchema(), plugin/load-failed, plugin/entry-missing,
+/// plugin/entry-failed, plugin/stale-manifest.
 OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host);
 
 }  // namespace tolman::host

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tolman::host {
 
 Status MotionTimes::check(const Frame& frame, const Motion& motion) const {
@@ -21,8 +23,14 @@ Status MotionTimes::check(const Frame& frame, const Motion& motion) const {
 
 void MotionTimes::add(const Frame& frame, bool answered) {
   if (answered || last_frame_ == INT64_MAX) answered_ns_ = frame.stamp_ns;
+  if (last_frame_ < frame.frame - 1) gaps_.push_back({last_frame_ + 1, frame.frame - 1});
   given_ns_ = frame.stamp_ns;
   last_frame_ = frame.frame;
+}
+
+bool MotionTimes::wasGiven(std::int64_t frame) const {
+  const auto next = std::ranges::upper_bound(gaps_, frame, {}, &Gap::first);
+  return next == gaps_.begin() || std::prev(next)->last < frame;
 }
 
 }  // namespace tolman::host

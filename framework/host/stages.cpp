@@ -84,11 +84,21 @@ Status OdometryStage::track(const Frame& frame, Motion& motion) {
     if (status.isOk()) status = checkAnswer(frame, motion);
     if (status.isOk()) status = checkMotion(motion, frame.frame == first_frame_);
     if (status.isOk()) status = times_.check(frame, motion);
-    if (status.isOk()) status = checkRevisions(motion.revisions, first_frame_, frame.frame);
+    if (status.isOk()) status = check(motion.revisions, frame.frame);
     return status;
   });
   times_.add(frame, answered.isOk());
   return answered;
+}
+
+Status OdometryStage::check(const std::vector<MotionRevision>& revisions,
+                            std::int64_t newest) const {
+  for (const MotionRevision& revision : revisions) {
+    if (times_.wasGiven(revision.frame)) continue;
+    return Status::failed(
+        fmt::format("revised frame {}, which was dropped before odometry", revision.frame));
+  }
+  return checkRevisions(revisions, first_frame_, newest);
 }
 
 /// Converts frame numbers to those of the plugin and back.
@@ -108,7 +118,7 @@ Status OdometryStage::finish(std::vector<MotionRevision>& revisions) {
     const Status status = odometry.finish(revisions);
     shift(revisions, first_frame_);
     if (!status.isOk()) return status;
-    return checkRevisions(revisions, first_frame_, times_.lastFrame());
+    return check(revisions, times_.lastFrame());
   });
 }
 

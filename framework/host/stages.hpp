@@ -68,6 +68,7 @@ class OdometryStage : public Stage<Odometry> {
 
  private:
   Status track(Odometry& odometry, const Frame& frame, Motion& motion) const;
+  Status check(const std::vector<MotionRevision>& revisions, std::int64_t newest) const;
   std::int64_t first_frame_ = 0;
   MotionTimes times_;
 };

@@ -27,6 +27,19 @@ bool isInitial(Call call) {
   return call == Call::Configure || call == Call::OpenArtefacts || call == Call::Begin;
 }
 
+/// What to add to a remedy where limits are tighter than the default ones; empty elsewhere.
+std::string hintAt(const LaunchOptions& limits) {
+  const LaunchOptions usual;
+  std::string hint;
+  if (limits.deadline_s > 0 && limits.deadline_s < usual.deadline_s) {
+    hint += fmt::format("; isolation.deadline is {:g} s", limits.deadline_s);
+  }
+  if (limits.memory_mib > 0 && limits.memory_mib < usual.memory_mib) {
+    hint += fmt::format("; isolation.memory_limit is {} MiB", limits.memory_mib);
+  }
+  return hint;
+}
+
 }  // namespace
 
 host::OrRefusal<std::shared_ptr<RemotePlugin>> RemotePlugin::start(const host::Manifest& manifest,
@@ -51,13 +64,18 @@ std::optional<host::Refusal> RemotePlugin::load() {
       Call::Load, [&](Encoder& encoder) { encoder.put(message); },
       [&](Decoder& decoder) { decoder.getAll(refusal, schema_); });
   if (!status.isOk()) {
+    const std::string remedy =
+        "`tolman plugins validate FILE` shows more; static constructors of the library run when it "
+        "is opened";
     return host::Refusal{
         "plugin/died",
         manifest_.file.string() + ": while the library was opened: " + status.message(),
-        "`tolman plugins validate FILE` shows more; static constructors of the "
-        "library run when it is opened"};
+        remedy + hintAt(launch_)};
   }
-  if (!refusal.id.empty()) return refusal;
+  if (!refusal.id.empty()) {
+    refusal.remedy += hintAt(launch_);
+    return refusal;
+  }
   return std::nullopt;
 }
 

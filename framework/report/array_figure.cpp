@@ -18,7 +18,6 @@ namespace {
 using evaluation::PopulationHistory;
 
 constexpr double kArrayPanel = 190;        // px, height of the panel of one array
-constexpr std::size_t kMostPanels = 40;    // what pngOf() can draw
 constexpr std::size_t kMostColumns = 100;  // cells of a heat map
 constexpr std::size_t kMostRows = 24;
 constexpr std::array<const char*, 5> kLineColours = {kBlue, kOrange, kGreen, kVermilion, kPurple};

@@ -2,6 +2,7 @@
 // The figures of a report, each as SVG text; empty where the record has no data for it.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "report/run_data.hpp"
 
 namespace tolman::report {
+
+/// Of one figure: a taller one could not be drawn as PNG. Further arrays are left out.
+inline constexpr std::size_t kMostPanels = 40;
 
 /// Position error of odometry and map over time.
 std::string errorFigure(const RunData& run);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "report/axes.hpp"
 #include "report/colour_map.hpp"
@@ -144,12 +145,16 @@ double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistor
 std::string unitsFigure(const RunData& run) {
   const auto poses = evaluation::stampedPosesOf(run.places());
   if (!run.metrics.cells || poses.empty()) return "";
-  const auto& sheets = run.cells.sheets;
+  const auto first = [](const auto& all) {
+    return std::span(all).first(std::min(all.size(), kMostPanels / 2));
+  };
+  const auto rings = first(run.cells.rings);
+  const auto sheets = first(run.cells.sheets);
   const std::size_t across = std::clamp<std::size_t>(sheets.size(), 1, 2);
   Svg svg(kColumn * static_cast<double>(across), 0);
   double top = 0;
-  for (std::size_t i = 0; i < run.cells.rings.size(); ++i) {
-    top = drawRing(svg, top, run.cells.rings[i], run.metrics.cells->rings[i]);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    top = drawRing(svg, top, rings[i], run.metrics.cells->rings[i]);
   }
   double left = kMargin;
   for (std::size_t i = 0; i < sheets.size(); ++i) {

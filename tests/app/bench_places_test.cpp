@@ -199,6 +199,16 @@ TEST_CASE("bench places draws its curve, beside those of earlier measurements") 
   CHECK(svg.find("<polyline", first + 1) != std::string::npos);
 }
 
+TEST_CASE("bench places: the passes differ in parameters of place recognition only") {
+  const Walks walks;
+  for (const char* set : {"source.step=2", "seed=7", "place.plugin=seqslam"}) {
+    const Finished refused =
+        walks.bench("day", {"--second", walks.path("night"), "--query-set", set});
+    CHECK(refused.exit_code == 2);
+    CHECK(contains(refused.err, std::string("'") + set + "' is no parameter of place"));
+  }
+}
+
 TEST_CASE("bench places refuses figures that cannot be drawn or written") {
   const Walks walks;
   const Finished alone = walks.bench("day", {"--beside", walks.path("x.json")});

@@ -57,9 +57,9 @@ TEST_CASE("incomplete declarations are found") {
   expectAllFound({
       {"undeclared", "no_doc", "schema", "parameter 'gain' has no doc"},
       {"undeclared", "no_range", "schema", "parameter 'gain' has no range", "warning"},
-      {"undeclared", "reserved_name", "schema", "a name that is reserved for the host"},
-      {"undeclared", "default_outside", "schema", "has a default outside of its range"},
-      {"undeclared", "declared_twice", "schema", "is declared twice"},
+      {"undeclared", "reserved_name", "load", "a name that is reserved for the host"},
+      {"undeclared", "default_outside", "load", "has a default outside of its range"},
+      {"undeclared", "declared_twice", "load", "is declared twice"},
       {"undeclared", "no_summary", "manifest", "there is no summary"},
       {"undeclared", "no_version", "manifest", "'newest' is not a version"},
   });

@@ -28,6 +28,17 @@ TEST_CASE("a sound plugin loads and tells its parameters") {
   CHECK(schema[0].unit == "m/s");
 }
 
+TEST_CASE("parameters that no configuration could give are refused") {
+  const auto messageOf = [](const std::string& id) {
+    const auto result = load("undeclared", id);
+    CHECK(refusalOf(result).id == "plugin/bad-schema");
+    return refusalOf(result).message;
+  };
+  CHECK(messageOf("reserved_name").ends_with("has a name that is reserved for the host"));
+  CHECK(messageOf("default_outside").ends_with("has a default outside of its range"));
+  CHECK(messageOf("declared_twice").ends_with("is declared twice"));
+}
+
 TEST_CASE("an undefined symbol is found when loading, not in the first call") {
   const auto result = load("missing_symbol", "missing_symbol");
   const auto& refusal = refusalOf(result);

@@ -151,6 +151,14 @@ TEST_CASE("libraries that cannot be opened are refused with an id") {
   CHECK(refusalOf(died).message.find("its process died of SIGABRT") != std::string::npos);
 }
 
+TEST_CASE("tight limits are named where a library cannot be opened under them") {
+  const std::string late = refusalOf(start("steady", "steady", launch(1e-6))).remedy;
+  CHECK(late.ends_with("; isolation.deadline is 1e-06 s"));
+  const std::string little =
+      refusalOf(start("dies_on_load", "dies_on_load", launch(60, 512))).remedy;
+  CHECK(little.ends_with("; isolation.memory_limit is 512 MiB"));
+}
+
 TEST_CASE("a restarted place recognition has its state, except for the frame of the crash") {
   Isolated<host::PlaceStage> crashing("role_faults", "dies_once", launch(), true);
   Isolated<host::PlaceStage> reference("role_faults", "keeper");

@@ -89,7 +89,11 @@ void HttpConnection::serve() {
 }
 
 void HttpConnection::upgrade() {
+  constexpr std::size_t kKeyLength = 24;  // 16 bytes in base64, RFC 6455
   if (view(parser_->get().target()) != "/live") return reply(errorResponse(404), false);
+  if (header(http::field::sec_websocket_key).size() != kKeyLength) {
+    return reply(errorResponse(400), false);
+  }
   if (state_->clients.size() >= state_->most_clients) return reply(errorResponse(503), false);
   std::make_shared<LiveClient>(std::move(stream_), state_)->start(parser_->get());
 }

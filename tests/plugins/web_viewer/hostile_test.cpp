@@ -141,6 +141,9 @@ TEST_CASE("malformed handshakes are refused") {
     const int status = raw(watched.port(), without(line)).status;
     CHECK((status == 400 || status == 426));
   }
+  std::string no_key = good;
+  no_key.replace(no_key.find("dGhl"), 24, "");
+  CHECK(raw(watched.port(), no_key).status == 400);
   std::string old = good;
   old.replace(old.find("Version: 13"), 11, "Version: 8 ");
   CHECK(raw(watched.port(), old).status != 101);
