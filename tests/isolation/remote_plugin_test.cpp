@@ -152,8 +152,8 @@ TEST_CASE("libraries that cannot be opened are refused with an id") {
 }
 
 TEST_CASE("tight limits are named where a library cannot be opened under them") {
-  const std::string late = refusalOf(start("steady", "steady", launch(1e-6))).remedy;
-  CHECK(late.ends_with("; isolation.deadline is 1e-06 s"));
+  const std::string late = refusalOf(start("steady", "steady", launch(1e-9))).remedy;
+  CHECK(late.ends_with("; isolation.deadline is 1e-09 s"));
   const std::string little =
       refusalOf(start("dies_on_load", "dies_on_load", launch(60, 512))).remedy;
   CHECK(little.ends_with("; isolation.memory_limit is 512 MiB"));
