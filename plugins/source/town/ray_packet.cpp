@@ -32,11 +32,13 @@ void RayPacket::trace(std::array<Meeting, kRaysPerPacket>& meetings) {
   alignas(32) std::array<int, kRaysPerPacket> valid{};
   RTCRayHit8 rays;
   for (int i = 0; i < kRaysPerPacket; ++i) {
-    const Vec3& d = directions_[static_cast<std::size_t>(std::min(i, count_ - 1))];
+    const auto used = static_cast<std::size_t>(std::min(i, count_ - 1));
+    const Vec3& from = origins_[used];
+    const Vec3& d = directions_[used];
     valid[static_cast<std::size_t>(i)] = i < count_ ? -1 : 0;
-    rays.ray.org_x[i] = around_.origin.x;
-    rays.ray.org_y[i] = around_.origin.y;
-    rays.ray.org_z[i] = around_.origin.z;
+    rays.ray.org_x[i] = from.x;
+    rays.ray.org_y[i] = from.y;
+    rays.ray.org_z[i] = from.z;
     rays.ray.dir_x[i] = d.x;
     rays.ray.dir_y[i] = d.y;
     rays.ray.dir_z[i] = d.z;
@@ -55,7 +57,7 @@ void RayPacket::trace(std::array<Meeting, kRaysPerPacket>& meetings) {
     if (!meeting.hit) continue;
     const Vec3& d = directions_[static_cast<std::size_t>(i)];
     meeting.t = rays.ray.tfar[i];
-    meeting.point = around_.origin + d * meeting.t;
+    meeting.point = origins_[static_cast<std::size_t>(i)] + d * meeting.t;
     meeting.instance = rays.hit.instID[0][i];
     meeting.owner = around_.scene->ownerOf(meeting.instance, rays.hit.primID[i]);
     Vec3 normal = normalised({rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]});

@@ -13,12 +13,11 @@
 
 namespace tolman::town {
 
-/// Scene, light and camera that the rays of a packet share.
+/// Scene, light and pixel size that the rays of a packet share.
 struct Surroundings {
   const Scene* scene = nullptr;
   const StreetPlan* plan = nullptr;
   const Light* light = nullptr;
-  Vec3 origin;   ///< of all rays
   Vec3 pixel_x;  ///< change of a ray's direction from one pixel to the next
   Vec3 pixel_y;
 };
@@ -37,7 +36,10 @@ class RayPacket {
  public:
   explicit RayPacket(const Surroundings& around) : around_(around) {}
 
-  void add(const Vec3& direction) { directions_[static_cast<std::size_t>(count_++)] = direction; }
+  void add(const Vec3& origin, const Vec3& direction) {
+    origins_[static_cast<std::size_t>(count_)] = origin;
+    directions_[static_cast<std::size_t>(count_++)] = direction;
+  }
   bool isFull() const { return count_ == kRaysPerPacket; }
   int size() const { return count_; }
   /// Traces what was added; the packet is empty afterwards.
@@ -52,6 +54,7 @@ class RayPacket {
   std::uint32_t seenAs(const Meeting& meeting) const;
 
   const Surroundings& around_;
+  std::array<Vec3, kRaysPerPacket> origins_;
   std::array<Vec3, kRaysPerPacket> directions_;
   int count_ = 0;
 };

@@ -31,25 +31,37 @@ Vec3 toVec3(const Eigen::Vector3d& v) {
 
 }  // namespace
 
-/// Directions of a view's rays, with a component of 1 along the optical axis.
+/// Rays of a view, whose directions have a component of 1 along the optical axis.
 class Renderer::Rays {
  public:
   Rays(const Renderer& renderer, const RenderCamera& view)
       : width(view.width),
         height(view.height),
+        warp_(view.warp != nullptr && !view.warp->isEmpty() ? view.warp : nullptr),
         cx_(static_cast<float>(view.pinhole.cx)),
         cy_(static_cast<float>(view.pinhole.cy)) {
-    const Eigen::Matrix3d R = view.T_town_camera.linear();
     around.scene = renderer.scene_;
     around.plan = renderer.plan_;
     around.light = &renderer.light_;
-    axis_ = toVec3(R.col(2));
-    around.origin = toVec3(view.T_town_camera.translation());
-    around.pixel_x = toVec3(R.col(0) / view.pinhole.fx);
-    around.pixel_y = toVec3(R.col(1) / view.pinhole.fy);
+    const Row middle = rowFrom(view.T_town_camera, view.pinhole);
+    around.pixel_x = middle.pixel_x;
+    around.pixel_y = middle.pixel_y;
+    if (view.T_town_rows.empty()) rows_.assign(1, middle);
+    for (const Eigen::Isometry3d& T_town_row : view.T_town_rows) {
+      rows_.push_back(rowFrom(T_town_row, view.pinhole));
+    }
   }
-  Vec3 through(float u, float v) const {
-    return axis_ + around.pixel_x * (u - cx_) + around.pixel_y * (v - cy_);
+  /// Through a point of the pixel, (0, 0) its centre.
+  void add(RayPacket& packet, int column, int row, float x, float y) const {
+    const Row& from = rows_[rows_.size() > 1 ? static_cast<std::size_t>(row) : 0];
+    float u = static_cast<float>(column) + x;
+    float v = static_cast<float>(row) + y;
+    if (warp_ != nullptr) {
+      const std::size_t at = index(column, row);
+      u += warp_->x[at];
+      v += warp_->y[at];
+    }
+    packet.add(from.origin, from.axis + from.pixel_x * (u - cx_) + from.pixel_y * (v - cy_));
   }
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
@@ -61,9 +73,19 @@ class Renderer::Rays {
   Surroundings around;
 
  private:
+  struct Row {
+    Vec3 origin, axis, pixel_x, pixel_y;
+  };
+  static Row rowFrom(const Eigen::Isometry3d& T_town_camera, const Pinhole& pinhole) {
+    const Eigen::Matrix3d R = T_town_camera.linear();
+    return {toVec3(T_town_camera.translation()), toVec3(R.col(2)), toVec3(R.col(0) / pinhole.fx),
+            toVec3(R.col(1) / pinhole.fy)};
+  }
+
+  const PixelWarp* warp_;
   float cx_;
   float cy_;
-  Vec3 axis_;
+  std::vector<Row> rows_;  // one, or one for each row of the image
 };
 
 /// Packets of 4 x 2 pixels keep rays closer together than rows of 8.
@@ -76,7 +98,7 @@ void Renderer::firstPass(const Rays& rays, int first_row, int end_row, RenderedI
       for (int r = row; r < std::min(row + 2, end_row); ++r) {
         for (int c = column; c < std::min(column + kColumns, rays.width); ++c) {
           pixels[static_cast<std::size_t>(packet.size())] = rays.index(c, r);
-          packet.add(rays.through(static_cast<float>(c), static_cast<float>(r)));
+          rays.add(packet, c, r, 0, 0);
         }
       }
       const auto count = static_cast<std::size_t>(packet.size());
@@ -133,7 +155,7 @@ void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, Rendere
       for (int i = 0; i < edge_samples_; ++i) {
         const auto& [x, y] = kWithinPixel[static_cast<std::size_t>(i)];
         pixels[static_cast<std::size_t>(packet.size())] = at;
-        packet.add(rays.through(static_cast<float>(column) + x, static_cast<float>(row) + y));
+        rays.add(packet, column, row, x, y);
         if (packet.isFull()) flush();
       }
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "light.hpp"
+#include "pixel_warp.hpp"
 #include "scene.hpp"
 #include "street_plan.hpp"
 #include "tolman/camera.hpp"
@@ -19,6 +20,9 @@ struct RenderCamera {
   Pinhole pinhole;
   int width = 0;
   int height = 0;
+  const PixelWarp* warp = nullptr;  ///< of the same size, or null
+  /// Of each row, where rows are taken one after the other; empty: all at T_town_camera.
+  std::vector<Eigen::Isometry3d> T_town_rows;
 };
 
 /// Row-major, width * height.
@@ -35,6 +39,7 @@ class Renderer {
   Renderer(const Scene& scene, const StreetPlan& plan, const Light& light, int edge_samples)
       : scene_(&scene), plan_(&plan), light_(light), edge_samples_(edge_samples) {}
 
+  void setLight(const Light& light) { light_ = light; }
   void render(const RenderCamera& view, RenderedImage& picture);
 
  private:

@@ -28,6 +28,7 @@ Image expose(const Sensor& sensor, const std::vector<float>& radiance, std::uint
   const float cx = 0.5F * static_cast<float>(sensor.width - 1);
   const float cy = 0.5F * static_cast<float>(sensor.height - 1);
   const float fall = static_cast<float>(sensor.vignetting) / (cx * cx + cy * cy);
+  const auto gamma = static_cast<float>(sensor.gamma);
   const std::uint32_t stream = hash(sensor.seed, exposure, 101);
   const auto exposeRow = [&](int row, std::uint8_t* out) {
     const float dy = static_cast<float>(row) - cy;
@@ -40,6 +41,7 @@ Image expose(const Sensor& sensor, const std::vector<float>& radiance, std::uint
         const std::uint32_t h = hash(index ^ stream);
         level += std::sqrt(read + shot * std::max(level, 0.0F)) * normal(h, hash(h + stream));
       }
+      if (gamma != 1) level = 255 * std::pow(std::clamp(level / 255, 0.0F, 1.0F), gamma);
       out[column] = static_cast<std::uint8_t>(std::clamp(level + 0.5F, 0.0F, 255.0F));
     }
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From radiance to grey levels: exposure, vignetting, shot and read noise, 8 bits.
+// From radiance to grey levels: exposure, vignetting, shot and read noise, response, 8 bits.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,7 @@ struct Sensor {
   int width = 0;
   int height = 0;
   double gain = 255;       ///< grey levels for a radiance of 1
+  double gamma = 1;        ///< exponent of the response, between black and saturation
   double vignetting = 0;   ///< relative loss of light in the corners
   double read_noise = 0;   ///< grey levels, standard deviation
   double shot_noise = 0;   ///< variance per grey level

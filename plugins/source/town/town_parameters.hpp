@@ -5,13 +5,14 @@
 #include <string>
 #include <tuple>
 
+#include "camera_disturbances.hpp"
 #include "light.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/parameters.hpp"
 
 namespace tolman::town {
 
-struct TownParameters : FrameSelection {
+struct TownParameters : FrameSelection, CameraDisturbances {
   // The drive.
   std::string route = "block";
   double rate = 10;
@@ -154,7 +155,8 @@ constexpr auto disturbanceParameters() {
 constexpr auto TownParameters::declaration() {
   return std::tuple_cat(detail::driveParameters(), detail::cameraParameters(),
                         detail::townParameters(), detail::imageParameters(),
-                        detail::disturbanceParameters(), selectionParameters<TownParameters>());
+                        detail::disturbanceParameters(), cameraDisturbances<TownParameters>(),
+                        selectionParameters<TownParameters>());
 }
 
 }  // namespace tolman::town

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <numbers>
 
 #include "noise.hpp"
+#include "true_camera.hpp"
 #include "world.hpp"
 
 namespace tolman::town {
@@ -49,6 +49,12 @@ Status TownSource::setRig() {
   // Pixel centres are at integers, so the image spans from -0.5.
   rig_.pinhole = {p.fx * s, p.fy * s, (p.cx + 0.5) * s - 0.5, (p.cy + 0.5) * s - 0.5};
   rig_.baseline = p.mono ? 0 : p.baseline;
+  Result<std::array<TrueCamera, 2>> truth = trueCameras(p, rig_);
+  if (!truth.isOk()) return truth.status();
+  cameras_.clear();
+  for (std::size_t i = 0; i < 2; ++i) {
+    cameras_.emplace_back(p, rig_, std::move(truth.value()[i]), i, run_seed_);
+  }
   return Status::ok();
 }
 
@@ -74,10 +80,7 @@ Status TownSource::build() {
   }
   scene_ = std::make_unique<Scene>(std::move(world));
   light_ = makeLight(p.hour, p.weather, p.haze, hash(seed, 303));
-  for (CameraBuffers& camera : cameras_) {
-    camera.renderer =
-        std::make_unique<Renderer>(*scene_, *plan_, light_, static_cast<int>(p.edge_samples));
-  }
+  renderers_.assign(2, Renderer(*scene_, *plan_, light_, static_cast<int>(p.edge_samples)));
   return Status::ok();
 }
 
@@ -114,14 +117,6 @@ Eigen::Isometry3d TownSource::poseAt(std::size_t index, double part) const {
   return poses[index] * expSe3(part * step);
 }
 
-Eigen::Isometry3d TownSource::rightOf(const Eigen::Isometry3d& T_town_left) const {
-  const double angle = parameters_.rotation_error * std::numbers::pi / 180;
-  Eigen::Isometry3d T_left_right = Eigen::Isometry3d::Identity();
-  T_left_right.linear() = expSo3(Eigen::Vector3d::Constant(angle));
-  T_left_right.translation().x() = rig_.baseline * (1 + parameters_.baseline_error);
-  return T_town_left * T_left_right;
-}
-
 void TownSource::moveTraffic(std::size_t index) {
   if (traffic_->size() == 0) return;
   const double seconds = static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
@@ -140,35 +135,17 @@ double TownSource::gainAt(std::size_t index) const {
   return 110 / asphalt * std::exp(parameters_.exposure_change * wander);
 }
 
-Image TownSource::renderCamera(std::size_t index, bool right) {
-  const Parameters& p = parameters_;
-  CameraBuffers& camera = cameras_[right ? 1 : 0];
-  RenderedImage& rendered = camera.rendered;
-  const int shots = p.motion_blur > 0 ? 5 : 1;
-  for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, so that its depth is kept
-    RenderCamera view;
-    const Eigen::Isometry3d T_town_left = poseAt(index, p.motion_blur * shot / shots);
-    view.T_town_camera = right ? rightOf(T_town_left) : T_town_left;
-    view.pinhole = rig_.pinhole;
-    view.width = rig_.width;
-    view.height = rig_.height;
-    camera.renderer->render(view, rendered);
-    if (shots == 1) break;
-    if (shot == shots - 1) camera.blurred.assign(rendered.radiance.size(), 0);
-    for (std::size_t i = 0; i < camera.blurred.size(); ++i) {
-      camera.blurred[i] += rendered.radiance[i] / static_cast<float>(shots);
-    }
-  }
-  Sensor sensor;
-  sensor.width = rig_.width;
-  sensor.height = rig_.height;
-  sensor.gain = gainAt(index);
-  sensor.vignetting = p.vignetting;
-  sensor.read_noise = 0.8 * p.noise;
-  sensor.shot_noise = 0.015 * p.noise * p.noise;
-  sensor.seed = run_seed_;
-  const auto exposure = static_cast<std::uint32_t>(2 * next_ + (right ? 1 : 0));
-  return expose(sensor, shots > 1 ? camera.blurred : rendered.radiance, exposure);
+Image TownSource::takePicture(std::size_t index, bool right) {
+  const std::vector<std::int64_t>& stamps = route_.stamps_ns;
+  const std::size_t from = std::min(index, stamps.size() - 2);
+  const std::size_t camera = right ? 1 : 0;
+  Moment moment;
+  moment.T_town_left = [this, index](double part) { return poseAt(index, part); };
+  moment.interval_s = static_cast<double>(stamps[from + 1] - stamps[from]) * 1e-9;
+  moment.seconds = static_cast<double>(stamps[index] - stamps[0]) * 1e-9;
+  moment.gain = gainAt(index);
+  moment.exposure = static_cast<std::uint32_t>(2 * next_ + camera);
+  return cameras_[camera].take(renderers_[camera], light_, moment);
 }
 
 Status TownSource::next(Frame& frame) {
@@ -186,14 +163,14 @@ Status TownSource::next(Frame& frame) {
     frame.defect = "town: corrupt image, as the parameter corrupt demands";
   } else {
     moveTraffic(index);
-    const auto left = [&] { frame.left = renderCamera(index, false); };
+    const auto left = [&] { frame.left = takePicture(index, false); };
     const auto right = [&] {
-      if (rig_.isStereo()) frame.right = renderCamera(index, true);
+      if (rig_.isStereo()) frame.right = takePicture(index, true);
     };
     oneapi::tbb::parallel_invoke(left, right);
     if (parameters_.depth) {
       frame.sensors.push_back(
-          {"depth.left", {rig_.height, rig_.width}, cameras_[0].rendered.depth});
+          {"depth.left", {rig_.height, rig_.width}, cameras_[0].rendered().depth});
     }
   }
   ++next_;

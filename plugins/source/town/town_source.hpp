@@ -3,17 +3,16 @@
 // town. Axes: see mesh.hpp. The same parameters and seeds give the same bytes.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "renderer.hpp"
 #include "route.hpp"
 #include "scene.hpp"
-#include "sensor.hpp"
 #include "street_plan.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
+#include "town_camera.hpp"
 #include "town_parameters.hpp"
 #include "traffic.hpp"
 
@@ -37,16 +36,8 @@ class TownSource final : public Source, public ArrayDescriptions {
   void chooseFrames();
   /// Pose of the left camera between route poses `index` (part 0) and the next (part 1).
   Eigen::Isometry3d poseAt(std::size_t index, double part) const;
-  Eigen::Isometry3d rightOf(const Eigen::Isometry3d& T_town_left) const;
   void moveTraffic(std::size_t index);
-  /// Renderer and buffers of one camera; separate, so that both render in parallel.
-  struct CameraBuffers {
-    std::unique_ptr<Renderer> renderer;
-    RenderedImage rendered;
-    std::vector<float> blurred;
-  };
-  /// Renders one camera and exposes it; with motion blur as a mean over the shutter time.
-  Image renderCamera(std::size_t index, bool right);
+  Image takePicture(std::size_t index, bool right);
   /// Grey levels for a radiance of 1.
   double gainAt(std::size_t index) const;
 
@@ -60,7 +51,8 @@ class TownSource final : public Source, public ArrayDescriptions {
   std::unique_ptr<Traffic> traffic_;
   std::size_t first_traffic_ = 0;  ///< index of the first moving car among the mesh instances
   std::unique_ptr<Scene> scene_;
-  std::array<CameraBuffers, 2> cameras_;  ///< left, right
+  std::vector<TownCamera> cameras_;  ///< left, right
+  std::vector<Renderer> renderers_;  ///< one for each camera, so that both render in parallel
   FrameSequence sequence_;
   std::vector<std::int64_t> arriving_;  ///< frames of the sequence that are not dropped
   std::size_t next_ = 0;

@@ -109,13 +109,13 @@ struct Setting {
   Setting() : scene(handmadeWorld()), triangles(everyTriangle(handmadeWorld())) {
     light.to_sun = normalised({0.5F, -0.3F, 0.9F});
     light.clouds = 0;
-    around = {&scene, &plan, &light, kEye, {400, 0, 0}, {0, 0, -400}};
+    around = {&scene, &plan, &light, {400, 0, 0}, {0, 0, -400}};
   }
   std::vector<Shaded> shade(const std::vector<Vec3>& directions) const {
     std::vector<Shaded> all;
     RayPacket packet(around);
     for (const Vec3& direction : directions) {
-      packet.add(direction);
+      packet.add(kEye, direction);
       if (!packet.isFull() && &direction != &directions.back()) continue;
       const int size = packet.size();
       const auto shaded = packet.shade();
@@ -268,7 +268,7 @@ TEST_CASE("an empty packet shades nothing, and a shaded one is empty") {
   const Setting setting;
   RayPacket packet(setting.around);
   for (const Shaded& one : packet.shade()) CHECK(one.seen == 0);
-  packet.add({0, 1, 0});
+  packet.add(kEye, {0, 1, 0});
   CHECK(packet.size() == 1);
   packet.shade();
   CHECK(packet.size() == 0);

@@ -221,3 +221,25 @@ TEST_CASE("edges are smoothed where asked") {
   CHECK(changed > jagged.radiance.size() / 100);
   CHECK(changed < jagged.radiance.size() / 2);
 }
+
+TEST_CASE("a rolling shutter takes each row where the camera is at its time") {
+  const SmallTown town;
+  const Eigen::Isometry3d start = town.route.T_town_camera[60];
+  RenderCamera rolling = SmallTown::view(start);
+  const auto poseOf = [&](int row) {
+    return start * Eigen::Translation3d(0, 0, 0.004 * row) *
+           Eigen::AngleAxisd(2e-4 * row, Eigen::Vector3d::UnitY());
+  };
+  for (int row = 0; row < rolling.height; ++row) rolling.T_town_rows.push_back(poseOf(row));
+  const RenderedImage rolled = town.picture(rolling, 0);
+  for (const int row : {0, 31, 62, 124}) {
+    const RenderedImage still = town.picture(SmallTown::view(poseOf(row)), 0);
+    int same = 0;
+    for (int column = 0; column < rolling.width; ++column) {
+      const auto at = static_cast<std::size_t>(row * rolling.width + column);
+      same += std::abs(rolled.depth[at] - still.depth[at]) <= 1e-3F * still.depth[at];
+    }
+    CAPTURE(row);
+    CHECK(same > 0.97 * rolling.width);
+  }
+}

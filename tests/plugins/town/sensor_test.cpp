@@ -85,3 +85,17 @@ TEST_CASE("vignetting darkens the corners by the share asked for") {
   CHECK(int(image.row(0)[0]) == std::lround(0.8 * 255 * 0.7));
   CHECK(int(image.row(100)[150]) == std::lround(0.8 * 255));
 }
+
+TEST_CASE("gamma bends the response between black and saturation") {
+  Sensor sensor = plain();
+  sensor.gamma = 0.5;
+  std::vector<float> radiance(60000, 0.25F);
+  radiance[0] = 0;
+  radiance[1] = 1;
+  radiance[2] = 4;
+  const Image image = expose(sensor, radiance, 0);
+  CHECK(int(image.row(0)[0]) == 0);
+  CHECK(int(image.row(0)[1]) == 255);
+  CHECK(int(image.row(0)[2]) == 255);
+  CHECK(int(image.row(100)[100]) == 128);
+}

@@ -202,6 +202,77 @@ TEST_CASE("each kind of trouble changes the pictures that it should") {
   }
 }
 
+namespace {
+
+using List = std::vector<double>;
+
+/// Everything that cameras can do, at once.
+const ParameterValues kBadCameras = {{"warp_rms_px", 2.0},
+                                     {"focal_length_error", List{0.01, -0.01}},
+                                     {"principal_point_error_px", List{4, 0, 0, -4}},
+                                     {"right_rotation_error_deg", List{0.1, 0.2, 0.3}},
+                                     {"readout_time_ms", 30.0},
+                                     {"exposure_time_ms", 3.0},
+                                     {"exposure_time_max_ms", 20.0},
+                                     {"gain", List{1.2, 0.8}},
+                                     {"gamma", List{0.8, 1.2}},
+                                     {"vignetting_error", List{0.1, 0.3}},
+                                     {"bloom", 0.05},
+                                     {"dirt", 0.1},
+                                     {"drops", 20.0},
+                                     {"jpeg_quality", std::int64_t{60}}};
+
+}  // namespace
+
+TEST_CASE("each disturbance of the cameras changes the pictures, and the truth never") {
+  const auto frameOf = [](ParameterValues values) {
+    values["noise"] = 0.0;
+    values["first"] = values["last"] = std::int64_t{120};
+    return drive(values);
+  };
+  const Drive plain = frameOf({{"hour", 19.0}});
+  for (const auto& [name, value] : kBadCameras) {
+    ParameterValues values = {{"hour", 19.0}, {name, value}};
+    if (name == "exposure_time_max_ms") values["exposure_time_ms"] = 3.0;
+    const Drive off = frameOf(values);
+    INFO(name);
+    CHECK(bytes(off.frames[0].right) != bytes(plain.frames[0].right));
+    const bool right_only = name == "right_rotation_error_deg";
+    CHECK((bytes(off.frames[0].left) == bytes(plain.frames[0].left)) == right_only);
+    CHECK(off.info.rig.pinhole.fx == plain.info.rig.pinhole.fx);
+    CHECK(off.info.rig.baseline == plain.info.rig.baseline);
+    CHECK(off.frames[0].T_world_camera_truth.isApprox(plain.frames[0].T_world_camera_truth, 0));
+  }
+}
+
+TEST_CASE("with all disturbances the bytes are the same for any number of threads") {
+  const Drive many = drive(kBadCameras);
+  const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+  const Drive single = drive(kBadCameras);
+  REQUIRE(many.frames.size() == single.frames.size());
+  for (std::size_t i = 0; i < many.frames.size(); ++i) {
+    CHECK(bytes(many.frames[i].left) == bytes(single.frames[i].left));
+    CHECK(bytes(many.frames[i].right) == bytes(single.frames[i].right));
+  }
+  ParameterValues other = kBadCameras;
+  other["camera_seed"] = std::int64_t{2};
+  CHECK(bytes(drive(other).frames[0].left) != bytes(many.frames[0].left));
+}
+
+TEST_CASE("amplified images are noisier") {
+  const auto spread = [](double longest) {
+    const Drive d = drive({{"hour", 23.0},
+                           {"exposure_time_ms", 0.5},
+                           {"exposure_time_max_ms", longest},
+                           {"last", std::int64_t{0}}});
+    const Image& image = d.frames[0].left;
+    double sum = 0;  // of differences between neighbours in the sky
+    for (int c = 100; c < 140; ++c) sum += std::abs(image.row(2)[c] - image.row(2)[c + 1]);
+    return sum;
+  };
+  CHECK(spread(1) > 1.5 * spread(500));
+}
+
 TEST_CASE("oncoming cars move") {
   const ParameterValues busy = {{"traffic", 60.0}, {"noise", 0.0}, {"exposure_change", 0.0}};
   const ParameterValues empty = {{"noise", 0.0}, {"exposure_change", 0.0}};
@@ -232,6 +303,8 @@ TEST_CASE("what cannot be driven is refused with a remedy") {
         std::string::npos);
   CHECK(refusal({{"scale", 0.05}, {"height", std::int64_t{100}}}) ==
         "scale leaves an image below 32 px; choose a larger one");
+  CHECK(refusal({{"gamma", std::vector<double>{1, 1, 1}}}) ==
+        "gamma has 3 values; give 2: [left, right]");
 }
 
 TEST_CASE("real routes of KITTI render whole", "[data]") {

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light beyond saturation that spreads over the image.
+#pragma once
+
+#include <vector>
+
+namespace tolman::town {
+
+/// Adds the share `bloom` of what exceeds `saturation` (radiance) to the pixels around it: a narrow
+/// and a wide halo of 4 and 40 px at `scale` 1, half of the light each.
+void addBloom(std::vector<float>& radiance, int width, int height, float saturation, float bloom,
+              double scale);
+
+}  // namespace tolman::town

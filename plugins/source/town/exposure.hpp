@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long the shutter opens for the light there is, and how far the signal is amplified.
+#pragma once
+
+#include "light.hpp"
+
+namespace tolman::town {
+
+struct Exposure {
+  double time_ms = 0;
+  double amplification = 1;  ///< of signal and noise, beyond the longest time
+};
+
+/// `noon_ms` is the time in the sun of a clear noon; 0 makes exposure independent of the light.
+Exposure exposureFor(const Light& light, double noon_ms, double longest_ms);
+
+}  // namespace tolman::town

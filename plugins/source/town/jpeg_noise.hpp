@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The loss of baseline JPEG compression: quantised cosine coefficients of blocks of 8 x 8 pixels.
+#pragma once
+
+#include "tolman/image.hpp"
+
+namespace tolman::town {
+
+/// The image after compression at `quality` (1 to 100) with the luminance table of the standard's
+/// annex K, scaled as is usual: 50 takes the table as it is.
+Image throughJpeg(const Image& image, int quality);
+
+}  // namespace tolman::town

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "town_camera.hpp"
+
+#include <algorithm>
+
+#include "bloom.hpp"
+#include "exposure.hpp"
+#include "jpeg_noise.hpp"
+#include "noise.hpp"
+#include "shutter_blur.hpp"
+
+namespace tolman::town {
+
+TownCamera::TownCamera(const TownParameters& parameters, const CameraRig& believed,
+                       TrueCamera truth, std::size_t index, std::uint32_t run_seed)
+    : parameters_(parameters),
+      width_(believed.width),
+      height_(believed.height),
+      truth_(std::move(truth)),
+      index_(index),
+      run_seed_(run_seed),
+      glass_({width_, height_, parameters.scale}, parameters.dirt, parameters.drops,
+             hash(static_cast<std::uint32_t>(parameters.camera_seed),
+                  static_cast<std::uint32_t>(index), 502)) {}
+
+RenderCamera TownCamera::viewAt(const Moment& moment, double part) const {
+  const auto poseAt = [&](double at) { return moment.T_town_left(at) * truth_.T_left_camera; };
+  RenderCamera view;
+  view.T_town_camera = poseAt(part);
+  view.pinhole = truth_.pinhole;
+  view.width = width_;
+  view.height = height_;
+  view.warp = &truth_.warp;
+  const double readout = parameters_.readout_time_ms * 1e-3 / moment.interval_s;
+  for (int row = 0; readout > 0 && row < height_; ++row) {
+    view.T_town_rows.push_back(poseAt(part + readout * ((row + 0.5) / height_ - 0.5)));
+  }
+  return view;
+}
+
+std::vector<float>& TownCamera::openShutter(Renderer& renderer, const Moment& moment,
+                                            double time_ms) {
+  const double open = parameters_.motion_blur;
+  const int shots = open > 0 ? 5 : 1;
+  for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, so that its depth is kept
+    renderer.render(viewAt(moment, open * shot / shots), rendered_);
+    if (shots == 1) break;
+    if (shot == shots - 1) blurred_.assign(rendered_.radiance.size(), 0);
+    for (std::size_t i = 0; i < blurred_.size(); ++i) {
+      blurred_[i] += rendered_.radiance[i] / static_cast<float>(shots);
+    }
+  }
+  if (time_ms <= 0) return shots > 1 ? blurred_ : rendered_.radiance;
+  const double half = 0.5 * time_ms * 1e-3 / moment.interval_s;
+  const auto cameraAt = [&](double part) {
+    return moment.T_town_left(part) * truth_.T_left_camera;
+  };
+  RenderCamera view = viewAt(moment, 0);
+  blurred_ = shutterBlur(view, shots > 1 ? blurred_ : rendered_.radiance, rendered_.depth,
+                         cameraAt(half).inverse() * cameraAt(-half));
+  return blurred_;
+}
+
+Sensor TownCamera::sensorFor(const Moment& moment, double amplification) const {
+  const TownParameters& p = parameters_;
+  Sensor sensor;
+  sensor.width = width_;
+  sensor.height = height_;
+  sensor.gain = moment.gain * p.gain[index_];
+  sensor.gamma = p.gamma[index_];
+  sensor.vignetting = p.vignetting + p.vignetting_error[index_];
+  sensor.read_noise = 0.8 * p.noise * amplification;
+  sensor.shot_noise = 0.015 * p.noise * p.noise * amplification;
+  sensor.seed = run_seed_;
+  return sensor;
+}
+
+Image TownCamera::take(Renderer& renderer, const Light& light, const Moment& moment) {
+  const TownParameters& p = parameters_;
+  const Exposure exposure = exposureFor(light, p.exposure_time_ms, p.exposure_time_max_ms);
+  renderer.setLight(light);
+  std::vector<float>& radiance = openShutter(renderer, moment, exposure.time_ms);
+  const Sensor sensor = sensorFor(moment, exposure.amplification);
+  if (!glass_.isClean()) glass_.apply(radiance, light.horizon, moment.seconds);
+  if (p.bloom > 0) {
+    addBloom(radiance, width_, height_, static_cast<float>(255 / sensor.gain),
+             static_cast<float>(p.bloom), p.scale);
+  }
+  Image image = expose(sensor, radiance, moment.exposure);
+  return p.jpeg_quality > 0 ? throughJpeg(image, static_cast<int>(p.jpeg_quality)) : image;
+}
+
+}  // namespace tolman::town

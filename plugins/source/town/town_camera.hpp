@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One camera of the rig: what it sees while its shutter is open, through its glass, as grey levels.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "lens_glass.hpp"
+#include "light.hpp"
+#include "renderer.hpp"
+#include "sensor.hpp"
+#include "tolman/image.hpp"
+#include "true_camera.hpp"
+
+namespace tolman::town {
+
+/// The moment at which a picture is taken.
+struct Moment {
+  /// Pose of the left camera; 0 is the stamp, 1 the stamp of the next frame.
+  std::function<Eigen::Isometry3d(double part)> T_town_left;
+  double interval_s = 0.1;     ///< from part 0 to part 1
+  double seconds = 0;          ///< since the start of the drive
+  double gain = 255;           ///< grey levels for a radiance of 1
+  std::uint32_t exposure = 0;  ///< number of the image in the run, different for left and right
+};
+
+class TownCamera {
+ public:
+  /// `index`: 0 left, 1 right.
+  TownCamera(const TownParameters& parameters, const CameraRig& believed, TrueCamera truth,
+             std::size_t index, std::uint32_t run_seed);
+
+  Image take(Renderer& renderer, const Light& light, const Moment& moment);
+  /// What was rendered last; with motion blur at the stamp.
+  const RenderedImage& rendered() const { return rendered_; }
+
+ private:
+  RenderCamera viewAt(const Moment& moment, double part) const;
+  /// Radiance over the time that the shutter is open.
+  std::vector<float>& openShutter(Renderer& renderer, const Moment& moment, double time_ms);
+  Sensor sensorFor(const Moment& moment, double amplification) const;
+
+  TownParameters parameters_;
+  int width_;
+  int height_;
+  TrueCamera truth_;
+  std::size_t index_;
+  std::uint32_t run_seed_;
+  LensGlass glass_;
+  RenderedImage rendered_;
+  std::vector<float> blurred_;
+};
+
+}  // namespace tolman::town
