@@ -29,11 +29,15 @@ void repairInheritedState() {
 /// Saved states and tables of whole runs get pages of their own, which go back to the system when
 /// they are freed. By itself glibc raises this limit to the largest buffer freed so far, and what
 /// lives long between such buffers doubles the growth of a run. Images are smaller: pages of their
-/// own would cost 5 ms a frame.
+/// own would cost 5 ms a frame. Freed memory at the end of the heap stays for the next frame, and
+/// goes back to the system every 30 s (run/watchdog.hpp): with glibc's fixed 128 KiB it would go
+/// back, and be cleared again, several times a frame.
 void limitFragmentation() {
 #ifdef __GLIBC__
   constexpr int kLargeBuffer = 4 << 20;  // bytes
+  constexpr int kMostKept = 256 << 20;   // bytes
   ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);
+  ::mallopt(M_TRIM_THRESHOLD, kMostKept);
 #endif
 }
 

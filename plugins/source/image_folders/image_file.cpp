@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_file.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <new>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "jpeg_decoder.hpp"
-#include "tolman/image_cv.hpp"
+#include "png_chunks.hpp"
+#include "png_decoder.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -38,18 +36,6 @@ std::string_view asText(Bytes bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-bool isPng(Bytes bytes) {
-  using namespace std::string_view_literals;
-  return asText(bytes).starts_with("\x89PNG\r\n\x1a\n"sv);
-}
-
-/// Big-endian number of `count` bytes at `at`; the caller has checked that they exist.
-std::int64_t bigEndian(Bytes bytes, std::size_t at, std::size_t count) {
-  std::int64_t value = 0;
-  for (const std::uint8_t byte : bytes.subspan(at, count)) value = value * 256 + byte;
-  return value;
-}
-
 Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {
   constexpr std::int64_t kMostPixels = 100'000'000;
   if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels / width) {
@@ -57,34 +43,6 @@ Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {
                    std::to_string(height) + " pixels");
   }
   return ImageSize{static_cast<int>(width), static_cast<int>(height)};
-}
-
-constexpr std::size_t kPngSignature = 8;
-constexpr std::size_t kAroundPngChunk = 12;  // length, name and CRC
-
-/// The whole chunk at `at`; empty where the file ends within it.
-Bytes pngChunk(Bytes bytes, std::size_t at) {
-  if (at + kAroundPngChunk > bytes.size()) return {};
-  const auto length = static_cast<std::size_t>(bigEndian(bytes, at, 4));
-  if (length > bytes.size() - at - kAroundPngChunk) return {};
-  return bytes.subspan(at, length + kAroundPngChunk);
-}
-
-/// Removes chunks that pixels do not depend on, such as comments and colour profiles: libpng takes
-/// memory of the size that they claim, up to 2 GiB, before it reads them.
-void removeExtras(std::vector<std::uint8_t>& png) {
-  std::size_t end = kPngSignature;
-  std::size_t at = kPngSignature;
-  for (Bytes chunk; !(chunk = pngChunk(png, at)).empty(); at += chunk.size()) {
-    constexpr std::uint8_t kAncillary = 0x20;
-    const std::string_view name = asText(chunk).substr(4, 4);
-    const bool extra = (chunk[4] & kAncillary) != 0 && name != "tRNS";
-    if (extra) continue;
-    if (end != at) std::copy(chunk.begin(), chunk.end(), png.begin() + static_cast<long>(end));
-    end += chunk.size();
-    if (name == "IEND") break;
-  }
-  png.resize(end);
 }
 
 Result<ImageSize> checkPng(Bytes bytes) {
@@ -143,20 +101,6 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   if (!stream) return unread(errno == 0 ? EIO : errno);
   return bytes;
-}
-
-Result<Image> decodePng(std::vector<std::uint8_t>& bytes, bool colour) {
-  removeExtras(bytes);
-  cv::Mat pixels;
-  try {
-    const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
-    pixels = cv::imdecode(bytes, mode | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception& error) {
-    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
-    pixels.release();
-  }
-  if (pixels.empty()) return problem("cannot be decoded, its data are damaged");
-  return asImage(pixels);
 }
 
 Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected) {

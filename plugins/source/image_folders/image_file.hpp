@@ -2,8 +2,8 @@
 // Reads one PNG or JPEG file, which may be damaged.
 //
 // OpenCV decodes a truncated JPEG to a full-size image with a grey remainder and no error, and
-// accepts any size in a header. So header and end marker are checked here before decoding, and JPEG
-// is decoded by jpeg_decoder.hpp.
+// accepts any size in a header. So header and end marker are checked here before decoding by
+// jpeg_decoder.hpp and png_decoder.hpp.
 //
 // A damaged file is InvalidInput. One that cannot be opened or read (permissions, too many open
 // files, a failing disk) may be sound: that is Failed.

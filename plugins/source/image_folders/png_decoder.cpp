@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "png_decoder.hpp"
+
+#include <libdeflate.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <opencv2/imgcodecs.hpp>
+
+#include "png_chunks.hpp"
+#include "png_filters.hpp"
+#include "tolman/image_cv.hpp"
+
+namespace tolman::image_folders {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// What is needed to decode a plain image.
+struct PlainPng {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::size_t channels = 0;          ///< 1 or 3
+  std::vector<std::uint8_t> packed;  ///< the data of all IDAT chunks
+
+  std::size_t rowBytes() const { return width * channels; }
+  /// Of all rows, each with the byte that names its filter.
+  std::size_t size() const { return height * (rowBytes() + 1); }
+};
+
+/// Size and kind; nullopt unless 8 bits, grey or RGB, one pass.
+std::optional<PlainPng> readHeader(const PngChunk& chunk) {
+  constexpr std::size_t kLength = 13;
+  constexpr std::uint8_t kGrey = 0;
+  constexpr std::uint8_t kRgb = 2;
+  const Bytes header = chunk.data();
+  if (chunk.name() != "IHDR" || header.size() != kLength) return std::nullopt;
+  const bool is_plain = header[8] == 8 && (header[9] == kGrey || header[9] == kRgb) &&
+                        header[10] == 0 && header[11] == 0 && header[12] == 0;
+  if (!is_plain) return std::nullopt;
+  PlainPng image;
+  image.width = static_cast<std::size_t>(bigEndian(header, 0, 4));
+  image.height = static_cast<std::size_t>(bigEndian(header, 4, 4));
+  image.channels = header[9] == kGrey ? 1 : 3;
+  return image;
+}
+
+bool isIntact(const PngChunk& chunk) {
+  const Bytes checked = chunk.bytes.subspan(4, chunk.data().size() + 4);
+  return libdeflate_crc32(0, checked.data(), checked.size()) == chunk.crc();
+}
+
+/// Header and data; nullopt for other kinds of images and where something is damaged.
+std::optional<PlainPng> readChunks(Bytes png) {
+  std::optional<PlainPng> image;
+  std::size_t at = kPngSignature;
+  for (PngChunk chunk; !(chunk = pngChunkAt(png, at)).bytes.empty(); at += chunk.bytes.size()) {
+    if (!isIntact(chunk)) return std::nullopt;
+    if (!image) {
+      image = readHeader(chunk);
+      if (!image) return std::nullopt;
+      image->packed.reserve(png.size());
+    } else if (chunk.name() == "IDAT") {
+      image->packed.insert(image->packed.end(), chunk.data().begin(), chunk.data().end());
+    } else {
+      return chunk.name() == "IEND" ? image : std::nullopt;  // palette, transparency
+    }
+  }
+  return std::nullopt;
+}
+
+/// All rows with their filters; null where the data are damaged or of another size.
+std::unique_ptr<std::uint8_t[]> inflate(const PlainPng& image) {
+  constexpr std::size_t kMostPerByte = 1032;  // of deflate: a header claims no more memory
+  const std::size_t size = image.size();
+  if (size / kMostPerByte > image.packed.size()) return nullptr;
+  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> inflater(
+      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+  if (!inflater) throw std::bad_alloc();
+  auto rows = std::make_unique_for_overwrite<std::uint8_t[]>(size);
+  const libdeflate_result result =
+      libdeflate_zlib_decompress(inflater.get(), image.packed.data(), image.packed.size(),
+                                 rows.get(), size, nullptr);  // null: exactly `size` bytes
+  if (result != LIBDEFLATE_SUCCESS) return nullptr;
+  return rows;
+}
+
+Result<Image> decodeByOpenCv(std::vector<std::uint8_t>& png, bool colour) {
+  cv::Mat pixels;
+  try {
+    const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
+    pixels = cv::imdecode(png, mode | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception& error) {
+    if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
+    pixels.release();
+  }
+  if (pixels.empty()) return Status::invalidInput("cannot be decoded, its data are damaged");
+  return asImage(pixels);
+}
+
+}  // namespace
+
+std::optional<Image> decodePlainPng(Bytes png, bool colour) {
+  const std::optional<PlainPng> plain = readChunks(png);
+  if (!plain || (plain->channels == 3) != colour) return std::nullopt;
+  const auto rows = inflate(*plain);
+  if (!rows) return std::nullopt;
+  bool whole = true;
+  const PixelFormat format = colour ? PixelFormat::Bgr8 : PixelFormat::Gray8;
+  Image image = Image::create(static_cast<int>(plain->width), static_cast<int>(plain->height),
+                              format, [&](std::uint8_t* pixels) {
+                                whole = undoFilters(rows.get(), plain->height, plain->rowBytes(),
+                                                    plain->channels, pixels);
+                                if (colour) swapRedAndBlue(pixels, plain->width * plain->height);
+                              });
+  return whole ? std::optional(std::move(image)) : std::nullopt;
+}
+
+Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour) {
+  removeExtras(png);
+  if (std::optional<Image> image = decodePlainPng(png, colour)) return *std::move(image);
+  return decodeByOpenCv(png, colour);
+}
+
+}  // namespace tolman::image_folders
