@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "feature_guess.hpp"
+
 namespace tolman::direct_sparse {
 namespace {
 
@@ -157,9 +159,7 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
     return;
   }
   if (visible && can_track_) {
-    const auto tracked = mapper_.isDraft() ? trackDraft(expect(motion.dt))
-                                           : tracker_.track(rig_, current_, expect(motion.dt));
-    if (tracked && isPossible(*tracked, motion.dt)) {
+    if (const auto tracked = align(frame, motion.dt)) {
       answerMeasured(*tracked, frame, motion);
       return;
     }
@@ -170,6 +170,23 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
   // after the first failure.
   const int patience = mapper_.isDraft() ? 1 : 2;  // frames
   if (visible && (!can_track_ || unrecognised_ >= patience)) restart(frame, motion);
+}
+
+/// By direct alignment from the expected motion, or else from that of features.
+std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt) {
+  const Expectation expectation = expect(dt);
+  if (mapper_.isDraft()) return trackDraft(expectation);
+  const auto isGood = [&](const std::optional<AlignmentResult>& tracked) {
+    return tracked && isPossible(*tracked, dt) && !isDoubtful(*tracked, frame);
+  };
+  const auto tracked = tracker_.track(rig_, current_, expectation);
+  if (isGood(tracked)) return tracked;
+  const Eigen::Isometry3d expected =
+      (expectation.T_reference_previous * expectation.T_previous_current).inverse();
+  const auto guess = guessByFeatures(rig_, mapper_.window(), current_.level(0), expected);
+  if (!guess) return std::nullopt;
+  const auto refined = tracker_.refine(rig_, current_, {*guess, expectation.brightness});
+  return isGood(refined) ? refined : std::nullopt;
 }
 
 /// Few samples, or road marks and fences after a gap, may fit at a wrong place as well. There the
@@ -186,6 +203,14 @@ bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
   const double error = std::min((moved - expected).norm(), (moved + expected).norm());
   const double since = gap_s_ + dt;
   return error < 0.5 * kAcceleration * since * since + kSlack + kShare * expected.norm();
+}
+
+/// After a gap the frame may have been aligned at a wrong place; its own stereo tells.
+bool DirectSparse::isDoubtful(const AlignmentResult& tracked, const Frame& frame) {
+  if (first_lost_ < 0) return false;
+  buildRight(frame);
+  if (right_.empty()) return false;
+  return !mapper_.compareWithStereo(poseOf(tracked), current_, right_).confirms();
 }
 
 std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation) {
@@ -272,9 +297,11 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
     mapper_.observe(T_world_camera, brightness_, current_);
     if (mapper_.isDraft()) can_track_ = tracker_.setReference(rig_, mapper_.window());
   }
+  // After a gap the reported motion contains what the predicted ones were wrong by.
+  const Eigen::Isometry3d step = history_.lastPose().inverse() * T_world_final;
   motion.T_previous_current = remember(T_world_final, mapper_.window().newest(), motion);
   reference_brightness_ = relative(mapper_.window().newest().affine(), brightness_);
-  if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
+  if (motion.dt > 0) velocity_ = logSe3(normalised(step)) / motion.dt;
   has_velocity_ = motion.dt > 0;
   if (mapper_.isDraft()) {
     answerDraft(motion);

@@ -37,6 +37,8 @@ class DirectSparse : public Odometry {
   void answer(bool visible, const Frame& frame, Motion& motion);
   /// Single camera: alternates between tracking the frame and estimating depths from it.
   std::optional<AlignmentResult> trackDraft(Expectation expectation);
+  std::optional<AlignmentResult> align(const Frame& frame, double dt);
+  bool isDoubtful(const AlignmentResult& tracked, const Frame& frame);
   bool isPossible(const AlignmentResult& tracked, double dt) const;
   Eigen::Isometry3d poseOf(const AlignmentResult& tracked) const;
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);

@@ -9,6 +9,7 @@
 #include "bundle_adjustment.hpp"
 #include "point_selection.hpp"
 #include "static_stereo.hpp"
+#include "stereo_check.hpp"
 #include "window.hpp"
 
 namespace tolman::direct_sparse {
@@ -45,6 +46,12 @@ class Mapper {
   /// Refines the candidates of all keyframes with a frame of known pose.
   void observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,
                const ImagePyramid& left);
+  /// Of a frame that was tracked at this pose, see stereo_check.hpp.
+  StereoAgreement compareWithStereo(const Eigen::Isometry3d& T_world_camera,
+                                    const ImagePyramid& left, const ImagePyramid& right) const {
+    return direct_sparse::compareWithStereo(rig_, window_, T_world_camera, left.level(0),
+                                            right.level(0), settings_.max_disparity);
+  }
 
  private:
   Keyframe& insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,

@@ -14,8 +14,8 @@ namespace tolman::direct_sparse {
 /// iterations. Rectified rigs are off by up to 1 px of disparity. Parameters that only one of the
 /// two plugins uses are declared by that one.
 struct Parameters {
-  int points = 1000;
-  int candidates = 800;
+  int points = 1500;
+  int candidates = 1200;
   int window = 7;
   int iterations = 2;
   double coupling = 1.5;

@@ -21,8 +21,9 @@ struct Expectation {
 
 class Tracker {
  public:
-  /// Required share of inliers: for measured depths, or for assumed ones (see monocular_start.hpp).
-  enum class Demand : std::uint8_t { Certain, Guess };
+  /// Required share of inliers: for measured depths, for assumed ones (see monocular_start.hpp), or
+  /// where features have found the pose before (see feature_guess.hpp).
+  enum class Demand : std::uint8_t { Certain, Guess, Confirmed };
 
   void reset();
   /// A new keyframe is the reference; false when it has too few points to track from.
@@ -31,16 +32,21 @@ class Tracker {
   std::optional<AlignmentResult> track(const CameraRig& rig, const ImagePyramid& image,
                                        const Expectation& expectation,
                                        Demand demand = Demand::Certain);
+  /// The same from one guess: the pose of the reference in the frame.
+  std::optional<AlignmentResult> refine(const CameraRig& rig, const ImagePyramid& image,
+                                        const AlignmentState& guess);
   /// RMS of the first frame after the reference; 0 before.
   double firstRms() const { return first_rms_; }
 
  private:
+  bool accept(const CameraRig& rig, AlignmentResult& result, Demand demand);
   AlignmentResult bestOf(const CameraRig& rig, const ImagePyramid& image,
                          const Expectation& expectation);
 
   AlignmentReference reference_;
   Aligner aligner_;
   double last_rms_ = 0;  ///< 0: not known
+  double usual_samples_ = 0;
   double first_rms_ = 0;
 };
 

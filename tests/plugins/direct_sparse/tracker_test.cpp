@@ -2,6 +2,7 @@
 // Which motion is believed, and when none is.
 #include "tracker.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "street.hpp"
@@ -68,4 +69,23 @@ TEST_CASE("a reference without points cannot be tracked from") {
   const auto window = test::streetWindow({test::streetPose(0)});
   Tracker tracker;
   CHECK_FALSE(tracker.setReference(test::streetRig(), *window));
+}
+
+TEST_CASE("from the guess of features a part of the view is enough") {
+  Case c;
+  const Eigen::Isometry3d pose = test::streetPose(0.6, 0.01);
+  const auto first = c.tracker.track(c.rig, test::streetPyramid(test::streetPose(0.3)), {});
+  REQUIRE(first);  // says what is usual
+  Frame frame = test::streetFrame(1, pose);
+  auto* pixels = const_cast<std::uint8_t*>(frame.left.data());
+  for (int v = 0; v < frame.left.height(); ++v) {  // a lorry
+    std::fill_n(pixels + v * frame.left.stride(), frame.left.width() * 35 / 100, std::uint8_t{40});
+  }
+  ImagePyramid covered;
+  covered.build(frame.left);
+  const auto refined = c.tracker.refine(c.rig, covered, {pose.inverse(), {}});
+  REQUIRE(refined);
+  CHECK(metresOff(*refined, pose) < 0.02);
+  const AlignmentState elsewhere{test::streetPose(20, 0.5).inverse(), {}};
+  CHECK_FALSE(c.tracker.refine(c.rig, covered, elsewhere));
 }

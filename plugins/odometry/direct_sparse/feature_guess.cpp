@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "feature_guess.hpp"
+
+#include <opencv2/calib3d.hpp>
+#include <opencv2/core/eigen.hpp>
+#include <opencv2/video/tracking.hpp>
+#include <vector>
+
+namespace tolman::direct_sparse {
+namespace {
+
+constexpr std::size_t kMostFollowed = 500;
+
+cv::Mat asMat(const GrayLevel& image) {
+  return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.row(0))};
+}
+
+/// Points by their position in the newest keyframe (m), and their pixels there and in the image.
+struct Followed {
+  std::vector<cv::Point3f> points;
+  std::vector<cv::Point2f> before;
+  std::vector<cv::Point2f> after;
+};
+
+/// Points of all keyframes that the newest one sees. `after` is where they are expected.
+Followed pointsInView(const CameraRig& rig, const Window& window,
+                      const Eigen::Isometry3d& expected) {
+  const std::size_t step = 1 + window.pointCount() / kMostFollowed;
+  const Eigen::Isometry3d T_newest_world = window.newest().T_camera_world();
+  const GrayLevel& image = window.newest().left.level(0);
+  std::size_t number = 0;
+  Followed followed;
+  for (const int slot : window.order()) {
+    const Keyframe& host = window.keyframe(slot);
+    const Eigen::Isometry3d T_newest_host = T_newest_world * host.T_world_camera();
+    for (const Point& point : host.points) {
+      if (number++ % step != 0) continue;
+      const Eigen::Vector3d ray = rig.pinhole.ray({point.u, point.v});
+      const Eigen::Vector3d p = T_newest_host * (ray / static_cast<double>(point.inverse_depth));
+      const Eigen::Vector3d q = expected * p;
+      if (p.z() < 0.1 || q.z() < 0.1) continue;
+      const Eigen::Vector2f there = rig.pinhole.project(p).cast<float>();
+      if (!image.contains(there.x(), there.y(), kPatternRadius)) continue;
+      const Eigen::Vector2f now = rig.pinhole.project(q).cast<float>();
+      followed.points.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+      followed.before.emplace_back(there.x(), there.y());
+      followed.after.emplace_back(now.x(), now.y());
+    }
+  }
+  return followed;
+}
+
+/// Keeps the points that flow forward and back to where they were.
+void follow(const cv::Mat& before, const cv::Mat& after, Followed& followed) {
+  constexpr int kLevels = 4;
+  constexpr double kConsistency = 1;  // px
+  const cv::Size window(15, 15);
+  const cv::TermCriteria stop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
+  const auto flow = [&](const cv::Mat& from, const cv::Mat& to, const auto& at, auto& moved) {
+    std::vector<uchar> found;
+    std::vector<float> error;
+    cv::calcOpticalFlowPyrLK(from, to, at, moved, found, error, window, kLevels - 1, stop,
+                             cv::OPTFLOW_USE_INITIAL_FLOW);
+    return found;
+  };
+  std::vector<cv::Point2f> back = followed.before;
+  const std::vector<uchar> found = flow(before, after, followed.before, followed.after);
+  const std::vector<uchar> returned = flow(after, before, followed.after, back);
+  Followed kept;
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    const bool good = found[i] != 0 && returned[i] != 0;
+    if (!good || cv::norm(back[i] - followed.before[i]) > kConsistency) continue;
+    kept.points.push_back(followed.points[i]);
+    kept.before.push_back(followed.before[i]);
+    kept.after.push_back(followed.after[i]);
+  }
+  followed = std::move(kept);
+}
+
+std::optional<Eigen::Isometry3d> poseByConsensus(const CameraRig& rig, const Followed& followed) {
+  constexpr int kFewest = 30;
+  constexpr double kShare = 0.3;
+  constexpr double kNoise = 2;  // px
+  constexpr int kSamples = 300;
+  if (followed.points.size() < kFewest) return std::nullopt;
+  const cv::Matx33d K(rig.pinhole.fx, 0, rig.pinhole.cx, 0, rig.pinhole.fy, rig.pinhole.cy, 0, 0,
+                      1);
+  cv::Vec3d rotation;
+  cv::Vec3d translation;
+  std::vector<int> inliers;
+  const bool solved =
+      cv::solvePnPRansac(followed.points, followed.after, K, cv::noArray(), rotation, translation,
+                         false, kSamples, kNoise, 0.999, inliers, cv::SOLVEPNP_SQPNP);
+  const auto count = static_cast<double>(inliers.size());
+  if (!solved || count < kFewest || count < kShare * static_cast<double>(followed.points.size())) {
+    return std::nullopt;
+  }
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  T.linear() = expSo3({rotation[0], rotation[1], rotation[2]});
+  T.translation() << translation[0], translation[1], translation[2];
+  if (!T.matrix().allFinite()) return std::nullopt;
+  return T;
+}
+
+}  // namespace
+
+std::optional<Eigen::Isometry3d> guessByFeatures(const CameraRig& rig, const Window& window,
+                                                 const GrayLevel& image,
+                                                 const Eigen::Isometry3d& expected) {
+  Followed followed = pointsInView(rig, window, expected);
+  if (followed.points.empty()) return std::nullopt;
+  follow(asMat(window.newest().left.level(0)), asMat(image), followed);
+  return poseByConsensus(rig, followed);
+}
+
+}  // namespace tolman::direct_sparse
