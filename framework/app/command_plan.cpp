@@ -124,8 +124,9 @@ void run(const PlanOptions& options, const Invocation& invocation) {
   const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
   const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
   Plan plan{endOf(options.from, graph), endOf(options.to, graph), {}};
-  plan.route = valueOrEnd(planning::fastestRoute(graph, plan.from.experience, plan.to.experience),
-                          ExitCode::Usage);
+  const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
+  const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
+  plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
   if (invocation.json) {
     std::cout << toJson(plan, graph).dump(2) << "\n";
   } else {

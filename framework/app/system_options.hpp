@@ -16,7 +16,7 @@ namespace tolman::app {
 inline std::string configFile(const std::string& given) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (fs::exists(given, ignored)) return given;
+  if (fs::exists(given, ignored) && !fs::is_directory(given, ignored)) return given;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   for (const fs::path& folder : {prefix / "share/tolman", prefix.parent_path()}) {
     for (const fs::path& file : {folder / "configs" / (given + ".yaml"), folder / given}) {

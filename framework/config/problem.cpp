@@ -13,10 +13,22 @@ std::string text(const Origin& origin) {
   return origin.file + ':' + std::to_string(origin.line) + ':' + std::to_string(origin.column);
 }
 
+namespace {
+
+/// Without the middle of one that quotes a whole file.
+std::string shortened(const std::string& message) {
+  constexpr std::size_t kMost = 2000;  // lists of keys are shorter
+  constexpr std::size_t kEnd = 200;
+  if (message.size() <= kMost) return message;
+  return message.substr(0, kEnd) + " ... " + message.substr(message.size() - kEnd);
+}
+
+}  // namespace
+
 std::string format(const Problem& problem) {
   std::string line = text(problem.where) + ": ";
   if (!problem.key_path.empty()) line += problem.key_path + ": ";
-  return line + problem.message;
+  return line + shortened(problem.message);
 }
 
 std::string format(Problems problems) {

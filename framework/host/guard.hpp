@@ -58,7 +58,8 @@ Status guarded(const CallSite& site, Work&& work) noexcept {
   Status status = contained(std::forward<Work>(work));
   if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
   try {
-    return {status.code(), prefix(site).append(status.message())};
+    constexpr std::size_t kLongest = 10'000;
+    return {status.code(), prefix(site).append(status.message(), 0, kLongest)};
   } catch (const std::exception&) {
     return status;
   }

@@ -87,11 +87,17 @@ Result<std::string> Instance::url() {
   return url;
 }
 
+Status saveTo(std::ostream& stream, const StateKeeper& state) {
+  Status status = state.save(stream);
+  if (!status.isOk() || stream.good()) return status;
+  return Status::failed("left its stream in a failed state; what it wrote is not complete");
+}
+
 Result<std::string> Instance::save() {
   if (object_.state == nullptr) return unsupported("cannot save its state");
   std::ostringstream stream;
   const Status status =
-      guarded({name_, manifest_.id, "save", -1}, [&] { return object_.state->save(stream); });
+      guarded({name_, manifest_.id, "save", -1}, [&] { return saveTo(stream, *object_.state); });
   if (!status.isOk()) return status;
   return std::move(stream).str();
 }

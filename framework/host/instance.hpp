@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ namespace tolman::host {
 
 /// plugin/null-instance.
 Refusal nullInstance(const Manifest& manifest);
+
+/// Fails also where the plugin answers Ok, but has left the stream in a failed state.
+Status saveTo(std::ostream& stream, const StateKeeper& state);
 
 class Instance {
  public:

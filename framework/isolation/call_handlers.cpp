@@ -27,7 +27,7 @@ void addExtras(Handlers& handlers, const PluginObject& object) {
   if (object.state == nullptr) return;
   handlers[Call::Save] = handler(std::function([state = object.state](std::string& bytes) {
     std::ostringstream stream;
-    Status status = state->save(stream);
+    Status status = host::saveTo(stream, *state);
     bytes = std::move(stream).str();
     return status;
   }));

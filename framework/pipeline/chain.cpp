@@ -103,6 +103,7 @@ bool Chain::takeOdometry(FrameRecords& records) {
   if (!resolve(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
   if (!records.impossible_motion.empty()) {
+    ++counters_.impossible;
     listener_.onEvent({records.frame.frame, LogLevel::Warning, "odometry",
                        "the motion " + records.impossible_motion + "; it is predicted instead"});
   }

@@ -14,11 +14,16 @@ inline constexpr std::string_view kNeverTracked =
 inline constexpr std::string_view kOneFrame =
     "no motion in the whole run: it has one frame, and motion is found between two; take more";
 
+inline constexpr std::string_view kNeverBelieved =
+    "no motion in the whole run: the limits of `checks` took them for impossible, see log.txt; "
+    "correct checks, or the times or the rate of the source";
+
 /// Health of a run, to be read before any error figure.
 struct RunCounters {
   std::int64_t frames = 0;          ///< processed
   std::int64_t dropped = 0;         ///< realtime: never processed
   std::int64_t skipped = 0;         ///< frames at which a stage failed and the run continued
+  std::int64_t impossible = 0;      ///< motions that `checks` replaced by a prediction
   std::int64_t defects = 0;         ///< frames without a sound image
   std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
   std::int64_t lost = 0;            ///< frames with odometry lost
@@ -36,6 +41,7 @@ struct RunCounters {
     visit("frames", self.frames);
     visit("dropped", self.dropped);
     visit("skipped", self.skipped);
+    visit("impossible", self.impossible);
     visit("defects", self.defects);
     visit("initialising", self.initialising);
     visit("lost", self.lost);
@@ -52,7 +58,10 @@ struct RunCounters {
   /// Whether no motion was found in the whole run.
   bool neverTracked() const { return frames > 0 && tracked() == 0; }
   /// What to say of a run that never tracked: one frame shows no motion, however good it is.
-  std::string_view neverTrackedText() const { return frames == 1 ? kOneFrame : kNeverTracked; }
+  std::string_view neverTrackedText() const {
+    if (frames == 1) return kOneFrame;
+    return 2 * impossible > frames ? kNeverBelieved : kNeverTracked;
+  }
 };
 
 }  // namespace tolman::pipeline

@@ -80,9 +80,9 @@ Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std:
                                      .distance_map(seconds.data())
                                      .visitor(PathRecorder{{}, before, metres}));
   if (seconds[goal] == std::numeric_limits<double>::max()) {
-    return Status::invalidInput("no route leads from experience " + std::to_string(from) + " to " +
-                                std::to_string(to) +
-                                ": they lie in different connected parts of the map");
+    return Status::failed("no route leads from experience " + std::to_string(from) + " to " +
+                          std::to_string(to) +
+                          ": they lie in different connected parts of the map");
   }
   PlannedRoute route;
   for (std::size_t here = goal;; here = before[here]) {

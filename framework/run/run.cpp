@@ -237,19 +237,15 @@ std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure
   return failure;
 }
 
-/// For a later run that continues this one. After a failure no state is saved. If a stage cannot
-/// save its state, the run logs a warning and still succeeds.
+/// For a later run that continues this one. After a failure no state is saved. Stages that offer no
+/// state are left out; one that offers it and fails has failed the run.
 std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunListener& listener) {
   const pipeline::RunCounters& n = result.counters;
   if (result.failure || n.frames == 0 || !listener.recordStatus().isOk() ||
       !directory_->stillInPlace().isOk()) {
     return std::nullopt;
   }
-  const auto unsaved =
-      run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
-  if (!unsaved || unsaved->kind == FailureKind::Record) return unsaved;
-  listener.onEvent({-1, LogLevel::Warning, "state", unsaved->message});
-  return std::nullopt;
+  return run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
 }
 
 void Run::conclude(Outcome& outcome) {

@@ -94,9 +94,9 @@ SessionProgress loadState(Assembly& assembly, const fs::path& directory) {
   if (!fs::exists(checkpointFile(directory), ignored)) {
     refuseToContinue(
         directory.string() +
-        ": this run saved no map that could be continued (it was killed before its first "
-        "checkpoint, failed, or is of an older version); run it again to its end or to an "
-        "interrupt");
+        ": this run saved no map that could be continued (it failed, was killed before its first "
+        "checkpoint, is of an older version, or its plugins cannot save their state; see its "
+        "log.txt); run it again to its end or to an interrupt");
   }
   SessionProgress progress;
   progress.frames = loadCheckpoint(assembly, directory).frame + 1;

@@ -172,6 +172,26 @@ TEST_CASE("on_failure: skip goes on without the frame") {
   CHECK(counters["skipped"] == 1);
 }
 
+TEST_CASE("a plugin that offers its state and cannot save it has failed the run") {
+  for (const auto& [plugin, says] :
+       {std::pair("fails_to_save", "save: threw: no room"),
+        std::pair("saves_to_nowhere", "save: left its stream in a failed state")}) {
+    for (const std::string isolation : {"none", "process"}) {
+      const Attempt attempt(
+          "role_faults", "feature_stereo",
+          {"--set", "place={plugin: " + std::string(plugin) + ", isolation: " + isolation + "}"});
+      INFO(attempt.finished.err);
+      CHECK(attempt.finished.exit_code == 7);
+      CHECK(contains(attempt.finished.err, says));
+      const auto run = readJson(attempt.out / "run.json");
+      CHECK(run["status"] == "failed");
+      CHECK(run["counters"]["frames"] == 6);
+      CHECK(fs::exists(attempt.out / "metrics.json"));
+      CHECK_FALSE(fs::exists(attempt.out / "state" / "session.json"));
+    }
+  }
+}
+
 TEST_CASE("failures at the end are reported, and the record is whole") {
   const Attempt finish("misbehaving", "throws_in_finish");
   CHECK(finish.finished.exit_code == 7);

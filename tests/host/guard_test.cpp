@@ -94,6 +94,7 @@ TEST_CASE("a failure is told where there is no memory for its text") {
   }
   CHECK(thrown.message() == "odometry (mine), track, frame 12: out of memory");
   CHECK(returned.code() == StatusCode::InvalidInput);
-  CHECK(returned.message().size() == std::size_t{64} << 20U);  // without its place
+  CHECK(returned.message().starts_with("odometry (mine), track, frame 12: xxxx"));
+  CHECK(returned.message().size() < 11'000);  // cut
 }
 #endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is said of a run without motion.
+#include "pipeline/run_counters.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+using tolman::pipeline::RunCounters;
+
+namespace {
+
+RunCounters counters(std::int64_t frames, std::int64_t initialising, std::int64_t lost) {
+  RunCounters n;
+  n.frames = frames;
+  n.initialising = initialising;
+  n.lost = lost;
+  return n;
+}
+
+bool says(const RunCounters& n, std::string_view part) {
+  return n.neverTrackedText().find(part) != std::string_view::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a run with one motion has tracked, one without has not") {
+  CHECK_FALSE(counters(0, 0, 0).neverTracked());
+  CHECK_FALSE(counters(10, 1, 8).neverTracked());
+  CHECK(counters(10, 1, 9).neverTracked());
+  CHECK(counters(10, 10, 0).neverTracked());
+}
+
+TEST_CASE("the cause is named: one frame, limits of checks, or images") {
+  CHECK(says(counters(1, 1, 0), "it has one frame"));
+  CHECK(says(counters(10, 10, 0), "are the images rectified"));
+  RunCounters impossible = counters(10, 1, 9);
+  impossible.impossible = 9;
+  CHECK(says(impossible, "`checks` took them for impossible"));
+  impossible.impossible = 3;
+  CHECK(says(impossible, "are the images rectified"));
+}
+
+TEST_CASE("every count is visited once, under its own name") {
+  RunCounters n;
+  n.impossible = 7;
+  std::vector<std::string> names;
+  std::int64_t found = -1;
+  RunCounters::visit(n, [&](const std::string& name, const auto& value) {
+    names.push_back(name);
+    if (name == "impossible") found = static_cast<std::int64_t>(value);
+  });
+  CHECK(found == 7);
+  std::sort(names.begin(), names.end());
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
