@@ -7,10 +7,8 @@ namespace tolman::town {
 
 Exposure exposureFor(const Light& light, double noon_ms, double longest_ms) {
   if (noon_ms <= 0) return {};
-  constexpr Vec3 kUp = {0, 0, 1};
   const Light noon = makeLight(12, Weather::Clear, 0, 0);
-  const double wanted =
-      noon_ms * static_cast<double>(noon.onto(kUp, 1)) / static_cast<double>(light.onto(kUp, 1));
+  const double wanted = noon_ms * static_cast<double>(light.dimness * noon.level() / light.level());
   Exposure exposure;
   exposure.time_ms = std::min(wanted, longest_ms);
   exposure.amplification = wanted / exposure.time_ms;

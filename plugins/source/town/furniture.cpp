@@ -61,6 +61,7 @@ void addLamp(World& world, const Stand& stand) {
   addPost(world.fixed, {top, end, 0.05F, 0.04F, 6}, metal);
   addBox(world.fixed, end - stand.along * 0.14F,
          {stand.inward * 0.7F, stand.along * 0.28F, kUp * 0.12F}, metal);
+  world.lamp_heads.push_back(end + stand.inward * 0.35F + kUp * 0.06F);
 }
 
 void addSign(World& world, const Stand& stand) {

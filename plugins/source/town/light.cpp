@@ -79,4 +79,31 @@ Light makeLight(double hour, Weather weather, double haze, std::uint32_t seed) {
   return light;
 }
 
+void makeNight(Light& light) {
+  constexpr float kSky = 0.003F;
+  const float factor = kSky / light.sky;
+  for (float* part : {&light.sky, &light.horizon, &light.zenith}) *part *= factor;
+  light.sun = 0;
+  light.lamps = 1;
+  light.dimness = 15;
+}
+
+Light meanOf(std::span<const Light> lights) {
+  Light mean = lights.front();
+  if (lights.size() == 1) return mean;
+  constexpr std::array kParts = {&Light::sun,    &Light::sky,  &Light::horizon, &Light::zenith,
+                                 &Light::clouds, &Light::haze, &Light::lamps,   &Light::wet,
+                                 &Light::rain,   &Light::snow, &Light::dimness};
+  const float share = 1 / static_cast<float>(lights.size());
+  for (float Light::*const part : kParts) {
+    float sum = 0;
+    for (const Light& light : lights) sum += light.*part;
+    mean.*part = share * sum;
+  }
+  Vec3 to_sun = {0, 0, 0};
+  for (const Light& light : lights) to_sun = to_sun + light.to_sun * (light.sun + 1e-3F);
+  mean.to_sun = normalised(to_sun);
+  return mean;
+}
+
 }  // namespace tolman::town

@@ -16,6 +16,12 @@ inline constexpr std::array<std::string_view, 4> kWeatherNames = {"clear", "over
                                                                   "fog"};
 constexpr std::span<const std::string_view> enumNames(Weather) { return kWeatherNames; }
 
+/// Low beams of the car itself.
+struct Headlights {
+  Vec3 from;               ///< town axes
+  Vec3 ahead = {0, 1, 0};  ///< unit vector
+};
+
 /// Radiances are relative: a white surface under a high, clear sun gives about 1.
 struct Light {
   Vec3 to_sun = {0, 0, 1};  ///< unit vector, town axes
@@ -26,6 +32,15 @@ struct Light {
   float clouds = 0.3F;  ///< contrast of clouds
   float haze = 0;       ///< extinction, 1/m
   std::uint32_t seed = 0;
+  // Night and weather, 0 for none and 1 for full.
+  float lamps = 0;  ///< street lamps, lit windows and headlights
+  float wet = 0;    ///< of the ground
+  float rain = 0;   ///< drops in the air
+  float snow = 0;   ///< cover of what faces upwards
+  Headlights headlights;
+  /// The light is this many times weaker than the radiances say: cameras see night as bright by
+  /// exposing longer and amplifying.
+  float dimness = 1;
 
   /// Diffuse light on a surface with unit normal `n`, of which the share `lit` sees the sun.
   float onto(const Vec3& n, float lit) const;
@@ -33,9 +48,17 @@ struct Light {
   float fromSky(const Vec3& d, float spread) const;
   /// Radiance `of` a point seen through `distance` m of air.
   float through(float of, float distance) const;
+  /// Light by which cameras expose: that on the road, more where snow sends more of it back.
+  float level() const { return (onto({0, 0, 1}, 1) + 0.09F * lamps) * (1 + 1.3F * snow); }
 };
 
 /// `hour` of a summer day at 49 degrees north, 0 to 24; night is lit by the sky alone.
 Light makeLight(double hour, Weather weather, double haze, std::uint32_t seed);
+
+/// A dark sky, lamps on.
+void makeNight(Light& light);
+
+/// The mean of all numbers; the sun stands between its places.
+Light meanOf(std::span<const Light> lights);
 
 }  // namespace tolman::town

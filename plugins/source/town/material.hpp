@@ -29,6 +29,9 @@ struct SurfaceHit {
 /// In [0, 1]. `plan` gives the distance to the street, on which the material of the land depends.
 float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan);
 
+/// Share of the pixel that windows of a facade with light behind them cover.
+float litWindows(const Surface& surface, const SurfaceHit& hit);
+
 // One function for each group of materials; albedo() selects it.
 float groundAlbedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan);
 float buildingAlbedo(const Surface& surface, const SurfaceHit& hit);

@@ -81,8 +81,14 @@ float door(const Box& opening, const WallPoint& at, float wall, std::uint32_t h)
   return wall + cover(opening, at) * (leaf - wall) + cover(panel, at) * (0.6F * leaf - leaf);
 }
 
-/// The window or door nearest to the point. Columns of openings stand in bays of equal width.
-float openings(const Surface& surface, const WallPoint& at, float wall, std::uint32_t seed) {
+/// The window or door nearest to a point. Columns of openings stand in bays of equal width.
+struct Opening {
+  enum class Kind { None, Door, Window } kind = Kind::None;
+  Box box = {};
+  std::uint32_t seed = 0;
+};
+
+Opening openingAt(const Surface& surface, const WallPoint& at, std::uint32_t seed) {
   const float wanted = between(hash(seed, 11), 2.0F, 3.6F);
   const float bays = std::max(1.0F, floorOf(surface.width / wanted));
   const float bay = surface.width / bays;
@@ -91,22 +97,32 @@ float openings(const Surface& surface, const WallPoint& at, float wall, std::uin
   const float storey = std::clamp(floorOf(at.v / kStorey), 0.0F, storeys - 1);
   const std::uint32_t h =
       hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(storey), seed);
-  if (unit(h) < 0.1F) return wall;  // a blind bay
+  if (unit(h) < 0.1F) return {};  // a blind bay
   const float half = 0.5F * std::min(between(hash(seed, 12), 0.9F, 1.7F), 0.7F * bay);
   const float centre = (column + 0.5F) * bay;
   const float floor = storey * kStorey;
   if (storey < 0.5F && unit(hash(h, 1)) < 1.2F / bays) {
-    return door({centre - 0.55F, centre + 0.55F, 0.05F, 2.15F}, at, wall, hash(h, 2));
+    return {Opening::Kind::Door, {centre - 0.55F, centre + 0.55F, 0.05F, 2.15F}, hash(h, 2)};
   }
   const float sill = between(hash(seed, 13), 0.75F, 1.05F);
-  const Box opening = {centre - half, centre + half, floor + sill, floor + 2.4F};
-  return window(opening, at, wall, h);
+  return {Opening::Kind::Window, {centre - half, centre + half, floor + sill, floor + 2.4F}, h};
+}
+
+float openings(const Surface& surface, const WallPoint& at, float wall, std::uint32_t seed) {
+  const Opening opening = openingAt(surface, at, seed);
+  if (opening.kind == Opening::Kind::None) return wall;
+  return opening.kind == Opening::Kind::Door ? door(opening.box, at, wall, opening.seed)
+                                             : window(opening.box, at, wall, opening.seed);
+}
+
+WallPoint wallPoint(const Surface& surface, const SurfaceHit& hit) {
+  const Vec3 local = hit.point - surface.origin;
+  return {dot(local, surface.axis_u), dot(local, surface.axis_v), hit.extent(surface.axis_u),
+          hit.extent(surface.axis_v)};
 }
 
 float facade(const Surface& surface, const SurfaceHit& hit) {
-  const Vec3 local = hit.point - surface.origin;
-  const WallPoint at = {dot(local, surface.axis_u), dot(local, surface.axis_v),
-                        hit.extent(surface.axis_u), hit.extent(surface.axis_v)};
+  const WallPoint at = wallPoint(surface, hit);
   const float footprint = hit.footprint();
   const std::uint32_t seed = surface.seed;
   const bool of_brick = unit(hash(seed, 21)) < 0.3F;
@@ -132,6 +148,15 @@ float roof(const Surface& surface, const SurfaceHit& hit) {
 }
 
 }  // namespace
+
+float litWindows(const Surface& surface, const SurfaceHit& hit) {
+  constexpr float kLit = 0.25F;  // share of the windows
+  const WallPoint at = wallPoint(surface, hit);
+  const Opening opening = openingAt(surface, at, surface.seed);
+  const bool is_lit = opening.kind == Opening::Kind::Window && unit(hash(opening.seed, 8)) < kLit;
+  return is_lit ? cover(shrunk(opening.box, 0.09F), at) * between(hash(opening.seed, 9), 0.4F, 1)
+                : 0;
+}
 
 float buildingAlbedo(const Surface& surface, const SurfaceHit& hit) {
   return surface.material == Material::Roof ? roof(surface, hit) : facade(surface, hit);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "material.hpp"
+#include "material_weather.hpp"
 #include "noise.hpp"
 
 namespace tolman::town {
@@ -129,9 +129,68 @@ Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const 
   float lit = meeting.lit;
   if (foliage) lit += (0.5F - lit) * smoothstep(kClumpsMerge, kClumpsMerged, meeting.t);
   const float light = around_.light->onto(facing, lit);
-  const float radiance = albedo(surface, hit, *around_.plan) * light;
+  float tone = albedo(surface, hit, *around_.plan);
+  float radiance = tone * light;
+  if (around_.light->wet > 0 || around_.light->snow > 0) {
+    tone = weatheredAlbedo(tone, surface, meeting.point, meeting.normal, hit.footprint(),
+                           *around_.light, *around_.plan);
+    radiance = tone * light;
+  }
+  if (around_.light->lamps > 0) radiance += tone * lampLight(meeting) + glow(meeting, hit);
   return {around_.light->through(radiance, meeting.t * norm(direction)), meeting.t,
           seenAs(meeting)};
+}
+
+float RayPacket::lampLight(const Meeting& meeting) const {
+  const Light& light = *around_.light;
+  float sum = headlightsOnto(light.headlights, meeting.point, meeting.normal);
+  if (around_.lamps != nullptr) sum += around_.lamps->onto(meeting.point, meeting.normal);
+  return light.lamps * sum;
+}
+
+/// Radiance of what shines by itself: heads of lamps, lit windows.
+float RayPacket::glow(const Meeting& meeting, const SurfaceHit& hit) const {
+  constexpr float kLamp = 6;
+  constexpr float kWindow = 0.12F;
+  const Surface& surface = around_.scene->surface(meeting.owner.surface);
+  if (surface.material == Material::Facade) {
+    return around_.light->lamps * kWindow * litWindows(surface, hit);
+  }
+  const bool shines = surface.material == Material::Plain && around_.lamps != nullptr &&
+                      around_.lamps->isHead(meeting.point);
+  return shines ? around_.light->lamps * kLamp : 0;
+}
+
+/// Adds what wet ground mirrors. Rays of a mirrored packet meet dry ground.
+void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
+                       std::array<Shaded, kRaysPerPacket>& shaded) const {
+  Light dry = *around_.light;
+  dry.wet = 0;
+  Surroundings around = around_;
+  around.light = &dry;
+  RayPacket mirrored(around);
+  std::array<std::size_t, kRaysPerPacket> owners{};
+  std::array<float, kRaysPerPacket> shares{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+    const Meeting& meeting = meetings[i];
+    if (!meeting.hit) continue;
+    const Vec3 way = normalised(directions_[i]);
+    const float share = mirroredShare(around_.scene->surface(meeting.owner.surface), meeting.point,
+                                      meeting.normal, way, *around_.light);
+    if (share < 0.01F) continue;
+    const auto at = static_cast<std::size_t>(mirrored.size());
+    owners[at] = i;
+    shares[at] = share;
+    const float along = dot(directions_[i], meeting.normal);
+    mirrored.add(meeting.point + meeting.normal * 0.01F,
+                 directions_[i] - meeting.normal * (2 * along));
+  }
+  const auto count = static_cast<std::size_t>(mirrored.size());
+  const auto seen = mirrored.shade();
+  for (std::size_t i = 0; i < count; ++i) {
+    float& radiance = shaded[owners[i]].radiance;
+    radiance += shares[i] * (seen[i].radiance - radiance);
+  }
 }
 
 bool RayPacket::isFoliage(const Meeting& meeting) const {
@@ -153,6 +212,7 @@ std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
     result[i] = shadeOne(meetings[i], directions_[i]);
   }
+  if (around_.light->wet > 0) mirror(meetings, result);
   count_ = 0;
   return result;
 }

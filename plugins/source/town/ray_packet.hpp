@@ -6,7 +6,9 @@
 #include <array>
 #include <cstdint>
 
+#include "lamp_light.hpp"
 #include "light.hpp"
+#include "material.hpp"
 #include "scene.hpp"
 #include "street_plan.hpp"
 #include "vec3.hpp"
@@ -18,7 +20,8 @@ struct Surroundings {
   const Scene* scene = nullptr;
   const StreetPlan* plan = nullptr;
   const Light* light = nullptr;
-  Vec3 pixel_x;  ///< change of a ray's direction from one pixel to the next
+  const StreetLamps* lamps = nullptr;  ///< null without lamps
+  Vec3 pixel_x;                        ///< change of a ray's direction from one pixel to the next
   Vec3 pixel_y;
 };
 
@@ -50,6 +53,10 @@ class RayPacket {
   void trace(std::array<Meeting, kRaysPerPacket>& meetings);
   void castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const;
   Shaded shadeOne(const Meeting& meeting, const Vec3& direction) const;
+  float lampLight(const Meeting& meeting) const;
+  float glow(const Meeting& meeting, const SurfaceHit& hit) const;
+  void mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
+              std::array<Shaded, kRaysPerPacket>& shaded) const;
   bool isFoliage(const Meeting& meeting) const;
   std::uint32_t seenAs(const Meeting& meeting) const;
 

@@ -43,6 +43,7 @@ class Renderer::Rays {
     around.scene = renderer.scene_;
     around.plan = renderer.plan_;
     around.light = &renderer.light_;
+    around.lamps = renderer.light_.lamps > 0 ? &renderer.scene_->lamps() : nullptr;
     const Row middle = rowFrom(view.T_town_camera, view.pinhole);
     around.pixel_x = middle.pixel_x;
     around.pixel_y = middle.pixel_y;

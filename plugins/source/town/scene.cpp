@@ -33,6 +33,7 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
   scene_.reset(newScene(device_.get()));
   surfaces_ = std::move(world.surfaces);
   fixed_surfaces_ = std::move(world.fixed.surfaces);
+  lamps_ = StreetLamps(world.lamp_heads);
   attachMesh(scene_.get(), world.fixed);
   for (Mesh& prototype : world.prototypes) {
     prototype_scenes_.emplace_back(newScene(device_.get()));
@@ -83,6 +84,11 @@ void Scene::move(std::size_t index, const Placement& placement) {
   rtcSetGeometryTransform(instance_geometries_[index], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                           matrixOf(placement).data());
   rtcCommitGeometry(instance_geometries_[index]);
+}
+
+void Scene::show(std::size_t index, bool shown) {
+  RTCGeometry geometry = instance_geometries_.at(index);
+  shown ? rtcEnableGeometry(geometry) : rtcDisableGeometry(geometry);
 }
 
 void Scene::commit() {

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "lamp_light.hpp"
 #include "world.hpp"
 
 namespace tolman::town {
@@ -35,7 +36,10 @@ class Scene {
   const Surface& surface(std::uint32_t index) const { return surfaces_[index]; }
 
   std::size_t instances() const { return instances_.size(); }
-  /// Moves instance `index`; commit() makes moves visible.
+  const StreetLamps& lamps() const { return lamps_; }
+  /// Instances are shown until hidden.
+  void show(std::size_t index, bool shown);
+  /// Moves instance `index`; commit() makes both visible.
   void move(std::size_t index, const Placement& placement);
   void commit();
   std::size_t triangles() const { return triangles_; }
@@ -60,6 +64,7 @@ class Scene {
   std::vector<std::vector<std::uint32_t>> prototype_surfaces_;
   std::vector<MeshInstance> instances_;
   std::vector<RTCGeometry> instance_geometries_;  // owned by scene_
+  StreetLamps lamps_;
   std::size_t triangles_ = 0;
 };
 

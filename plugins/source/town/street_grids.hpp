@@ -21,9 +21,17 @@ struct GridExtent {
 GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
                         double farthest);
 
+/// How firmly passes agree on a height.
+struct HeightAgreement {
+  double bend_length = 15;  ///< m, over which a correction fades out along the street
+  double weight = 200;      ///< of a meeting, beside 1 of a measured height
+  bool is_stiff = false;    ///< corrections bend like a beam, without a kink where passes meet
+};
+
 /// Heights of the road at the path's points: where passes overlap, the path's own heights are bent
 /// to their mean, gently along the street.
-std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path);
+std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
+                                   const HeightAgreement& agreement = {});
 
 /// Height of the ground: the streets' heights, level across, and a membrane between the streets
 /// that settles to `mean` + farHills() away from them. Cells of 1 m or larger: 16 MB at most.

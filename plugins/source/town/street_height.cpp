@@ -2,6 +2,7 @@
 // Heights of the ground from the heights that were driven.
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "street_grids.hpp"
@@ -16,10 +17,8 @@ struct Meeting {
   double weight = 0;
 };
 
-constexpr double kMeets = 6;         ///< m between driven points
-constexpr double kMeetingScale = 3;  ///< m, of the weight by distance
-constexpr double kMeetingWeight = 200;
-constexpr double kBendLength = 15;      ///< m, over which a correction fades out along the street
+constexpr double kMeets = 6;            ///< m between driven points
+constexpr double kMeetingScale = 3;     ///< m, of the weight by distance
 constexpr double kBeyondWeight = 0.01;  ///< of heights that no pose measured
 
 /// For each point the nearest one of every earlier pass.
@@ -36,7 +35,7 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
       const double apart = (path[i].driven - path[other].driven).norm();
       if (apart >= kMeets) continue;
       const double scaled = apart / kMeetingScale;
-      const Meeting meeting{i, other, kMeetingWeight * std::exp(-scaled * scaled / 2)};
+      const Meeting meeting{i, other, std::exp(-scaled * scaled / 2)};
       const bool same_pass = !meetings.empty() && meetings.back().a == i && other - previous <= 3;
       if (!same_pass) {
         meetings.push_back(meeting);
@@ -52,12 +51,26 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
   return meetings;
 }
 
+/// weight * (c_i-1 - 2 c_i + c_i+1)^2.
+void addBending(std::vector<Eigen::Triplet<double>>& entries, std::size_t i, double weight) {
+  constexpr std::array<double, 3> kDifference = {1, -2, 1};
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      entries.emplace_back(static_cast<int>(i) - 1 + a, static_cast<int>(i) - 1 + b,
+                           weight * kDifference[static_cast<std::size_t>(a)] *
+                               kDifference[static_cast<std::size_t>(b)]);
+    }
+  }
+}
+
 }  // namespace
 
 // Corrections c of the heights z minimise
 //   sum w c_i^2 + L^2 sum (c_i+1 - c_i)^2 + sum W (z_a + c_a - z_b - c_b)^2,
-// points 1 m apart: alone on the street a correction falls off like exp(-distance / L).
-std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path) {
+// points 1 m apart: alone on the street a correction falls off like exp(-distance / L). Stiff ones
+// have L^4 sum (c_i-1 - 2 c_i + c_i+1)^2 instead of the second term.
+std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
+                                   const HeightAgreement& agreement) {
   const auto n = static_cast<Eigen::Index>(path.size());
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd right = Eigen::VectorXd::Zero(n);
@@ -71,10 +84,12 @@ std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path) {
   for (std::size_t i = 0; i < path.size(); ++i) {
     entries.emplace_back(static_cast<int>(i), static_cast<int>(i),
                          path[i].driven_over ? 1 : kBeyondWeight);
-    if (i + 1 < path.size()) tie(i, i + 1, kBendLength * kBendLength);
+    const double bend = agreement.bend_length * agreement.bend_length;
+    if (!agreement.is_stiff && i + 1 < path.size()) tie(i, i + 1, bend);
+    if (agreement.is_stiff && i > 0 && i + 1 < path.size()) addBending(entries, i, bend * bend);
   }
   for (const Meeting& meeting : findMeetings(path)) {
-    const double pull = tie(meeting.a, meeting.b, meeting.weight) *
+    const double pull = tie(meeting.a, meeting.b, agreement.weight * meeting.weight) *
                         (path[meeting.b].height - path[meeting.a].height);
     right[static_cast<Eigen::Index>(meeting.a)] += pull;
     right[static_cast<Eigen::Index>(meeting.b)] -= pull;

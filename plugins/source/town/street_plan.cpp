@@ -73,7 +73,7 @@ Status heightRefusal(const CameraRoute& route, std::size_t frame, double above,
         "frames " + std::to_string(std::min(frame, *other)) + " and " +
         std::to_string(std::max(frame, *other)) + " cross " +
         fixed(std::abs(height(*other) - height(frame)), 1) +
-        " m apart in height; the town has no bridges: choose another route");
+        " m apart in height; the town has no bridges: choose another route, or crossings: level");
   }
   return Status::invalidInput("frame " + std::to_string(frame) + ": the camera would be " +
                               fixed(above, 1) + " m above the road (" + fixed(possible.lowest, 1) +

@@ -39,6 +39,7 @@ class StreetPlan {
   ///
   /// Refuses a route that cannot have streets: passes that cross at different heights (a bridge),
   /// a camera that would be under ground, an extent beyond 12 km. Messages name the frames.
+  /// `levelled` of level_route.hpp makes most such routes possible.
   static Result<StreetPlan> grow(const CameraRoute& route, double camera_height);
 
   const std::vector<StreetSection>& sections() const { return sections_; }

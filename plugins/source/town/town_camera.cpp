@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "bloom.hpp"
-#include "exposure.hpp"
 #include "jpeg_noise.hpp"
 #include "noise.hpp"
 #include "shutter_blur.hpp"
@@ -75,12 +74,26 @@ Sensor TownCamera::sensorFor(const Moment& moment, double amplification) const {
   return sensor;
 }
 
+Rain TownCamera::rainAt(const Light& light, const Moment& moment, const Exposure& exposure) const {
+  const Eigen::Vector3d step =
+      moment.T_town_left(1).translation() - moment.T_town_left(0).translation();
+  Rain rain;
+  rain.density = light.rain;
+  rain.brightness = 1.1F * (light.horizon + 0.02F * light.lamps);
+  if (exposure.time_ms > 0) rain.exposure_s = exposure.time_ms * 1e-3;
+  rain.speed_m_s = step.norm() / moment.interval_s;
+  rain.seed = hash(run_seed_, moment.exposure / 2, 404);  // one for both cameras
+  return rain;
+}
+
 Image TownCamera::take(Renderer& renderer, const Light& light, const Moment& moment) {
   const TownParameters& p = parameters_;
   const Exposure exposure = exposureFor(light, p.exposure_time_ms, p.exposure_time_max_ms);
   renderer.setLight(light);
   std::vector<float>& radiance = openShutter(renderer, moment, exposure.time_ms);
   const Sensor sensor = sensorFor(moment, exposure.amplification);
+  if (light.rain > 0)
+    addRain(radiance, viewAt(moment, 0), truth_.T_left_camera, rainAt(light, moment, exposure));
   if (!glass_.isClean()) glass_.apply(radiance, light.horizon, moment.seconds);
   if (p.bloom > 0) {
     addBloom(radiance, width_, height_, static_cast<float>(255 / sensor.gain),

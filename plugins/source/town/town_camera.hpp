@@ -6,8 +6,10 @@
 #include <functional>
 #include <vector>
 
+#include "exposure.hpp"
 #include "lens_glass.hpp"
 #include "light.hpp"
+#include "rain_streaks.hpp"
 #include "renderer.hpp"
 #include "sensor.hpp"
 #include "tolman/image.hpp"
@@ -39,6 +41,7 @@ class TownCamera {
   RenderCamera viewAt(const Moment& moment, double part) const;
   /// Radiance over the time that the shutter is open.
   std::vector<float>& openShutter(Renderer& renderer, const Moment& moment, double time_ms);
+  Rain rainAt(const Light& light, const Moment& moment, const Exposure& exposure) const;
   Sensor sensorFor(const Moment& moment, double amplification) const;
 
   TownParameters parameters_;

@@ -2,7 +2,11 @@
 // Parameters of the source `town`.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "camera_disturbances.hpp"
@@ -12,9 +16,15 @@
 
 namespace tolman::town {
 
+/// What becomes of a route whose own poses cross at different heights.
+enum class Crossings : std::uint8_t { Level, Refuse };
+inline constexpr std::array<std::string_view, 2> kCrossingsNames = {"level", "refuse"};
+constexpr std::span<const std::string_view> enumNames(Crossings) { return kCrossingsNames; }
+
 struct TownParameters : FrameSelection, CameraDisturbances {
   // The drive.
   std::string route = "block";
+  Crossings crossings = Crossings::Level;
   double rate = 10;
   double speed = 8;
   // The cameras; the defaults are those of KITTI odometry, sequences 00 to 02.
@@ -36,6 +46,7 @@ struct TownParameters : FrameSelection, CameraDisturbances {
   double hour = 10.5;
   Weather weather = Weather::Clear;
   double haze = 0.0008;
+  std::string conditions;
   double noise = 1;
   double vignetting = 0.25;
   double exposure_change = 0.06;
@@ -59,6 +70,9 @@ constexpr auto driveParameters() {
   return parameters(
       parameter("route", &P::route)
           .doc("block, eights, district, or a file of poses in KITTI's format to drive along."),
+      parameter("crossings", &P::crossings)
+          .doc("What becomes of a route whose passes cross too far apart in height: level bends "
+               "their heights, and the true poses, until they agree; refuse."),
       parameter("rate", &P::rate).range(0.1, 1000).unit("Hz").doc("Frames per second."),
       parameter("speed", &P::speed)
           .range(0.5, 40)
@@ -112,6 +126,10 @@ constexpr auto imageParameters() {
           .range(0, 1)
           .unit("1/m")
           .doc("Extinction coefficient of the air; 0.0008 halves the contrast at 870 m."),
+      parameter("conditions", &P::conditions)
+          .doc("Light, weather and season by part of the drive: 'pass 2 = night; 300-450 m = dusk "
+               "rain', with day, dusk, night, clear, overcast, fog, rain, snow, bare, leaf, "
+               "exchanged (other parked cars); ranges are 'pass 2', 'pass 2-3', '0-90 m', 'all'."),
       parameter("noise", &P::noise)
           .range(0, 20)
           .doc("Shot and read noise; 1 is about 1.5 grey levels in the mid tones, 0 none."),

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "level_route.hpp"
 #include "noise.hpp"
 #include "true_camera.hpp"
 #include "world.hpp"
@@ -63,15 +64,36 @@ Status TownSource::build() {
   Result<CameraRoute> route = findRoute(p);
   if (!route.isOk()) return route.status();
   route_ = std::move(route.value());
+  is_levelled_ = false;
   Result<FrameSequence> sequence = FrameSequence::make(p, route_.stamps_ns);
   if (!sequence.isOk()) return sequence.status();
   sequence_ = sequence.value();
   chooseFrames();
   Result<StreetPlan> plan = StreetPlan::grow(route_, p.camera_height);
+  if (!plan.isOk() && p.crossings == Crossings::Level) {
+    CameraRoute level = levelled(route_, p.camera_height);
+    Result<StreetPlan> again = StreetPlan::grow(level, p.camera_height);
+    if (again.isOk()) {
+      route_ = std::move(level);
+      plan = std::move(again);
+      is_levelled_ = true;
+    }
+  }
   if (!plan.isOk()) return plan.status();
   plan_ = std::make_unique<StreetPlan>(std::move(plan.value()));
+  Result<ConditionSchedule> schedule = ConditionSchedule::make(p, route_);
+  if (!schedule.isOk()) return schedule.status();
+  schedule_ = std::move(schedule.value());
+  buildScene();
+  return Status::ok();
+}
+
+void TownSource::buildScene() {
+  const Parameters& p = parameters_;
   const auto seed = static_cast<std::uint32_t>(p.seed);
   World world = buildWorld(*plan_, {seed, p.aliasing, p.density});
+  trees_ = schedule_.anyBare() ? addBareTrees(world) : Exchange{};
+  cars_ = schedule_.anyExchanged() ? addOtherCars(world, hash(seed, 304)) : Exchange{};
   traffic_ = std::make_unique<Traffic>(route_, *plan_, p.traffic, hash(seed, 301));
   first_traffic_ = world.instances.size();
   for (std::uint32_t i = 0; i < traffic_->size(); ++i) {
@@ -79,9 +101,12 @@ Status TownSource::build() {
     world.instances.push_back({world.cars.at(own % world.cars.size()), {}, own});
   }
   scene_ = std::make_unique<Scene>(std::move(world));
-  light_ = makeLight(p.hour, p.weather, p.haze, hash(seed, 303));
-  renderers_.assign(2, Renderer(*scene_, *plan_, light_, static_cast<int>(p.edge_samples)));
-  return Status::ok();
+  shown_ = {};
+  for (const Exchange* exchange : {&trees_, &cars_}) {
+    for (const std::size_t hidden : exchange->other) scene_->show(hidden, false);
+  }
+  if (!trees_.other.empty() || !cars_.other.empty()) scene_->commit();
+  renderers_.assign(2, Renderer(*scene_, *plan_, Light{}, static_cast<int>(p.edge_samples)));
 }
 
 void TownSource::chooseFrames() {
@@ -103,7 +128,8 @@ Status TownSource::info(SourceInfo& info) {
   info.rig = rig_;
   info.frames = static_cast<std::int64_t>(arriving_.size());
   info.has_truth = true;
-  info.description = "town, route " + route_.name + ", " + std::to_string(info.frames) +
+  info.description = "town, route " + route_.name + (is_levelled_ ? " (levelled), " : ", ") +
+                     std::to_string(info.frames) +
                      (parameters_.mono ? " images of " : " stereo pairs of ") +
                      std::to_string(rig_.width) + "x" + std::to_string(rig_.height);
   return Status::ok();
@@ -117,18 +143,38 @@ Eigen::Isometry3d TownSource::poseAt(std::size_t index, double part) const {
   return poses[index] * expSe3(part * step);
 }
 
-void TownSource::moveTraffic(std::size_t index) {
-  if (traffic_->size() == 0) return;
+void TownSource::arrangeScene(std::size_t index) {
+  const Condition& now = schedule_.at(index);
+  const auto exchange = [&](const Exchange& both, bool other) {
+    for (const std::size_t i : both.usual) scene_->show(i, !other);
+    for (const std::size_t i : both.other) scene_->show(i, other);
+  };
+  const bool is_changed = now.bare != shown_.bare || now.exchanged != shown_.exchanged;
+  if (now.bare != shown_.bare) exchange(trees_, now.bare);
+  if (now.exchanged != shown_.exchanged) exchange(cars_, now.exchanged);
+  shown_ = now;
   const double seconds = static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
   for (std::size_t i = 0; i < traffic_->size(); ++i) {
     scene_->move(first_traffic_ + i, traffic_->at(i, seconds));
   }
-  scene_->commit();
+  if (is_changed || traffic_->size() > 0) scene_->commit();
+}
+
+void TownSource::setLight(std::size_t index) {
+  light_ = schedule_.lightAt(index);
+  const Eigen::Isometry3d& T_town_left = route_.T_town_camera[index];
+  // Lamps of a car: below the camera, ahead of it, one in the middle for the two.
+  const Eigen::Vector3d from = T_town_left * Eigen::Vector3d(0, 0.95, 1.6);
+  const Eigen::Vector3d ahead = T_town_left.linear().col(2);
+  const auto toVec3 = [](const Eigen::Vector3d& v) {
+    return Vec3{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  };
+  light_.headlights = {toVec3(from), toVec3(ahead)};
 }
 
 double TownSource::gainAt(std::size_t index) const {
   // Sunlit asphalt (albedo 0.2) has a grey level of about 110 of 255 at any hour.
-  const double asphalt = 0.2 * static_cast<double>(light_.onto({0, 0, 1}, 1));
+  const double asphalt = 0.2 * static_cast<double>(light_.level());
   const double seconds = static_cast<double>(route_.stamps_ns[index]) * 1e-9;
   const double wander =
       static_cast<double>(noise2(static_cast<float>(seconds / 4), 0.5F, hash(run_seed_, 402)));
@@ -162,7 +208,8 @@ Status TownSource::next(Frame& frame) {
       static_cast<float>(parameters_.corrupt)) {
     frame.defect = "town: corrupt image, as the parameter corrupt demands";
   } else {
-    moveTraffic(index);
+    arrangeScene(index);
+    setLight(index);
     const auto left = [&] { frame.left = takePicture(index, false); };
     const auto right = [&] {
       if (rig_.isStereo()) frame.right = takePicture(index, true);
@@ -210,6 +257,10 @@ Status TownSource::inspect(std::vector<Finding>& findings) {
   note(Finding::Severity::Note, std::to_string(route_.T_town_camera.size()) + " poses over " +
                                     metres(length) + ", " + metres(streets) + " of streets in " +
                                     std::to_string(plan_->sections().size()) + " sections");
+  if (is_levelled_) {
+    note(Finding::Severity::Note,
+         "passes crossed at different heights; the poses were levelled (crossings: level)");
+  }
   note(Finding::Severity::Note, std::to_string(scene_->triangles()) + " triangles and " +
                                     std::to_string(scene_->instances()) +
                                     " trees, bushes and cars");

@@ -6,9 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "condition_schedule.hpp"
 #include "renderer.hpp"
 #include "route.hpp"
 #include "scene.hpp"
+#include "seasons.hpp"
 #include "street_plan.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
@@ -36,7 +38,11 @@ class TownSource final : public Source, public ArrayDescriptions {
   void chooseFrames();
   /// Pose of the left camera between route poses `index` (part 0) and the next (part 1).
   Eigen::Isometry3d poseAt(std::size_t index, double part) const;
-  void moveTraffic(std::size_t index);
+  /// Builds the scene from streets, seasons and traffic.
+  void buildScene();
+  /// Traffic, and what season and day show.
+  void arrangeScene(std::size_t index);
+  void setLight(std::size_t index);
   Image takePicture(std::size_t index, bool right);
   /// Grey levels for a radiance of 1.
   double gainAt(std::size_t index) const;
@@ -46,8 +52,13 @@ class TownSource final : public Source, public ArrayDescriptions {
   Status ready_ = Status::failed("configure() was not called");
   CameraRig rig_;
   CameraRoute route_;
+  bool is_levelled_ = false;
   std::unique_ptr<StreetPlan> plan_;
-  Light light_;
+  ConditionSchedule schedule_;
+  Light light_;  ///< at the current frame
+  Exchange trees_;
+  Exchange cars_;
+  Condition shown_;
   std::unique_ptr<Traffic> traffic_;
   std::size_t first_traffic_ = 0;  ///< index of the first moving car among the mesh instances
   std::unique_ptr<Scene> scene_;

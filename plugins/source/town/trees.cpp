@@ -141,7 +141,8 @@ Prototypes addPrototypes(World& world, std::uint32_t seed) {
   }
   for (std::uint32_t i = 0; i < 2; ++i) {
     const std::uint32_t own = hash(seed, i, 43);
-    prototypes.garden_trees.push_back(addConifer(world, between(own, 7, 13), own));
+    world.evergreens.push_back(addConifer(world, between(own, 7, 13), own));
+    prototypes.garden_trees.push_back(world.evergreens.back());
   }
   prototypes.cars.push_back(addCar(world, {}));
   prototypes.cars.push_back(addCar(world, {4.6F, 1.43F, 1.2F, 0.8F, 0.75F, 0.6F}));

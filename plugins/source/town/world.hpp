@@ -22,7 +22,9 @@ struct World {
   Mesh fixed;                    ///< town axes
   std::vector<Mesh> prototypes;  ///< own axes: Z up, standing on the origin
   std::vector<MeshInstance> instances;
-  std::vector<std::uint32_t> cars;  ///< the prototypes that are cars
+  std::vector<std::uint32_t> cars;        ///< the prototypes that are cars
+  std::vector<std::uint32_t> evergreens;  ///< the prototypes that keep their leaves
+  std::vector<Vec3> lamp_heads;           ///< middles, town axes
 
   std::uint32_t addSurface(const Surface& surface) {
     surfaces.push_back(surface);

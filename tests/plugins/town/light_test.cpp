@@ -2,6 +2,7 @@
 // Sun and sky: where the sun stands, what it lights, what haze takes.
 #include "light.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -36,4 +37,31 @@ TEST_CASE("fog hides what is far and leaves what is near") {
   CHECK(fog.through(0.1F, 0.1F) == Approx(0.1F).epsilon(0.02));
   const Light clear = makeLight(12, Weather::Clear, 0, 1);
   CHECK(clear.through(0.1F, 500) == 0.1F);
+}
+
+TEST_CASE("the mean of lights has the mean of their numbers") {
+  const Light day = makeLight(12, Weather::Clear, 0.001, 3);
+  Light night = makeLight(0, Weather::Clear, 0.001, 3);
+  makeNight(night);
+  CHECK(night.lamps == 1);
+  CHECK(night.horizon < 0.1F * day.horizon);
+  const Light same = meanOf(std::array{day});
+  CHECK(same.sun == day.sun);
+  CHECK(same.to_sun.x == day.to_sun.x);
+  const Light both = meanOf(std::array{day, day, day, night});
+  CHECK(both.sun == Approx(0.75F * day.sun));
+  CHECK(both.lamps == Approx(0.25F));
+  CHECK(both.haze == Approx(day.haze));
+  CHECK(norm(both.to_sun) == Approx(1));
+  CHECK(dot(both.to_sun, day.to_sun) > 0.99F);
+}
+
+TEST_CASE("cameras expose by the light on the road, lamps and snow included") {
+  Light light = makeLight(10, Weather::Clear, 0, 3);
+  CHECK(light.level() == light.onto({0, 0, 1}, 1));
+  const float plain = light.level();
+  light.snow = 1;
+  CHECK(light.level() > 1.5F * plain);
+  makeNight(light);
+  CHECK(light.level() > 5 * light.sky);
 }

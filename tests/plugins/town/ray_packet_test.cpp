@@ -109,7 +109,7 @@ struct Setting {
   Setting() : scene(handmadeWorld()), triangles(everyTriangle(handmadeWorld())) {
     light.to_sun = normalised({0.5F, -0.3F, 0.9F});
     light.clouds = 0;
-    around = {&scene, &plan, &light, {400, 0, 0}, {0, 0, -400}};
+    around = {&scene, &plan, &light, nullptr, {400, 0, 0}, {0, 0, -400}};
   }
   std::vector<Shaded> shade(const std::vector<Vec3>& directions) const {
     std::vector<Shaded> all;

@@ -220,7 +220,9 @@ const ParameterValues kBadCameras = {{"warp_rms_px", 2.0},
                                      {"bloom", 0.05},
                                      {"dirt", 0.1},
                                      {"drops", 20.0},
-                                     {"jpeg_quality", std::int64_t{60}}};
+                                     {"jpeg_quality", std::int64_t{60}},
+                                     {"conditions", std::string("all = night rain; pass 2 = day "
+                                                                "snow bare exchanged")}};
 
 }  // namespace
 
@@ -271,6 +273,32 @@ TEST_CASE("amplified images are noisier") {
     return sum;
   };
   CHECK(spread(1) > 1.5 * spread(500));
+}
+
+TEST_CASE("conditions change the frames that they name, and the truth of none") {
+  const ParameterValues still = {{"noise", 0.0}, {"exposure_change", 0.0}};
+  const Drive plain = drive(still);
+  const CameraRoute route = builtInRoute("block", {}).value();
+  for (const char* words : {"night", "dusk", "rain", "fog", "snow", "bare", "exchanged"}) {
+    ParameterValues values = still;
+    values["conditions"] = std::string("100-200 m = ") + words;
+    const Drive changed = drive(values);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < plain.frames.size(); ++i) {
+      const double s =
+          changed.frames[i].T_world_camera_truth.isApprox(plain.frames[i].T_world_camera_truth, 0)
+              ? drivenMetres(route)[60 * i]
+              : -1;
+      INFO(words << " after " << s << " m");
+      const bool same = bytes(changed.frames[i].left) == bytes(plain.frames[i].left);
+      if (s < 90 || s > 210) CHECK(same);
+      differing += same ? 0 : 1;
+    }
+    // On block few cars are parked, and none in sight of these frames.
+    if (words != std::string("exchanged")) CHECK(differing >= 1);
+  }
+  CHECK(refusal({{"conditions", std::string("pass 2: night")}}).find("write 'pass 2 ='") !=
+        std::string::npos);
 }
 
 TEST_CASE("oncoming cars move") {

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "conditions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "street_path.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr double kSamePlace = 5;      ///< m between frames of two passes
+constexpr double kOtherPass = 30;     ///< m of driving between them
+constexpr double kShortMeeting = 15;  ///< m
+const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
+
+using Change = void (*)(Condition&);
+constexpr std::array<std::pair<std::string_view, Change>, 11> kWords = {{
+    {"day", [](Condition& c) { c.hour = 10.5, c.is_night = false; }},
+    {"dusk", [](Condition& c) { c.hour = 19.3, c.is_night = false; }},
+    {"night", [](Condition& c) { c.hour = 0, c.is_night = true; }},
+    {"clear", [](Condition& c) { c.weather = Weather::Clear, c.rains = false; }},
+    {"overcast", [](Condition& c) { c.weather = Weather::Overcast, c.rains = false; }},
+    {"fog", [](Condition& c) { c.weather = Weather::Fog, c.rains = false; }},
+    {"rain", [](Condition& c) { c.weather = Weather::Rain, c.rains = true; }},
+    {"snow", [](Condition& c) { c.snow = true; }},
+    {"bare", [](Condition& c) { c.bare = true; }},
+    {"leaf", [](Condition& c) { c.bare = false; }},
+    {"exchanged", [](Condition& c) { c.exchanged = true; }},
+}};
+
+const Change* findWord(std::string_view word) {
+  const auto found = std::find_if(kWords.begin(), kWords.end(),
+                                  [&](const auto& known) { return known.first == word; });
+  return found == kWords.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) {
+    const std::size_t begin = part.find_first_not_of(" \t\n");
+    if (begin == std::string::npos) continue;
+    parts.push_back(part.substr(begin, part.find_last_not_of(" \t\n") - begin + 1));
+  }
+  return parts;
+}
+
+/// "2" or "2-4", numbers from `least`.
+bool parseRange(std::string_view text, double least, ConditionEntry& entry) {
+  const auto number = [](std::string_view digits) -> std::optional<double> {
+    double value = 0;
+    const auto [end, failure] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (failure != std::errc{} || end != digits.data() + digits.size() || !(value <= 1e6)) {
+      return std::nullopt;
+    }
+    return value;
+  };
+  const std::size_t dash = text.find('-');
+  const auto first = number(text.substr(0, dash));
+  const auto last = dash == std::string_view::npos ? first : number(text.substr(dash + 1));
+  if (!first || !last || *first < least || *last < *first) return false;
+  entry.first = *first;
+  entry.last = *last;
+  return true;
+}
+
+Status refuse(const std::string& entry, const std::string& what) {
+  return Status::invalidParameter("conditions: '" + entry + "': " + what);
+}
+
+/// "all", "pass 2", "pass 2-3" or "300-450 m".
+bool parseWhere(const std::string& where, ConditionEntry& entry) {
+  std::vector<std::string> parts = split(where, ' ');
+  if (parts == std::vector<std::string>{"all"}) {
+    entry.last = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  if (parts.size() != 2) return false;
+  entry.is_pass = parts[0] == "pass";
+  if (!entry.is_pass && (parts[1] != "m" || parts[0].find('-') == std::string::npos)) return false;
+  const bool is_read = parseRange(parts[entry.is_pass ? 1 : 0], entry.is_pass ? 1 : 0, entry);
+  return is_read && (!entry.is_pass || (std::floor(entry.first) == entry.first &&
+                                        std::floor(entry.last) == entry.last));
+}
+
+Result<ConditionEntry> parseEntry(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  ConditionEntry entry;
+  if (equals == std::string::npos || !parseWhere(text.substr(0, equals), entry)) {
+    return refuse(text,
+                  "does not begin with a range; write 'pass 2 =', 'pass 2-3 =', "
+                  "'300-450 m =' or 'all ='");
+  }
+  entry.words = split(text.substr(equals + 1), ' ');
+  if (entry.words.empty()) return refuse(text, "says nothing; add words such as night or rain");
+  for (const std::string& word : entry.words) {
+    if (findWord(word) != nullptr) continue;
+    std::string known;
+    for (const auto& [name, change] : kWords) known.append(known.empty() ? "" : ", ").append(name);
+    return refuse(text, "'" + word + "' is no condition; use " + known);
+  }
+  return entry;
+}
+
+/// Runs of less than kShortMeeting take the number before them.
+void dropShortRuns(std::vector<int>& passes, const std::vector<double>& driven) {
+  for (std::size_t begin = 0; begin < passes.size();) {
+    std::size_t end = begin + 1;
+    while (end < passes.size() && passes[end] == passes[begin]) ++end;
+    const bool is_short = end < passes.size() && driven[end] - driven[begin] < kShortMeeting;
+    if (begin > 0 && is_short) {
+      std::fill(passes.begin() + static_cast<std::ptrdiff_t>(begin),
+                passes.begin() + static_cast<std::ptrdiff_t>(end), passes[begin - 1]);
+    }
+    begin = end;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<ConditionEntry>> parseConditions(const std::string& text) {
+  std::vector<ConditionEntry> entries;
+  for (const std::string& part : split(text, ';')) {
+    Result<ConditionEntry> entry = parseEntry(part);
+    if (!entry.isOk()) return entry.status();
+    entries.push_back(std::move(entry.value()));
+  }
+  return entries;
+}
+
+std::vector<double> drivenMetres(const CameraRoute& route) {
+  std::vector<double> driven = {0};
+  for (std::size_t i = 1; i < route.T_town_camera.size(); ++i) {
+    driven.push_back(
+        driven.back() +
+        (route.T_town_camera[i].translation() - route.T_town_camera[i - 1].translation()).norm());
+  }
+  return driven;
+}
+
+std::vector<int> passNumbers(const CameraRoute& route) {
+  const std::vector<double> driven = drivenMetres(route);
+  std::vector<int> passes;
+  PointGrid grid;
+  const auto placeOf = [&](std::size_t i) -> Eigen::Vector2d {
+    return route.T_town_camera[i].translation().head<2>();
+  };
+  const auto headingOf = [&](std::size_t i) -> Eigen::Vector2d {
+    return route.T_town_camera[i].linear().col(2).head<2>().normalized();
+  };
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    int before = 0;
+    for (const std::size_t other : grid.near(placeOf(i))) {
+      const bool meets = driven[i] - driven[other] > kOtherPass &&
+                         (placeOf(i) - placeOf(other)).norm() < kSamePlace &&
+                         std::abs(headingOf(i).dot(headingOf(other))) > kSameDirection;
+      if (meets) before = std::max(before, passes[other]);
+    }
+    passes.push_back(before + 1);
+    grid.add(placeOf(i), i);
+  }
+  dropShortRuns(passes, driven);
+  return passes;
+}
+
+std::vector<Condition> conditionsOf(const CameraRoute& route,
+                                    const std::vector<ConditionEntry>& entries) {
+  std::vector<Condition> conditions(route.T_town_camera.size());
+  if (entries.empty()) return conditions;
+  const std::vector<double> driven = drivenMetres(route);
+  const std::vector<int> passes = passNumbers(route);
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    for (const ConditionEntry& entry : entries) {
+      const double at = entry.is_pass ? passes[i] : driven[i];
+      if (at < entry.first || at > entry.last) continue;
+      for (const std::string& word : entry.words) (*findWord(word))(conditions[i]);
+    }
+  }
+  return conditions;
+}
+
+}  // namespace tolman::town

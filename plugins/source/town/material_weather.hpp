@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What rain and snow make of surfaces.
+#pragma once
+
+#include "light.hpp"
+#include "material.hpp"
+
+namespace tolman::town {
+
+/// Albedo of a surface whose dry albedo is `dry`. `normal` and `point` in town axes.
+float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, const Vec3& normal,
+                      float footprint, const Light& light, const StreetPlan& plan);
+
+/// Share of light that wet ground mirrors towards a camera that looks along `way` (unit); 0 for
+/// what is no ground.
+float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
+                    const Light& light);
+
+}  // namespace tolman::town
