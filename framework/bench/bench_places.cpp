@@ -17,6 +17,8 @@ struct Answer {
   std::int64_t place = -1;
   double score = 0;
   bool within_pass = true;  ///< both images are of the same pass
+  bool turned = false;      ///< says that the place is passed in the opposite direction
+  Eigen::Isometry3d T_place_query = Eigen::Isometry3d::Identity();
 };
 
 /// One pass over the images of a source.
@@ -38,7 +40,8 @@ class Pass {
       if (seen.recognition == Recognition::Novel) made_at[seen.template_id] = {pass, images_};
       if (seen.recognition == Recognition::Familiar) {
         const Template& place = made_at[seen.template_id];
-        answers.push_back({images_, place.image, seen.score, place.pass == pass});
+        answers.push_back({images_, place.image, seen.score, place.pass == pass, isTurned(seen),
+                           claimedPose(seen)});
       }
       ++images_;
       options_.progress.frame();
@@ -118,7 +121,9 @@ class PlacesMeasurement {
     pass.show(0, made_at_);
     bench_.images = pass.images();
     if (options_.second.empty()) {
-      judge(pass, truthOf(pass));
+      const PlaceTruth truth = truthOf(pass);
+      if (options_.pairs.empty()) judgeTurned(pass);
+      judge(pass, truth);
       keepState(first);
     } else {
       showSecond(first, truthByNumber(pass.images(), options_.tolerance));
@@ -178,7 +183,7 @@ class PlacesMeasurement {
     for (const Answer& answer : pass.answers) {
       const bool counts =
           two_passes ? !answer.within_pass : answer.query - answer.place > options_.near;
-      if (!counts) continue;
+      if (!counts || (bench_.opposite && answer.turned)) continue;
       bench_.claims.push_back(
           {answer.query, answer.place, answer.score, truth.isSame(answer.query, answer.place)});
     }
@@ -189,6 +194,15 @@ class PlacesMeasurement {
     std::ranges::sort(times);
     bench_.median_ms = times[times.size() / 2];
     bench_.p99_ms = times[times.size() * 99 / 100];
+  }
+
+  /// Of a drive with true poses.
+  void judgeTurned(const Pass& pass) {
+    std::vector<TurnedAnswer> turned;
+    for (const Answer& a : pass.answers) {
+      if (a.turned) turned.push_back({a.query, a.place, a.score, a.T_place_query});
+    }
+    bench_.opposite = judgeOpposite(pass.truth, turned);
   }
 
   void keepState(run::Assembly& assembly) {

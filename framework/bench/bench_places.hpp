@@ -4,10 +4,12 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bench/bench.hpp"
+#include "bench/opposite_places.hpp"
 #include "evaluation/precision_recall.hpp"
 
 namespace tolman::bench {
@@ -31,6 +33,8 @@ struct PlacesBench {
   std::int64_t templates = 0;
   std::vector<evaluation::PlaceClaim> claims;
   std::vector<evaluation::PrecisionRecall> curve;
+  /// Of a drive with true poses, which `claims` then leaves out.
+  std::optional<OppositePlaces> opposite;
   double median_ms = 0;  ///< of a call
   double p99_ms = 0;
   std::int64_t state_bytes = 0;  ///< of the saved state; 0: the plugin saves none

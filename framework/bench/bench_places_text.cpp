@@ -15,6 +15,34 @@ std::vector<evaluation::PrecisionRecall> thinned(
   return points;
 }
 
+std::string oppositeText(const OppositePlaces& opposite) {
+  if (opposite.findable == 0 && opposite.claims.empty()) return "";
+  std::string text =
+      fmt::format("opposite direction: {} claims, {} right, with a median error of {:.2f} m\n",
+                  opposite.claims.size(), opposite.right(), opposite.medianError());
+  if (opposite.findable == 0) return text;
+  const double share = static_cast<double>(opposite.found) / static_cast<double>(opposite.findable);
+  return text +
+         fmt::format(
+             "{} images pass a known place, {:.3f} of them at most 5 m after a right claim\n",
+             opposite.findable, share);
+}
+
+nlohmann::ordered_json oppositeJson(const OppositePlaces& opposite) {
+  nlohmann::ordered_json claims = nlohmann::ordered_json::array();
+  for (const OppositePlaces::Claim& claim : opposite.claims) {
+    claims.push_back({{"query", claim.query},
+                      {"place", claim.place},
+                      {"score", claim.score},
+                      {"error_m", claim.error_m},
+                      {"right", claim.right}});
+  }
+  return {{"findable", opposite.findable},
+          {"found", opposite.found},
+          {"median_error_m", opposite.medianError()},
+          {"claims", claims}};
+}
+
 }  // namespace
 
 std::string placesBenchText(const PlacesBench& bench) {
@@ -30,6 +58,7 @@ std::string placesBenchText(const PlacesBench& bench) {
     text += fmt::format("recall at {:.0f} % precision: {:.3f}\n", 100 * precision,
                         evaluation::recallAt(bench.curve, precision));
   }
+  if (bench.opposite) text += oppositeText(*bench.opposite);
   text += fmt::format("time of a call: {:.2f} ms median, {:.2f} ms at 99 %\n", bench.median_ms,
                       bench.p99_ms);
   if (bench.state_bytes > 0 && bench.templates > 0) {
@@ -55,20 +84,22 @@ nlohmann::ordered_json placesBenchJson(const PlacesBench& bench) {
                      {"precision", point.precision},
                      {"recall", point.recall}});
   }
-  return {{"name", bench.name},
-          {"plugin", bench.plugin},
-          {"images", bench.images},
-          {"templates", bench.templates},
-          {"findable", bench.findable},
-          {"recall_at_100", evaluation::recallAt(bench.curve, 1)},
-          {"recall_at_99", evaluation::recallAt(bench.curve, 0.99)},
-          {"recall_at_90", evaluation::recallAt(bench.curve, 0.9)},
-          {"median_ms", bench.median_ms},
-          {"p99_ms", bench.p99_ms},
-          {"state_bytes", bench.state_bytes},
-          {"interrupted", bench.interrupted},
-          {"curve", curve},
-          {"claims", claims}};
+  nlohmann::ordered_json json = {{"name", bench.name},
+                                 {"plugin", bench.plugin},
+                                 {"images", bench.images},
+                                 {"templates", bench.templates},
+                                 {"findable", bench.findable},
+                                 {"recall_at_100", evaluation::recallAt(bench.curve, 1)},
+                                 {"recall_at_99", evaluation::recallAt(bench.curve, 0.99)},
+                                 {"recall_at_90", evaluation::recallAt(bench.curve, 0.9)},
+                                 {"median_ms", bench.median_ms},
+                                 {"p99_ms", bench.p99_ms},
+                                 {"state_bytes", bench.state_bytes},
+                                 {"interrupted", bench.interrupted},
+                                 {"curve", curve},
+                                 {"claims", claims}};
+  if (bench.opposite) json["opposite"] = oppositeJson(*bench.opposite);
+  return json;
 }
 
 }  // namespace tolman::bench

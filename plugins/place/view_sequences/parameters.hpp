@@ -17,6 +17,8 @@ struct Parameters {
   int landmarks_agreeing = 20;
   int landmark_spacing = 4;
   double probability_verified = 0.01;
+  bool backwards = false;
+  double probability_backwards = 0.95;
 
   static constexpr auto declaration() {
     using P = Parameters;
@@ -56,10 +58,17 @@ struct Parameters {
             .range(1, 1000)
             .unit("steps")
             .doc("One stored view in so many keeps landmarks; a familiar place is measured once "
-                 "in so many steps."),
+                 "in so many steps, also one that is driven the other way."),
         parameter("probability_verified", &P::probability_verified)
             .range(0.001, 0.999999)
-            .doc("Places at least so probable are tried with landmarks, the best five at most."));
+            .doc("Places at least so probable are tried with landmarks, the best five at most."),
+        parameter("backwards", &P::backwards)
+            .doc("Recognise streets that are driven the other way as well, by the structure that a "
+                 "stereo pair measures."),
+        parameter("probability_backwards", &P::probability_backwards)
+            .range(0.01, 0.999999)
+            .doc("A place that is driven the other way must be at least so probable to be "
+                 "familiar."));
   }
 };
 

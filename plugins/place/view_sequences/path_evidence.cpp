@@ -23,34 +23,53 @@ struct Transition {
   float evidence(float z, float best) const { return z + offset + memory * (best < 0 ? best : 0); }
 };
 
-/// A view with fewer than kLargestStep views before it: views that do not exist pass nothing on.
-float firstEvidence(const Transition& t, const float* before, const float* z, std::int64_t i) {
+/// View `i` of a sequence with fewer than kLargestStep views before it in the direction in which it
+/// is driven, `beyond`: views that do not exist pass nothing on.
+template <std::int64_t kForward>
+float evidenceAtEnd(const Transition& t, const float* before, const float* z, std::int64_t i,
+                    std::int64_t beyond) {
   float best = 0;
-  for (std::int64_t k = 0; k <= std::min<std::int64_t>(i, kLargestStep); ++k) {
-    best = std::min(best, before[i - k] + t.costs[static_cast<std::size_t>(k)]);
+  for (std::int64_t k = 0; k <= beyond; ++k) {
+    best = std::min(best, before[i - kForward * k] + t.costs[static_cast<std::size_t>(k)]);
   }
   return t.evidence(z[i], best);
 }
 
-TOLMAN_WIDE void stepSequence(const Transition& t, const float* before, const float* z,
-                              float* after, std::int64_t count) {
+/// The views from `begin` to `end` of a sequence that have all the views before them.
+template <std::int64_t kForward>
+[[gnu::always_inline]] inline void stepInner(const Transition& t, const float* before,
+                                             const float* z, float* after, std::int64_t begin,
+                                             std::int64_t end) {
   static_assert(kLargestStep == 3);
-  for (std::int64_t i = 0; i < std::min<std::int64_t>(count, kLargestStep); ++i) {
-    after[i] = firstEvidence(t, before, z, i);
-  }
   const float c0 = t.costs[0];
   const float c1 = t.costs[1];
   const float c2 = t.costs[2];
   const float c3 = t.costs[3];
-  for (std::int64_t i = kLargestStep; i < count; ++i) {
+  for (std::int64_t i = begin; i < end; ++i) {
     const float stay = before[i] + c0;
-    const float one = before[i - 1] + c1;
-    const float two = before[i - 2] + c2;
-    const float three = before[i - 3] + c3;
+    const float one = before[i - kForward] + c1;
+    const float two = before[i - 2 * kForward] + c2;
+    const float three = before[i - 3 * kForward] + c3;
     const float near = stay < one ? stay : one;
     const float far = two < three ? two : three;
     const float best = near < far ? near : far;
     after[i] = z[i] + t.offset + t.memory * (best < 0 ? best : 0.0F);
+  }
+}
+
+TOLMAN_WIDE void stepForwards(const Transition& t, const float* before, const float* z,
+                              float* after, std::int64_t count) {
+  const std::int64_t first = std::min<std::int64_t>(count, kLargestStep);
+  for (std::int64_t i = 0; i < first; ++i) after[i] = evidenceAtEnd<1>(t, before, z, i, i);
+  stepInner<1>(t, before, z, after, first, count);
+}
+
+TOLMAN_WIDE void stepBackwards(const Transition& t, const float* before, const float* z,
+                               float* after, std::int64_t count) {
+  const std::int64_t last = std::max<std::int64_t>(count - kLargestStep, 0);
+  stepInner<-1>(t, before, z, after, 0, last);
+  for (std::int64_t i = last; i < count; ++i) {
+    after[i] = evidenceAtEnd<-1>(t, before, z, i, count - 1 - i);
   }
 }
 
@@ -75,19 +94,22 @@ void PathEvidence::step(std::span<const float> standardised, double advance,
     transition.costs[static_cast<std::size_t>(k)] =
         static_cast<float>(settings_.penalty * std::abs(k - advance));
   }
+  const bool forwards = settings_.direction == Direction::Forwards;
   before_.swap(evidence_);
   evidence_.resize(before_.size());
   for (std::size_t s = 0; s < starts_.size(); ++s) {
     const std::int64_t start = starts_[s];
     const auto end =
         s + 1 < starts_.size() ? starts_[s + 1] : static_cast<std::int64_t>(before_.size());
-    stepSequence(transition, before_.data() + start, standardised.data() + start,
-                 evidence_.data() + start, end - start);
+    const auto step_sequence = forwards ? stepForwards : stepBackwards;
+    step_sequence(transition, before_.data() + start, standardised.data() + start,
+                  evidence_.data() + start, end - start);
   }
   for (const Link& link : links_) {
-    if (link.from >= candidates) continue;
-    const auto to = static_cast<std::size_t>(link.to);
-    const float best = before_[static_cast<std::size_t>(link.from)] + transition.costs[1];
+    const std::int64_t giver = forwards ? link.from : link.to;
+    if (giver >= candidates) continue;
+    const auto to = static_cast<std::size_t>(forwards ? link.to : link.from);
+    const float best = before_[static_cast<std::size_t>(giver)] + transition.costs[1];
     evidence_[to] = std::min(evidence_[to], transition.evidence(standardised[to], best));
   }
 }

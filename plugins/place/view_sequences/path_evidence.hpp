@@ -6,7 +6,8 @@
 // where z is the standardised distance of the view (negative: more alike than usual) and `advance`
 // the number of stored views that the driven metres amount to. The offset lies between the z of a
 // right and of a wrong place, and evidence above 0 is forgotten (as in Page's CUSUM test), so that
-// a sequence that has left the known path loses its evidence within a few steps.
+// a sequence that has left the known path loses its evidence within a few steps. For a path that is
+// driven the other way the views follow each other in falling order: p + k instead of p - k.
 #pragma once
 
 #include <cstdint>
@@ -17,11 +18,14 @@
 
 namespace tolman::view_sequences {
 
+enum class Direction : std::uint8_t { Forwards, Backwards };
+
 /// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/places.md tells how.
 struct EvidenceSettings {
   double memory = 0.92;
   double penalty = 1.0;
   double offset = 1.4;
+  Direction direction = Direction::Forwards;  ///< in which the stored paths are driven now
 };
 
 class PathEvidence {

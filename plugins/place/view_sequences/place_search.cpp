@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <utility>
 
+#include "place_probability.hpp"
 #include "statistics.hpp"
 #include "wide.hpp"
 
 namespace tolman::view_sequences {
 namespace {
 
-// Views nearer to each other than this show the same place.
-constexpr std::int64_t kSamePlace = 10;
 // Fewer views than this to compare with tell nothing about what is unusual.
 constexpr std::int64_t kFewest = 4;
 // Distances of different places have about this standard deviation (campus walks, day and night);
@@ -40,17 +38,6 @@ float standardised(float distance, double mean, double deviation) {
   return std::max(z, -kLargestEvidence);
 }
 
-/// Posterior of the place with this evidence against its rivals: the best other place, the same
-/// street a moment ago, and no known place at all. Chosen on 1,241 right and 724 wrong best places
-/// of campus walks (places_gardens, six pairs of passes, whole and in halves) and on two drives in
-/// the town (06, 07); checked on a corridor (places_two_laps) and the drives 00 and 05.
-double probabilityOf(double evidence, std::initializer_list<double> rivals) {
-  constexpr double kNatsPerEvidence = 0.7;
-  double odds_against = 0;
-  for (const double rival : rivals) odds_against += std::exp(kNatsPerEvidence * (evidence - rival));
-  return 1 / (1 + odds_against);
-}
-
 /// The least of the values, 0 at most.
 TOLMAN_WIDE float leastOf(const float* values, std::int64_t count) {
   float lanes[8] = {};
@@ -68,8 +55,6 @@ TOLMAN_WIDE void lookUp(const float* table, const std::uint16_t* at, float* valu
                         std::int64_t count) {
   for (std::int64_t i = 0; i < count; ++i) values[i] = table[at[i]];
 }
-
-constexpr double kEvidenceOfNovelty = -4;
 
 }  // namespace
 

@@ -12,7 +12,8 @@ namespace tolman::view_sequences {
 namespace {
 
 constexpr std::string_view kMagic = "TLMVSEQS";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr const char* kVersions = " (version 2: saved with `backwards`, 1: without)";
+constexpr std::uint64_t versionOfState(bool backwards) { return backwards ? 2 : 1; }
 
 EdgeValues levelsOf(const PackedView& view) {
   std::array<std::int16_t, kValues> levels;
@@ -54,6 +55,11 @@ Status ViewSequences::configure(const Context& context) {
         "landmarks need a calibrated stereo pair; places are recognised by appearance alone: set "
         "landmarks to 0");
   }
+  if (parameters_.backwards && !backwards_->canMeasure()) {
+    context.log.warning(
+        "streets driven the other way need a calibrated stereo pair and are not recognised: set "
+        "backwards to false");
+  }
   return Status::ok();
 }
 
@@ -67,11 +73,13 @@ Status ViewSequences::reset() {
   search_ = std::make_unique<PlaceSearch>(settings);
   verifier_ = std::make_unique<PlaceVerifier>(
       rig_, VerifierSettings{p.landmarks, p.landmarks_agreeing, p.landmark_spacing});
+  backwards_ = std::make_unique<BackwardPlaces>(rig_, p.backwards, settings);
   mean_ = MeanView();
   current_ = PackedView{};
   at_ = -1;
   at_is_new_ = false;
   since_measured_ = kNever;
+  since_backwards_ = kNever;
   return Status::ok();
 }
 
@@ -81,6 +89,7 @@ Status ViewSequences::observe(const Frame& frame, const Motion* motion,
   observation.stamp_ns = frame.stamp_ns;
   if (motion == nullptr) return Status::invalidInput("view_sequences needs the motion");
   const std::optional<PathStep> step = steps_->move(*motion);
+  backwards_->move(*motion);
   if (!step) return Status::ok();
   EdgeValues edges;
   if (frame.left.empty() || !edgeGrid(frame.left, edges)) {
@@ -104,7 +113,9 @@ Status ViewSequences::take(const PathStep& step, const Frame& frame, const Packe
   const ViewQuery query(levels, mean_.mean());
   search_->step(query, step.path, step.advance);
   verifier_->beginFrame(frame);
+  backwards_->step(step, frame);
   since_measured_ = std::min(since_measured_ + 1, kNever);
+  since_backwards_ = std::min(since_backwards_ + 1, kNever);
   return answer(step, query, frame.left.width(), observation);
 }
 
@@ -126,7 +137,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   } else if (probability >= parameters_.probability) {
     if (since_measured_ > kBelieved)
       recognise({found.front().view, {}}, query, image_width, observation);
-  } else {
+  } else if (!recogniseBackwards(observation)) {
     return store(step, observation);
   }
   return Status::ok();
@@ -149,10 +160,27 @@ Result<std::optional<ViewSequences::Place>> ViewSequences::verified(
   return std::optional<Place>();
 }
 
+/// A street that is driven the other way: measured now and then, and stored in this direction in
+/// between, so that it is known in both.
+bool ViewSequences::recogniseBackwards(PlaceObservation& observation) {
+  const auto place = backwards_->find(parameters_.probability_backwards);
+  if (!place || since_backwards_ < parameters_.landmark_spacing) return false;
+  since_backwards_ = 0;
+  observation.score = 1 - place->probability;
+  observation.recognition = Recognition::Familiar;
+  observation.template_id = place->view;
+  observation.has_relative_pose = true;
+  observation.T_template_current = place->T_template_current;
+  observation.covariance = place->covariance;
+  observation.relative_yaw = toPlanar(place->T_template_current).theta;
+  return true;
+}
+
 Status ViewSequences::store(const PathStep& step, PlaceObservation& observation) {
   observation.recognition = Recognition::Novel;
   observation.template_id = search_->bank().size();
   search_->add(current_, step.path, at_);
+  backwards_->add(step.path, at_);
   at_ = observation.template_id;
   at_is_new_ = true;
   return verifier_->store(at_);
@@ -160,7 +188,10 @@ Status ViewSequences::store(const PathStep& step, PlaceObservation& observation)
 
 void ViewSequences::recognise(const Place& place, const ViewQuery& query, int image_width,
                               PlaceObservation& observation) {
-  if (at_is_new_ && at_ >= 0) search_->join(at_, place.view);
+  if (at_is_new_ && at_ >= 0) {
+    search_->join(at_, place.view);
+    backwards_->join(at_, place.view);
+  }
   at_ = place.view;
   at_is_new_ = false;
   observation.recognition = Recognition::Familiar;
@@ -222,13 +253,22 @@ Status ViewSequences::save(std::ostream& stream) const {
   writer.putAll<std::uint8_t>(current_);
   writer.put(at_);
   writer.put(static_cast<std::uint8_t>(at_is_new_));
-  return writer.write(stream, kMagic, kStateVersion);
+  if (parameters_.backwards) {
+    backwards_->save(writer);
+    writer.put(since_backwards_);
+  }
+  return writer.write(stream, kMagic, versionOfState(parameters_.backwards));
 }
 
 Status ViewSequences::load(std::istream& stream) {
   if (Status status = reset(); !status.isOk()) return status;
-  Result<StateReader> opened = StateReader::open(stream, kMagic, kStateVersion);
-  if (!opened.isOk()) return opened.status();
+  Result<StateReader> opened =
+      StateReader::open(stream, kMagic, versionOfState(parameters_.backwards));
+  if (!opened.isOk()) {
+    const std::string message = opened.status().message();
+    const bool is_version = message.find("version") != std::string::npos;
+    return Status::invalidInput(message + (is_version ? kVersions : ""));
+  }
   StateReader& reader = opened.value();
   std::vector<double> saved(storedParameters().size());
   reader.getAll<double>(saved);
@@ -236,7 +276,7 @@ Status ViewSequences::load(std::istream& stream) {
     return Status::invalidInput(
         "the saved views were made with another spacing, memory or number of landmarks");
   }
-  const bool sound = steps_->load(reader) && mean_.load(reader) && search_->load(reader);
+  bool sound = steps_->load(reader) && mean_.load(reader) && search_->load(reader);
   if (sound) {
     const Status status = verifier_->load(reader, search_->bank().size());
     if (!status.isOk()) {
@@ -248,8 +288,13 @@ Status ViewSequences::load(std::istream& stream) {
   reader.getAll<std::uint8_t>(current_);
   at_ = reader.get<std::int64_t>();
   at_is_new_ = reader.get<std::uint8_t>() != 0;
+  if (parameters_.backwards && sound) {
+    sound = backwards_->load(reader, search_->bank().size());
+    since_backwards_ = reader.get<std::int64_t>();
+  }
   if (!sound || !reader.complete() || at_ < -1 || at_ >= search_->bank().size() ||
-      since_measured_ < 0 || since_measured_ > kNever) {
+      since_measured_ < 0 || since_measured_ > kNever || since_backwards_ < 0 ||
+      since_backwards_ > kNever) {
     static_cast<void>(reset());
     return Status::invalidInput("the saved state is damaged");
   }

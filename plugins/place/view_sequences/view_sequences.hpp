@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "backward_places.hpp"
 #include "mean_view.hpp"
 #include "parameters.hpp"
 #include "path_steps.hpp"
@@ -53,6 +54,7 @@ class ViewSequences final : public Place,
   Status answer(const PathStep& step, const ViewQuery& query, int image_width,
                 PlaceObservation& observation);
   Result<std::optional<Place>> verified(const std::vector<PlaceCandidate>& candidates);
+  bool recogniseBackwards(PlaceObservation& observation);
   Status store(const PathStep& step, PlaceObservation& observation);
   void recognise(const Place& place, const ViewQuery& query, int image_width,
                  PlaceObservation& observation);
@@ -64,11 +66,14 @@ class ViewSequences final : public Place,
   std::unique_ptr<PathSteps> steps_;
   std::unique_ptr<PlaceSearch> search_;
   std::unique_ptr<PlaceVerifier> verifier_;
+  std::unique_ptr<BackwardPlaces> backwards_;
   MeanView mean_;
   PackedView current_{};
-  std::int64_t at_ = -1;                  ///< the stored view of the last answer; -1 after a break
-  bool at_is_new_ = false;                ///< whether the last answer stored it
-  std::int64_t since_measured_ = kNever;  ///< steps since landmarks agreed
+  std::int64_t at_ = -1;                   ///< the stored view of the last answer, of those in the
+                                           ///< direction of now; -1 after a break
+  bool at_is_new_ = false;                 ///< whether the last answer stored it
+  std::int64_t since_measured_ = kNever;   ///< steps since landmarks agreed
+  std::int64_t since_backwards_ = kNever;  ///< steps since a place was recognised the other way
 };
 
 }  // namespace tolman::view_sequences

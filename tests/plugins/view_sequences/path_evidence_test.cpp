@@ -19,6 +19,7 @@ constexpr EvidenceSettings kSettings = {0.9, 0.8, 1.2};
 /// E_t(p) = z_t(p) + offset + memory * min(0, best of all ways that lead to p).
 class Naive {
  public:
+  explicit Naive(Direction direction) : forwards_(direction == Direction::Forwards) {}
   void add(std::int64_t predecessor) {
     const auto view = static_cast<std::int64_t>(evidence_.size());
     continues_.push_back(predecessor >= 0 && predecessor == view - 1);
@@ -33,10 +34,12 @@ class Naive {
       std::int64_t from = p;
       for (int k = 0; k <= 3; ++k) {  // at most three views in one step
         best = std::min(best, at(from) + kSettings.penalty * std::abs(k - advance));
-        if (!continues_[static_cast<std::size_t>(from)]) break;
-        --from;
+        if (!hasBefore(from)) break;
+        from += forwards_ ? -1 : 1;
       }
-      for (const auto& [source, target] : links_) {
+      for (const auto& [first, second] : links_) {
+        const auto [source, target] =
+            forwards_ ? std::pair(first, second) : std::pair(second, first);
         if (target != p || source >= candidates) continue;
         best = std::min(best, at(source) + kSettings.penalty * std::abs(1 - advance));
       }
@@ -48,6 +51,14 @@ class Naive {
   void forget() { evidence_.assign(evidence_.size(), 0); }
 
  private:
+  /// Whether there is a view before this one in the direction in which the path is driven now.
+  bool hasBefore(std::int64_t view) const {
+    const auto i = static_cast<std::size_t>(view);
+    if (forwards_) return continues_[i];
+    return i + 1 < continues_.size() && continues_[i + 1];
+  }
+
+  bool forwards_;
   std::vector<double> evidence_;
   std::vector<bool> continues_;
   std::vector<std::pair<std::int64_t, std::int64_t>> links_;
@@ -55,7 +66,11 @@ class Naive {
 
 /// Both, told the same.
 struct Pair {
-  PathEvidence evidence{kSettings};
+  explicit Pair(Direction direction = Direction::Forwards)
+      : evidence({kSettings.memory, kSettings.penalty, kSettings.offset, direction}),
+        naive(direction) {}
+
+  PathEvidence evidence;
   Naive naive;
   std::int64_t views = 0;
 
@@ -120,9 +135,9 @@ Pair somePaths(RandomStream& random) {
 }  // namespace
 
 TEST_CASE("evidence is that of the equation, over random paths, links, steps and candidates") {
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
     RandomStream random(seed);
-    Pair pair;
+    Pair pair(seed % 2 == 0 ? Direction::Forwards : Direction::Backwards);
     for (int i = 0; i < 120; ++i) {
       if (random.below(3) != 0) pair.addSomewhere(random);
       if (pair.views == 0) continue;
@@ -159,6 +174,27 @@ TEST_CASE("evidence adds up along a path that is driven again at its own speed")
   CHECK(all[39] == Approx(1.2));  // nothing was alike, and evidence above 0 is forgotten
   evidence.forget();
   for (const float e : evidence.evidence()) CHECK(e == 0);
+}
+
+TEST_CASE("evidence adds up in falling order along a path that is driven the other way") {
+  constexpr EvidenceSettings kBack = {0.9, 0.8, 1.2, Direction::Backwards};
+  for (const auto direction : {Direction::Backwards, Direction::Forwards}) {
+    PathEvidence evidence({kBack.memory, kBack.penalty, kBack.offset, direction});
+    for (int i = 0; i < 40; ++i) evidence.add(i - 1);
+    for (int t = 0; t < 10; ++t) {
+      std::vector<float> z(40, 0);
+      z[static_cast<std::size_t>(30 - t)] = -3;
+      evidence.step(z, 1, 40);
+    }
+    double expected = 0;
+    for (int t = 0; t < 10; ++t) expected = -3 + 1.2 + 0.9 * expected;
+    if (direction == Direction::Backwards) {
+      CHECK(evidence.evidence()[21] == Approx(expected));
+    } else {
+      CHECK(evidence.evidence()[21] > 0.5 * expected);
+    }
+    CHECK(evidence.evidence()[0] == Approx(1.2));
+  }
 }
 
 TEST_CASE("a loaded state is the saved one to the bit, and goes on as it would") {

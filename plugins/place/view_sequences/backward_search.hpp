@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds where on the stored paths the robot is when it drives them the other way: compares the
+// structure of now, turned by 180 degrees, with stored grids, and adds up evidence along the path
+// in falling order.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "path_evidence.hpp"
+#include "place_search.hpp"
+#include "structure_query.hpp"
+
+namespace tolman::view_sequences {
+
+class BackwardSearch {
+ public:
+  explicit BackwardSearch(const SearchSettings& settings);
+
+  /// A view was stored; its number is that of views before it. `levels`: its structure, if there is
+  /// any. A view keeps a grid of its own when the one before it on the path has none of its own.
+  void add(const std::optional<StructureLevels>& levels, double path, std::int64_t predecessor);
+  void join(std::int64_t from, std::int64_t to) { evidence_.join(from, to); }
+  void beginPass();
+
+  /// One step along the path; without structure there is no evidence at all.
+  void step(const StructureQuery* query, double path, double advance);
+  /// The most probable place after a step.
+  std::optional<PlaceCandidate> best() const;
+  /// Of a view that has structure.
+  StructureLevels levelsOf(std::int64_t view) const;
+  std::int64_t size() const { return static_cast<std::int64_t>(paths_.size()); }
+
+  void save(StateWriter& writer) const;
+  /// False for a damaged state.
+  bool load(StateReader& reader, std::int64_t views);
+
+ private:
+  bool hasOwnGrid(std::int64_t view) const;
+  bool isAtEnd(std::int64_t view) const;
+  void compareAll(const StructureQuery& query);
+  std::int64_t grids() const { return static_cast<std::int64_t>(cells_.size()) / kCells; }
+  std::span<const std::uint8_t, kCells> grid(std::int64_t index) const;
+
+  SearchSettings settings_;
+  PathEvidence evidence_;
+  std::vector<std::uint8_t> cells_;         ///< kCells for each grid
+  std::vector<std::int32_t> grid_of_view_;  ///< -1: none
+  std::vector<float> paths_;                ///< of each view, m
+  std::int64_t candidates_ = 0;             ///< the first so many views are not recent; 0: none
+  std::vector<float> of_grids_;             ///< distances
+  std::vector<float> distances_;            ///< standardised, of the views
+};
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How probable a place is, from its evidence and that of its rivals.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+
+namespace tolman::view_sequences {
+
+/// Views nearer to each other than this show the same place.
+inline constexpr std::int64_t kSamePlace = 10;
+/// Evidence that stands for no known place.
+inline constexpr double kEvidenceOfNovelty = -4;
+
+/// Posterior of the place with this evidence against its rivals: the best other place, the same
+/// street a moment ago, and no known place at all. Chosen on 1,241 right and 724 wrong best places
+/// of campus walks (places_gardens, six pairs of passes, whole and in halves) and on two drives in
+/// the town (06, 07); checked on a corridor (places_two_laps) and the drives 00 and 05.
+inline double probabilityOf(double evidence, std::initializer_list<double> rivals) {
+  constexpr double kNatsPerEvidence = 0.7;
+  double odds_against = 0;
+  for (const double rival : rivals) odds_against += std::exp(kNatsPerEvidence * (evidence - rival));
+  return 1 / (1 + odds_against);
+}
+
+}  // namespace tolman::view_sequences

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Structure of a street: how many points lie in each cell of a grid around the camera, 31.5 m to
+// the sides by 24 m along the street, in six bands of height. Seen from above it is the same in
+// either driving direction, turned by 180 degrees.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "tolman/state_stream.hpp"
+
+namespace tolman::view_sequences {
+
+inline constexpr int kLateral = 21;
+inline constexpr int kAlong = 16;
+inline constexpr int kHeights = 6;
+inline constexpr float kCellSize = 1.5F;  ///< m
+inline constexpr int kSlice = kAlong * kHeights;
+inline constexpr int kCells = kLateral * kSlice;
+
+/// Logarithms of numbers of points, 0 to 15. Index (lateral * kAlong + along) * kHeights + height,
+/// so that a shift to the side by a cell is a contiguous part.
+using StructureLevels = std::array<std::uint8_t, kCells>;
+
+/// Counts points, given in camera axes (m); those outside the grid are left out.
+class StructureCounts {
+ public:
+  void add(const Eigen::Vector3f& point);
+  StructureLevels levels() const;
+  /// Points within the grid.
+  std::int64_t points() const { return points_; }
+
+ private:
+  std::array<std::uint32_t, kCells> counts_{};
+  std::int64_t points_ = 0;
+};
+
+/// Deviation of levels from a mean, in the order of the levels.
+using StructureDeviation = std::array<float, kCells>;
+
+/// The grid as a camera in the opposite direction at the same place would have it.
+StructureDeviation turned(const StructureDeviation& deviation);
+
+/// Mean of all grids so far: what all streets have in common says nothing about the place.
+class StructureMean {
+ public:
+  void add(const StructureLevels& levels);
+  const StructureDeviation& mean() const { return mean_; }
+  StructureDeviation deviationOf(const StructureLevels& levels) const;
+
+  void save(StateWriter& writer) const;
+  /// False for a damaged state.
+  bool load(StateReader& reader);
+
+ private:
+  StructureDeviation mean_{};
+  std::int64_t count_ = 0;
+};
+
+}  // namespace tolman::view_sequences
