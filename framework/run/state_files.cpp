@@ -134,7 +134,8 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
                    const std::map<Role, std::string>& states, Json contents) {
   const fs::path folder = file.parent_path();
   std::error_code error;
-  fs::create_directories(folder, error);  // where it cannot be made, writing fails
+  // Where it cannot be made, writing fails. Not its parents: the run directory may just be moved.
+  fs::create_directory(folder, error);
   contents["format"] = kFormat;
   contents["stages"] = Json::array();
   for (const SavedStage& stage : savedStages(assembly)) {

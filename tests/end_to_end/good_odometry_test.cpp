@@ -10,7 +10,7 @@
 using namespace tolman::test;
 
 TEST_CASE("the map of a street driven up and down is as good as its odometry", "[data]") {
-  const std::string config = GENERATE("direct.yaml", "kitti.yaml");
+  const std::string config = GENERATE("kitti.yaml", "features.yaml");
   const auto clip = dataOrSkip("kitti_clips/06");
   if (!clip) return;
   const TemporaryFolder out;

@@ -44,7 +44,9 @@ TEST_CASE("KITTI 06: all frames, odometry within 0.20 m, map within 0.25 m", "[d
   CHECK(readText(other / "results.sha256") == readText(out / "results.sha256"));
 }
 
-TEST_CASE("KITTI raw 0001: the path is 108 m long within 1 %", "[data]") {
+// Systems that take the rig as exact have 108.1 m +- 0.4; the estimated offset of the disparities
+// makes it a hundredth shorter (docs/odometry.md).
+TEST_CASE("KITTI raw 0001: the path is 108 m long within 1.5 %", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/raw_0001");
   if (!clip) return;
   const TemporaryFolder folder;
@@ -53,7 +55,7 @@ TEST_CASE("KITTI raw 0001: the path is 108 m long within 1 %", "[data]") {
   REQUIRE(finished.exit_code == 0);
   const auto metrics = readJson(folder.path() / "run/metrics.json");
   CHECK(metrics["odometry"]["poses"] == 108);
-  CHECK(metrics["odometry"]["path_length_m"].get<double>() == Approx(108.0).epsilon(0.01));
+  CHECK(metrics["odometry"]["path_length_m"].get<double>() == Approx(108.0).epsilon(0.015));
   CHECK(metrics["odometry"]["ate"]["rmse_m"]
             .is_null());  // this clip has no truth, and nothing is made up
 }
@@ -64,7 +66,7 @@ TEST_CASE("one camera: place recognition runs, stereo odometry says what it need
   const TemporaryFolder folder;
   const Finished stereo = runClip(*clip, folder.path() / "stereo");
   CHECK(stereo.exit_code == 3);
-  CHECK(contains(stereo.err, "feature_stereo"));
+  CHECK(contains(stereo.err, "calibrated, rectified stereo images"));
   const std::vector<std::string> steady = {"--set", "odometry={plugin: steady, speed: 8}",
                                            "--plugin-path",
                                            inBuild("tests/fixtures/plugins/steady")};

@@ -277,7 +277,7 @@ TEST_CASE("a disk that is nearly full ends the run in good order, to be resumed 
 TEST_CASE("real images and real motion: resumed runs have the bytes of uninterrupted ones",
           "[data]") {
   const auto [config, sequence, frame] =
-      GENERATE(std::tuple{"configs/direct.yaml", "kitti_clips/06", 15},
+      GENERATE(std::tuple{"configs/kitti.yaml", "kitti_clips/06", 15},
                std::tuple{"configs/motion.yaml", "kitti_motion/05", 900});
   const auto data = dataOrSkip(sequence);
   if (!data) return;
