@@ -18,7 +18,7 @@ struct Parameters {
   int landmark_spacing = 4;
   double probability_verified = 0.01;
   bool backwards = false;
-  double probability_backwards = 0.95;
+  double probability_backwards = 0.999;
 
   static constexpr auto declaration() {
     using P = Parameters;

@@ -16,7 +16,9 @@ namespace {
 
 constexpr int kLength = 110;  // m
 
-ParameterValues backwards(bool on = true) { return {{"backwards", on}, {"probability", 0.999}}; }
+ParameterValues backwards(bool on = true) {
+  return {{"backwards", on}, {"probability", 0.999}, {"probability_backwards", 0.95}};
+}
 
 struct Step {
   Frame frame;
