@@ -155,7 +155,8 @@ void TownSource::arrangeScene(std::size_t index) {
   shown_ = now;
   const double seconds = static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
   for (std::size_t i = 0; i < traffic_->size(); ++i) {
-    scene_->move(first_traffic_ + i, traffic_->at(i, seconds));
+    scene_->move(first_traffic_ + i,
+                 besideCamera(traffic_->at(i, seconds), route_.T_town_camera[index]));
   }
   if (is_changed || traffic_->size() > 0) scene_->commit();
 }

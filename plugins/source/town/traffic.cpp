@@ -45,4 +45,25 @@ Placement Traffic::at(std::size_t index, double seconds) const {
                        static_cast<float>(yaw));
 }
 
+Placement besideCamera(Placement car, const Eigen::Isometry3d& T_town_camera) {
+  constexpr double kNear = 6;    // m ahead or behind: a car's length and a half
+  constexpr double kFar = 20;    // m, from here on it moves over
+  constexpr double kBeside = 3;  // m between the centrelines
+  const Eigen::Vector2d forward = T_town_camera.linear().col(2).head<2>().normalized();
+  const Eigen::Vector2d left(-forward.y(), forward.x());
+  const Eigen::Vector2d camera = T_town_camera.translation().head<2>();
+  const Eigen::Vector2d offset =
+      Eigen::Vector2d(static_cast<double>(car.position.x), static_cast<double>(car.position.y)) -
+      camera;
+  const double ahead = std::fabs(offset.dot(forward));
+  const double beside = offset.dot(left);
+  if (ahead >= kFar || std::fabs(beside) >= kBeside) return car;
+  const double share = std::min(1.0, (kFar - ahead) / (kFar - kNear));
+  const double side = beside < -0.5 * kBeside ? -kBeside : kBeside;  // to the left, if not right
+  const Eigen::Vector2d moved = share * (side - beside) * left;
+  car.position.x += static_cast<float>(moved.x());
+  car.position.y += static_cast<float>(moved.y());
+  return car;
+}
+
 }  // namespace tolman::town

@@ -36,4 +36,8 @@ class Traffic {
   std::vector<Car> cars_;
 };
 
+/// The car, moved to the side where it would come too near to the camera. On a street that the
+/// route takes in both directions the oncoming lane of one pass is the camera's own in the other.
+Placement besideCamera(Placement car, const Eigen::Isometry3d& T_town_camera);
+
 }  // namespace tolman::town

@@ -114,6 +114,28 @@ TEST_CASE("through bends cars keep their lane and look where they drive") {
   CHECK(in_bends > 10);
 }
 
+TEST_CASE("a car that would drive through the camera passes beside it") {
+  const Eigen::Isometry3d camera =
+      test::levelPose({Eigen::Vector2d(10, 50), Eigen::Vector2d(0, 1)}, 0);
+  const auto moved = [&](double right, double ahead) {
+    const Placement car = Placement::at({float(10 + right), float(50 + ahead), 0}, 1.5F);
+    return placeOf(besideCamera(car, camera));
+  };
+  for (const double right : {-2.5, -1.0, 0.0, 1.0, 2.5}) {
+    double last = moved(right, -30).x();
+    for (double ahead = -30; ahead <= 30; ahead += 0.5) {
+      CAPTURE(right, ahead);
+      const Eigen::Vector2d p = moved(right, ahead);
+      CHECK(p.y() == Approx(50 + ahead));
+      if (std::abs(ahead) <= 6) CHECK(std::abs(p.x() - 10) == Approx(3).margin(1e-4));
+      if (std::abs(ahead) >= 20) CHECK(p.x() == Approx(10 + right).margin(1e-4));
+      CHECK(std::abs(p.x() - last) < 0.25);  // it does not jump
+      last = p.x();
+    }
+  }
+  CHECK(moved(-3.4, 0).x() == Approx(6.6));  // the oncoming lane stays as it is
+}
+
 TEST_CASE("a seed makes one traffic; no density, no street and no drive make none") {
   const CameraRoute route = straight(400);
   const StreetPlan plan = planOf(route);
