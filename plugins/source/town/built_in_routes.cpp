@@ -69,6 +69,14 @@ LanePath districtPath() {
   return path;
 }
 
+/// 1.3 km with two wide bends.
+LanePath highwayPath() {
+  constexpr double kBend = 0.2;
+  LanePath path(StreetPlan::kLaneOffset);
+  path.ahead(350).bulge(400, kBend).ahead(250).bulge(500, -kBend).ahead(100);
+  return path;
+}
+
 /// Height of the streets and its slope, m above that of the start, where it is level. Slopes stay
 /// below 5 %.
 struct Ground {
@@ -164,13 +172,22 @@ Status checkOptions(const RouteOptions& options) {
 
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options) {
   if (const Status status = checkOptions(options); !status.isOk()) return status;
-  if (name != "block" && name != "eights" && name != "district") {
-    return Status::invalidParameter("there is no route '" + std::string(name) +
-                                    "'; use block, eights, district, or a KITTI pose file");
+  struct Known {
+    std::string_view name;
+    LanePath (*path)();
+  };
+  constexpr std::array<Known, 4> kKnown = {{{"block", blockPath},
+                                            {"eights", eightsPath},
+                                            {"district", districtPath},
+                                            {"highway", highwayPath}}};
+  const auto known = std::find_if(kKnown.begin(), kKnown.end(),
+                                  [&](const Known& one) { return one.name == name; });
+  if (known == kKnown.end()) {
+    return Status::invalidParameter(
+        "there is no route '" + std::string(name) +
+        "'; use block, eights, district, highway, or a KITTI pose file");
   }
-  const LanePath path = name == "block"    ? blockPath()
-                        : name == "eights" ? eightsPath()
-                                           : districtPath();
+  const LanePath path = known->path();
   CameraRoute route;
   route.name = name;
   for (const double s : frameDistances(path, options)) {

@@ -134,6 +134,33 @@ void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed) {
   }
 }
 
+void addGuardRails(World& world, const StreetPlan& plan) {
+  constexpr double kOver = StreetPlan::kRoadHalfWidth + 0.5;  // m from the centreline
+  constexpr std::size_t kPostEvery = 4;                       // m
+  constexpr float kLow = 0.45F;                               // m
+  constexpr float kHigh = 0.75F;
+  const std::uint32_t metal = addPlain(world, 0.35F, 0);
+  for (const StreetSection& section : plan.sections()) {
+    for (const double over : {-kOver, kOver}) {
+      const auto foot = [&](const StreetPoint& p) {
+        const Eigen::Vector2d q =
+            p.position + over * Eigen::Vector2d(-p.direction.y(), p.direction.x());
+        return Vec3{static_cast<float>(q.x()), static_cast<float>(q.y()),
+                    static_cast<float>(plan.height(q.x(), q.y()) + StreetPlan::kKerbHeight)};
+      };
+      const auto is_open = [&](const Vec3& at) { return plan.distance(at.x, at.y) > kOver - 0.3; };
+      for (std::size_t i = 0; i + 1 < section.points.size(); ++i) {
+        const Vec3 from = foot(section.points[i]);
+        const Vec3 to = foot(section.points[i + 1]);
+        if (!is_open(from) || !is_open(to)) continue;
+        addQuad(world.fixed,
+                {from + kUp * kLow, to + kUp * kLow, to + kUp * kHigh, from + kUp * kHigh}, metal);
+        if (i % kPostEvery == 0) addPole(world, from, kHigh, 0.06F, metal);
+      }
+    }
+  }
+}
+
 void addHorizon(World& world, const StreetPlan& plan, std::uint32_t seed) {
   constexpr double kAway = 130;  // m beyond the last street
   constexpr double kStep = 5;    // m

@@ -29,6 +29,9 @@ void addHedge(World& world, const Plot& plot, double ground, std::uint32_t seed)
 /// The broken line in the middle of each section, but not across junctions.
 void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed);
 
+/// Rails on posts, all alike, on both sides, but not across junctions.
+void addGuardRails(World& world, const StreetPlan& plan);
+
 /// A ring of wooded hills that closes the view.
 void addHorizon(World& world, const StreetPlan& plan, std::uint32_t seed);
 

@@ -54,6 +54,7 @@ World buildWorld(const StreetPlan& plan, const WorldOptions& options) {
                                  add(Material::Land, 0.2F)};
   world.fixed = buildGround(plan, ground);
   addLaneMarkings(world, plan, hash(options.seed, 61));
+  if (options.guard_rails) addGuardRails(world, plan);
   addHorizon(world, plan, hash(options.seed, 62));
   const Prototypes prototypes = addPrototypes(world, options.seed);
   layOut(world, plan, prototypes, options);

@@ -27,8 +27,8 @@ struct RouteOptions {
   double camera_height = 1.65;  ///< m above the road
 };
 
-/// `block` (about 300 m, once round and on over the start: one loop), `eights`, `district`; else
-/// InvalidParameter that names them.
+/// `block` (about 300 m, once round and on over the start: one loop), `eights`, `district`,
+/// `highway`; else InvalidParameter that names them.
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options);
 
 /// A KITTI pose file: twelve numbers a line, T_world_camera. Refuses an empty file, a line that is

@@ -42,6 +42,7 @@ struct TownParameters : FrameSelection, CameraDisturbances {
   std::int64_t seed = 1;
   double aliasing = 0.15;
   double density = 1;
+  bool guard_rails = false;
   // Light, weather and image formation.
   double hour = 10.5;
   Weather weather = Weather::Clear;
@@ -69,7 +70,8 @@ constexpr auto driveParameters() {
   using P = TownParameters;
   return parameters(
       parameter("route", &P::route)
-          .doc("block, eights, district, or a file of poses in KITTI's format to drive along."),
+          .doc("block, eights, district, highway, or a file of poses in KITTI's format to drive "
+               "along."),
       parameter("crossings", &P::crossings)
           .doc("What becomes of a route whose passes cross too far apart in height: level bends "
                "their heights, and the true poses, until they agree; refuse."),
@@ -114,7 +116,10 @@ constexpr auto townParameters() {
           .doc("Share of street fronts that look like one of two others."),
       parameter("density", &P::density)
           .range(0, 1)
-          .doc("Share of houses, trees and parked cars that are built; 0 leaves bare streets."));
+          .doc("Share of houses, trees and parked cars that are built; 0 leaves bare streets."),
+      parameter("guard_rails", &P::guard_rails)
+          .doc("Rails on posts every 4 m along both sides of the road, as on highways: each post "
+               "looks like the next."));
 }
 
 constexpr auto imageParameters() {

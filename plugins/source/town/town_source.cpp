@@ -16,7 +16,7 @@
 namespace tolman::town {
 namespace {
 
-constexpr std::array<std::string_view, 3> kBuiltIn = {"block", "eights", "district"};
+constexpr std::array<std::string_view, 4> kBuiltIn = {"block", "eights", "district", "highway"};
 
 Result<CameraRoute> findRoute(const TownParameters& p) {
   const RouteOptions options = {p.rate, p.speed, p.camera_height};
@@ -91,7 +91,7 @@ Status TownSource::build() {
 void TownSource::buildScene() {
   const Parameters& p = parameters_;
   const auto seed = static_cast<std::uint32_t>(p.seed);
-  World world = buildWorld(*plan_, {seed, p.aliasing, p.density});
+  World world = buildWorld(*plan_, {seed, p.aliasing, p.density, p.guard_rails});
   trees_ = schedule_.anyBare() ? addBareTrees(world) : Exchange{};
   cars_ = schedule_.anyExchanged() ? addOtherCars(world, hash(seed, 304)) : Exchange{};
   traffic_ = std::make_unique<Traffic>(route_, *plan_, p.traffic, hash(seed, 301));

@@ -36,6 +36,7 @@ struct WorldOptions {
   std::uint32_t seed = 1;
   double aliasing = 0.15;  ///< share of stretches that look like others
   double density = 1;      ///< of houses, trees and parked cars; 0 leaves bare streets
+  bool guard_rails = false;
 };
 
 World buildWorld(const StreetPlan& plan, const WorldOptions& options);

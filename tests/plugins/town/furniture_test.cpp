@@ -205,3 +205,23 @@ TEST_CASE("from every point of the street the horizon is closed all around") {
     }
   }
 }
+
+TEST_CASE("guard rails run along both sides, with a post every 4 m") {
+  const StreetPlan plan = straightPlan();
+  World world;
+  addGuardRails(world, plan);
+  double longest = 0;
+  for (const Mesh::Vertex& v : world.fixed.vertices) {
+    const double from_road = plan.distance(static_cast<double>(v.x), static_cast<double>(v.y));
+    CHECK(from_road == Approx(StreetPlan::kRoadHalfWidth + 0.5).margin(0.15));
+    const double above =
+        static_cast<double>(v.z) - plan.height(static_cast<double>(v.x), static_cast<double>(v.y));
+    CHECK(above < 1);
+    longest = std::max(longest, static_cast<double>(v.y));
+  }
+  CHECK(longest > 195);
+  // A rail has 2 triangles a metre and side; a post of 8 sides 16 every 4 m.
+  const double metres = 2 * plan.sections()[0].points.back().s;
+  CHECK(static_cast<double>(world.fixed.triangles.size()) ==
+        Approx(metres * (2 + 16 / 4.0)).epsilon(0.02));
+}
