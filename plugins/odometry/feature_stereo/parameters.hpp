@@ -24,7 +24,7 @@ struct Parameters {
   int window = 7;
   double keyframe_flow = 15;
   double keyframe_survival = 0.75;
-  int refinement_iterations = 3;
+  int refinement_iterations = 6;
   double offset_sigma = 0.2;
 
   /// Corners, how they are followed, and how well they can be.
