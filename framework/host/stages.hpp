@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "host/instance.hpp"
@@ -27,8 +28,12 @@ class Stage {
   /// Calls `work`, a function of the role or one of its methods, under the guard.
   template <class Work, class... A>
   Status call(std::string_view what, std::int64_t frame, const Work& work, A&... arguments) {
-    return instance_->call<RoleType>(
-        what, frame, [&](RoleType& role) { return std::invoke(work, role, arguments...); });
+    return instance_->call<RoleType>(what, frame, [&](RoleType& role) {
+      Status status = std::invoke(work, role, arguments...);
+      const bool is_end = status.code() == StatusCode::EndOfStream;
+      if (!is_end || std::is_same_v<RoleType, Source>) return status;
+      return Status::failed("answered the end of the stream, which only a source has");
+    });
   }
 
   std::unique_ptr<Instance> instance_;

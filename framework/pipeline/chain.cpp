@@ -268,7 +268,10 @@ void Chain::publishTrajectory() {
     FramePose pose{frame, Eigen::Isometry3d::Identity()};
     const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
     if (status.isOk()) poses.push_back(pose);
-    if (!status.isOk() && status.code() != StatusCode::InvalidParameter) break;  // not only unseen
+    const bool is_unseen = status.code() == StatusCode::InvalidParameter;  // dropped, for example
+    if (status.isOk() || (is_unseen && frame < last_map_.frame)) continue;
+    (void)resolve(status, policies_.map, -1, Role::Map);
+    break;
   }
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);

@@ -172,6 +172,23 @@ TEST_CASE("on_failure: skip goes on without the frame") {
   CHECK(counters["skipped"] == 1);
 }
 
+TEST_CASE("a map that fails to tell a pose at the end has failed the run") {
+  for (const auto& [plugin, says] :
+       {std::pair("forgets_poses", "poseOf, frame 5: not seen"),
+        std::pair("loses_poses", "poseOf, frame 3: threw: lost it"),
+        std::pair("ends_the_stream", "update, frame 0: answered the end of the stream")}) {
+    for (const std::string isolation : {"none", "process"}) {
+      const Attempt attempt(
+          "role_faults", "feature_stereo",
+          {"--set", "map={plugin: " + std::string(plugin) + ", isolation: " + isolation + "}",
+           "--set", "cells.plugin=single_experience"});
+      INFO(attempt.finished.err);
+      CHECK(attempt.finished.exit_code == 7);
+      CHECK(contains(attempt.finished.err, says));
+    }
+  }
+}
+
 TEST_CASE("a plugin that offers its state and cannot save it has failed the run") {
   for (const auto& [plugin, says] :
        {std::pair("fails_to_save", "save: threw: no room"),
