@@ -126,7 +126,7 @@ double residentMib(pid_t process) {
 
 TEST_CASE("a watched run gives byte-identical results") {
   const TemporaryFolder folder;
-  writeTinyKitti(folder.path() / "sequence", 60);
+  writeTinyKitti(folder.path() / "sequence", 400);
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const fs::path alone = folder.path() / "alone";
   const fs::path watched = folder.path() / "watched";
@@ -140,8 +140,10 @@ TEST_CASE("a watched run gives byte-identical results") {
     const int port = portOf(watched);
     REQUIRE(port > 0);
     TestClients clients(port);
-    std::this_thread::sleep_for(50ms);
-    messages = clients.messages();
+    for (int wait = 0; wait < 500 && messages == 0; ++wait) {
+      std::this_thread::sleep_for(10ms);
+      messages = clients.messages();
+    }
   }
   const Finished finished = process.wait();
   INFO(finished.err);
