@@ -18,8 +18,8 @@ OppositePlaces::Claim judged(const evaluation::Trajectory& truth, const TurnedAn
   };
   const Eigen::Isometry3d claimed = pose(answer.place) * answer.T_place_query;
   const double error = (claimed.translation() - pose(answer.query).translation()).norm();
-  const double cosine = pose(answer.place).linear().col(2).dot(pose(answer.query).linear().col(2));
-  const bool is_opposite = cosine < std::cos(rule.opposite_above_deg * std::numbers::pi / 180);
+  const bool is_opposite = dataset::headingBetween(pose(answer.place), pose(answer.query), rule) ==
+                           dataset::Heading::Opposite;
   return {answer.query, answer.place, answer.score, error, is_opposite && error <= rule.distance_m};
 }
 

@@ -35,13 +35,6 @@ bool isHeader(std::string line) {
   return line == "query,match";
 }
 
-/// Angle between the optical axes, rad.
-double angleBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
-  const Eigen::Vector3d u = a.linear().col(2);
-  const Eigen::Vector3d v = b.linear().col(2);
-  return std::atan2(u.cross(v).norm(), u.dot(v));
-}
-
 }  // namespace
 
 PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance) {
@@ -97,9 +90,8 @@ PlaceTruth truthOfPoses(const evaluation::Trajectory& truth) {
     if (between <= rule.path_m) return false;
     const auto& q = (*poses)[static_cast<std::size_t>(query)].T_world_camera;
     const auto& p = (*poses)[static_cast<std::size_t>(place)].T_world_camera;
-    constexpr double kRadians = 0.017453292519943295;
     return (q.translation() - p.translation()).norm() <= rule.distance_m &&
-           angleBetween(q, p) < rule.same_below_deg * kRadians;
+           dataset::headingBetween(q, p, rule) == dataset::Heading::Same;
   };
   return {isSame, [findable](std::int64_t query) { return findable->contains(query); }};
 }

@@ -112,7 +112,7 @@ bool TestInstance::keepsState() const { return driver_ && driver_->instance().st
 Status TestInstance::save(std::ostream& stream) {
   plugin_.trace("save");
   return driver_->instance().call<Plugin>(
-      "save", -1, [&](Plugin&) { return driver_->instance().state()->save(stream); });
+      "save", -1, [&](Plugin&) { return host::saveTo(stream, *driver_->instance().state()); });
 }
 
 Status TestInstance::load(std::istream& stream) {

@@ -12,6 +12,8 @@
 namespace tolman::dataset {
 namespace {
 
+double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
+
 /// The best candidates of one frame, one for each heading.
 class Nearest {
  public:
@@ -19,17 +21,15 @@ class Nearest {
       : truth_(truth),
         pose_(truth[frame].T_world_camera),
         frame_(truth[frame].frame),
-        rule_(rule),
-        same_above_(cosine(rule.same_below_deg)),
-        opposite_below_(cosine(rule.opposite_above_deg)) {}
+        rule_(rule) {}
 
   void consider(std::size_t index) {
     const Eigen::Isometry3d& other = truth_[index].T_world_camera;
     const double distance = (other.translation() - pose_.translation()).norm();
     if (!(distance <= rule_.distance_m)) return;
-    const double agreement = other.linear().col(2).dot(pose_.linear().col(2));
-    if (agreement > same_above_) take(best_[0], Heading::Same, index, distance);
-    if (agreement < opposite_below_) take(best_[1], Heading::Opposite, index, distance);
+    const std::optional<Heading> heading = headingBetween(other, pose_, rule_);
+    if (heading == Heading::Same) take(best_[0], Heading::Same, index, distance);
+    if (heading == Heading::Opposite) take(best_[1], Heading::Opposite, index, distance);
   }
 
   void append(std::vector<Revisit>& revisits) const {
@@ -39,8 +39,6 @@ class Nearest {
   }
 
  private:
-  static double cosine(double degrees) { return std::cos(degrees * std::numbers::pi / 180); }
-
   void take(std::optional<Revisit>& best, Heading heading, std::size_t index,
             double distance) const {
     const std::int64_t earlier = truth_[index].frame;
@@ -53,12 +51,18 @@ class Nearest {
   const Eigen::Isometry3d& pose_;
   std::int64_t frame_;
   const RevisitRule& rule_;
-  double same_above_;
-  double opposite_below_;
   std::array<std::optional<Revisit>, 2> best_;
 };
 
 }  // namespace
+
+std::optional<Heading> headingBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
+                                      const RevisitRule& rule) {
+  const double agreement = a.linear().col(2).dot(b.linear().col(2));
+  if (agreement > cosine(rule.same_below_deg)) return Heading::Same;
+  if (agreement < cosine(rule.opposite_above_deg)) return Heading::Opposite;
+  return std::nullopt;
+}
 
 std::vector<Revisit> findRevisits(const evaluation::Trajectory& truth, const RevisitRule& rule) {
   std::vector<Revisit> revisits;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,10 @@ struct RevisitRule {
   double same_below_deg = 45;       ///< headings differ by less: same direction
   double opposite_above_deg = 135;  ///< headings differ by more: opposite direction
 };
+
+/// None for headings that are neither. Whether two poses are near is not looked at.
+std::optional<Heading> headingBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
+                                      const RevisitRule& rule = {});
 
 /// Frame `frame` stands where `earlier` stood.
 struct Revisit {

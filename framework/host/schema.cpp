@@ -30,8 +30,7 @@ bool isWithin(const ParameterInfo& info) {
   return choice != nullptr && std::ranges::find(info.choices, *choice) != info.choices.end();
 }
 
-Complaint complaintAbout(const ParameterInfo& info) {
-  const Schema reserved = schemaOf<config::StageSettings>();
+Complaint complaintAbout(const ParameterInfo& info, const Schema& reserved) {
   if (std::ranges::find(reserved, info.name, &ParameterInfo::name) != reserved.end()) {
     return {"has a name that is reserved for the host", "rename it"};
   }
@@ -52,11 +51,12 @@ Refusal refusal(const Manifest& manifest, const std::string& name, const Complai
 }  // namespace
 
 std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schema) {
+  const Schema reserved = schemaOf<config::StageSettings>();  // keys that the host reads
   std::set<std::string_view> seen;
   for (const ParameterInfo& info : schema) {
     const bool is_new = seen.insert(info.name).second;
-    const Complaint complaint =
-        is_new ? complaintAbout(info) : Complaint{"is declared twice", "remove one declaration"};
+    const Complaint complaint = is_new ? complaintAbout(info, reserved)
+                                       : Complaint{"is declared twice", "remove one declaration"};
     if (complaint.what != nullptr) return refusal(manifest, info.name, complaint);
   }
   return std::nullopt;

@@ -25,27 +25,19 @@ struct Followed {
 /// Points of all keyframes that the newest one sees. `after` is where they are expected.
 Followed pointsInView(const CameraRig& rig, const Window& window,
                       const Eigen::Isometry3d& expected) {
-  const std::size_t step = 1 + window.pointCount() / kMostFollowed;
-  const Eigen::Isometry3d T_newest_world = window.newest().T_camera_world();
+  constexpr double kNearest = 0.1;  // m
   const GrayLevel& image = window.newest().left.level(0);
-  std::size_t number = 0;
   Followed followed;
-  for (const int slot : window.order()) {
-    const Keyframe& host = window.keyframe(slot);
-    const Eigen::Isometry3d T_newest_host = T_newest_world * host.T_world_camera();
-    for (const Point& point : host.points) {
-      if (number++ % step != 0) continue;
-      const Eigen::Vector3d ray = rig.pinhole.ray({point.u, point.v});
-      const Eigen::Vector3d p = T_newest_host * (ray / static_cast<double>(point.inverse_depth));
-      const Eigen::Vector3d q = expected * p;
-      if (p.z() < 0.1 || q.z() < 0.1) continue;
-      const Eigen::Vector2f there = rig.pinhole.project(p).cast<float>();
-      if (!image.contains(there.x(), there.y(), kPatternRadius)) continue;
-      const Eigen::Vector2f now = rig.pinhole.project(q).cast<float>();
-      followed.points.emplace_back(float(p.x()), float(p.y()), float(p.z()));
-      followed.before.emplace_back(there.x(), there.y());
-      followed.after.emplace_back(now.x(), now.y());
-    }
+  for (const Eigen::Vector3d& p :
+       somePositions(rig.pinhole, window, window.newest().T_camera_world(), kMostFollowed)) {
+    const Eigen::Vector3d q = expected * p;
+    if (p.z() < kNearest || q.z() < kNearest) continue;
+    const Eigen::Vector2f there = rig.pinhole.project(p).cast<float>();
+    if (!image.contains(there.x(), there.y(), kPatternRadius)) continue;
+    const Eigen::Vector2f now = rig.pinhole.project(q).cast<float>();
+    followed.points.emplace_back(float(p.x()), float(p.y()), float(p.z()));
+    followed.before.emplace_back(there.x(), there.y());
+    followed.after.emplace_back(now.x(), now.y());
   }
   return followed;
 }

@@ -49,4 +49,22 @@ std::size_t Window::pointCount() const {
   return count;
 }
 
+std::vector<Eigen::Vector3d> somePositions(const Pinhole& camera, const Window& window,
+                                           const Eigen::Isometry3d& T_camera_world,
+                                           std::size_t most) {
+  const std::size_t step = 1 + window.pointCount() / most;
+  std::size_t number = 0;
+  std::vector<Eigen::Vector3d> positions;
+  for (const int slot : window.order()) {
+    const Keyframe& host = window.keyframe(slot);
+    const Eigen::Isometry3d T_camera_host = T_camera_world * host.T_world_camera();
+    for (const Point& point : host.points) {
+      if (number++ % step != 0) continue;
+      const Eigen::Vector3d ray = camera.ray({point.u, point.v});
+      positions.push_back(T_camera_host * (ray / static_cast<double>(point.inverse_depth)));
+    }
+  }
+  return positions;
+}
+
 }  // namespace tolman::direct_sparse

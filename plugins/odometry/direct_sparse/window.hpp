@@ -68,4 +68,10 @@ class Window {
   std::vector<int> order_;
 };
 
+/// Positions (m) of about `most` points, chosen evenly from all keyframes, in a camera at
+/// T_camera_world. Some may lie behind it.
+std::vector<Eigen::Vector3d> somePositions(const Pinhole& camera, const Window& window,
+                                           const Eigen::Isometry3d& T_camera_world,
+                                           std::size_t most);
+
 }  // namespace tolman::direct_sparse

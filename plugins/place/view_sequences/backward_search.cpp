@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "place_probability.hpp"
-#include "statistics.hpp"
+#include "usual_distance.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -15,10 +15,6 @@ namespace {
 constexpr double kSharedPath = 40;  // m
 // Fewer grids to compare with tell nothing about what is unusual.
 constexpr std::int64_t kFewestGrids = 10;
-// As for views: standard deviation of distances, what it counts for, the largest evidence of one.
-constexpr double kGridDeviation = 0.12;
-constexpr double kGridsOfPrior = 20;
-constexpr float kLargestOfGrid = 4;
 // z of a view that is not compared: it passes no evidence on.
 constexpr float kNotCompared = 5;
 
@@ -93,16 +89,14 @@ void BackwardSearch::compareAll(const StructureQuery& query) {
   for (std::int64_t i = first; i < end; ++i) {
     of_grids_[static_cast<std::size_t>(i - first)] = query.distanceTo(grid(i));
   }
-  const Sums sums = sumsOf(of_grids_);
-  const double deviation = sums.deviationWithPrior(kGridsOfPrior, kGridDeviation);
+  const UsualDistance usual(sumsOf(of_grids_));
   distances_.assign(paths_.size(), kNotCompared);
   if (end - first < kFewestGrids) return;
   for (std::int64_t view = 0; view < candidates_; ++view) {
     const std::int64_t i = grid_of_view_[static_cast<std::size_t>(view)];
     if (i < first) continue;
-    const double distance = of_grids_[static_cast<std::size_t>(i - first)];
-    const auto z = static_cast<float>((distance - sums.mean()) / deviation);
-    distances_[static_cast<std::size_t>(view)] = std::max(z, -kLargestOfGrid);
+    distances_[static_cast<std::size_t>(view)] =
+        usual.standardised(of_grids_[static_cast<std::size_t>(i - first)]);
   }
 }
 

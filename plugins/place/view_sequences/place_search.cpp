@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "place_probability.hpp"
-#include "statistics.hpp"
+#include "usual_distance.hpp"
 #include "wide.hpp"
 
 namespace tolman::view_sequences {
@@ -16,12 +16,6 @@ namespace {
 
 // Fewer views than this to compare with tell nothing about what is unusual.
 constexpr std::int64_t kFewest = 4;
-// Distances of different places have about this standard deviation (campus walks, day and night);
-// it counts as much as so many views until there are more.
-constexpr double kPriorDeviation = 0.12;
-constexpr double kPriorViews = 20;
-// One view alone, however alike, must not decide.
-constexpr float kLargestEvidence = 4;
 // Views that are compared in full after the codes, and those that tell what is usual.
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
@@ -31,11 +25,6 @@ constexpr std::size_t kBestViews = (PlaceSearch::kMostPlaces + 1) * 2 * kSamePla
 /// 1 - cosine of the angle that so many differing bits stand for.
 float distanceOfBits(int bits) {
   return static_cast<float>(1 - std::cos(std::numbers::pi * bits / kCodeBits));
-}
-
-float standardised(float distance, double mean, double deviation) {
-  const auto z = static_cast<float>((distance - mean) / deviation);
-  return std::max(z, -kLargestEvidence);
 }
 
 /// The least of the values, 0 at most.
@@ -113,13 +102,12 @@ void PlaceSearch::compareAll(const ViewQuery& query) {
   Sums sums = sumsOf(
       in_full.first(static_cast<std::size_t>(std::max<std::int64_t>(compared - by_code, 0))));
   if (by_code > 0) sums.add(sumsOfBits(std::min(compared, by_code)));
-  const double deviation = sums.deviationWithPrior(kPriorViews, kPriorDeviation);
-  for (float& distance : in_full) distance = standardised(distance, sums.mean(), deviation);
+  const UsualDistance usual(sums);
+  for (float& distance : in_full) distance = usual.standardised(distance);
   if (by_code == 0) return;
   std::array<float, kCodeBits + 1> z_of_bits;
   for (int b = 0; b <= kCodeBits; ++b) {
-    z_of_bits[static_cast<std::size_t>(b)] =
-        standardised(distanceOfBits(b), sums.mean(), deviation);
+    z_of_bits[static_cast<std::size_t>(b)] = usual.standardised(distanceOfBits(b));
   }
   lookUp(z_of_bits.data(), bits_.data(), distances_.data(), by_code);
 }
@@ -168,9 +156,7 @@ std::vector<float> PlaceSearch::distancesOf(const ViewQuery& query,
 void PlaceSearch::refineBest(const ViewQuery& query) {
   std::vector<std::int64_t> sample;
   for (std::int64_t k = 0; k < kSample; ++k) sample.push_back(k * candidates_ / kSample);
-  const std::vector<float> usual = distancesOf(query, sample);
-  const Sums sums = sumsOf(usual);
-  const double deviation = sums.deviationWithPrior(kPriorViews, kPriorDeviation);
+  const UsualDistance usual(sumsOf(distancesOf(query, sample)));
   // The others keep their order: the best views after the correction are among these.
   best_ = bestViews(kBestViews + kShortList);
   std::vector<std::int64_t> corrected = best_;
@@ -179,7 +165,7 @@ void PlaceSearch::refineBest(const ViewQuery& query) {
   const std::vector<float> distances = distancesOf(query, corrected);
   for (std::size_t i = 0; i < corrected.size(); ++i) {
     const float by_code = distances_[static_cast<std::size_t>(corrected[i])];
-    evidence_.correct(corrected[i], standardised(distances[i], sums.mean(), deviation) - by_code);
+    evidence_.correct(corrected[i], usual.standardised(distances[i]) - by_code);
   }
   std::erase_if(best_, [&](std::int64_t view) { return evidenceOf(view) >= 0; });
   std::ranges::sort(best_, {},

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "bytes.hpp"
 #include "jpeg_decoder.hpp"
 #include "png_chunks.hpp"
 #include "png_decoder.hpp"
@@ -30,10 +31,6 @@ Status unread(int error) {
   return Status::failed("cannot be read (" + std::generic_category().message(error) + "); " +
                         (descriptors ? "allow more open files (`ulimit -n`)"
                                      : "check its permissions, the disk and the memory"));
-}
-
-std::string_view asText(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {

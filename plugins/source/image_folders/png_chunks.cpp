@@ -3,22 +3,14 @@
 
 #include <algorithm>
 
+#include "bytes.hpp"
+
 namespace tolman::image_folders {
 namespace {
 
 constexpr std::size_t kAroundData = 12;  // length, name and CRC
 
-std::string_view asText(std::span<const std::uint8_t> bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
-
 }  // namespace
-
-std::int64_t bigEndian(std::span<const std::uint8_t> bytes, std::size_t at, std::size_t count) {
-  std::int64_t value = 0;
-  for (const std::uint8_t byte : bytes.subspan(at, count)) value = value * 256 + byte;
-  return value;
-}
 
 bool isPng(std::span<const std::uint8_t> bytes) {
   using namespace std::string_view_literals;

@@ -9,9 +9,6 @@
 
 namespace tolman::image_folders {
 
-/// Big-endian number of `count` bytes at `at`; the caller has checked that they exist.
-std::int64_t bigEndian(std::span<const std::uint8_t> bytes, std::size_t at, std::size_t count);
-
 bool isPng(std::span<const std::uint8_t> bytes);
 
 /// A whole chunk, within the file.

@@ -9,6 +9,7 @@
 #include <new>
 #include <opencv2/imgcodecs.hpp>
 
+#include "bytes.hpp"
 #include "png_chunks.hpp"
 #include "png_filters.hpp"
 #include "tolman/image_cv.hpp"

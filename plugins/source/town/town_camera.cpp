@@ -22,17 +22,20 @@ TownCamera::TownCamera(const TownParameters& parameters, const CameraRig& believ
              hash(static_cast<std::uint32_t>(parameters.camera_seed),
                   static_cast<std::uint32_t>(index), 502)) {}
 
+Eigen::Isometry3d TownCamera::poseAt(const Moment& moment, double part) const {
+  return moment.T_town_left(part) * truth_.T_left_camera;
+}
+
 RenderCamera TownCamera::viewAt(const Moment& moment, double part) const {
-  const auto poseAt = [&](double at) { return moment.T_town_left(at) * truth_.T_left_camera; };
   RenderCamera view;
-  view.T_town_camera = poseAt(part);
+  view.T_town_camera = poseAt(moment, part);
   view.pinhole = truth_.pinhole;
   view.width = width_;
   view.height = height_;
   view.warp = &truth_.warp;
   const double readout = parameters_.readout_time_ms * 1e-3 / moment.interval_s;
   for (int row = 0; readout > 0 && row < height_; ++row) {
-    view.T_town_rows.push_back(poseAt(part + readout * ((row + 0.5) / height_ - 0.5)));
+    view.T_town_rows.push_back(poseAt(moment, part + readout * ((row + 0.5) / height_ - 0.5)));
   }
   return view;
 }
@@ -51,12 +54,9 @@ std::vector<float>& TownCamera::openShutter(Renderer& renderer, const Moment& mo
   }
   if (time_ms <= 0) return shots > 1 ? blurred_ : rendered_.radiance;
   const double half = 0.5 * time_ms * 1e-3 / moment.interval_s;
-  const auto cameraAt = [&](double part) {
-    return moment.T_town_left(part) * truth_.T_left_camera;
-  };
   RenderCamera view = viewAt(moment, 0);
   blurred_ = shutterBlur(view, shots > 1 ? blurred_ : rendered_.radiance, rendered_.depth,
-                         cameraAt(half).inverse() * cameraAt(-half));
+                         poseAt(moment, half).inverse() * poseAt(moment, -half));
   return blurred_;
 }
 

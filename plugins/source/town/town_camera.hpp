@@ -38,6 +38,8 @@ class TownCamera {
   const RenderedImage& rendered() const { return rendered_; }
 
  private:
+  /// T_town_camera; parts as in Moment.
+  Eigen::Isometry3d poseAt(const Moment& moment, double part) const;
   RenderCamera viewAt(const Moment& moment, double part) const;
   /// Radiance over the time that the shutter is open.
   std::vector<float>& openShutter(Renderer& renderer, const Moment& moment, double time_ms);

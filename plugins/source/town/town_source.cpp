@@ -16,13 +16,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr std::array<std::string_view, 4> kBuiltIn = {"block", "eights", "district", "highway"};
-
 Result<CameraRoute> findRoute(const TownParameters& p) {
   const RouteOptions options = {p.rate, p.speed, p.camera_height};
-  const bool named = std::find(kBuiltIn.begin(), kBuiltIn.end(), p.route) != kBuiltIn.end();
   const bool is_file = p.route.find_first_of("/.") != std::string::npos;
-  return !named && is_file ? readRoute(p.route, options) : builtInRoute(p.route, options);
+  return is_file ? readRoute(p.route, options) : builtInRoute(p.route, options);
 }
 
 }  // namespace
