@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "host/values.hpp"
+
 namespace tolman::host {
 
 Refusal nullInstance(const Manifest& manifest) {
@@ -73,6 +75,15 @@ Status Instance::describe(std::vector<ArrayInfo>& arrays) {
     const Status status = object_.descriptions->describe(arrays);
     if (!status.isOk() || arrays.size() < before) return status;
     return checkDescriptions(std::span(arrays).subspan(before));
+  });
+}
+
+Status Instance::rawRig(RawRig& rig) {
+  rig = {};
+  if (object_.raw_rig == nullptr) return Status::ok();
+  return guarded({name_, manifest_.id, "rawRig", -1}, [&] {
+    const Status status = object_.raw_rig->rawRig(rig);
+    return status.isOk() ? checkValues(rig) : status;
   });
 }
 

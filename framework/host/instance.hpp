@@ -50,6 +50,9 @@ class Instance {
   /// Appends the descriptions of the plugin's arrays (for a source: of Frame::sensors); nothing
   /// when it offers none. After configure().
   Status describe(std::vector<ArrayInfo>& arrays);
+  /// The cameras of a source before rectification; none where it gives rectified images. After
+  /// its info().
+  Status rawRig(RawRig& rig);
   /// Address of the page that an observer serves; Unsupported when it serves none. After begin().
   Result<std::string> url();
   /// Null when the plugin cannot save its state.

@@ -18,6 +18,9 @@ void addExtras(Handlers& handlers, const PluginObject& object) {
   if (object.descriptions != nullptr) {
     handlers[Call::Describe] = handler(*object.descriptions, &ArrayDescriptions::describe);
   }
+  if (object.raw_rig != nullptr) {
+    handlers[Call::RawRig] = handler(*object.raw_rig, &RawRigSource::rawRig);
+  }
   if (object.page != nullptr) {
     handlers[Call::Url] = handler(std::function([page = object.page](std::string& url) {
       url = page->url();

@@ -36,6 +36,7 @@ enum class Call : std::uint32_t {
   FinishObserver,
   Describe,
   Url,
+  RawRig,
 };
 
 /// From the process.

@@ -20,6 +20,7 @@ class RemoteRole : public RoleType,
                    public ArraySource,
                    public ArrayDescriptions,
                    public PageServer,
+                   public RawRigSource,
                    public StateKeeper {
  public:
   explicit RemoteRole(std::shared_ptr<RemotePlugin> remote) : remote_(std::move(remote)) {}
@@ -43,6 +44,7 @@ class RemoteRole : public RoleType,
     if (!status.isOk()) throw std::runtime_error(status.message());
     return url;
   }
+  Status rawRig(RawRig& rig) override { return remote_->call(Call::RawRig, kNone, std::tie(rig)); }
   Status save(std::ostream& stream) const override {
     std::string bytes;
     const Status status = remote_->call(Call::Save, kNone, std::tie(bytes));
@@ -197,6 +199,7 @@ std::unique_ptr<host::Instance> adopt(std::shared_ptr<RemotePlugin> remote,
   if (remote->hasState()) object.state = proxy.get();
   if (manifest.hasExtra("descriptions")) object.descriptions = proxy.get();
   if (manifest.hasExtra("page")) object.page = proxy.get();
+  if (manifest.hasExtra("raw_rig")) object.raw_rig = proxy.get();
   (void)proxy.release();  // owned by the instance
   return std::make_unique<host::Instance>(manifest, name, object, [](Plugin* plugin) {
     const std::unique_ptr<Proxy> owned(static_cast<Proxy*>(plugin));

@@ -127,8 +127,9 @@ void checkDamage() {
 
 TEMPLATE_TEST_CASE("records and other arguments are decoded to what was encoded", "", Frame, Motion,
                    MotionRevision, PlaceObservation, EarlierLoop, Decision, MapUpdate, MapGraph,
-                   CameraRig, SourceInfo, RunInfo, std::vector<Finding>, std::vector<NamedArray>,
-                   std::vector<MotionRevision>, LoadMessage, host::Refusal) {
+                   CameraRig, RawRig, SourceInfo, RunInfo, std::vector<Finding>,
+                   std::vector<NamedArray>, std::vector<MotionRevision>, LoadMessage,
+                   host::Refusal) {
   checkRoundTrip<TestType>();
 }
 

@@ -94,6 +94,22 @@ TEST_CASE("descriptions of arrays and the address of a page come from the proces
   CHECK(none.empty());
 }
 
+TEST_CASE("the cameras of an unrectified source come from the process, finite ones only") {
+  Isolated<host::SourceStage> isolated("raw_pair", "raw_pair");
+  SourceInfo info;
+  REQUIRE(isolated.stage->info(info).isOk());
+  RawRig rig;
+  REQUIRE(isolated.stage->instance().rawRig(rig).isOk());
+  REQUIRE(rig.cameras.size() == 2);
+  CHECK(rig.cameras[1].model == LensModel::RadialTangential);
+  CHECK(rig.cameras[1].pinhole.fy == 41);
+  CHECK(rig.cameras[1].distortion[0] == -0.1);
+  CHECK(rig.cameras[1].T_reference_camera.translation().x() == 0.25);
+  Isolated<host::OdometryStage> steady("steady", "steady");
+  CHECK(steady.stage->instance().rawRig(rig).isOk());
+  CHECK(rig.cameras.empty());
+}
+
 TEST_CASE("schema and answers come from the process as they would in the host") {
   Isolated<host::OdometryStage> isolated("steady", "steady");
   REQUIRE(isolated.remote->schema().size() == 1);

@@ -19,10 +19,11 @@ class Quiet : public Cells, public ArraySource {
 };
 
 /// With all extras but saved state.
-class Described : public Quiet, public ArrayDescriptions, public PageServer {
+class Described : public Quiet, public ArrayDescriptions, public PageServer, public RawRigSource {
  public:
   Status describe(std::vector<ArrayInfo>&) const override { return Status::ok(); }
   std::string url() const override { return ""; }
+  Status rawRig(RawRig&) override { return Status::ok(); }
 };
 
 }  // namespace
@@ -56,10 +57,11 @@ TEST_CASE("the manifest names the extras that a class implements") {
     return nlohmann::json::parse(text)["extras"].get<std::string>();
   };
   CHECK(extras(tolman_manifest_quiet.data()) == "arrays");
-  CHECK(extras(tolman_manifest_described.data()) == "arrays,descriptions,page");
+  CHECK(extras(tolman_manifest_described.data()) == "arrays,descriptions,page,raw_rig");
   const PluginObject object = tolman_plugin_described()->create();
   CHECK(object.descriptions != nullptr);
   CHECK(object.page != nullptr);
+  CHECK(object.raw_rig != nullptr);
   tolman_plugin_described()->destroy(object.plugin);
 }
 

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Camera models: a pinhole, and the rectified stereo (or single) rig of a run.
+// Camera models: a pinhole, the rectified stereo (or single) rig of a run, and cameras with the
+// distortion of their lenses, which the host rectifies.
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "tolman/fields.hpp"
 
@@ -30,7 +37,7 @@ struct Pinhole {
 ///
 /// With two cameras the pair is rectified: same image size and pinhole, rows aligned, and the right
 /// camera sits at (+baseline, 0, 0) of the left one, so that disparity = u_left - u_right
-/// = fx * baseline / z >= 0. A source with other data must rectify them or refuse.
+/// = fx * baseline / z >= 0. A source with other data has the extra RawRigSource, or refuses them.
 struct CameraRig {
   static constexpr const char* kRecord = "camera";
   int width = 0;            ///< px; 0 when the source has no images (a motion log)
@@ -51,6 +58,68 @@ struct CameraRig {
     TOLMAN_FIELD(pinhole.cx, "px", "principal point, horizontal");
     TOLMAN_FIELD(pinhole.cy, "px", "principal point, vertical");
     TOLMAN_FIELD(baseline, "m", "distance of the right camera; 0 for a single one");
+  }
+};
+
+/// How a lens maps a point (x, y, z) of the camera frame to the pixel (fx a + cx, fy b + cy).
+enum class LensModel : std::uint8_t {
+  Pinhole,  ///< (a, b) = (x/z, y/z)
+  /// (a, b) is (x/z, y/z) moved along and across its radius, with the coefficients k1 k2 p1 p2 k3
+  /// k4 k5 k6 in OpenCV's order (plumb_bob: the first 5; rational: all 8).
+  RadialTangential,
+  /// Fisheye (Kannala and Brandt): a radius of t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), where t
+  /// is the angle to the optical axis, rad.
+  Equidistant,
+  /// Unified omnidirectional (Mei): RadialTangential of (x, y) / (z + xi |(x, y, z)|).
+  Omnidirectional,
+};
+inline constexpr std::array<std::string_view, 4> kLensModelNames = {
+    "pinhole", "radial_tangential", "equidistant", "omnidirectional"};
+constexpr std::span<const std::string_view> enumNames(LensModel) { return kLensModelNames; }
+
+/// A camera as it is, before rectification.
+struct RawCamera {
+  static constexpr const char* kRecord = "raw_camera";
+  LensModel model = LensModel::Pinhole;
+  int width = 0;   ///< px
+  int height = 0;  ///< px
+  Pinhole pinhole;
+  /// Coefficients of the model; those that it does not have are 0.
+  Eigen::Matrix<double, 8, 1> distortion = Eigen::Matrix<double, 8, 1>::Zero();
+  double xi = 0;  ///< Omnidirectional: mirror parameter
+  /// The reference is any frame that the cameras of a rig share: a body, or the first camera.
+  Eigen::Isometry3d T_reference_camera = Eigen::Isometry3d::Identity();
+  /// Rotation to the rectified camera; used where RawRig::has_rectified is set.
+  Eigen::Matrix3d R_rectified_camera = Eigen::Matrix3d::Identity();
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(model, "", "how the lens maps rays to pixels");
+    TOLMAN_FIELD(width, "px", "image width");
+    TOLMAN_FIELD(height, "px", "image height");
+    TOLMAN_FIELD(pinhole.fx, "px", "focal length, horizontal");
+    TOLMAN_FIELD(pinhole.fy, "px", "focal length, vertical");
+    TOLMAN_FIELD(pinhole.cx, "px", "principal point, horizontal");
+    TOLMAN_FIELD(pinhole.cy, "px", "principal point, vertical");
+    TOLMAN_FIELD(distortion, "", "coefficients of the model");
+    TOLMAN_FIELD(xi, "", "mirror parameter of the omnidirectional model");
+    TOLMAN_FIELD(T_reference_camera, "m", "pose in the frame that the cameras share");
+    TOLMAN_FIELD(R_rectified_camera, "", "rotation to the rectified camera, where it is given");
+  }
+};
+
+/// The cameras of a source whose images are not rectified: the left (or only) one, then the right.
+struct RawRig {
+  static constexpr const char* kRecord = "raw_rig";
+  std::vector<RawCamera> cameras;  ///< none: the images are rectified already
+  bool has_rectified = false;      ///< the calibration prescribes `rectified` and the rotations
+  CameraRig rectified;
+
+  template <class Self, class Visit>
+  static void fields(Self& self, Visit&& visit) {
+    TOLMAN_FIELD(cameras, "", "left (or only) camera, right camera");
+    TOLMAN_FIELD(has_rectified, "", "whether the calibration prescribes the rectified cameras");
+    TOLMAN_FIELD(rectified, "", "the rectified cameras, where they are prescribed");
   }
 };
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tolman/camera.hpp"
 #include "tolman/fields.hpp"
 #include "tolman/status.hpp"
 
@@ -30,6 +31,15 @@ class ArrayDescriptions {
  public:
   virtual ~ArrayDescriptions() noexcept(false) {}
   virtual Status describe(std::vector<ArrayInfo>& arrays) const = 0;
+};
+
+/// A source whose images are as the cameras took them. The host rectifies them: stages get the
+/// rectified images and cameras. Called once, after info(), whose rig then has the size of the raw
+/// images and is not calibrated. Frames come with as many images as there are cameras.
+class RawRigSource {
+ public:
+  virtual ~RawRigSource() noexcept(false) {}
+  virtual Status rawRig(RawRig& rig) = 0;
 };
 
 /// An observer that serves a page over HTTP. `tolman run --view` and `tolman view` load the

@@ -33,6 +33,7 @@ struct PluginObject {
   // Since SDK 0.2; a plugin built for 0.1 leaves the memory behind `state` untouched.
   ArrayDescriptions* descriptions = nullptr;
   PageServer* page = nullptr;
+  RawRigSource* raw_rig = nullptr;
 };
 
 /// What the entry function returns: a constant with static storage.
@@ -71,6 +72,7 @@ PluginObject createPlugin() {
   if constexpr (std::derived_from<C, StateKeeper>) object.state = instance.get();
   if constexpr (std::derived_from<C, ArrayDescriptions>) object.descriptions = instance.get();
   if constexpr (std::derived_from<C, PageServer>) object.page = instance.get();
+  if constexpr (std::derived_from<C, RawRigSource>) object.raw_rig = instance.get();
   object.plugin = instance.release();
   return object;
 }
@@ -128,7 +130,8 @@ consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_v
   manifest.flags("extras", {{"arrays", std::derived_from<C, ArraySource>},
                             {"state", std::derived_from<C, StateKeeper>},
                             {"descriptions", std::derived_from<C, ArrayDescriptions>},
-                            {"page", std::derived_from<C, PageServer>}});
+                            {"page", std::derived_from<C, PageServer>},
+                            {"raw_rig", std::derived_from<C, RawRigSource>}});
   manifest.member("summary", summary);
   manifest.append("}");
   return manifest.text;
