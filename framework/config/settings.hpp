@@ -122,6 +122,8 @@ struct EvaluationSettings {
 struct RecordSettings {
   int arrays_every = 1;     ///< frames
   double state_every = 30;  ///< s
+  bool replay = false;
+  bool report = true;
   static constexpr auto declaration() {
     using S = RecordSettings;
     return parameters(parameter("arrays_every", &S::arrays_every)
@@ -132,7 +134,13 @@ struct RecordSettings {
                           .range(0, 1e6)
                           .unit("s")
                           .doc("Time between checkpoints, from which a killed run can be resumed "
-                               "or continued; 0: none."));
+                               "or continued; 0: none."),
+                      parameter("replay", &S::replay)
+                          .doc("Whether the answers of source, odometry and place are recorded bit "
+                               "for bit (answers.bin), so that cells and map can be run on them."),
+                      parameter("report", &S::report)
+                          .doc("Whether the run ends with report.html and its figures; `tolman "
+                               "report` writes them later."));
   }
 };
 

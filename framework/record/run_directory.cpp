@@ -136,9 +136,9 @@ Status RunDirectory::clear(bool replace) const {
     return Status::failed(path_.string() +
                           ": holds a run; choose another --out, or give --force to replace it");
   }
-  for (const char* file :
-       {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm", "run.sqlite-journal", "run.json",
-        "config.resolved.yaml", "metrics.json", "log.txt", "report.html", "results.sha256"}) {
+  for (const char* file : {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm", "run.sqlite-journal",
+                           "run.json", "config.resolved.yaml", "metrics.json", "log.txt",
+                           "report.html", "results.sha256", "answers.bin"}) {
     fs::remove(path_ / file);
   }
   for (const std::string_view file : kExportedFiles) fs::remove(path_ / file);

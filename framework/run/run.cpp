@@ -138,6 +138,10 @@ void Run::reopenRecord(nlohmann::ordered_json before) {
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
   recorder_ =
       require(record::Recorder::reopen(directory_->path(), next_frame), FailureKind::Record);
+  if (config().record.replay) {
+    answers_ = require(record::AnswersFile::reopen(directory_->path(), next_frame),
+                       FailureKind::Continuation);
+  }
   MapGraph graph;
   require(assembly_->map().graph(graph), FailureKind::Stage);
   require(recorder_->graph(graph), FailureKind::Record);
@@ -184,12 +188,22 @@ void Run::openRecord() {
   recorder_ = require(record::Recorder::open(directory_->path()), FailureKind::Record);
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
+  if (config().record.replay) openAnswers();
+}
+
+void Run::openAnswers() {
+  std::vector<ArrayInfo> sensors;
+  require(assembly_->source().instance().describe(sensors), FailureKind::Plugin);
+  answers_ =
+      require(record::AnswersFile::create(directory_->path(), assembly_->sourceInfo(), sensors),
+              FailureKind::Record);
 }
 
 void Run::drive(Outcome& outcome) {
   const std::int64_t begin_ns = clock_.steadyNs();
   RunListener listener(*recorder_, *assembly_, *directory_, log_, clock_);
   pipeline::Chain chain(assembly_->stages(), assembly_->policies(), listener);
+  if (answers_) listener.recordAnswers(*answers_);
   if (resume_) {
     chain.resume(*resume_);
     listener.startAfter(resume_->checkpoint.frame);
@@ -268,7 +282,7 @@ void Run::conclude(Outcome& outcome) {
                                   ": was removed while the run was going"));
   }
   writeRunFile(outcome);
-  if (!results.isOk()) return;
+  if (!results.isOk() || !config().record.report) return;
   const Status reported = writeReport(*results.value().reader, std::move(results.value().data));
   if (reported.isOk()) return;
   check(outcome, reported);

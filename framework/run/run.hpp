@@ -14,6 +14,7 @@
 
 #include "evaluation/metrics.hpp"
 #include "pipeline/drive.hpp"
+#include "record/answers_file.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
@@ -68,6 +69,7 @@ class Run {
   void openDirectory();
   void openRecord();
   void recordSessions();
+  void openAnswers();
 
   void drive(Outcome& outcome);
   WatchdogSettings watchdogSettings(RunListener& listener);
@@ -90,6 +92,7 @@ class Run {
   std::unique_ptr<record::RunDirectory> directory_;
   nlohmann::ordered_json run_file_;  ///< contents of run.json
   std::unique_ptr<record::Recorder> recorder_;
+  std::optional<record::AnswersFile> answers_;  ///< with record.replay
 };
 
 }  // namespace tolman::run

@@ -52,6 +52,9 @@ Status RunListener::record(const Snapshot& snapshot) {
   if (every == 0 || frame % every != 0) recorded.cells = nullptr;
   Status status = recorder_.snapshot(recorded);
   if (status.isOk()) last_recorded_ = frame;
+  if (status.isOk() && answers_ != nullptr) {
+    status = answers_->add(*snapshot.frame, *snapshot.motion, *snapshot.place);
+  }
   for (std::size_t role = 0; role < times.size() && status.isOk(); ++role) {
     if (times[role] > 0) status = recorder_.timing(frame, kRoleNames[role], times[role]);
   }
@@ -96,6 +99,7 @@ Status RunListener::onCheckpoint(const pipeline::Checkpoint& checkpoint) {
   if (settings_.state_every == 0 || !record_status_.isOk()) return record_status_;
   record_status_ = directory_.stillInPlace();
   if (record_status_.isOk()) record_status_ = recorder_.sync();
+  if (record_status_.isOk() && answers_ != nullptr) record_status_ = answers_->flush();
   if (record_status_.isOk()) {
     record_status_ = saveCheckpoint(assembly_, directory_.path(), checkpoint);
   }
@@ -116,6 +120,7 @@ Status RunListener::onFinish(const std::vector<MotionRevision>& revisions, const
   if (!record_status_.isOk()) return record_status_;
   record_status_ = recorder_.revisions(revisions);
   if (record_status_.isOk()) record_status_ = recorder_.graph(graph);
+  if (record_status_.isOk() && answers_ != nullptr) record_status_ = answers_->finish(revisions);
   if (!record_status_.isOk()) return record_status_;
   return callObservers(-1, [&](host::ObserverStage& o) { return o.finish(graph); });
 }

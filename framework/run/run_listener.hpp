@@ -8,6 +8,7 @@
 
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/listener.hpp"
+#include "record/answers_file.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "run/assembly.hpp"
@@ -29,6 +30,8 @@ class RunListener : public pipeline::Listener {
   Status onTrajectory(const std::vector<pipeline::FramePose>& poses) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
+  /// The answers of the front end go there, too; it must outlive this object.
+  void recordAnswers(record::AnswersFile& answers) { answers_ = &answers; }
   /// For a run that goes on: the last frame that is recorded already.
   void startAfter(std::int64_t frame) { last_recorded_ = frame; }
   /// One more than the last frame that was recorded.
@@ -46,6 +49,7 @@ class RunListener : public pipeline::Listener {
   Status callObservers(std::int64_t frame, Call&& call);
 
   record::Recorder& recorder_;
+  record::AnswersFile* answers_ = nullptr;
   Assembly& assembly_;
   std::vector<Assembly::Observer>& observers_;
   const record::RunDirectory& directory_;

@@ -18,6 +18,7 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   if (id == "kitti") return {"--set", path(sequence)};
   if (id == "images") return {"--set", path(sequence / "image_0")};
   if (id == "motion_log") return {"--set", path(sequence)};
+  if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
   if (id == "town") {
     return {"--set", "scale=0.2", "--set", "width=600", "--set", "height=200", "--set", "last=20"};
   }
@@ -45,10 +46,24 @@ void writeMotionLog(const fs::path& folder) {
   std::ofstream(folder / "loop_candidates.g2o") << "EDGE_SE2 24 0 0 0 0 1 0 0 1 0 1\n";
 }
 
+/// A run on that drive, for record.
+void recordRun(const fs::path& folder) {
+  const fs::path config = folder / "recorded.yaml";
+  std::ofstream(config) << "source: {plugin: motion_log, path: sequence}\n"
+                           "odometry: {plugin: motion_replay}\nplace: {plugin: place_replay}\n"
+                           "cells: {plugin: pose_cells}\nmap: {plugin: relaxation}\n"
+                           "record: {replay: true, report: false}\n";
+  const Finished finished = tolman::test::tolman(
+      {"run", config.string(), "--quiet", "--out", (folder / "recorded").string()});
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+}
+
 TEST_CASE("our own plugins conform at level 3") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 12);
   writeMotionLog(folder.path() / "sequence");
+  recordRun(folder.path());
   int plugins = 0;
   const nlohmann::json listed =
       nlohmann::json::parse(tolman::test::tolman({"plugins", "list", "--json"}).out);

@@ -11,6 +11,13 @@ Status MotionReplay::configure(const Context& context) {
   if (!bound.isOk()) return bound.status();
   parameters_ = bound.value();
   seed_ = context.seed;
+  if (!parameters_.record.empty()) {
+    if (parameters_.lost > 0 || parameters_.carried_at >= 0) {
+      return Status::invalidParameter(
+          "lost and carried_at need the motion of the source; leave them out with record");
+    }
+    if (Status opened = reader_.open(parameters_.record); !opened.isOk()) return opened;
+  }
   return reset();
 }
 
@@ -18,19 +25,50 @@ Status MotionReplay::reset() {
   random_ = RandomStream(seed_);
   last_step_ = {};
   last_stamp_ns_ = 0;
+  reader_.rewind();
+  disturbances_.clear();
   return Status::ok();
 }
 
-PlanarPose MotionReplay::disturbed(const PlanarPose& step) {
+MotionReplay::Disturbance MotionReplay::draw(double distance) {
   const Parameters& p = parameters_;
-  const double distance = std::hypot(step.x, step.y);
   const double stretch = 1 + p.bias_distance + p.noise_distance * random_.normal();
   const double turn =
       p.bias_heading * distance + p.noise_heading * std::sqrt(distance) * random_.normal();
-  return {step.x * stretch, step.y * stretch, wrapAngle(step.theta + turn)};
+  return {stretch, turn};
+}
+
+/// The recorded motion; without noise and bias not a bit of it changes.
+Status MotionReplay::replay(const Frame& frame, Motion& motion) {
+  Status status = reader_.read(frame.frame, motion);
+  if (!status.isOk()) return status;
+  const Parameters& p = parameters_;
+  if (p.noise_distance == 0 && p.noise_heading == 0 && p.bias_distance == 0 &&
+      p.bias_heading == 0) {
+    return status;
+  }
+  disturbances_.resize(static_cast<std::size_t>(frame.frame) + 1);
+  if (motion.state != TrackingState::Initialising) {
+    disturbances_.back() = draw(motion.T_previous_current.translation().norm());
+    disturb(frame.frame, motion.T_previous_current);
+    setPlanarVelocity(motion, motion.dt);
+  }
+  for (MotionRevision& revision : motion.revisions) {
+    disturb(revision.frame, revision.T_previous_current);
+  }
+  return status;
+}
+
+/// A revision of a motion is as wrong as the motion was.
+void MotionReplay::disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_current) const {
+  if (frame < 0 || frame >= static_cast<std::int64_t>(disturbances_.size())) return;
+  const Disturbance& wrong = disturbances_[static_cast<std::size_t>(frame)];
+  T_previous_current.translation() *= wrong.stretch;
+  T_previous_current.linear() *= fromPlanar({0, 0, wrong.turn}).linear();
 }
 
 Status MotionReplay::track(const Frame& frame, Motion& motion) {
+  if (!parameters_.record.empty()) return replay(frame, motion);
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
   const auto recorded =
@@ -41,8 +79,11 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
         "this source measures no motion.planar; use the source motion_log, or another odometry");
   }
   const std::vector<float>& v = recorded->values;
-  const PlanarPose step =
-      disturbed({static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])});
+  const PlanarPose recorded_step = {static_cast<double>(v[0]), static_cast<double>(v[1]),
+                                    static_cast<double>(v[2])};
+  const Disturbance wrong = draw(std::hypot(recorded_step.x, recorded_step.y));
+  const PlanarPose step = {recorded_step.x * wrong.stretch, recorded_step.y * wrong.stretch,
+                           wrapAngle(recorded_step.theta + wrong.turn)};
   const bool lost = random_.uniform() < parameters_.lost;
   const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
   last_stamp_ns_ = frame.stamp_ns;
@@ -61,6 +102,11 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   return Status::ok();
 }
 
-Status MotionReplay::finish(std::vector<MotionRevision>&) { return Status::ok(); }
+Status MotionReplay::finish(std::vector<MotionRevision>& revisions) {
+  if (parameters_.record.empty()) return Status::ok();
+  Status status = reader_.read(revisions);
+  for (MotionRevision& revision : revisions) disturb(revision.frame, revision.T_previous_current);
+  return status;
+}
 
 }  // namespace tolman::motion_replay

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Odometry `motion_replay`: the planar motion that the source recorded (sensor motion.planar: x, y
-// in m, theta in rad), with optional noise, bias and losses.
+// in m, theta in rad), or the motion of a recorded run, with optional noise, bias and losses.
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
+#include "answers_reader.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::motion_replay {
 
 struct MotionReplayParameters {
+  std::string record;
   double sigma_distance = 0.02;
   double sigma_heading = 0.002;
   double noise_distance = 0;
@@ -22,6 +26,10 @@ struct MotionReplayParameters {
   static constexpr auto declaration() {
     using P = MotionReplayParameters;
     return parameters(
+        parameter("record", &P::record)
+            .path()
+            .doc("Run directory, of a run with `record.replay: true`, whose motions are replayed "
+                 "with their own covariances; empty: those of the source."),
         parameter("sigma_distance", &P::sigma_distance)
             .range(1e-6, 10)
             .doc("Reported standard deviation of a step's length, relative to it."),
@@ -64,13 +72,22 @@ class MotionReplay final : public Odometry {
   Status finish(std::vector<MotionRevision>& revisions) override;
 
  private:
-  PlanarPose disturbed(const PlanarPose& step);
+  /// What noise and bias do to one motion: its length is multiplied, a turn (rad) added.
+  struct Disturbance {
+    double stretch = 1;
+    double turn = 0;
+  };
+  Disturbance draw(double distance);
+  Status replay(const Frame& frame, Motion& motion);
+  void disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_current) const;
 
   Parameters parameters_;
   std::uint64_t seed_ = 0;
   RandomStream random_{0};
   PlanarPose last_step_;
   std::int64_t last_stamp_ns_ = 0;
+  answers_file::AnswersReader reader_;     ///< of `record`
+  std::vector<Disturbance> disturbances_;  ///< of the replayed frames; empty without any
 };
 
 }  // namespace tolman::motion_replay

@@ -38,6 +38,13 @@ Status PlaceReplay::configure(const Context& context) {
   parameters_ = bound.value();
   seed_ = context.seed;
   log_ = &context.log;
+  if (!parameters_.record.empty()) {
+    if (parameters_.kept < 1 || parameters_.invented > 0) {
+      return Status::invalidParameter(
+          "kept and invented need the candidates of the source; leave them out with record");
+    }
+    if (Status opened = reader_.open(parameters_.record); !opened.isOk()) return opened;
+  }
   return reset();
 }
 
@@ -146,6 +153,7 @@ bool PlaceReplay::reportFalseMatch(const Frame& frame, PlaceObservation& observa
 
 Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
                             PlaceObservation& observation) {
+  if (!parameters_.record.empty()) return reader_.read(frame.frame, observation);
   observation.frame = frame.frame;
   observation.stamp_ns = frame.stamp_ns;
   removeViewsOfOtherDrive(frame);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Place `place_replay`: turns recorded loop candidates (sensor place.candidate) into template
-// observations; poses in m and rad.
+// observations, or repeats those of a recorded run; poses in m and rad.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 
+#include "answers_reader.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/roles.hpp"
 #include "tolman/state_stream.hpp"
@@ -14,6 +16,7 @@
 namespace tolman::place_replay {
 
 struct PlaceReplayParameters {
+  std::string record;
   int view_step = 5;
   bool relative_pose = false;
   double sigma_position = 1.0;
@@ -26,6 +29,11 @@ struct PlaceReplayParameters {
   static constexpr auto declaration() {
     using P = PlaceReplayParameters;
     return parameters(
+        parameter("record", &P::record)
+            .path()
+            .doc("Run directory, of a run with `record.replay: true`, whose observations are "
+                 "repeated; the other parameters then have no effect. Empty: the candidates of the "
+                 "source."),
         parameter("view_step", &P::view_step)
             .range(1, 1000)
             .unit("frames")
@@ -102,6 +110,7 @@ class PlaceReplay final : public Place, public StateKeeper {
   Parameters parameters_;
   std::uint64_t seed_ = 0;
   Logger* log_ = nullptr;
+  answers_file::AnswersReader reader_;  ///< of `record`
   RandomStream random_{0};
   std::map<std::int64_t, ReplayedView> views_;  ///< by source index
   std::int64_t templates_ = 0;

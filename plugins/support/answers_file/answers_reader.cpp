@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "answers_reader.hpp"
+
+#include <array>
+#include <filesystem>
+#include <utility>
+
+#include "answers_decoder.hpp"
+
+namespace tolman::answers_file {
+namespace {
+
+constexpr std::string_view kMagic = "TLMANSW1";
+constexpr std::int64_t kStart = -1;
+constexpr std::int64_t kEnd = -2;
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32U;  // of one block
+
+std::uint64_t checksum(std::string_view payload) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : payload) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return hash;
+}
+
+std::string expectedNames() {
+  return fieldNames<SourceInfo>() + fieldNames<ArrayInfo>() + fieldNames<Frame>() +
+         fieldNames<Motion>() + fieldNames<PlaceObservation>();
+}
+
+}  // namespace
+
+Status AnswersReader::damaged(const std::string& what) const {
+  return Status::invalidInput(file_ + ": " + what);
+}
+
+Status AnswersReader::open(const std::string& run) {
+  file_ = (std::filesystem::path(run) / "answers.bin").string();
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file_, ignored)) {
+    return damaged("is not there; record the run with `record.replay: true`");
+  }
+  const auto bytes = static_cast<std::streamoff>(std::filesystem::file_size(file_, ignored));
+  stream_.open(file_, std::ios::binary);
+  std::array<char, 8> magic{};
+  stream_.read(magic.data(), magic.size());
+  if (std::string_view(magic.data(), magic.size()) != kMagic) return damaged("is no such file");
+  blocks_.clear();
+  Block start;
+  for (Block block; end_.tag != kEnd;) {
+    std::array<std::uint64_t, 3> words{};
+    stream_.read(reinterpret_cast<char*>(words.data()), sizeof words);
+    block = {static_cast<std::int64_t>(words[0]), words[1], words[2], stream_.tellg()};
+    if (!stream_ || block.size > kMostBytes ||
+        block.start + static_cast<std::streamoff>(block.size) > bytes) {
+      return damaged("the run has not ended; `tolman run --resume` goes on with it");
+    }
+    stream_.seekg(static_cast<std::streamoff>(block.size), std::ios::cur);
+    if (block.tag == kStart) {
+      start = block;
+    } else if (block.tag == kEnd) {
+      end_ = block;
+    } else if (block.tag == frames()) {
+      blocks_.push_back(block);
+    } else {
+      return damaged("frame " + std::to_string(frames()) +
+                     " is missing; a run that dropped frames or continued a map has no replay");
+    }
+  }
+  return readStart(start);
+}
+
+Status AnswersReader::readStart(const Block& block) {
+  Status status = readPayload(block);
+  if (!status.isOk()) return status;
+  AnswersDecoder texts(payload_);
+  if (texts.text() != expectedNames()) {
+    return damaged("was written by a version with other records; record the run again");
+  }
+  AnswersDecoder source(texts.text());
+  AnswersDecoder sensors(texts.text());
+  source.get(source_);
+  sensors.get(sensors_);
+  source_.frames = frames();
+  return source.complete() && sensors.complete() ? Status::ok() : damaged("is damaged");
+}
+
+void AnswersReader::rewind() {
+  next_motion_ = 0;
+  points_.resize(Eigen::NoChange, 0);
+}
+
+Status AnswersReader::readPayload(const Block& block) {
+  stream_.clear();
+  stream_.seekg(block.start);
+  payload_.resize(block.size);
+  stream_.read(payload_.data(), static_cast<std::streamsize>(payload_.size()));
+  if (!stream_ || checksum(payload_) != block.checksum) return damaged("is damaged");
+  return Status::ok();
+}
+
+Status AnswersReader::readFrame(std::int64_t frame) {
+  if (frame < 0 || frame >= frames()) {
+    return damaged("has no frame " + std::to_string(frame) + "; take source, odometry and place " +
+                   "of one record, in a run that continues no map");
+  }
+  return readPayload(blocks_[static_cast<std::size_t>(frame)]);
+}
+
+Status AnswersReader::read(std::int64_t frame, Frame& answer) {
+  Status status = readFrame(frame);
+  if (!status.isOk()) return status;
+  AnswersDecoder texts(payload_);
+  AnswersDecoder decoder(texts.text());
+  decoder.get(answer);
+  return decoder.complete() ? Status::ok() : damaged("is damaged");
+}
+
+/// Those that were left out are read as well: one of them may have brought the points.
+Status AnswersReader::read(std::int64_t frame, Motion& answer) {
+  for (bool same = false; next_motion_ <= frame; ++next_motion_) {
+    Status status = readFrame(next_motion_);
+    if (!status.isOk()) return status;
+    AnswersDecoder texts(payload_);
+    (void)texts.text();
+    AnswersDecoder decoder(texts.text());
+    decoder.get(same);
+    answer = decoder.next<Motion>();
+    if (!decoder.complete()) return damaged("is damaged");
+    if (answer.points.cols() > 0) points_ = answer.points;
+    if (same) answer.points = points_;
+  }
+  return answer.frame == frame ? Status::ok() : damaged("frames were asked for out of order");
+}
+
+Status AnswersReader::read(std::int64_t frame, PlaceObservation& answer) {
+  Status status = readFrame(frame);
+  if (!status.isOk()) return status;
+  AnswersDecoder texts(payload_);
+  (void)texts.text();
+  (void)texts.text();
+  AnswersDecoder decoder(texts.text());
+  decoder.get(answer);
+  return decoder.complete() ? Status::ok() : damaged("is damaged");
+}
+
+Status AnswersReader::read(std::vector<MotionRevision>& revisions) {
+  Status status = readPayload(end_);
+  if (!status.isOk()) return status;
+  AnswersDecoder texts(payload_);
+  AnswersDecoder decoder(texts.text());
+  decoder.get(revisions);
+  return decoder.complete() && texts.complete() ? Status::ok() : damaged("is damaged");
+}
+
+}  // namespace tolman::answers_file

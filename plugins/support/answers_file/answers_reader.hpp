@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads answers.bin of a run that was made with `record.replay`: what source, odometry and place
+// answered, frame by frame and bit for bit. The host's record/answers_file.hpp has the format.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tolman/roles.hpp"
+
+namespace tolman::answers_file {
+
+class AnswersReader {
+ public:
+  /// `run` is a run directory. Reads the sizes of all blocks: a run that has not ended is refused.
+  Status open(const std::string& run);
+  /// Back to the first frame.
+  void rewind();
+
+  const SourceInfo& source() const { return source_; }
+  const std::vector<ArrayInfo>& sensors() const { return sensors_; }
+  std::int64_t frames() const { return static_cast<std::int64_t>(blocks_.size()); }
+
+  // Frames must be asked for in ascending order, and can be left out.
+  Status read(std::int64_t frame, Frame& answer);
+  Status read(std::int64_t frame, Motion& answer);
+  Status read(std::int64_t frame, PlaceObservation& answer);
+  /// Those after the last frame.
+  Status read(std::vector<MotionRevision>& revisions);
+
+ private:
+  struct Block {
+    std::int64_t tag = 0;
+    std::uint64_t size = 0;
+    std::uint64_t checksum = 0;
+    std::streamoff start = 0;  ///< of the payload in the file
+  };
+  Status readStart(const Block& block);
+  Status readFrame(std::int64_t frame);
+  Status readPayload(const Block& block);
+  Status damaged(const std::string& what) const;
+
+  std::string file_;
+  std::ifstream stream_;
+  SourceInfo source_;
+  std::vector<ArrayInfo> sensors_;
+  std::vector<Block> blocks_;  ///< of the frames
+  Block end_;
+  std::string payload_;
+  // Of the last motion with points; they are written once.
+  std::int64_t next_motion_ = 0;
+  Eigen::Matrix<float, 4, Eigen::Dynamic> points_;
+};
+
+}  // namespace tolman::answers_file
