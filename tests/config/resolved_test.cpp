@@ -47,6 +47,8 @@ evaluation:
   sessions: own
 record:
   arrays_every: 1
+  replay: false
+  report: true
   state_every: 30
 isolation:
   deadline: 60
