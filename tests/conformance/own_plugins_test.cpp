@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every plugin of this tree conforms at the strictest level.
+#include <algorithm>
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "conformance/validation.hpp"
 #include "end_to_end/tiny_kitti.hpp"
@@ -17,6 +20,7 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   const auto path = [](const fs::path& folder) { return "path=" + folder.string(); };
   if (id == "kitti") return {"--set", path(sequence)};
   if (id == "images") return {"--set", path(sequence / "image_0")};
+  if (id == "video") return {"--set", path(sequence / "video.avi")};
   if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
   if (id == "town") {
@@ -59,11 +63,24 @@ void recordRun(const fs::path& folder) {
   REQUIRE(finished.exit_code == 0);
 }
 
+/// The left images as a video.
+void writeVideo(const fs::path& sequence) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(sequence / "image_0")) {
+    files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  cv::VideoWriter writer((sequence / "video.avi").string(), cv::CAP_FFMPEG,
+                         cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, {160, 60});
+  for (const fs::path& file : files) writer.write(cv::imread(file.string()));
+}
+
 TEST_CASE("our own plugins conform at level 3") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 12);
   writeMotionLog(folder.path() / "sequence");
   recordRun(folder.path());
+  writeVideo(folder.path() / "sequence");
   int plugins = 0;
   const nlohmann::json listed =
       nlohmann::json::parse(tolman::test::tolman({"plugins", "list", "--json"}).out);

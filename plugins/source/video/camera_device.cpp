@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_device.hpp"
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "tolman/image_cv.hpp"
+
+namespace tolman::video {
+namespace {
+
+std::string pixels(PictureSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<CameraDevice>> CameraDevice::open(const std::filesystem::path& path,
+                                                         const CameraRequest& request, bool colour,
+                                                         const Clock& clock) {
+  std::unique_ptr<CameraDevice> camera(new CameraDevice(path, colour, clock));
+  const Status status = camera->start(request);
+  if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
+  return camera;
+}
+
+Status CameraDevice::start(const CameraRequest& request) {
+  if (!capture_.open(path_.string(), cv::CAP_V4L2)) {
+    return Status::invalidInput(
+        "is no camera, or another program uses it; close that program (`fuser " + path_.string() +
+        "`), or name another of `ls /dev/video*`");
+  }
+  if (request.size.width > 0) capture_.set(cv::CAP_PROP_FRAME_WIDTH, request.size.width);
+  if (request.size.height > 0) capture_.set(cv::CAP_PROP_FRAME_HEIGHT, request.size.height);
+  if (request.rate > 0) capture_.set(cv::CAP_PROP_FPS, request.rate);
+  size_ = {static_cast<int>(std::lround(capture_.get(cv::CAP_PROP_FRAME_WIDTH))),
+           static_cast<int>(std::lround(capture_.get(cv::CAP_PROP_FRAME_HEIGHT)))};
+  const bool as_asked = (request.size.width == 0 || request.size.width == size_.width) &&
+                        (request.size.height == 0 || request.size.height == size_.height);
+  if (as_asked) return Status::ok();
+  return Status::invalidParameter("the camera gives " + pixels(size_) + " instead of " +
+                                  pixels(request.size) +
+                                  "; set width and height to a size that it has");
+}
+
+std::string CameraDevice::description() const {
+  return "camera " + path_.string() + ", " + pixels(size_);
+}
+
+Status CameraDevice::next(bool wanted, Picture& picture) {
+  picture = {};
+  cv::Mat pixels_read;
+  if (!capture_.grab() || (wanted && !capture_.retrieve(pixels_read))) {
+    return Status::invalidInput(path_.string() +
+                                ": the camera gives no more pictures; it was unplugged, or hangs: "
+                                "connect it again and go on with --continue");
+  }
+  const double exposed_ms = capture_.get(cv::CAP_PROP_POS_MSEC);
+  picture.stamp_ns = exposed_ms > 0 ? std::llround(exposed_ms * 1e6) : clock_.steadyNs();
+  picture.timed = true;
+  if (!wanted) return Status::ok();
+  if (pixels_read.channels() == 3 && !colour_) {
+    cv::cvtColor(pixels_read, pixels_read, cv::COLOR_BGR2GRAY);
+  } else if (pixels_read.channels() == 1 && colour_) {
+    cv::cvtColor(pixels_read, pixels_read, cv::COLOR_GRAY2BGR);
+  }
+  // The next picture is decoded into the same memory.
+  picture.image = asImage(pixels_read.clone());
+  return Status::ok();
+}
+
+}  // namespace tolman::video

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "file_access.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+namespace tolman::video {
+namespace {
+
+Status cannotOpen(const std::string& path, int error) {
+  const std::string cause = std::generic_category().message(error);
+  const bool device = path.starts_with("/dev/");
+  std::string remedy = "check its permissions and the disk";
+  if (error == ENOENT || error == ENOTDIR) {
+    remedy = device ? "connect the camera; `ls /dev/video*` lists those that are there"
+                    : "check the path";
+  } else if (error == EACCES && device) {
+    remedy = "add the user to the group video";
+  } else if (error == EBUSY) {
+    remedy = "close the program that uses it (`fuser " + path + "`)";
+  } else if (error == ENODEV || error == ENXIO) {
+    remedy = "connect the camera";
+  } else if (error == EMFILE || error == ENFILE) {
+    remedy = "allow more open files (`ulimit -n`)";
+  }
+  const Status status =
+      Status::invalidInput(path + ": cannot be opened (" + cause + "); " + remedy);
+  return error == EMFILE || error == ENFILE ? Status::failed(status.message()) : status;
+}
+
+Status waitForData(const std::string& path, int pipe, double patience_s) {
+  pollfd waiting{pipe, POLLIN, 0};
+  const int ready = ::poll(&waiting, 1, static_cast<int>(patience_s * 1000));
+  if (ready > 0 && (waiting.revents & POLLIN) != 0) return Status::ok();
+  return Status::invalidInput(path +
+                              ": nothing was written into this pipe; start the program that "
+                              "writes the video into it");
+}
+
+}  // namespace
+
+Descriptor::~Descriptor() {
+  if (number_ >= 0) ::close(number_);
+}
+
+Result<PathKind> findKind(const std::filesystem::path& path, Descriptor& pipe, double patience_s) {
+  const std::string name = path.string();
+  Descriptor file(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.get() < 0) return cannotOpen(name, errno);
+  struct stat about {};
+  if (::fstat(file.get(), &about) != 0) return cannotOpen(name, errno);
+  if (S_ISREG(about.st_mode) && about.st_size == 0) {
+    return Status::invalidInput(name + ": is empty; copy or record it again");
+  }
+  if (S_ISREG(about.st_mode)) return PathKind::File;
+  if (S_ISCHR(about.st_mode)) return PathKind::Device;
+  if (!S_ISFIFO(about.st_mode)) {
+    return Status::invalidInput(name +
+                                ": is a folder, not a video; name the file, or read a "
+                                "folder of images by the source images");
+  }
+  const Status status = waitForData(name, file.get(), patience_s);
+  if (!status.isOk()) return status;
+  pipe = std::move(file);
+  return PathKind::Pipe;
+}
+
+}  // namespace tolman::video

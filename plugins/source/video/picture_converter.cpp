@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture_converter.hpp"
+
+#include <array>
+#include <opencv2/core.hpp>
+
+#include "tolman/image_cv.hpp"
+
+extern "C" {
+#include <libavutil/frame.h>
+#include <libswscale/swscale.h>
+}
+
+namespace tolman::video {
+namespace {
+
+Image turned(const Image& image, int quarter_turns) {
+  if (quarter_turns == 0) return image;
+  constexpr std::array kTurns = {cv::ROTATE_90_CLOCKWISE, cv::ROTATE_180,
+                                 cv::ROTATE_90_COUNTERCLOCKWISE};
+  cv::Mat result;
+  cv::rotate(asMat(image), result, kTurns.at(static_cast<std::size_t>(quarter_turns - 1)));
+  return asImage(result);
+}
+
+/// Formats of JPEG are those of video with the full range of values; libswscale wants the range
+/// told apart and warns of the old names.
+AVPixelFormat plainFormat(AVPixelFormat format) {
+  switch (format) {
+    case AV_PIX_FMT_YUVJ420P:
+      return AV_PIX_FMT_YUV420P;
+    case AV_PIX_FMT_YUVJ422P:
+      return AV_PIX_FMT_YUV422P;
+    case AV_PIX_FMT_YUVJ444P:
+      return AV_PIX_FMT_YUV444P;
+    case AV_PIX_FMT_YUVJ440P:
+      return AV_PIX_FMT_YUV440P;
+    default:
+      return format;
+  }
+}
+
+}  // namespace
+
+PictureConverter::PictureConverter(bool colour, int quarter_turns)
+    : colour_(colour), quarter_turns_(quarter_turns) {}
+
+PictureConverter::~PictureConverter() { sws_freeContext(scaler_); }
+
+Result<Image> PictureConverter::convert(const AVFrame& picture) {
+  const auto format = static_cast<AVPixelFormat>(picture.format);
+  const AVPixelFormat plain = plainFormat(format);
+  scaler_ = sws_getCachedContext(scaler_, picture.width, picture.height, plain, picture.width,
+                                 picture.height, colour_ ? AV_PIX_FMT_BGR24 : AV_PIX_FMT_GRAY8,
+                                 SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT, nullptr,
+                                 nullptr, nullptr);
+  if (scaler_ == nullptr) return Status::unsupported("has a pixel format that cannot be converted");
+  const bool full = plain != format || picture.color_range == AVCOL_RANGE_JPEG;
+  const bool hd = picture.colorspace == AVCOL_SPC_BT709;
+  const int* coefficients = sws_getCoefficients(hd ? SWS_CS_ITU709 : SWS_CS_DEFAULT);
+  // 0, 1 << 16, 1 << 16: brightness, contrast and saturation as they are.
+  sws_setColorspaceDetails(scaler_, coefficients, full ? 1 : 0, coefficients, 1, 0, 1 << 16,
+                           1 << 16);
+  const PixelFormat wanted = colour_ ? PixelFormat::Bgr8 : PixelFormat::Gray8;
+  // libswscale writes whole vector registers: rows are padded, and there is room after the last.
+  constexpr int kPadding = 64;
+  const int stride = (picture.width * bytesPerPixel(wanted) + kPadding - 1) / kPadding * kPadding;
+  const auto bytes = static_cast<std::size_t>(stride) * static_cast<std::size_t>(picture.height);
+  const std::shared_ptr<std::uint8_t[]> pixels(new std::uint8_t[bytes + kPadding]());
+  const std::array<std::uint8_t*, 4> planes = {pixels.get()};
+  const std::array<int, 4> strides = {stride};
+  const int rows = sws_scale(scaler_, picture.data, picture.linesize, 0, picture.height,
+                             planes.data(), strides.data());
+  if (rows != picture.height) return Status::failed("a picture could not be converted");
+  const Image image(pixels.get(), picture.width, picture.height, stride, wanted, pixels);
+  return turned(image, quarter_turns_);
+}
+
+}  // namespace tolman::video

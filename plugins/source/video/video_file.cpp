@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "video_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "libav_error.hpp"
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/display.h>
+}
+
+namespace tolman::video {
+namespace {
+
+constexpr std::int64_t kMostPixels = 100'000'000;
+
+/// Tells FFmpeg to give up waiting.
+int isCancelled(void* cancellation) {
+  return static_cast<const Cancellation*>(cancellation)->requested() ? 1 : 0;
+}
+
+/// How a player turns the picture clockwise, in quarters.
+int quarterTurns(const AVStream& stream) {
+  const std::uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, nullptr);
+  if (matrix == nullptr) return 0;
+  const double angle = av_display_rotation_get(reinterpret_cast<const std::int32_t*>(matrix));
+  if (!std::isfinite(angle)) return 0;
+  return ((static_cast<int>(std::lround(-angle / 90)) % 4) + 4) % 4;
+}
+
+/// Where the stream should end, in its own units; only some headers say, and those of several
+/// streams mean the longest one.
+std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream) {
+  const std::int64_t start = stream.start_time == AV_NOPTS_VALUE ? 0 : stream.start_time;
+  if (stream.nb_frames > 0 && stream.duration > 0) return start + stream.duration;
+  const bool in_header = container.duration_estimation_method == AVFMT_DURATION_FROM_STREAM;
+  if (container.nb_streams != 1 || !in_header || container.duration <= 0) return std::nullopt;
+  return start + av_rescale_q(container.duration, {1, AV_TIME_BASE}, stream.time_base);
+}
+
+std::string rounded(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<VideoFile>> VideoFile::open(const std::filesystem::path& path, int pipe,
+                                                   bool colour, const Cancellation& cancellation) {
+  std::unique_ptr<VideoFile> file(new VideoFile(path, cancellation));
+  file->pipe_ = pipe;
+  Status status = file->openStream();
+  if (status.isOk()) status = file->openDecoder();
+  if (!status.isOk()) return Status(status.code(), path.string() + ": " + status.message());
+  file->converter_ = std::make_unique<PictureConverter>(colour, file->quarter_turns_);
+  return file;
+}
+
+VideoFile::~VideoFile() {
+  av_frame_free(&frame_);
+  av_packet_free(&packet_);
+  avcodec_free_context(&decoder_);
+  avformat_close_input(&container_);
+}
+
+Status VideoFile::openStream() {
+  container_ = avformat_alloc_context();
+  packet_ = av_packet_alloc();
+  frame_ = av_frame_alloc();
+  if (container_ == nullptr || packet_ == nullptr || frame_ == nullptr) {
+    return Status::failed("no memory for a video");
+  }
+  container_->interrupt_callback = {isCancelled, const_cast<Cancellation*>(&cancellation_)};
+  // Containers can refer to other files and to servers: only what was named is read.
+  AVDictionary* options = nullptr;
+  av_dict_set(&options, "protocol_whitelist", "file,pipe", 0);
+  const std::string address =
+      pipe_ < 0 ? "file:" + path_.string() : "pipe:" + std::to_string(pipe_);
+  const int opened = avformat_open_input(&container_, address.c_str(), nullptr, &options);
+  av_dict_free(&options);
+  const int found = opened < 0 ? opened : avformat_find_stream_info(container_, nullptr);
+  if (cancellation_.requested()) return {StatusCode::Cancelled, "opening was cancelled"};
+  if (found < 0) {
+    return Status::invalidInput("is no video that FFmpeg can read (" + libavError(found) +
+                                "); if it is one, it is cut off or damaged: copy or record it "
+                                "again");
+  }
+  const int best = av_find_best_stream(container_, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
+  if (best < 0) return Status::invalidInput("has no pictures; name a video");
+  stream_ = container_->streams[best];
+  for (unsigned i = 0; i < container_->nb_streams; ++i) {
+    if (static_cast<int>(i) != best) container_->streams[i]->discard = AVDISCARD_ALL;
+  }
+  return Status::ok();
+}
+
+Status VideoFile::openDecoder() {
+  const AVCodecParameters& coded = *stream_->codecpar;
+  const AVCodec* codec = avcodec_find_decoder(coded.codec_id);
+  const std::string name = avcodec_get_name(coded.codec_id);
+  if (codec == nullptr) {
+    return Status::unsupported("is coded as " + name +
+                               ", which FFmpeg cannot decode here; convert "
+                               "it");
+  }
+  decoder_ = avcodec_alloc_context3(codec);
+  if (decoder_ == nullptr) return Status::failed("no memory for a video");
+  int status = avcodec_parameters_to_context(decoder_, &coded);
+  decoder_->pkt_timebase = stream_->time_base;
+  decoder_->max_pixels = kMostPixels;
+  decoder_->thread_count = 1;  // threads of FFmpeg would run on between two calls
+  if (status >= 0) status = avcodec_open2(decoder_, codec, nullptr);
+  if (status < 0) {
+    return Status::invalidInput("the decoder of " + name + " does not start (" +
+                                libavError(status) + "); convert the video");
+  }
+  const bool sane = coded.width > 0 && coded.height > 0 &&
+                    std::int64_t{coded.width} * coded.height <= kMostPixels;
+  if (!sane) return Status::invalidInput("has pictures of no size; copy or record it again");
+  quarter_turns_ = quarterTurns(*stream_);
+  size_ = {coded.width, coded.height};
+  if (quarter_turns_ % 2 == 1) std::swap(size_.width, size_.height);
+  return Status::ok();
+}
+
+bool VideoFile::saysTimes() const {
+  // Raw streams have no times; FFmpeg invents some, of 25 pictures a second.
+  return (container_->iformat->flags & AVFMT_NOTIMESTAMPS) == 0 &&
+         std::string_view(container_->iformat->name).find("pipe") == std::string_view::npos &&
+         container_->iformat->raw_codec_id == AV_CODEC_ID_NONE;
+}
+
+std::string VideoFile::description() const {
+  const std::string codec = avcodec_get_name(stream_->codecpar->codec_id);
+  std::string text = codec + " in " + container_->iformat->name + ", " +
+                     std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px";
+  const AVRational rate = stream_->avg_frame_rate;
+  if (saysTimes() && rate.num > 0 && rate.den > 0) text += " at " + rounded(av_q2d(rate)) + " Hz";
+  if (!saysTimes()) text += ", without times";
+  if (container_->duration > 0 && saysTimes()) {
+    text += ", " + rounded(static_cast<double>(container_->duration) / AV_TIME_BASE) + " s";
+  }
+  return text;
+}
+
+std::int64_t VideoFile::countPackets() {
+  std::int64_t count = 0;
+  while (!cancellation_.requested() && av_read_frame(container_, packet_) >= 0) {
+    if (packet_->stream_index == stream_->index) ++count;
+    av_packet_unref(packet_);
+  }
+  return count;
+}
+
+Status VideoFile::next(bool wanted, Picture& picture) {
+  picture = {};
+  while (true) {
+    const int status = avcodec_receive_frame(decoder_, frame_);
+    if (status >= 0) return fill(wanted, picture);
+    if (status == AVERROR_EOF) return Status::endOfStream();
+    if (status != AVERROR(EAGAIN)) {
+      damage_ = libavError(status);
+      continue;  // the decoder goes on with the next packet
+    }
+    if (Status fed = feed(); !fed.isOk()) return fed;
+  }
+}
+
+Status VideoFile::feed() {
+  if (cancellation_.requested()) return {StatusCode::Cancelled, "reading was cancelled"};
+  av_packet_unref(packet_);
+  const int read = av_read_frame(container_, packet_);
+  if (read < 0) {
+    fed_all_ = true;
+    cut_ = cut_ || read != AVERROR_EOF;
+    const int ended = avcodec_send_packet(decoder_, nullptr);
+    return ended >= 0 || ended == AVERROR_EOF
+               ? Status::ok()
+               : Status::failed(path_.string() + ": the decoder fails: " + libavError(ended));
+  }
+  if (packet_->stream_index != stream_->index) return Status::ok();
+  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0;
+  if (cut_) damage_ = "its data are not complete";
+  if (packet_->pts != AV_NOPTS_VALUE) end_ = std::max(end_, packet_->pts + packet_->duration);
+  const int sent = avcodec_send_packet(decoder_, packet_);
+  if (sent < 0 && sent != AVERROR(EAGAIN)) damage_ = libavError(sent);
+  return Status::ok();
+}
+
+bool VideoFile::endsEarly() const {
+  const std::optional<std::int64_t> promised = promisedEnd(*container_, *stream_);
+  const AVRational rate = stream_->avg_frame_rate;
+  if (!promised || !saysTimes() || rate.num <= 0 || rate.den <= 0) return false;
+  const std::int64_t one = av_rescale_q(1, {rate.den, rate.num}, stream_->time_base);
+  return end_ < *promised - one - one / 2;
+}
+
+std::string VideoFile::defectOfEnd() const {
+  const bool in_picture = cut_ || !damage_.empty();
+  if (!in_picture && !endsEarly()) return {};
+  std::string text = path_.string() + ": ends ";
+  text += in_picture ? "in the middle of a picture" : "before the end that its header promises";
+  if (sound_ == 0) return text + "; copy or record it again";
+  return text + ", after " + std::to_string(sound_) +
+         " sound ones; copy or record it again, or set last: " + std::to_string(sound_ - 1) +
+         " to use those";
+}
+
+Status VideoFile::fill(bool wanted, Picture& picture) {
+  const std::int64_t time = frame_->best_effort_timestamp;
+  if (pictures_ == 0) start_ = time;
+  ++pictures_;
+  picture.timed = saysTimes() && time != AV_NOPTS_VALUE && start_ != AV_NOPTS_VALUE;
+  if (picture.timed) {
+    picture.stamp_ns = av_rescale_q(time - start_, stream_->time_base, {1, 1'000'000'000});
+  }
+  if (!damage_.empty() || frame_->decode_error_flags != 0 ||
+      (frame_->flags & AV_FRAME_FLAG_CORRUPT) != 0) {
+    picture.defect = "picture " + std::to_string(pictures_ - 1) + " is damaged" +
+                     (damage_.empty() ? "" : ": " + damage_);
+    damage_.clear();
+    return Status::ok();
+  }
+  if (sound_ == pictures_ - 1) sound_ = pictures_;
+  if (!wanted) return Status::ok();
+  Result<Image> image = converter_->convert(*frame_);
+  if (!image.isOk()) {
+    return {image.status().code(), path_.string() + ": " + image.status().message()};
+  }
+  picture.image = std::move(image).value();
+  if (PictureSize{picture.image.width(), picture.image.height()} == size_) return Status::ok();
+  return Status::invalidInput(path_.string() + ": its pictures change their size after picture " +
+                              std::to_string(pictures_ - 2) + "; cut the video there");
+}
+
+}  // namespace tolman::video

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A video file, or a pipe that a program writes a video into, read by FFmpeg's libraries.
+//
+// They are called directly, not through OpenCV: its capture gives each picture the time of the last
+// packet that was read, which is another one's where the coder reorders pictures, and it cannot
+// tell a damaged or cut file from one that ends.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "capture.hpp"
+#include "picture_converter.hpp"
+#include "tolman/context.hpp"
+
+struct AVCodecContext;
+struct AVFormatContext;
+struct AVFrame;
+struct AVPacket;
+struct AVStream;
+
+namespace tolman::video {
+
+class VideoFile final : public Capture {
+ public:
+  /// Opens the first video stream. InvalidInput with a remedy for what is no video. `pipe`: the
+  /// open pipe, which must outlive this object, or -1 for a file. `cancellation` ends the waiting
+  /// for a pipe.
+  static Result<std::unique_ptr<VideoFile>> open(const std::filesystem::path& path, int pipe,
+                                                 bool colour, const Cancellation& cancellation);
+  ~VideoFile() override;
+
+  PictureSize size() const override { return size_; }
+  std::string description() const override;
+  /// Reads to the end without decoding: the number of coded pictures. Afterwards there are none.
+  std::int64_t countPackets();
+  /// A picture that is damaged, or not complete at the end of the file, has a `defect`.
+  Status next(bool wanted, Picture& picture) override;
+  /// The file ends in the middle of a picture, or before the end that its header promises.
+  std::string defectOfEnd() const override;
+
+ private:
+  VideoFile(std::filesystem::path path, const Cancellation& cancellation)
+      : path_(std::move(path)), cancellation_(cancellation) {}
+  Status openStream();
+  Status openDecoder();
+  void readSize();
+  /// Gives the decoder one packet of the stream, or the end.
+  Status feed();
+  bool endsEarly() const;
+  Status fill(bool wanted, Picture& picture);
+  bool saysTimes() const;
+
+  std::filesystem::path path_;
+  const Cancellation& cancellation_;
+  AVFormatContext* container_ = nullptr;
+  AVCodecContext* decoder_ = nullptr;
+  AVPacket* packet_ = nullptr;
+  AVFrame* frame_ = nullptr;
+  AVStream* stream_ = nullptr;  ///< of container_
+  std::unique_ptr<PictureConverter> converter_;
+  PictureSize size_;
+  int quarter_turns_ = 0;
+  int pipe_ = -1;
+  bool fed_all_ = false;
+  bool cut_ = false;        ///< the last packet was not complete
+  std::string damage_;      ///< of a packet that the decoder refused
+  std::int64_t end_ = 0;    ///< of the pictures in the packets so far, units of the stream
+  std::int64_t start_ = 0;  ///< time of the first picture, units of the stream
+  std::int64_t pictures_ = 0;
+  std::int64_t sound_ = 0;  ///< pictures before the first damaged one
+};
+
+}  // namespace tolman::video

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files that are damaged, cut off or no videos: one clear error each, and all sound pictures
+// before.
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "support/data.hpp"
+#include "video_maker.hpp"
+
+namespace tolman::video {
+namespace {
+
+std::vector<std::string> findings(const std::filesystem::path& path, ParameterValues values = {}) {
+  Played played(path, std::move(values));
+  std::vector<Finding> found;
+  REQUIRE(played.source.inspect(found).isOk());
+  std::vector<std::string> texts;
+  for (const Finding& finding : found) {
+    texts.push_back(std::string(enumName(finding.severity)) + ": " + finding.message);
+  }
+  return texts;
+}
+
+/// The same pictures, of noise, so that their data are long.
+void writeNoise(const std::filesystem::path& file, const std::string& codec, int count = 30) {
+  std::vector<cv::Mat> pictures;
+  cv::RNG random(3);
+  for (int i = 0; i < count; ++i) {
+    cv::Mat picture(120, 160, CV_8UC1);
+    random.fill(picture, cv::RNG::UNIFORM, 0, 255);
+    pictures.push_back(picture);
+  }
+  writeVideo(file, codec, 25, pictures);
+}
+
+}  // namespace
+
+TEST_CASE("what is no video is refused with a remedy") {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "text.mp4") << "Dear diary,\n";
+  const Played text(folder.path() / "text.mp4");
+  CHECK(text.message ==
+        "text.mp4: is no video that FFmpeg can read (Invalid data found when processing input); if "
+        "it is one, it is cut off or damaged: copy or record it again");
+  const auto found = findings(folder.path() / "text.mp4");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].starts_with("error: "));
+  writeNoise(folder.path() / "late.mp4", "mp4v");
+  cutFile(folder.path() / "late.mp4", 0.5);  // the table of pictures is at the end
+  CHECK(Played(folder.path() / "late.mp4").message.starts_with("late.mp4: is no video"));
+}
+
+TEST_CASE("a recording that ends in the middle of a picture") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.avi";
+  writeNoise(file, "MJPG");
+  cutFile(file, 0.5);
+  const Played stopped(file);
+  const auto sound = stopped.frames.size();
+  REQUIRE(sound > 8);
+  REQUIRE(sound < 20);
+  const std::string number = std::to_string(sound);
+  CHECK(stopped.message == "video.avi: picture " + number +
+                               " is damaged: its data are not complete; copy or record it again, "
+                               "or leave it out by on_corrupt: skip");
+  const Played skipped(file, {{"on_corrupt", std::string("skip")}});
+  CHECK(skipped.message.empty());
+  REQUIRE(skipped.frames.size() == sound + 1);
+  CHECK(skipped.frames.back().left.empty());
+  CHECK_FALSE(skipped.frames.back().defect.empty());
+  REQUIRE(skipped.context.log.size() == 1);
+  CHECK(skipped.context.log[0].find("ends in the middle of a picture, after " + number +
+                                    " sound ones") != std::string::npos);
+  // The remedy that the message names.
+  const Played used(file, {{"last", static_cast<std::int64_t>(sound) - 1}});
+  CHECK(used.message.empty());
+  CHECK(used.frames.size() == sound);
+  CHECK(findings(file).size() == 3);
+}
+
+TEST_CASE("a recording that ends between two pictures, before the end that it promises") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.mkv";
+  writeNoise(file, "FFV1");
+  cutFile(file, 0.5);
+  const Played stopped(file);
+  const auto sound = stopped.frames.size();
+  REQUIRE(sound > 8);
+  CHECK(stopped.message ==
+        "video.mkv: ends before the end that its header promises, after " + std::to_string(sound) +
+            " sound ones; copy or record it again, or set last: " + std::to_string(sound - 1) +
+            " to use those");
+  // The other orders know it before the first frame.
+  CHECK(Played(file, {{"order", std::string("backward")}}).frames.empty());
+  const Played backward(
+      file, {{"order", std::string("backward")}, {"last", static_cast<std::int64_t>(sound) - 1}});
+  CHECK(backward.message.empty());
+  CHECK(backward.frames.size() == sound);
+}
+
+TEST_CASE("a picture that is damaged in the middle of a sound file") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.avi";
+  writeNoise(file, "MJPG");
+  {
+    std::fstream bytes(file, std::ios::binary | std::ios::in | std::ios::out);
+    bytes.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file) / 2));
+    const std::string zeros(3000, '\0');
+    bytes.write(zeros.data(), static_cast<std::streamsize>(zeros.size()));
+  }
+  const Played skipped(file, {{"on_corrupt", std::string("skip")}});
+  CHECK(skipped.message.empty());
+  CHECK(skipped.frames.size() >= 28);
+}
+
+TEST_CASE("raw streams say no times, and none are invented") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.m2v";
+  writeFlatVideo(file, 12, 25, "MPG2");
+  CHECK(Played(file).message == "video.m2v: says no time of picture 0; set rate");
+  const Played timed(file, {{"rate", 25.0}});
+  CHECK(timed.message.empty());
+  CHECK(timed.stamps().at(11) == 11 * 40'000'000LL);
+  const auto found = findings(file);
+  REQUIRE(found.size() == 2);
+  CHECK(found[1] == "error: says no times of its pictures; set rate");
+}
+
+}  // namespace tolman::video

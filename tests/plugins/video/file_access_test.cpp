@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "file_access.hpp"
+
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "support/data.hpp"
+
+namespace tolman::video {
+
+TEST_CASE("kinds of paths, and what to do where there is none") {
+  const test::TemporaryFolder folder;
+  Descriptor none;
+  const auto path = [&](const char* name) { return folder.path() / name; };
+  const auto message = [&](const std::filesystem::path& file) {
+    return findKind(file, none, 0.01).status().message();
+  };
+  std::ofstream(path("video.mp4")) << "bytes";
+  CHECK(findKind(path("video.mp4"), none).value() == PathKind::File);
+  CHECK(findKind("/dev/null", none).value() == PathKind::Device);
+  std::ofstream(path("empty.mp4")).flush();
+  CHECK(message(path("empty.mp4")) ==
+        path("empty.mp4").string() + ": is empty; copy or record it again");
+  CHECK(message(path("none.mp4")) == path("none.mp4").string() +
+                                         ": cannot be opened (No such file or directory); check "
+                                         "the path");
+  CHECK(message(folder.path()).find("is a folder, not a video") != std::string::npos);
+  CHECK(message("/dev/video99") ==
+        "/dev/video99: cannot be opened (No such file or directory); connect the camera; "
+        "`ls /dev/video*` lists those that are there");
+}
+
+TEST_CASE("a pipe that nothing is written into is told after a while") {
+  const test::TemporaryFolder folder;
+  Descriptor none;
+  const auto pipe = folder.path() / "pipe";
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const auto kind = findKind(pipe, none, 0.01);
+  REQUIRE_FALSE(kind.isOk());
+  CHECK(kind.status().message().find("nothing was written into this pipe") != std::string::npos);
+}
+
+}  // namespace tolman::video

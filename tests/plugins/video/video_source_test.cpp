@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Selection and order of frames, stereo pairs in one picture, calibration, contradictions.
+#include "video_source.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "support/data.hpp"
+#include "tolman/image_cv.hpp"
+#include "video_maker.hpp"
+
+namespace tolman::video {
+namespace {
+
+struct Clip {
+  test::TemporaryFolder folder;
+  std::filesystem::path file = folder.path() / "video.mkv";
+  Clip() { writeFlatVideo(file, 12); }
+};
+
+ParameterValues order(const char* name) { return {{"order", std::string(name)}}; }
+
+}  // namespace
+
+TEST_CASE("first, last and step, read forward") {
+  const Clip clip;
+  const Played all(clip.file);
+  CHECK(all.frames.size() == 12);
+  const Played some(
+      clip.file,
+      {{"first", std::int64_t{2}}, {"last", std::int64_t{9}}, {"step", std::int64_t{3}}});
+  CHECK(some.message.empty());
+  CHECK(some.numbers() == std::vector<int>{2, 5, 8});
+  CHECK(some.frames[1].source_index == 5);
+  CHECK(some.frames[1].frame == 1);
+  CHECK(some.stamps() == std::vector<std::int64_t>{200'000'000, 500'000'000, 800'000'000});
+}
+
+TEST_CASE("other orders give the same pictures") {
+  const Clip clip;
+  const Played backward(clip.file, order("backward"));
+  CHECK(backward.info.frames == 12);
+  CHECK(backward.numbers() == std::vector<int>{11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0});
+  ParameterValues values = order("pingpong");
+  values["last"] = std::int64_t{3};
+  values["passes"] = std::int64_t{3};
+  const Played turning(clip.file, values);
+  CHECK(turning.numbers() == std::vector<int>{0, 1, 2, 3, 2, 1, 0, 1, 2, 3});
+  CHECK(turning.stamps().back() == 900'000'000);
+}
+
+TEST_CASE("a frame number beyond the end is told") {
+  const Clip clip;
+  const Played late(clip.file, {{"last", std::int64_t{12}}});
+  CHECK(late.frames.empty());
+  CHECK(late.message ==
+        "last is 12, but video.mkv ends with frame 11; choose a smaller one, or -1 "
+        "for the end");
+  CHECK(Played(clip.file, {{"first", std::int64_t{30}}}).message ==
+        "first is 30, but video.mkv ends with frame 11; choose a smaller one");
+}
+
+TEST_CASE("reset begins anew") {
+  const Clip clip;
+  Played played(clip.file);
+  REQUIRE(played.source.reset().isOk());
+  Frame frame;
+  REQUIRE(played.source.next(frame).isOk());
+  CHECK(frame.frame == 0);
+  CHECK(numberOf(frame.left) == 0);
+}
+
+TEST_CASE("a rate replaces the times of the file") {
+  const Clip clip;
+  const Played played(clip.file, {{"rate", 30.0}, {"last", std::int64_t{3}}});
+  CHECK(played.stamps() == std::vector<std::int64_t>{0, 33'333'333, 66'666'667, 100'000'000});
+}
+
+TEST_CASE("a stereo pair in one picture") {
+  const test::TemporaryFolder folder;
+  cv::Mat both(48, 128, CV_8UC1);
+  both.colRange(0, 64).setTo(10 + 4 * 3);
+  both.colRange(64, 128).setTo(10 + 4 * 20);
+  writeVideo(folder.path() / "pair.mkv", "FFV1", 10, {both, both});
+  const ParameterValues pair = {
+      {"layout", std::string("side_by_side")}, {"fx", 50.0}, {"baseline", 0.12}, {"cy", 20.0}};
+  const Played played(folder.path() / "pair.mkv", pair);
+  CHECK(played.message.empty());
+  const CameraRig& rig = played.info.rig;
+  CHECK(rig.width == 64);
+  CHECK(rig.height == 48);
+  CHECK(rig.isStereo());
+  CHECK(rig.pinhole.cx == 31.5);
+  CHECK(rig.pinhole.cy == 20);
+  REQUIRE(played.frames.size() == 2);
+  CHECK(numberOf(played.frames[1].left) == 3);
+  CHECK(numberOf(played.frames[1].right) == 20);
+  ParameterValues uncalibrated = pair;
+  uncalibrated["baseline"] = 0.0;
+  CHECK(Played(folder.path() / "pair.mkv", uncalibrated).message ==
+        "two cameras need a calibration; give fx and baseline");
+}
+
+TEST_CASE("contradictions are refused before the first frame") {
+  const Clip clip;
+  CHECK(Played(clip.file, {{"baseline", 0.1}}).message ==
+        "baseline is given with layout: mono; set the layout");
+  CHECK(Played(clip.file, {{"width", std::int64_t{640}}}).message ==
+        "width and height are those of a camera; remove them");
+  CHECK(Played(clip.file, {{"fx", 100.0}, {"cx", 64.0}}).message ==
+        "the principal point cx, cy is outside of the 64x48 image; give the calibration of this "
+        "camera");
+  CHECK(Played("/dev/null").message.find("is no camera") != std::string::npos);
+}
+
+TEST_CASE("an inspection counts the pictures") {
+  const Clip clip;
+  Played played(clip.file);
+  std::vector<Finding> findings;
+  REQUIRE(played.source.inspect(findings).isOk());
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].message.find("12 pictures") != std::string::npos);
+  // Frames go on as if nothing had happened.
+  REQUIRE(played.source.reset().isOk());
+  Frame frame;
+  CHECK(played.source.next(frame).isOk());
+}
+
+}  // namespace tolman::video
