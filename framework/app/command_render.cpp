@@ -119,8 +119,8 @@ class RenderRun {
     {
       ProgressLine progress(std::cerr, clock_, terminalOf(invocation_),
                             framesToCome(command_.render.frames, info.frames));
-      dataset::Rendering rendering(assembly_->source(), info, folder, render_, logger,
-                                   [&] { progress.step(); });
+      const auto next = [this](Frame& frame) { return assembly_->source().next(frame); };
+      dataset::Rendering rendering(next, info, folder, render_, logger, [&] { progress.step(); });
       outcome = rendering.run(interrupts_);
     }
     const double seconds = static_cast<double>(clock_.steadyNs() - begin_ns) * 1e-9;

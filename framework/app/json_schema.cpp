@@ -171,6 +171,7 @@ Json sections() {
   evaluation["segments"]["anyOf"].push_back(
       {{"type", "array"}, {"items", evaluation["segment_lengths"]["items"]}});
   properties["checks"] = objectOf(propertiesOf(schemaOf<config::CheckSettings>()));
+  properties["rectification"] = objectOf(propertiesOf(schemaOf<config::RectificationSettings>()));
   properties["isolation"] = objectOf(propertiesOf(schemaOf<config::IsolationSettings>()));
   properties["record"] = objectOf(propertiesOf(schemaOf<config::RecordSettings>()));
   return properties;

@@ -189,6 +189,34 @@ struct CheckSettings {
   }
 };
 
+enum class RectificationMode : std::uint8_t { Auto, Off };
+inline constexpr std::array<std::string_view, 2> kRectificationModeNames = {"auto", "off"};
+constexpr std::span<const std::string_view> enumNames(RectificationMode) {
+  return kRectificationModeNames;
+}
+
+/// Keys below `rectification`: of sources whose images are as the cameras took them.
+struct RectificationSettings {
+  RectificationMode mode = RectificationMode::Auto;
+  double scale = 1;
+  double field_of_view = 90;  ///< deg
+  static constexpr auto declaration() {
+    using S = RectificationSettings;
+    return parameters(
+        parameter("mode", &S::mode)
+            .doc("auto: raw images are rectified. off: the stages get the left image as it is, "
+                 "uncalibrated."),
+        parameter("scale", &S::scale)
+            .range(0.05, 4)
+            .doc("Pixels of a rectified image per raw pixel, at the centre."),
+        parameter("field_of_view", &S::field_of_view)
+            .range(10, 150)
+            .unit("deg")
+            .doc("The most that a rectified image shows, across and down; for wide fisheye "
+                 "cameras."));
+  }
+};
+
 enum class FailurePolicy : std::uint8_t { Stop, Skip, Restart };
 inline constexpr std::array<std::string_view, 3> kFailurePolicyNames = {"stop", "skip", "restart"};
 constexpr std::span<const std::string_view> enumNames(FailurePolicy) { return kFailurePolicyNames; }

@@ -45,6 +45,7 @@ class Parser {
     config_.record = section<RecordSettings>("record");
     config_.isolation = section<IsolationSettings>("isolation");
     config_.checks = section<CheckSettings>("checks");
+    config_.rectification = section<RectificationSettings>("rectification");
     for (const Role role : kChain) chainStage(role);
     observers();
     refuseSharedNames();
@@ -72,7 +73,7 @@ class Parser {
     std::vector<std::string> others(kChain.size());
     std::ranges::transform(kChain, others.begin(), [](Role role) { return enumName(role); });
     others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "isolation",
-                                 "checks", "extends"});
+                                 "checks", "rectification", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
     if (!config_.general.name.empty()) return;
     config_.general.name = std::filesystem::path(loaded_.file).stem().string();

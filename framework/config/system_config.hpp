@@ -40,6 +40,7 @@ struct SystemConfig {
   RecordSettings record;
   IsolationSettings isolation;
   CheckSettings checks;
+  RectificationSettings rectification;
   std::vector<Section> sections;    ///< the same values, with their origins
   std::vector<StageConfig> stages;  ///< source, odometry, place, cells, map, observers
   BaseFolders folders;

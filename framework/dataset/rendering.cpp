@@ -42,7 +42,7 @@ RenderOutcome Rendering::run(const Cancellation& cancellation) {
 Rendering::JobPtr Rendering::next(const Cancellation& cancellation) {
   while (!cancellation.requested() && writing() && taken_ != options_.frames) {
     auto job = std::make_shared<Job>();
-    Status status = source_.next(job->frame);
+    Status status = source_(job->frame);
     if (status.code() == StatusCode::EndOfStream) return nullptr;
     ++taken_;
     const bool whole = status.isOk() && isWhole(job->frame);

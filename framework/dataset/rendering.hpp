@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "dataset/kitti_folder.hpp"
-#include "host/stages.hpp"
 #include "tolman/context.hpp"
+#include "tolman/roles.hpp"
 
 namespace tolman::dataset {
 
@@ -34,10 +34,13 @@ struct RenderOutcome {
 
 class Rendering {
  public:
+  /// Fills the next frame, as Source::next().
+  using Next = std::function<Status(Frame&)>;
+
   /// `on_frame` is called after each frame, from any thread.
-  Rendering(host::SourceStage& source, const SourceInfo& info, const KittiFolder& folder,
+  Rendering(Next source, const SourceInfo& info, const KittiFolder& folder,
             const RenderOptions& options, Logger& log, std::function<void()> on_frame)
-      : source_(source),
+      : source_(std::move(source)),
         info_(info),
         folder_(folder),
         options_(options),
@@ -64,7 +67,7 @@ class Rendering {
   bool writing();
   void finish();
 
-  host::SourceStage& source_;
+  Next source_;
   const SourceInfo& info_;
   const KittiFolder& folder_;
   RenderOptions options_;

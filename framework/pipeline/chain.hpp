@@ -13,6 +13,7 @@
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/frame_records.hpp"
 #include "pipeline/listener.hpp"
+#include "pipeline/rectified_source.hpp"
 #include "pipeline/run_counters.hpp"
 
 namespace tolman::pipeline {
@@ -25,7 +26,7 @@ struct Policies {
 };
 
 struct Stages {
-  host::SourceStage& source;
+  RectifiedSource& source;
   CheckedOdometry& odometry;
   host::PlaceStage& place;
   host::CellsStage& cells;

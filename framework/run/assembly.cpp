@@ -57,7 +57,8 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
 void Assembly::add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage) {
   switch (stage.role) {
     case Role::Source:
-      source_ = std::make_unique<host::SourceStage>(std::move(instance));
+      source_ = std::make_unique<pipeline::RectifiedSource>(std::move(instance),
+                                                            checked_.config.rectification);
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));

@@ -45,7 +45,8 @@ class Assembly {
   /// Of the whole chain, which must be in the scope.
   pipeline::Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
   pipeline::CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
-  host::SourceStage& source() { return *source_; }
+  pipeline::RectifiedSource& source() { return *source_; }
+  const pipeline::RectifiedSource& source() const { return *source_; }
   host::OdometryStage& odometry() { return *odometry_; }
   host::PlaceStage& place() { return *place_; }
   host::CellsStage& cells() { return *cells_; }
@@ -69,7 +70,7 @@ class Assembly {
   SourceInfo info_;
   std::vector<std::unique_ptr<Services>> services_;
   std::vector<host::Instance*> instances_;
-  std::unique_ptr<host::SourceStage> source_;
+  std::unique_ptr<pipeline::RectifiedSource> source_;
   std::unique_ptr<host::OdometryStage> odometry_;
   std::unique_ptr<pipeline::CheckedOdometry> checked_odometry_;
   std::unique_ptr<host::PlaceStage> place_;

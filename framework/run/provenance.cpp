@@ -52,6 +52,41 @@ Json pluginList(const CheckedSystem& system) {
   return list;
 }
 
+/// A field of a raw camera; matrices row by row.
+template <class T>
+Json jsonOf(const T& value) {
+  if constexpr (NamedEnum<T>) {
+    return enumName(value);
+  } else if constexpr (std::is_same_v<T, Eigen::Isometry3d>) {
+    return jsonOf(Eigen::Matrix4d(value.matrix()));
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    return value;
+  } else {
+    Json list = Json::array();
+    for (Eigen::Index r = 0; r < value.rows(); ++r) {
+      for (Eigen::Index c = 0; c < value.cols(); ++c) list.push_back(value(r, c));
+    }
+    return list;
+  }
+}
+
+Json sourceJson(const Assembly& assembly) {
+  const SourceInfo& source = assembly.sourceInfo();
+  Json json = {{"description", source.description}, {"frames", source.frames},
+               {"has_truth", source.has_truth},     {"width", source.rig.width},
+               {"height", source.rig.height},       {"baseline_m", source.rig.baseline}};
+  const pipeline::RectifiedSource& rectified = assembly.source();
+  if (rectified.text().empty()) return json;
+  json["rectification"] = rectified.text();
+  for (const RawCamera& camera : rectified.rawRig().cameras) {
+    Json& raw = json["raw_cameras"].emplace_back();
+    visitFields(camera, [&](const Field& field, const auto& value) {
+      raw[std::string(field.name)] = jsonOf(value);
+    });
+  }
+  return json;
+}
+
 }  // namespace
 
 std::int64_t utcSeconds() {
@@ -63,8 +98,8 @@ std::string utcText(std::int64_t seconds) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time_t{seconds}));
 }
 
-Json provenance(const CheckedSystem& system, const SourceInfo& source,
-                const std::vector<std::string>& command_line) {
+Json provenance(const Assembly& assembly, const std::vector<std::string>& command_line) {
+  const CheckedSystem& system = assembly.system();
   Json json;
   json["name"] = system.config.general.name;
   json["started"] = utcText(utcSeconds());
@@ -75,9 +110,7 @@ Json provenance(const CheckedSystem& system, const SourceInfo& source,
                     {"compiler", kCompiler},     {"build_type", kBuildType},
                     {"sdk", TOLMAN_SDK_VERSION}, {"fingerprint", TOLMAN_FINGERPRINT}};
   json["machine"] = machine();
-  json["source"] = {{"description", source.description}, {"frames", source.frames},
-                    {"has_truth", source.has_truth},     {"width", source.rig.width},
-                    {"height", source.rig.height},       {"baseline_m", source.rig.baseline}};
+  json["source"] = sourceJson(assembly);
   json["plugins"] = pluginList(system);
   return json;
 }

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "pipeline/run_counters.hpp"
-#include "run/checked_system.hpp"
+#include "run/assembly.hpp"
 
 namespace tolman::run {
 
-/// Versions, machine, seeds, command line, plugins with the SHA-256 of their files, data set.
-nlohmann::ordered_json provenance(const CheckedSystem& system, const SourceInfo& source,
+/// Versions, machine, seeds, command line, plugins with the SHA-256 of their files, data set, raw
+/// cameras and what was done to their images.
+nlohmann::ordered_json provenance(const Assembly& assembly,
                                   const std::vector<std::string>& command_line);
 
 nlohmann::ordered_json countersJson(const pipeline::RunCounters& counters);

@@ -129,7 +129,7 @@ void Run::reopenRecord(nlohmann::ordered_json before) {
   const std::int64_t next_frame = resume_->checkpoint.frame + 1;
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
-  run_file_ = provenance(assembly_->system(), assembly_->sourceInfo(), options_.command_line);
+  run_file_ = provenance(*assembly_, options_.command_line);
   for (const char* kept : {"started", "command_line", kConfigDigest, "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
@@ -175,7 +175,7 @@ void Run::openDirectory() {
 }
 
 void Run::openRecord() {
-  run_file_ = provenance(assembly_->system(), assembly_->sourceInfo(), options_.command_line);
+  run_file_ = provenance(*assembly_, options_.command_line);
   if (!config().general.continue_from.empty()) {
     run_file_["continued"] = {{"directory", config().general.continue_from},
                               {"first_frame", first_frame_}};

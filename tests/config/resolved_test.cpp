@@ -58,6 +58,10 @@ checks:
   max_acceleration: 50
   max_speed: 100
   max_turn_rate: 10
+rectification:
+  field_of_view: 90
+  mode: auto
+  scale: 1
 source:
   plugin: toy_source
   name: source

@@ -35,6 +35,16 @@ inline host::OrRefusal<host::LoadedPlugin> load(const std::string& library, cons
   return host::Refusal{};
 }
 
+/// The object of plugin `id`, behind its guard.
+inline std::unique_ptr<host::Instance> fixtureInstance(const std::string& library,
+                                                       const std::string& id) {
+  const auto loaded = load(library, id);
+  if (const auto* refusal = std::get_if<host::Refusal>(&loaded)) FAIL(refusal->text());
+  auto created = host::Instance::create(std::get<host::LoadedPlugin>(loaded), id);
+  REQUIRE(std::holds_alternative<std::unique_ptr<host::Instance>>(created));
+  return std::get<std::unique_ptr<host::Instance>>(std::move(created));
+}
+
 template <class T>
 const host::Refusal& refusalOf(const host::OrRefusal<T>& result) {
   REQUIRE(std::holds_alternative<host::Refusal>(result));

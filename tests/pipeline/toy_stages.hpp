@@ -277,7 +277,7 @@ struct ToySystem {
     return pipeline::drive(chain, settings, threads, flag);
   }
 
-  host::SourceStage source;
+  pipeline::RectifiedSource source;
   host::OdometryStage odometry;
   pipeline::CheckedOdometry checked_odometry{odometry, config::CheckSettings()};
   host::PlaceStage place;

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Projects points through the lens of a raw camera.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "tolman/camera.hpp"
+
+namespace tolman::imaging {
+
+class Lens {
+ public:
+  explicit Lens(const RawCamera& camera);
+
+  /// Point of the camera frame, at any distance, to its pixel, which may lie outside of the image.
+  /// None behind the camera, and beyond the angle from where on the polynomial of the distortion
+  /// falls: there it would give a second pixel to rays that the image does not show.
+  std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
+  /// As project(), but none outside of the image.
+  std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& point) const;
+  /// Pixels per unit of x/z at the centre of the image.
+  double focal() const;
+  /// Whether pixels are those of a pinhole, without distortion.
+  bool isPinhole() const;
+
+ private:
+  double distorted(double radius) const;
+  Eigen::Vector2d distorted(const Eigen::Vector2d& p) const;
+
+  RawCamera camera_;
+  double limit_ = 0;  ///< radius, or angle for Equidistant, up to which the distortion grows
+};
+
+}  // namespace tolman::imaging

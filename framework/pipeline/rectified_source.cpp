@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pipeline/rectified_source.hpp"
+
+#include "imaging/rectified_view.hpp"
+#include "pipeline/task_isolation.hpp"
+
+namespace tolman::pipeline {
+
+Status RectifiedSource::info(SourceInfo& info) {
+  Status status = SourceStage::info(info);
+  if (status.isOk()) status = instance().rawRig(raw_);
+  if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
+  if (status.isOk() && !text_.empty()) info.description += "; " + text_;
+  return status;
+}
+
+Status RectifiedSource::prepare(CameraRig& rig) {
+  maps_.clear();
+  left_alone_ = false;
+  if (settings_.mode == config::RectificationMode::Off) {
+    left_alone_ = true;
+    text_ = "raw images, not rectified, of the left camera alone";
+    return Status::ok();
+  }
+  const auto view = imaging::chooseView(raw_, {settings_.scale, settings_.field_of_view});
+  if (!view.isOk()) {
+    return Status::invalidInput("the images cannot be rectified: " + view.status().message() +
+                                " (`rectification.mode: off` gives the left images as they are)");
+  }
+  for (const RawCamera& camera : raw_.cameras) {
+    if (camera.width == rig.width && camera.height == rig.height) continue;
+    return Status::invalidInput("the calibration is of images of " + std::to_string(camera.width) +
+                                "x" + std::to_string(camera.height) + " px, but they have " +
+                                std::to_string(rig.width) + "x" + std::to_string(rig.height) +
+                                "; give the calibration of these images");
+  }
+  const imaging::RectifiedView& chosen = view.value();
+  rig = chosen.rig;
+  text_ = imaging::viewText(raw_, chosen);
+  if (chosen.is_identity) return Status::ok();
+  for (std::size_t i = 0; i < raw_.cameras.size(); ++i) {
+    maps_.emplace_back(raw_.cameras[i], chosen.R_rectified_raw[i], rig);
+  }
+  return Status::ok();
+}
+
+Status RectifiedSource::next(Frame& frame) {
+  const Status status = SourceStage::next(frame);
+  if (!status.isOk()) return status;
+  if (left_alone_) frame.right = {};
+  if (maps_.empty()) return status;
+  withoutOtherTasks([&] {
+    frame.left = maps_.front().apply(frame.left);
+    frame.right = maps_.size() == 2 ? maps_.back().apply(frame.right) : Image();
+  });
+  return status;
+}
+
+}  // namespace tolman::pipeline
