@@ -35,6 +35,9 @@ Status checkEarlier(const EarlierLoop& loop, std::int64_t frame, std::int64_t ex
 
 Status checkExperience(const Decision& decision, std::int64_t experiences, std::int64_t last) {
   const std::int64_t id = decision.experience;
+  if (decision.template_id < -1) {
+    return failed("decided by template {}; -1 for none", decision.template_id);
+  }
   const bool stays = decision.action == Action::Stay;
   if (decision.action == Action::CreateExperience) {
     if (id == experiences) return Status::ok();
@@ -45,6 +48,51 @@ Status checkExperience(const Decision& decision, std::int64_t experiences, std::
   }
   if (!stays || last < -1 || id == last) return Status::ok();
   return failed("stays at experience {}, but was at {}", id, last);
+}
+
+bool isPast(std::int64_t frame, const KnownMap& known) {
+  return frame >= 0 && frame <= known.newest_frame;
+}
+
+Status checkExperience(const Experience& experience, std::int64_t id, const KnownMap& known) {
+  if (experience.id != id) return failed("experience ids are not dense from 0");
+  if (!isPast(experience.frame, known)) {
+    return failed("experience {} was made at frame {}, which is not a past frame", id,
+                  experience.frame);
+  }
+  if (experience.template_id < -1) {
+    return failed("experience {} has template {}; -1 for none", id, experience.template_id);
+  }
+  return checkValues(experience);
+}
+
+Status checkLink(const Link& link, std::int64_t experiences, const KnownMap& known) {
+  const auto exists = [&](std::int64_t id) { return id >= 0 && id < experiences; };
+  if (!exists(link.from) || !exists(link.to)) {
+    return failed("link {} has an unknown experience", link.id);
+  }
+  if (!isPast(link.frame, known)) {
+    return failed("link {} was made at frame {}, which is not a past frame", link.id, link.frame);
+  }
+  if (Status status = checkValues(link); !status.isOk()) return status;
+  if (link.duration < 0) return failed("link {} has a duration of {} s", link.id, link.duration);
+  if (link.weight < 0 || link.weight > 1) {
+    return failed("link {} has a weight of {}, which is not in [0, 1]", link.id, link.weight);
+  }
+  return checkCovariance(link.covariance, "covariance");
+}
+
+Status checkRejected(const MapGraph& graph) {
+  const auto links = static_cast<std::int64_t>(graph.links.size());
+  std::int64_t last = -1;
+  for (const std::int64_t id : graph.rejected) {
+    if (id <= last) return failed("the ids of rejected links are not ascending from 0");
+    last = id;
+    const bool is_loop =
+        id < links && graph.links[static_cast<std::size_t>(id)].kind == LinkKind::Loop;
+    if (!is_loop) return failed("rejected link {} is no loop link of the graph", id);
+  }
+  return Status::ok();
 }
 
 }  // namespace
@@ -140,34 +188,26 @@ Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {
     return failed("the frame is attached to experience {}, which does not exist",
                   update.experience);
   }
-  if (update.links >= 0 && update.loops >= 0) return Status::ok();
-  return Status::failed("a number of links is negative");
+  if (update.links < 0 || update.loops < 0) return failed("a number of links is negative");
+  if (update.loops <= update.links) return Status::ok();
+  return failed("{} loops of {} links", update.loops, update.links);
 }
 
-Status checkGraph(const MapGraph& graph, std::int64_t newest) {
+Status checkGraph(const MapGraph& graph, const KnownMap& known) {
   const auto count = static_cast<std::int64_t>(graph.experiences.size());
-  const auto isPast = [&](std::int64_t frame) { return frame >= 0 && frame <= newest; };
+  if (graph.version < known.version) return failed("the version of the map decreased");
+  if (known.experiences >= 0 && count != known.experiences) {
+    return failed("the graph has {} experiences, the last update {}", count, known.experiences);
+  }
   for (std::int64_t i = 0; i < count; ++i) {
     const Experience& experience = graph.experiences[static_cast<std::size_t>(i)];
-    if (experience.id != i) return Status::failed("experience ids are not dense from 0");
-    if (!isPast(experience.frame)) {
-      return failed("experience {} was made at frame {}, which is not a past frame", i,
-                    experience.frame);
-    }
-    if (Status status = checkValues(experience); !status.isOk()) return status;
+    if (Status status = checkExperience(experience, i, known); !status.isOk()) return status;
   }
   for (std::size_t i = 0; i < graph.links.size(); ++i) {
-    const Link& link = graph.links[i];
-    if (link.id != static_cast<std::int64_t>(i)) return Status::failed("link ids are not dense");
-    if (link.from < 0 || link.from >= count || link.to < 0 || link.to >= count) {
-      return failed("link {} has an unknown experience", i);
-    }
-    if (!isPast(link.frame)) {
-      return failed("link {} was made at frame {}, which is not a past frame", i, link.frame);
-    }
-    if (Status status = checkValues(link); !status.isOk()) return status;
+    if (graph.links[i].id != static_cast<std::int64_t>(i)) return failed("link ids are not dense");
+    if (Status status = checkLink(graph.links[i], count, known); !status.isOk()) return status;
   }
-  return Status::ok();
+  return checkRejected(graph);
 }
 
 }  // namespace tolman::host

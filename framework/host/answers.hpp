@@ -33,7 +33,14 @@ Status checkDecision(const Decision& decision, std::int64_t experiences, std::in
 /// `last_version`: of the update before.
 Status checkUpdate(const MapUpdate& update, std::int64_t last_version);
 
-/// `newest`: the last frame that the map was given.
-Status checkGraph(const MapGraph& graph, std::int64_t newest);
+/// What the answers of a map have told so far.
+struct KnownMap {
+  std::int64_t newest_frame = INT64_MAX;  ///< that the map has answered; the largest: not known
+  std::int64_t version = INT64_MIN;       ///< of the last update; the smallest: not known
+  std::int64_t experiences = -1;          ///< at the last update; -1: not known
+};
+
+/// Ids, frames and values of experiences and links, and that it is the map of the last update.
+Status checkGraph(const MapGraph& graph, const KnownMap& known);
 
 }  // namespace tolman::host

@@ -48,6 +48,16 @@ Status checkArray(const NamedArray& array) {
   return Status::failed("array '" + array.name + "' has NaN or infinity");
 }
 
+/// Whether all but the first of the axes are the same.
+bool differInLength(std::span<const int> a, std::span<const int> b) {
+  if (a.size() != b.size()) return false;
+  return a.empty() || std::ranges::equal(a.subspan(1), b.subspan(1));
+}
+
+Status changedShape(const NamedArray& array) {
+  return Status::failed("array '" + array.name + "' changed its shape");
+}
+
 Status checkTexts(const ArrayInfo& info) {
   std::vector<std::string_view> texts = {info.unit, info.doc, info.population};
   for (const ArrayAxis& axis : info.axes) {
@@ -91,6 +101,15 @@ Status checkDescriptions(std::span<const ArrayInfo> arrays) {
   });
 }
 
+Status ArrayShapes::checkShapes(const std::vector<NamedArray>& arrays) {
+  if (Status status = checkArrays(arrays); !status.isOk()) return status;
+  for (const NamedArray& array : arrays) {
+    const auto& [known, is_new] = known_.emplace(array.name, array.shape);
+    if (!is_new && !differInLength(known->second, array.shape)) return changedShape(array);
+  }
+  return Status::ok();
+}
+
 Status ArrayShapes::check(const std::vector<NamedArray>& arrays) {
   if (Status status = checkArrays(arrays); !status.isOk()) return status;
   if (known_.empty()) {
@@ -105,7 +124,7 @@ Status ArrayShapes::check(const std::vector<NamedArray>& arrays) {
                             "same over a run");
     }
     if (found->second != array.shape) {
-      return Status::failed("array '" + array.name + "' changed its shape");
+      return changedShape(array);
     }
   }
   if (arrays.size() == known_.size()) return Status::ok();

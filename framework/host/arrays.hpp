@@ -18,11 +18,15 @@ Status checkArrays(const std::vector<NamedArray>& arrays);
 /// Checks names, texts and numbers of descriptions.
 Status checkDescriptions(std::span<const ArrayInfo> arrays);
 
-/// The names and shapes of the arrays of a plugin, which stay the same over a run.
+/// The names and shapes of the arrays of a plugin, which stay the same over a run. Use one of the
+/// functions.
 class ArrayShapes {
  public:
   /// checkArrays(), and that the arrays are those of the first call.
   Status check(const std::vector<NamedArray>& arrays);
+  /// checkArrays(), and that an array of a name that was there before has its shape, for a list up
+  /// to its length (the first axis). A sensor need not measure at each frame.
+  Status checkShapes(const std::vector<NamedArray>& arrays);
 
  private:
   std::map<std::string, std::vector<int>, std::less<>> known_;  // empty: not known yet

@@ -59,7 +59,8 @@ Status guarded(const CallSite& site, Work&& work) noexcept {
   if (status.isOk() || status.code() == StatusCode::EndOfStream) return status;
   try {
     constexpr std::size_t kLongest = 10'000;
-    return {status.code(), prefix(site).append(status.message(), 0, kLongest)};
+    const std::string text = status.message().empty() ? "failed, without a message" : "";
+    return {status.code(), prefix(site).append(text).append(status.message(), 0, kLongest)};
   } catch (const std::exception&) {
     return status;
   }

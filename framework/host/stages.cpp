@@ -5,6 +5,7 @@
 
 #include "host/answers.hpp"
 #include "host/arrays.hpp"
+#include "host/frame_images.hpp"
 #include "host/values.hpp"
 
 namespace tolman::host {
@@ -40,7 +41,7 @@ Status SourceStage::info(SourceInfo& info) {
   return status;
 }
 
-Status SourceStage::check(const Frame& frame) const {
+Status SourceStage::check(const Frame& frame) {
   if (frame.frame != next_frame_) {
     return Status::failed(fmt::format("gave frame {} instead of {}", frame.frame, next_frame_));
   }
@@ -48,16 +49,9 @@ Status SourceStage::check(const Frame& frame) const {
     return Status::invalidInput(
         fmt::format("time does not increase: {} ns after {} ns", frame.stamp_ns, last_stamp_ns_));
   }
-  for (const Image* image : {&frame.left, &frame.right}) {
-    const bool fits = image->width() == info_.rig.width && image->height() == info_.rig.height;
-    if (!image->empty() && !fits) {
-      return Status::invalidInput(fmt::format("an image of {}x{} px; the rig has {}x{}",
-                                              image->width(), image->height(), info_.rig.width,
-                                              info_.rig.height));
-    }
-  }
-  const Status status = checkValues(frame);
-  return status.isOk() ? checkArrays(frame.sensors) : status;
+  Status status = checkImages(frame, info_.rig);
+  if (status.isOk()) status = checkValues(frame);
+  return status.isOk() ? sensors_.checkShapes(frame.sensors) : status;
 }
 
 Status SourceStage::next(Frame& frame) {
@@ -76,6 +70,7 @@ Status SourceStage::next(Frame& frame) {
 void SourceStage::expect(std::int64_t next_frame, std::int64_t last_stamp_ns) {
   next_frame_ = next_frame;
   last_stamp_ns_ = last_stamp_ns;
+  sensors_ = {};
 }
 
 Status OdometryStage::track(const Frame& frame, Motion& motion) {
@@ -165,10 +160,14 @@ Status MapStage::update(const Motion& motion, const Decision& decision, MapUpdat
   const Status answered = call("update", motion.frame, [&](Map& map) {
     Status status = map.update(motion, decision, update);
     if (status.isOk()) status = checkAnswer(motion, update);
-    return status.isOk() ? checkUpdate(update, version_) : status;
+    return status.isOk() ? checkUpdate(update, known_.version) : status;
   });
-  newest_frame_ = motion.frame;
-  version_ = answered.isOk() ? update.version : INT64_MIN;
+  if (answered.isOk()) {
+    known_ = {motion.frame, update.version, update.experiences};
+  } else {  // the map may have changed, and this frame may stay without a record
+    known_.version = INT64_MIN;
+    known_.experiences = -1;
+  }
   return answered;
 }
 
@@ -184,7 +183,7 @@ Status MapStage::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) {
 Status MapStage::graph(MapGraph& graph) {
   return call("graph", -1, [&](Map& map) {
     const Status status = map.graph(graph);
-    return status.isOk() ? checkGraph(graph, newest_frame_) : status;
+    return status.isOk() ? checkGraph(graph, known_) : status;
   });
 }
 

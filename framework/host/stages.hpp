@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "host/answers.hpp"
 #include "host/instance.hpp"
 #include "host/motion_times.hpp"
 #include "tolman/roles.hpp"
@@ -43,7 +44,8 @@ class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
   Status info(SourceInfo& info);
-  /// Checks that frames are dense from 0, stamps increase and images keep their size.
+  /// Checks that frames are dense from 0, stamps increase, images are those of the rig and arrays
+  /// keep their shapes.
   Status next(Frame& frame);
   Status inspect(std::vector<Finding>& findings) {
     return call("inspect", -1, &Source::inspect, findings);
@@ -54,8 +56,9 @@ class SourceStage : public Stage<Source> {
   void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
 
  private:
-  Status check(const Frame& frame) const;
+  Status check(const Frame& frame);
   SourceInfo info_;
+  ArrayShapes sensors_;
   std::int64_t first_frame_ = 0;
   std::int64_t next_frame_ = 0;  ///< as the plugin counts
   std::int64_t last_stamp_ns_ = 0;
@@ -122,14 +125,10 @@ class MapStage : public Stage<Map> {
     return call("finish", -1, &Map::finish, revisions);
   }
   /// After reset(), or after a saved state was loaded.
-  void expect() {
-    newest_frame_ = INT64_MAX;
-    version_ = INT64_MIN;
-  }
+  void expect() { known_ = {}; }
 
  private:
-  std::int64_t newest_frame_ = INT64_MAX;  ///< the largest number: not known
-  std::int64_t version_ = INT64_MIN;       ///< of the last update; the smallest: not known
+  KnownMap known_;
 };
 
 class ObserverStage : public Stage<Observer> {

@@ -41,7 +41,7 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
     const config::StageConfig& stage = checked_.config.stages[i];
     auto instance = instantiate(checked_, i);
     const auto& services = services_.emplace_back(
-        std::make_unique<Services>(Services{stage.instance, {log, stage.instance}, {}}));
+        std::unique_ptr<Services>(new Services{stage.instance, {log, stage.instance}, {}}));
     const Status status =
         instance->configure({checked_.values.find(stage.instance)->second, services->log,
                              services->artefacts, cancellation, clock, info_.rig,

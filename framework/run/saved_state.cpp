@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/saved_state.hpp"
 
+#include <fmt/format.h>
+
 #include "config/json_integer.hpp"
 #include "run/provenance.hpp"
 #include "run/state_files.hpp"
@@ -41,10 +43,12 @@ SessionProgress loadSession(Assembly& assembly, const fs::path& file) {
   progress.frames = config::integerFrom<std::int64_t>(contents.at("frames"));
   progress.experiences = config::integerFrom<std::int64_t>(contents.at("experiences"));
   progress.templates = config::integerFrom<std::int64_t>(contents.at("templates"));
-  if (progress.frames < 1 || progress.templates < -1 ||
-      progress.experiences != experiencesOf(assembly)) {
-    refuseToContinue(file.string() +
-                     ": is damaged, it does not agree with the map; run the earlier session again");
+  if (progress.frames < 1 || progress.templates < -1) refuseDamaged(file);
+  if (const std::int64_t loaded = experiencesOf(assembly); progress.experiences != loaded) {
+    refuseToContinue(fmt::format(
+        "{}: has {} experiences, the map that was loaded {}; the file is damaged, or the map's "
+        "plugin does not load what it saved; run the earlier session again",
+        file.string(), progress.experiences, loaded));
   }
   return progress;
 }

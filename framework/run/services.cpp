@@ -107,6 +107,17 @@ Status RunLog::status() const {
   return implementation_->status;
 }
 
+void StageLogger::write(LogLevel level, std::string_view message) {
+  constexpr std::size_t kAroundMessage = 64;  // time, level and source of its line, about
+  const std::size_t size = message.size() + kAroundMessage;
+  const std::size_t before = bytes_.fetch_add(size);
+  if (before + size <= kMostBytes) return log_.write(level, source_, message);
+  bytes_ = kMostBytes;  // many more must not overflow it
+  if (before >= kMostBytes) return;
+  log_.write(LogLevel::Warning, source_,
+             "has written 16 MiB of messages; further ones are left out");
+}
+
 std::int64_t SteadyClock::steadyNs() const {
   const auto now = std::chrono::steady_clock::now().time_since_epoch();
   return std::chrono::duration_cast<std::chrono::nanoseconds>(now).count();

@@ -32,17 +32,19 @@ class RunLog {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The logger of one plugin: writes to the run's log under the name of the stage.
+/// The logger of one plugin: writes to the run's log under the name of the stage. After
+/// kMostBytes of messages it says so once and leaves out the rest: no plugin fills the disk.
 class StageLogger : public Logger {
  public:
+  static constexpr std::size_t kMostBytes = 16 << 20;
+
   StageLogger(RunLog& log, std::string source) : log_(log), source_(std::move(source)) {}
-  void write(LogLevel level, std::string_view message) override {
-    log_.write(level, source_, message);
-  }
+  void write(LogLevel level, std::string_view message) override;
 
  private:
   RunLog& log_;
   std::string source_;
+  std::atomic<std::size_t> bytes_ = 0;  ///< of the messages so far
 };
 
 class SteadyClock : public Clock {

@@ -189,6 +189,35 @@ TEST_CASE("a map that fails to tell a pose at the end has failed the run") {
   }
 }
 
+TEST_CASE("a map that contradicts itself has failed the run, and the record stays whole") {
+  for (const auto& [plugin, says] :
+       {std::pair("old_version", "update, frame 3: the version of the map decreased"),
+        std::pair("no_graph", "the graph has 0 experiences, the last update 4"),
+        std::pair("negative_link", "link 0 has a duration of -1 s")}) {
+    const Attempt attempt(
+        "role_faults", "feature_stereo",
+        {"--set", "map.plugin=" + std::string(plugin), "--set", "cells.plugin=single_experience"});
+    INFO(attempt.finished.err);
+    CHECK(attempt.finished.exit_code == 7);
+    CHECK(contains(attempt.finished.err, says));
+    CHECK(readJson(attempt.out / "run.json")["counters"]["frames"] >= 3);
+  }
+}
+
+TEST_CASE("frames that break the contract end the run, in the words of the source") {
+  for (const auto& [plugin, says] :
+       {std::pair("half_pair", "next, frame 3: only the left image of a pair"),
+        std::pair("no_pixels", "next, frame 3: the left image has 64x48 px and no data"),
+        std::pair("narrow_rows", "next, frame 3: the left image has rows of 64 bytes and a"),
+        std::pair("reshaped_sensor", "next, frame 3: array 'wheel' changed its shape")}) {
+    const Attempt attempt("role_faults", "feature_stereo",
+                          {"--set", "source={plugin: " + std::string(plugin) + ", path: /tmp}"});
+    INFO(attempt.finished.err);
+    CHECK(attempt.finished.exit_code == 5);
+    CHECK(contains(attempt.finished.err, says));
+  }
+}
+
 TEST_CASE("a plugin that offers its state and cannot save it has failed the run") {
   for (const auto& [plugin, says] :
        {std::pair("fails_to_save", "save: threw: no room"),

@@ -160,13 +160,16 @@ TEST_CASE("an update is attached to a known experience, its version does not dec
   update.experience = 1;
   update.links = -1;
   CHECK(checkUpdate(update, 3).message() == "a number of links is negative");
+  update.links = 1;
+  update.loops = 2;
+  CHECK(checkUpdate(update, 3).message() == "2 loops of 1 links");
 }
 
 TEST_CASE("a graph is dense and of past frames") {
   MapGraph graph;
   graph.experiences.resize(2);
   graph.links.resize(1);
-  const auto message = [&] { return checkGraph(graph, 7).message(); };
+  const auto message = [&] { return checkGraph(graph, {.newest_frame = 7}).message(); };
   CHECK(message() == "experience ids are not dense from 0");
   for (std::int64_t i : {0, 1}) {
     auto& experience = graph.experiences[static_cast<std::size_t>(i)];
@@ -186,4 +189,46 @@ TEST_CASE("a graph is dense and of past frames") {
   CHECK(message().empty());
   link.T_from_to.linear().setZero();
   CHECK(message() == "the rotation of 'T_from_to' is not orthonormal; use normalised()");
+}
+
+TEST_CASE("links have a duration, a weight and a covariance, rejected ones are loops") {
+  MapGraph graph;
+  graph.experiences.resize(2);
+  for (std::int64_t i : {0, 1}) {
+    graph.experiences[static_cast<std::size_t>(i)].id = i;
+    graph.experiences[static_cast<std::size_t>(i)].frame = i;
+  }
+  Link& link = graph.links.emplace_back();
+  link.id = link.from = 0;
+  link.to = link.frame = 1;
+  const auto message = [&] { return checkGraph(graph, {.newest_frame = 1}).message(); };
+  CHECK(message().empty());
+  link.duration = -2;
+  CHECK(message() == "link 0 has a duration of -2 s");
+  link.duration = 0;
+  link.weight = 1.5;
+  CHECK(message() == "link 0 has a weight of 1.5, which is not in [0, 1]");
+  link.weight = 1;
+  link.covariance = -Matrix6d::Identity();
+  CHECK(message() == "'covariance' has a negative variance");
+  link.covariance.setIdentity();
+  graph.rejected = {0};
+  CHECK(message() == "rejected link 0 is no loop link of the graph");
+  link.kind = LinkKind::Loop;
+  CHECK(message().empty());
+  graph.rejected = {0, 0};
+  CHECK(message() == "the ids of rejected links are not ascending from 0");
+  graph.rejected.clear();
+  graph.experiences[1].template_id = -50;
+  CHECK(message() == "experience 1 has template -50; -1 for none");
+}
+
+TEST_CASE("a graph is that of the last update") {
+  MapGraph graph;
+  graph.version = 3;
+  CHECK(checkGraph(graph, {.version = 3, .experiences = 0}).isOk());
+  CHECK(checkGraph(graph, {.version = 4, .experiences = 0}).message() ==
+        "the version of the map decreased");
+  CHECK(checkGraph(graph, {.version = 3, .experiences = 2}).message() ==
+        "the graph has 0 experiences, the last update 2");
 }

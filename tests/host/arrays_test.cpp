@@ -72,3 +72,14 @@ TEST_CASE("descriptions have texts that can be shown and finite numbers") {
   info.axes.clear();
   CHECK(checkDescriptions(std::vector{info, info}).message() == "array 'a' is given twice");
 }
+
+TEST_CASE("sensors may be missing, and lists have any length") {
+  ArrayShapes shapes;
+  CHECK(shapes.checkShapes({{"loops", {1, 2}, {3, 4}}}).isOk());
+  CHECK(shapes.checkShapes({}).isOk());
+  CHECK(shapes.checkShapes({{"loops", {0, 2}, {}}, {"depth", {2}, {1, 2}}}).isOk());
+  CHECK(shapes.checkShapes({{"loops", {1, 3}, {3, 4, 5}}}).message() ==
+        "array 'loops' changed its shape");
+  CHECK(shapes.checkShapes({{"depth", {1, 2}, {1, 2}}}).message() ==
+        "array 'depth' changed its shape");
+}

@@ -121,3 +121,22 @@ TEST_CASE("the clock never goes back") {
     before = now;
   }
 }
+
+TEST_CASE("a plugin that writes without end does not fill the disk") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "log.txt";
+  RunLog log(true);
+  REQUIRE(log.openFile(file).isOk());
+  StageLogger stage(log, "observer");
+  StageLogger other(log, "map");
+  const std::string message(9000, 'x');
+  for (std::size_t bytes = 0; bytes < 2 * StageLogger::kMostBytes; bytes += message.size()) {
+    stage.write(LogLevel::Debug, message);
+  }
+  other.write(LogLevel::Info, "still heard");
+  CHECK(std::filesystem::file_size(file) < StageLogger::kMostBytes + 10'000);
+  const std::vector<std::string> lines = linesOf(file);
+  CHECK(lines[lines.size() - 2].ends_with(
+      "warning observer: has written 16 MiB of messages; further ones are left out"));
+  CHECK(lines.back().ends_with("info map: still heard"));
+}

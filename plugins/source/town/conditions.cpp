@@ -5,8 +5,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <sstream>
 #include <string_view>
@@ -22,25 +22,33 @@ constexpr double kOtherPass = 30;     ///< m of driving between them
 constexpr double kShortMeeting = 15;  ///< m
 const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
 
-using Change = void (*)(Condition&);
-constexpr std::array<std::pair<std::string_view, Change>, 11> kWords = {{
-    {"day", [](Condition& c) { c.hour = 10.5, c.is_night = false; }},
-    {"dusk", [](Condition& c) { c.hour = 19.3, c.is_night = false; }},
-    {"night", [](Condition& c) { c.hour = 0, c.is_night = true; }},
-    {"clear", [](Condition& c) { c.weather = Weather::Clear, c.rains = false; }},
-    {"overcast", [](Condition& c) { c.weather = Weather::Overcast, c.rains = false; }},
-    {"fog", [](Condition& c) { c.weather = Weather::Fog, c.rains = false; }},
-    {"rain", [](Condition& c) { c.weather = Weather::Rain, c.rains = true; }},
-    {"snow", [](Condition& c) { c.snow = true; }},
-    {"bare", [](Condition& c) { c.bare = true; }},
-    {"leaf", [](Condition& c) { c.bare = false; }},
-    {"exchanged", [](Condition& c) { c.exchanged = true; }},
+/// What a word is about. Two words about the same exclude each other.
+enum class Subject { Light, Weather, Ground, Leaves, Cars };
+
+struct Word {
+  std::string_view name;
+  Subject subject;
+  void (*change)(Condition&);
+};
+
+constexpr std::array<Word, 11> kWords = {{
+    {"day", Subject::Light, [](Condition& c) { c.hour = 10.5, c.is_night = false; }},
+    {"dusk", Subject::Light, [](Condition& c) { c.hour = 19.3, c.is_night = false; }},
+    {"night", Subject::Light, [](Condition& c) { c.hour = 0, c.is_night = true; }},
+    {"clear", Subject::Weather, [](Condition& c) { c.weather = Weather::Clear, c.rains = false; }},
+    {"overcast", Subject::Weather,
+     [](Condition& c) { c.weather = Weather::Overcast, c.rains = false; }},
+    {"fog", Subject::Weather, [](Condition& c) { c.weather = Weather::Fog, c.rains = false; }},
+    {"rain", Subject::Weather, [](Condition& c) { c.weather = Weather::Rain, c.rains = true; }},
+    {"snow", Subject::Ground, [](Condition& c) { c.snow = true; }},
+    {"bare", Subject::Leaves, [](Condition& c) { c.bare = true; }},
+    {"leaf", Subject::Leaves, [](Condition& c) { c.bare = false; }},
+    {"exchanged", Subject::Cars, [](Condition& c) { c.exchanged = true; }},
 }};
 
-const Change* findWord(std::string_view word) {
-  const auto found = std::find_if(kWords.begin(), kWords.end(),
-                                  [&](const auto& known) { return known.first == word; });
-  return found == kWords.end() ? nullptr : &found->second;
+const Word* findWord(std::string_view name) {
+  const auto found = std::ranges::find(kWords, name, &Word::name);
+  return found == kWords.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -93,22 +101,33 @@ bool parseWhere(const std::string& where, ConditionEntry& entry) {
                                         std::floor(entry.last) == entry.last));
 }
 
+Status checkWords(const std::string& entry, const std::vector<std::string>& words) {
+  std::map<Subject, std::string> said;
+  for (const std::string& word : words) {
+    const Word* known = findWord(word);
+    if (known == nullptr) {
+      std::string all;
+      for (const Word& one : kWords) all.append(all.empty() ? "" : ", ").append(one.name);
+      return refuse(entry, "'" + word + "' is no condition; use " + all);
+    }
+    const auto& [before, is_new] = said.emplace(known->subject, word);
+    if (is_new || before->second == word) continue;
+    return refuse(entry, "'" + before->second + "' and '" + word + "' exclude each other");
+  }
+  return Status::ok();
+}
+
 Result<ConditionEntry> parseEntry(const std::string& text) {
   const std::size_t equals = text.find('=');
   ConditionEntry entry;
   if (equals == std::string::npos || !parseWhere(text.substr(0, equals), entry)) {
     return refuse(text,
                   "does not begin with a range; write 'pass 2 =', 'pass 2-3 =', "
-                  "'300-450 m =' or 'all ='");
+                  "'300-450 m =' or 'all =', the smaller number first, passes from 1");
   }
   entry.words = split(text.substr(equals + 1), ' ');
   if (entry.words.empty()) return refuse(text, "says nothing; add words such as night or rain");
-  for (const std::string& word : entry.words) {
-    if (findWord(word) != nullptr) continue;
-    std::string known;
-    for (const auto& [name, change] : kWords) known.append(known.empty() ? "" : ", ").append(name);
-    return refuse(text, "'" + word + "' is no condition; use " + known);
-  }
+  if (Status status = checkWords(text, entry.words); !status.isOk()) return status;
   return entry;
 }
 
@@ -183,7 +202,7 @@ std::vector<Condition> conditionsOf(const CameraRoute& route,
     for (const ConditionEntry& entry : entries) {
       const double at = entry.is_pass ? passes[i] : driven[i];
       if (at < entry.first || at > entry.last) continue;
-      for (const std::string& word : entry.words) (*findWord(word))(conditions[i]);
+      for (const std::string& word : entry.words) findWord(word)->change(conditions[i]);
     }
   }
   return conditions;

@@ -55,6 +55,10 @@ TEST_CASE("what is not in the grammar is refused by name") {
   CHECK(refusal("all = rain; all = wet") ==
         "conditions: 'all = wet': 'wet' is no condition; use day, dusk, night, clear, overcast, "
         "fog, rain, snow, bare, leaf, exchanged");
+  CHECK(refusal("all = day snow night") ==
+        "conditions: 'all = day snow night': 'day' and 'night' exclude each other");
+  CHECK(refusal("all = fog rain").find("'fog' and 'rain' exclude") != std::string::npos);
+  CHECK(refusal("9-5 m = night").find("the smaller number first") != std::string::npos);
 }
 
 TEST_CASE("metres hold where they are driven, later entries win") {
