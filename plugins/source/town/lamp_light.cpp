@@ -80,4 +80,14 @@ float headlightsOnto(const Headlights& beams, const Vec3& point, const Vec3& n) 
   return kBeam * across * (0.03F + 0.97F * below) * facing / (distance * distance);
 }
 
+float carLamps(const SurfaceHit& hit) {
+  constexpr float kFront = 25;
+  constexpr float kRear = 1;
+  const float aside = std::abs(hit.point.y);
+  const bool at_lamp =
+      hit.point.z > 0.52F && hit.point.z < 0.7F && aside > 0.42F && std::abs(hit.normal.x) > 0.3F;
+  if (!at_lamp) return 0;
+  return hit.point.x > 0 ? kFront : kRear;
+}
+
 }  // namespace tolman::town

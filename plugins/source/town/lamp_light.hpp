@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "light.hpp"
+#include "material.hpp"
 #include "vec3.hpp"
 
 namespace tolman::town {
@@ -27,6 +28,9 @@ class StreetLamps {
   std::vector<Vec3> heads_;
   std::unordered_map<std::int64_t, std::vector<std::uint32_t>> cells_;
 };
+
+/// Radiance of the lamps of a car at a point of its bodywork, in axes of the car.
+float carLamps(const SurfaceHit& hit);
 
 /// Low beams: bright below the horizon straight ahead.
 float headlightsOnto(const Headlights& beams, const Vec3& point, const Vec3& n);

@@ -38,6 +38,14 @@ struct Light {
   float rain = 0;   ///< drops in the air
   float snow = 0;   ///< cover of what faces upwards
   Headlights headlights;
+  /// Of moving cars near the camera, the nearest first.
+  static constexpr int kMostOncoming = 4;
+  std::array<Headlights, kMostOncoming> oncoming;
+  int oncoming_count = 0;
+  float glass = 0;    ///< share of light that windows mirror beside clean glass
+  float puddles = 0;  ///< on dry streets
+  float wind = 0;     ///< m/s, in which leaves flutter
+  float seconds = 0;  ///< since the start of the drive
   /// The light is this many times weaker than the radiances say: cameras see night as bright by
   /// exposing longer and amplifying.
   float dimness = 1;

@@ -20,9 +20,15 @@ float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& pl
     case Material::Wood:
     case Material::Body:
     case Material::Board:
+    case Material::Cloth:
       return objectAlbedo(surface, hit);
   }
   return surface.tone;
+}
+
+float glassShare(const Surface& surface, const SurfaceHit& hit) {
+  if (surface.material == Material::Facade) return windowGlass(surface, hit);
+  return surface.material == Material::Body ? carGlass(hit) : 0;
 }
 
 }  // namespace tolman::town

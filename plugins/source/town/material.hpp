@@ -32,6 +32,11 @@ float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& pl
 /// Share of the pixel that windows of a facade with light behind them cover.
 float litWindows(const Surface& surface, const SurfaceHit& hit);
 
+/// Share of the pixel that glass covers, in windows of houses and cars.
+float glassShare(const Surface& surface, const SurfaceHit& hit);
+float windowGlass(const Surface& surface, const SurfaceHit& hit);
+float carGlass(const SurfaceHit& hit);
+
 // One function for each group of materials; albedo() selects it.
 float groundAlbedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan);
 float buildingAlbedo(const Surface& surface, const SurfaceHit& hit);

@@ -158,6 +158,13 @@ float litWindows(const Surface& surface, const SurfaceHit& hit) {
                 : 0;
 }
 
+float windowGlass(const Surface& surface, const SurfaceHit& hit) {
+  const WallPoint at = wallPoint(surface, hit);
+  const Opening opening = openingAt(surface, at, surface.seed);
+  if (opening.kind != Opening::Kind::Window) return 0;
+  return cover(shrunk(opening.box, 0.09F), at);  // shutters are inside
+}
+
 float buildingAlbedo(const Surface& surface, const SurfaceHit& hit) {
   return surface.material == Material::Roof ? roof(surface, hit) : facade(surface, hit);
 }

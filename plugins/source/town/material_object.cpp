@@ -22,18 +22,22 @@ float wood(const Surface& surface, const SurfaceHit& hit) {
   return surface.tone * std::max(0.1F, 1 + single + 0.3F * grain - 0.7F * gaps);
 }
 
+/// Clothes in the tone of this person, darker in the folds.
+float cloth(const Surface& surface, const SurfaceHit& hit) {
+  const float tone = between(hash(hit.seed, 3), 0.04F, 0.6F);
+  const Vec3 folds = {hit.point.x, hit.point.y, 0.5F * hit.point.z};
+  return tone * std::max(0.3F, 1 + 0.4F * fractal3(folds, 0.2F, 3, hit.footprint(), surface.seed));
+}
+
 /// Bodywork in the tone of this car, with the dark band of the windows.
 float body(const Surface& surface, const SurfaceHit& hit) {
   const float z = hit.point.z;
   const float ez = hit.extent({0, 0, 1});
   const float tone = surface.tone * between(hash(hit.seed, 1), 0.15F, 1.3F);
-  const bool upright = std::abs(hit.normal.z) < 0.85F;
-  const float glass = upright ? filteredPulse(0.92F, 1.34F, z, ez) : 0.0F;
-  const float pillars = filteredStripes(1.15F, 0.09F, hit.point.x + 0.4F, hit.extent({1, 0, 0}));
   const float trim = filteredPulse(0.45F, 0.5F, z, ez) + filteredPulse(0.2F, 0.27F, z, ez);
   const float panel = tone * (1 - 0.6F * std::min(trim, 1.0F)) *
                       (1 + 0.1F * fractal3(hit.point, 0.6F, 3, hit.footprint(), hit.seed));
-  return panel + glass * (1 - pillars) * (0.04F - panel);
+  return panel + carGlass(hit) * (0.04F - panel);
 }
 
 /// Posters: a few large shapes and lines of "writing".
@@ -57,6 +61,14 @@ float board(const Surface& surface, const SurfaceHit& hit) {
 
 }  // namespace
 
+float carGlass(const SurfaceHit& hit) {
+  const bool upright = std::abs(hit.normal.z) < 0.85F;
+  const float glass =
+      upright ? filteredPulse(0.92F, 1.34F, hit.point.z, hit.extent({0, 0, 1})) : 0.0F;
+  const float pillars = filteredStripes(1.15F, 0.09F, hit.point.x + 0.4F, hit.extent({1, 0, 0}));
+  return glass * (1 - pillars);
+}
+
 float objectAlbedo(const Surface& surface, const SurfaceHit& hit) {
   switch (surface.material) {
     case Material::Wood:
@@ -65,6 +77,8 @@ float objectAlbedo(const Surface& surface, const SurfaceHit& hit) {
       return body(surface, hit);
     case Material::Board:
       return board(surface, hit);
+    case Material::Cloth:
+      return cloth(surface, hit);
     default:
       return surface.tone *
              (1 + 0.15F * fractal3(hit.point, 0.5F, 3, hit.footprint(), surface.seed));

@@ -42,6 +42,9 @@ float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, cons
   if (light.wet > 0 && isGround(surface)) {
     albedo *= 1 - light.wet * (0.4F + 0.2F * puddle(point));
   }
+  if (light.puddles > 0 && surface.material == Material::Road) {
+    albedo *= 1 - light.puddles * 0.55F * puddle(point);
+  }
   if (light.snow > 0) {
     const float crust = fractal2(point.x, point.y, 1.3F, 4, footprint, 931);
     const float drifts = noise2(point.x / 6, point.y / 6, 932);
@@ -53,10 +56,17 @@ float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, cons
 
 float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
                     const Light& light) {
-  if (light.wet <= 0 || !isGround(surface) || normal.z < 0.7F) return 0;
+  if (!isGround(surface) || normal.z < 0.7F) return 0;
   const float cosine = std::clamp(-dot(way, normal), 0.0F, 1.0F);
   const float fresnel = 0.02F + 0.98F * std::pow(1 - cosine, 5.0F);  // Schlick, water
-  return light.wet * fresnel * (0.12F + 0.78F * puddle(point));
+  if (light.wet > 0) return light.wet * fresnel * (0.12F + 0.78F * puddle(point));
+  const bool has_puddles = light.puddles > 0 && surface.material == Material::Road;
+  return has_puddles ? light.puddles * fresnel * 0.9F * puddle(point) : 0;
+}
+
+float mirroredByGlass(float glass, const Vec3& normal, const Vec3& way) {
+  const float cosine = std::clamp(-dot(way, normal), 0.0F, 1.0F);
+  return glass * (0.1F + 0.9F * std::pow(1 - cosine, 5.0F));  // Schlick, both sides of a pane
 }
 
 }  // namespace tolman::town

@@ -16,4 +16,7 @@ float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, cons
 float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
                     const Light& light);
 
+/// The same of a pane that covers the share `glass` of the pixel.
+float mirroredByGlass(float glass, const Vec3& normal, const Vec3& way);
+
 }  // namespace tolman::town

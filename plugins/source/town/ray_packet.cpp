@@ -15,6 +15,16 @@ namespace {
 constexpr float kClumpsMerge = 25;
 constexpr float kClumpsMerged = 45;
 
+/// m that the wind moves leaves, each clump in its own time.
+Vec3 flutter(const Light& light, const SurfaceHit& hit) {
+  constexpr float kReach = 0.004F;  // m in a wind of 1 m/s
+  const float phase = 7 * hit.point.x + 5 * hit.point.y + 6 * hit.point.z;
+  const float reach = kReach * light.wind;
+  const float t = light.seconds;
+  return {reach * std::sin(9.1F * t + phase), reach * std::sin(7.7F * t + 1.3F * phase + 2),
+          0.5F * reach * std::sin(11.3F * t + phase + 4)};
+}
+
 }  // namespace
 
 /// Where one ray of the packet ended.
@@ -96,10 +106,8 @@ void RayPacket::castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const
   }
 }
 
-Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const {
-  if (!meeting.hit) {
-    return {around_.light->fromSky(direction, norm(around_.pixel_x)), 0, 0};
-  }
+/// The place in the axes of the surface's pattern, with the pixel's footprint.
+SurfaceHit RayPacket::hitOf(const Meeting& meeting, const Vec3& direction) const {
   const Surface& surface = around_.scene->surface(meeting.owner.surface);
   // The footprint on the tangent plane; at grazing angles it is long, but not endless.
   float slope = dot(meeting.normal, direction);
@@ -121,6 +129,15 @@ Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const 
     hit.dy = placement.unrotate(hit.dy) * (1 / placement.scale);
     hit.seed = hash(surface.seed, instance->seed);
   }
+  return hit;
+}
+
+Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const {
+  if (!meeting.hit) {
+    return {around_.light->fromSky(direction, norm(around_.pixel_x)), 0, 0};
+  }
+  const Surface& surface = around_.scene->surface(meeting.owner.surface);
+  SurfaceHit hit = hitOf(meeting, direction);
   // Leaves point every way: the lump that stands for them must not show its facets.
   const bool foliage = surface.material == Material::Leaves;
   const Vec3 facing = foliage
@@ -129,9 +146,10 @@ Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const 
   float lit = meeting.lit;
   if (foliage) lit += (0.5F - lit) * smoothstep(kClumpsMerge, kClumpsMerged, meeting.t);
   const float light = around_.light->onto(facing, lit);
+  if (foliage && around_.light->wind > 0) hit.point = hit.point + flutter(*around_.light, hit);
   float tone = albedo(surface, hit, *around_.plan);
   float radiance = tone * light;
-  if (around_.light->wet > 0 || around_.light->snow > 0) {
+  if (around_.light->wet > 0 || around_.light->snow > 0 || around_.light->puddles > 0) {
     tone = weatheredAlbedo(tone, surface, meeting.point, meeting.normal, hit.footprint(),
                            *around_.light, *around_.plan);
     radiance = tone * light;
@@ -142,13 +160,18 @@ Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const 
 }
 
 float RayPacket::lampLight(const Meeting& meeting) const {
+  constexpr float kOncoming = 0.3F;  // low beams of others point away from what the camera sees
   const Light& light = *around_.light;
   float sum = headlightsOnto(light.headlights, meeting.point, meeting.normal);
   if (around_.lamps != nullptr) sum += around_.lamps->onto(meeting.point, meeting.normal);
+  for (int i = 0; i < light.oncoming_count; ++i) {
+    sum += kOncoming * headlightsOnto(light.oncoming[static_cast<std::size_t>(i)], meeting.point,
+                                      meeting.normal);
+  }
   return light.lamps * sum;
 }
 
-/// Radiance of what shines by itself: heads of lamps, lit windows.
+/// Radiance of what shines by itself: heads of lamps, lit windows, lamps of cars.
 float RayPacket::glow(const Meeting& meeting, const SurfaceHit& hit) const {
   constexpr float kLamp = 6;
   constexpr float kWindow = 0.12F;
@@ -156,16 +179,35 @@ float RayPacket::glow(const Meeting& meeting, const SurfaceHit& hit) const {
   if (surface.material == Material::Facade) {
     return around_.light->lamps * kWindow * litWindows(surface, hit);
   }
+  const MeshInstance* instance = meeting.owner.instance;
+  if (surface.material == Material::Body && instance != nullptr && instance->shines) {
+    return around_.light->lamps * carLamps(hit);
+  }
   const bool shines = surface.material == Material::Plain && around_.lamps != nullptr &&
                       around_.lamps->isHead(meeting.point);
   return shines ? around_.light->lamps * kLamp : 0;
 }
 
-/// Adds what wet ground mirrors. Rays of a mirrored packet meet dry ground.
+/// Share of the light that the place mirrors.
+float RayPacket::mirrorShare(const Meeting& meeting, const Vec3& direction) const {
+  const Vec3 way = normalised(direction);
+  const Light& light = *around_.light;
+  const Surface& surface = around_.scene->surface(meeting.owner.surface);
+  float share = mirroredShare(surface, meeting.point, meeting.normal, way, light);
+  if (light.glass > 0) {
+    const bool may_be_glass =
+        surface.material == Material::Facade || surface.material == Material::Body;
+    const float glass = may_be_glass ? glassShare(surface, hitOf(meeting, direction)) : 0;
+    share += light.glass * mirroredByGlass(glass, meeting.normal, way);
+  }
+  return share;
+}
+
+/// Adds what wet ground and glass mirror. Rays of a mirrored packet meet dry ground.
 void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
                        std::array<Shaded, kRaysPerPacket>& shaded) const {
   Light dry = *around_.light;
-  dry.wet = 0;
+  dry.wet = dry.glass = dry.puddles = 0;
   Surroundings around = around_;
   around.light = &dry;
   RayPacket mirrored(around);
@@ -174,9 +216,7 @@ void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
     const Meeting& meeting = meetings[i];
     if (!meeting.hit) continue;
-    const Vec3 way = normalised(directions_[i]);
-    const float share = mirroredShare(around_.scene->surface(meeting.owner.surface), meeting.point,
-                                      meeting.normal, way, *around_.light);
+    const float share = mirrorShare(meeting, directions_[i]);
     if (share < 0.01F) continue;
     const auto at = static_cast<std::size_t>(mirrored.size());
     owners[at] = i;
@@ -212,7 +252,8 @@ std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
     result[i] = shadeOne(meetings[i], directions_[i]);
   }
-  if (around_.light->wet > 0) mirror(meetings, result);
+  const Light& light = *around_.light;
+  if (light.wet > 0 || light.glass > 0 || light.puddles > 0) mirror(meetings, result);
   count_ = 0;
   return result;
 }

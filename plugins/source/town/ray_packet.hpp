@@ -53,6 +53,8 @@ class RayPacket {
   void trace(std::array<Meeting, kRaysPerPacket>& meetings);
   void castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const;
   Shaded shadeOne(const Meeting& meeting, const Vec3& direction) const;
+  SurfaceHit hitOf(const Meeting& meeting, const Vec3& direction) const;
+  float mirrorShare(const Meeting& meeting, const Vec3& direction) const;
   float lampLight(const Meeting& meeting) const;
   float glow(const Meeting& meeting, const SurfaceHit& hit) const;
   void mirror(const std::array<Meeting, kRaysPerPacket>& meetings,

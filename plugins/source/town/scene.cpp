@@ -16,7 +16,18 @@ constexpr std::uint32_t kFirstInstance = 1;
 std::array<float, 12> matrixOf(const Placement& p) {
   const float c = p.cosine * p.scale;
   const float s = p.sine * p.scale;
-  return {c, s, 0, -s, c, 0, 0, 0, p.scale, p.position.x, p.position.y, p.position.z};
+  return {c,
+          s,
+          0,
+          -s,
+          c,
+          0,
+          p.lean_x * p.scale,
+          p.lean_y * p.scale,
+          p.scale,
+          p.position.x,
+          p.position.y,
+          p.position.z};
 }
 
 RTCScene newScene(RTCDevice device) {
@@ -83,6 +94,13 @@ void Scene::move(std::size_t index, const Placement& placement) {
   instances_.at(index).placement = placement;
   rtcSetGeometryTransform(instance_geometries_[index], 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                           matrixOf(placement).data());
+  rtcCommitGeometry(instance_geometries_[index]);
+}
+
+void Scene::change(std::size_t index, std::uint32_t prototype) {
+  if (instances_.at(index).prototype == prototype) return;
+  instances_[index].prototype = prototype;
+  rtcSetGeometryInstancedScene(instance_geometries_[index], prototype_scenes_.at(prototype).get());
   rtcCommitGeometry(instance_geometries_[index]);
 }
 

@@ -41,6 +41,8 @@ class Scene {
   void show(std::size_t index, bool shown);
   /// Moves instance `index`; commit() makes both visible.
   void move(std::size_t index, const Placement& placement);
+  /// Instance `index` shows another prototype.
+  void change(std::size_t index, std::uint32_t prototype);
   void commit();
   std::size_t triangles() const { return triangles_; }
 

@@ -22,6 +22,7 @@ enum class Material : std::uint8_t {
   Bark,    ///< trunks
   Body,    ///< bodywork of cars, with windows by height
   Board,   ///< signs and posters
+  Cloth,   ///< clothes, each person's in another tone
 };
 
 struct Surface {

@@ -11,6 +11,7 @@
 
 #include "camera_disturbances.hpp"
 #include "light.hpp"
+#include "street_life.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/parameters.hpp"
 
@@ -21,7 +22,7 @@ enum class Crossings : std::uint8_t { Level, Refuse };
 inline constexpr std::array<std::string_view, 2> kCrossingsNames = {"level", "refuse"};
 constexpr std::span<const std::string_view> enumNames(Crossings) { return kCrossingsNames; }
 
-struct TownParameters : FrameSelection, CameraDisturbances {
+struct TownParameters : FrameSelection, CameraDisturbances, StreetLife {
   // The drive.
   std::string route = "block";
   Crossings crossings = Crossings::Level;
@@ -176,10 +177,10 @@ constexpr auto disturbanceParameters() {
 }  // namespace detail
 
 constexpr auto TownParameters::declaration() {
-  return std::tuple_cat(detail::driveParameters(), detail::cameraParameters(),
-                        detail::townParameters(), detail::imageParameters(),
-                        detail::disturbanceParameters(), cameraDisturbances<TownParameters>(),
-                        selectionParameters<TownParameters>());
+  return std::tuple_cat(
+      detail::driveParameters(), detail::cameraParameters(), detail::townParameters(),
+      detail::imageParameters(), detail::disturbanceParameters(), streetLife<TownParameters>(),
+      cameraDisturbances<TownParameters>(), selectionParameters<TownParameters>());
 }
 
 }  // namespace tolman::town

@@ -91,12 +91,7 @@ void TownSource::buildScene() {
   World world = buildWorld(*plan_, {seed, p.aliasing, p.density, p.guard_rails});
   trees_ = schedule_.anyBare() ? addBareTrees(world) : Exchange{};
   cars_ = schedule_.anyExchanged() ? addOtherCars(world, hash(seed, 304)) : Exchange{};
-  traffic_ = std::make_unique<Traffic>(route_, *plan_, p.traffic, hash(seed, 301));
-  first_traffic_ = world.instances.size();
-  for (std::uint32_t i = 0; i < traffic_->size(); ++i) {
-    const std::uint32_t own = hash(seed, i, 302);
-    world.instances.push_back({world.cars.at(own % world.cars.size()), {}, own});
-  }
+  moving_ = std::make_unique<MovingThings>(p, route_, *plan_, world);
   scene_ = std::make_unique<Scene>(std::move(world));
   shown_ = {};
   for (const Exchange* exchange : {&trees_, &cars_}) {
@@ -140,6 +135,10 @@ Eigen::Isometry3d TownSource::poseAt(std::size_t index, double part) const {
   return poses[index] * expSe3(part * step);
 }
 
+double TownSource::secondsAt(std::size_t index) const {
+  return static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
+}
+
 void TownSource::arrangeScene(std::size_t index) {
   const Condition& now = schedule_.at(index);
   const auto exchange = [&](const Exchange& both, bool other) {
@@ -150,12 +149,8 @@ void TownSource::arrangeScene(std::size_t index) {
   if (now.bare != shown_.bare) exchange(trees_, now.bare);
   if (now.exchanged != shown_.exchanged) exchange(cars_, now.exchanged);
   shown_ = now;
-  const double seconds = static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
-  for (std::size_t i = 0; i < traffic_->size(); ++i) {
-    scene_->move(first_traffic_ + i,
-                 besideCamera(traffic_->at(i, seconds), route_.T_town_camera[index]));
-  }
-  if (is_changed || traffic_->size() > 0) scene_->commit();
+  const bool moves = moving_->arrange(*scene_, secondsAt(index), route_.T_town_camera[index]);
+  if (is_changed || moves) scene_->commit();
 }
 
 void TownSource::setLight(std::size_t index) {
@@ -168,6 +163,11 @@ void TownSource::setLight(std::size_t index) {
     return Vec3{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
   };
   light_.headlights = {toVec3(from), toVec3(ahead)};
+  moving_->addHeadlights(light_, T_town_left);
+  light_.glass = static_cast<float>(parameters_.glass);
+  light_.puddles = static_cast<float>(parameters_.puddles);
+  light_.wind = static_cast<float>(parameters_.wind);
+  light_.seconds = static_cast<float>(secondsAt(index));
 }
 
 double TownSource::gainAt(std::size_t index) const {
@@ -186,7 +186,7 @@ Image TownSource::takePicture(std::size_t index, bool right) {
   Moment moment;
   moment.T_town_left = [this, index](double part) { return poseAt(index, part); };
   moment.interval_s = static_cast<double>(stamps[from + 1] - stamps[from]) * 1e-9;
-  moment.seconds = static_cast<double>(stamps[index] - stamps[0]) * 1e-9;
+  moment.seconds = secondsAt(index);
   moment.gain = gainAt(index);
   moment.exposure = static_cast<std::uint32_t>(2 * next_ + camera);
   return cameras_[camera].take(renderers_[camera], light_, moment);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "condition_schedule.hpp"
+#include "moving_things.hpp"
 #include "renderer.hpp"
 #include "route.hpp"
 #include "scene.hpp"
@@ -16,7 +17,6 @@
 #include "tolman/roles.hpp"
 #include "town_camera.hpp"
 #include "town_parameters.hpp"
-#include "traffic.hpp"
 
 namespace tolman::town {
 
@@ -40,6 +40,8 @@ class TownSource final : public Source, public ArrayDescriptions {
   Eigen::Isometry3d poseAt(std::size_t index, double part) const;
   /// Builds the scene from streets, seasons and traffic.
   void buildScene();
+  /// s since the start of the drive.
+  double secondsAt(std::size_t index) const;
   /// Traffic, and what season and day show.
   void arrangeScene(std::size_t index);
   void setLight(std::size_t index);
@@ -59,8 +61,7 @@ class TownSource final : public Source, public ArrayDescriptions {
   Exchange trees_;
   Exchange cars_;
   Condition shown_;
-  std::unique_ptr<Traffic> traffic_;
-  std::size_t first_traffic_ = 0;  ///< index of the first moving car among the mesh instances
+  std::unique_ptr<MovingThings> moving_;
   std::unique_ptr<Scene> scene_;
   std::vector<TownCamera> cameras_;  ///< left, right
   std::vector<Renderer> renderers_;  ///< one for each camera, so that both render in parallel

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lane.hpp"
 #include "route.hpp"
 #include "street_plan.hpp"
 #include "vec3.hpp"
@@ -26,18 +27,26 @@ class Traffic {
     double start;  ///< m along the route at time 0
     double speed;  ///< m/s against the route's direction
   };
-  struct LanePoint {
-    Eigen::Vector2d position;
-    double s;
-  };
 
   const StreetPlan* plan_;
-  std::vector<LanePoint> lane_;  ///< the oncoming lane, s growing
+  Lane lane_;
   std::vector<Car> cars_;
 };
 
-/// The car, moved to the side where it would come too near to the camera. On a street that the
+/// Upright on the road at `place`, looking along `forward` (of any length).
+Placement onRoad(const StreetPlan& plan, const Eigen::Vector2d& place,
+                 const Eigen::Vector2d& forward);
+
+/// How a vehicle keeps clear of the camera.
+struct Clearing {
+  double near = 6;    ///< m ahead or behind: a car's length and a half
+  double far = 20;    ///< m, from here on it moves over
+  double beside = 3;  ///< m between the centrelines
+};
+
+/// The vehicle, moved to the side where it would come too near to the camera. On a street that the
 /// route takes in both directions the oncoming lane of one pass is the camera's own in the other.
-Placement besideCamera(Placement car, const Eigen::Isometry3d& T_town_camera);
+Placement besideCamera(Placement vehicle, const Eigen::Isometry3d& T_town_camera,
+                       const Clearing& clearing = {});
 
 }  // namespace tolman::town

@@ -15,6 +15,7 @@ struct MeshInstance {
   std::uint32_t prototype = 0;
   Placement placement;
   std::uint32_t seed = 0;  ///< of texture and tone
+  bool shines = false;     ///< a car whose lamps are on at night
 };
 
 struct World {

@@ -313,6 +313,65 @@ TEST_CASE("oncoming cars move") {
   CHECK(differing >= with.frames.size() / 2);
 }
 
+namespace {
+
+/// Everything that moves and mirrors.
+const ParameterValues kLife = {{"pedestrians", 80.0},       {"cyclists", 30.0}, {"wind", 9.0},
+                               {"crossing_traffic", 1.0},   {"glass", 1.0},     {"puddles", 1.0},
+                               {"traffic_headlights", true}};
+
+}  // namespace
+
+TEST_CASE("each kind of life in the street changes pictures, and the truth never") {
+  ParameterValues base = {{"noise", 0.0},
+                          {"exposure_change", 0.0},
+                          {"traffic", 60.0},
+                          {"route", std::string("district")},
+                          {"step", std::int64_t{120}}};
+  const auto differing = [&](const Drive& a, const Drive& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.frames.size(); ++i) {
+      count += bytes(a.frames[i].left) != bytes(b.frames[i].left);
+      CHECK(a.frames[i].T_world_camera_truth.isApprox(b.frames[i].T_world_camera_truth, 0));
+    }
+    return count;
+  };
+  const Drive plain = drive(base);
+  for (const auto& [name, value] : kLife) {
+    ParameterValues values = base;
+    values[name] = value;
+    INFO(name);
+    if (name == "traffic_headlights") {
+      CHECK(differing(drive(values), plain) == 0);  // by day lamps are off
+      values["conditions"] = base["conditions"] = std::string("all = night");
+      CHECK(differing(drive(values), drive(base)) > 0);
+      base.erase("conditions");
+    } else {
+      CHECK(differing(drive(values), plain) > 0);
+    }
+  }
+}
+
+TEST_CASE("what moves depends on the time only, not on frames before, nor on threads") {
+  ParameterValues values = kLife;
+  values["conditions"] = std::string("150-300 m = night bare");
+  const Drive whole = drive(values);
+  const oneapi::tbb::global_control one(oneapi::tbb::global_control::max_allowed_parallelism, 1);
+  const Drive single = drive(values);
+  for (std::size_t i = 0; i < whole.frames.size(); ++i) {
+    CHECK(bytes(whole.frames[i].left) == bytes(single.frames[i].left));
+  }
+  values["noise"] = 0.0;
+  values["step"] = std::int64_t{1};
+  values["first"] = std::int64_t{176};
+  values["last"] = std::int64_t{180};
+  const Drive after = drive(values);
+  values["first"] = std::int64_t{180};
+  const Drive alone = drive(values);
+  // Noise is that of the exposure's number, so it is off here.
+  CHECK(bytes(after.frames.back().left) == bytes(alone.frames.back().left));
+}
+
 TEST_CASE("backward and pingpong turn the drive round with rising stamps") {
   const Drive there = drive({{"order", std::string("pingpong")}, {"scale", 0.1}});
   for (std::size_t i = 1; i < there.frames.size(); ++i) {

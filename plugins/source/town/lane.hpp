@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A line beside the route that other vehicles drive along.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "route.hpp"
+
+namespace tolman::town {
+
+class Lane {
+ public:
+  struct Place {
+    Eigen::Vector2d position;  ///< m, town frame
+    Eigen::Vector2d along;     ///< in the direction of the route, of any length
+  };
+
+  Lane() = default;
+  /// `left` m to the left of the camera; negative to the right.
+  Lane(const CameraRoute& route, double left);
+
+  bool isEmpty() const { return points_.size() < 2; }
+  /// m
+  double length() const { return points_.empty() ? 0 : points_.back().s; }
+  /// `s` within [0, length()]; not of an empty lane.
+  Place at(double s) const;
+  /// Frame of the route beside which the point at s lies.
+  std::size_t frameAt(double s) const;
+
+ private:
+  struct Point {
+    Eigen::Vector2d position;
+    double s;
+    std::size_t frame;
+  };
+  std::size_t after(double s) const;
+
+  std::vector<Point> points_;  ///< about 1 m apart, s growing
+};
+
+}  // namespace tolman::town
