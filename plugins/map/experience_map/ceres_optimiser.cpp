@@ -2,7 +2,6 @@
 #include "ceres_optimiser.hpp"
 
 #include <ceres/loss_function.h>
-#include <ceres/manifold.h>
 #include <ceres/problem.h>
 #include <ceres/sized_cost_function.h>
 #include <ceres/solver.h>
@@ -14,66 +13,71 @@
 #include <deque>
 #include <memory>
 
+#include "ceres_poses.hpp"
+#include "planar_link.hpp"
+#include "spatial_link.hpp"
+
 namespace tolman::experience_map {
 namespace {
 
-using Block = std::array<double, 3>;
-using RowMatrix3d = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-PlanarPose poseOf(const double* block) { return {block[0], block[1], block[2]}; }
-
-/// (x m, y m, theta rad), theta kept in [-pi, pi) (paper, "s.t.").
-class PlanarManifold final : public ceres::Manifold {
+template <class G>
+class PoseManifold final : public ceres::Manifold {
  public:
-  int AmbientSize() const override { return 3; }
-  int TangentSize() const override { return 3; }
-  bool Plus(const double* x, const double* delta, double* sum) const override {
-    sum[0] = x[0] + delta[0];
-    sum[1] = x[1] + delta[1];
-    sum[2] = wrapAngle(x[2] + delta[2]);
-    return true;
-  }
-  bool PlusJacobian(const double*, double* jacobian) const override { return identity(jacobian); }
-  bool Minus(const double* y, const double* x, double* difference) const override {
-    difference[0] = y[0] - x[0];
-    difference[1] = y[1] - x[1];
-    difference[2] = wrapAngle(y[2] - x[2]);
-    return true;
-  }
-  bool MinusJacobian(const double*, double* jacobian) const override { return identity(jacobian); }
+  using Pose = CeresPose<G>;
+  static constexpr int kBlock = Pose::kSize;
+  static constexpr int kStep = G::kSize;
 
- private:
-  static bool identity(double* jacobian) {
-    Eigen::Map<RowMatrix3d>(jacobian).setIdentity();
+  int AmbientSize() const override { return kBlock; }
+  int TangentSize() const override { return kStep; }
+  bool Plus(const double* x, const double* delta, double* sum) const override {
+    const auto to = moved(Pose::poseOf(x), StepOf<G>(Eigen::Map<const StepOf<G>>(delta)));
+    const auto block = Pose::blockOf(to);
+    std::copy(block.begin(), block.end(), sum);
+    return true;
+  }
+  bool PlusJacobian(const double* x, double* jacobian) const override {
+    Eigen::Map<RowMatrix<kBlock, kStep>>{jacobian} = Pose::blockByStep(x);
+    return true;
+  }
+  bool Minus(const double* y, const double* x, double* difference) const override {
+    Eigen::Map<StepOf<G>>{difference} = Pose::between(Pose::poseOf(x), Pose::poseOf(y));
+    return true;
+  }
+  bool MinusJacobian(const double* x, double* jacobian) const override {
+    Eigen::Map<RowMatrix<kStep, kBlock>>{jacobian} = Pose::stepByBlock(x);
     return true;
   }
 };
 
 /// residualOf() of a link, whitened.
-class LinkCost final : public ceres::SizedCostFunction<3, 3, 3> {
+template <class G>
+class LinkCost final
+    : public ceres::SizedCostFunction<G::kSize, CeresPose<G>::kSize, CeresPose<G>::kSize> {
  public:
-  explicit LinkCost(const PlanarLink& link)
+  explicit LinkCost(const PoseLink<G>& link)
       : link_(link),
-        whitening_(Eigen::LLT<Eigen::Matrix3d>(informationOf(link.covariance)).matrixU()) {}
+        whitening_(Eigen::LLT<MatrixOf<G>>(informationOf(link.covariance)).matrixU()) {}
 
   bool Evaluate(double const* const* ends, double* residuals, double** jacobians) const override {
-    const PlanarPose from = poseOf(ends[0]);
-    const PlanarPose to = poseOf(ends[1]);
-    Eigen::Map<Eigen::Vector3d>{residuals} = whitening_ * residualOf(link_, from, to);
+    using Pose = CeresPose<G>;
+    using Jacobian = Eigen::Map<RowMatrix<G::kSize, Pose::kSize>>;
+    const auto from = Pose::poseOf(ends[0]);
+    const auto to = Pose::poseOf(ends[1]);
+    Eigen::Map<StepOf<G>>{residuals} = whitening_ * residualOf(link_, from, to);
     if (jacobians == nullptr) return true;
-    const LinkDerivatives derivatives = derivativesOf(from, to);
+    const LinkDerivatives<G> by = derivativesOf(link_, from, to);
     if (jacobians[0] != nullptr) {
-      Eigen::Map<RowMatrix3d>{jacobians[0]} = whitening_ * derivatives.by_from;
+      Jacobian{jacobians[0]} = whitening_ * by.by_from * Pose::stepByBlock(ends[0]);
     }
     if (jacobians[1] != nullptr) {
-      Eigen::Map<RowMatrix3d>{jacobians[1]} = whitening_ * derivatives.by_to;
+      Jacobian{jacobians[1]} = whitening_ * by.by_to * Pose::stepByBlock(ends[1]);
     }
     return true;
   }
 
  private:
-  const PlanarLink& link_;
-  Eigen::Matrix3d whitening_;
+  const PoseLink<G>& link_;
+  MatrixOf<G> whitening_;
 };
 
 /// rho(s) = mu c^2 s / (mu c^2 + s); mu = 1 is Geman-McClure, mu > 1 more convex (Yang et al.
@@ -97,11 +101,6 @@ std::unique_ptr<ceres::LossFunction> lossOf(const OptimiserOptions& options, dou
   return std::make_unique<GemanMcclureLoss>(options.delta, mu);
 }
 
-double chiSquare(const PlanarLink& link, const Block& from, const Block& to) {
-  const Eigen::Vector3d error = residualOf(link, poseOf(from.data()), poseOf(to.data()));
-  return error.dot(informationOf(link.covariance) * error);
-}
-
 ceres::Solver::Options solverOptions(const OptimiserOptions& options) {
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
@@ -115,13 +114,18 @@ ceres::Solver::Options solverOptions(const OptimiserOptions& options) {
   return solver;
 }
 
+template <class G>
 class CeresProblem {
  public:
-  CeresProblem(const OptimiserOptions& options, const std::vector<PlanarPose>& nodes,
-               const std::vector<PlanarLink>& links)
+  using Pose = typename G::Pose;
+  using PoseLinks = std::vector<PoseLink<G>>;
+  using Block = typename CeresPose<G>::Block;
+
+  CeresProblem(const OptimiserOptions& options, const std::vector<Pose>& nodes,
+               const PoseLinks& links)
       : options_(options), links_(links) {
-    for (const PlanarPose& node : nodes) blocks_.push_back({node.x, node.y, node.theta});
-    for (const PlanarLink& link : links) costs_.emplace_back(link);
+    for (const Pose& node : nodes) blocks_.push_back(CeresPose<G>::blockOf(node));
+    for (const PoseLink<G>& link : links) costs_.emplace_back(link);
   }
 
   ceres::Solver::Summary solve(double mu) {
@@ -131,7 +135,8 @@ class CeresProblem {
     ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(ownership);
-    for (Block& block : blocks_) problem.AddParameterBlock(block.data(), 3, &manifold_);
+    for (Block& block : blocks_)
+      problem.AddParameterBlock(block.data(), CeresPose<G>::kSize, &manifold_);
     problem.SetParameterBlockConstant(blocks_.front().data());
     for (std::size_t k = 0; k < links_.size(); ++k) {
       problem.AddResidualBlock(&costs_[k], links_[k].robust ? loss.get() : nullptr,
@@ -156,33 +161,41 @@ class CeresProblem {
     return mus;
   }
 
-  void copyResult(std::vector<PlanarPose>& nodes, std::vector<PlanarLink>& links) const {
+  void copyResult(std::vector<Pose>& nodes, PoseLinks& links) const {
     const auto loss = lossOf(options_, 1);
     for (std::size_t k = 0; k < links.size(); ++k) {
       std::array<double, 3> rho{1, 1, 0};
       if (links[k].robust) loss->Evaluate(chi(k), rho.data());
       links[k].weight = rho[1];
     }
-    for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = poseOf(blocks_[k].data());
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      nodes[k] = CeresPose<G>::poseOf(blocks_[k].data());
+    }
   }
 
  private:
   double chi(std::size_t k) const {
-    return chiSquare(links_[k], blocks_[links_[k].from], blocks_[links_[k].to]);
+    const auto poseOf = [&](std::size_t node) {
+      return CeresPose<G>::poseOf(blocks_[node].data());
+    };
+    const PoseLink<G>& link = links_[k];
+    const StepOf<G> error = residualOf(link, poseOf(link.from), poseOf(link.to));
+    return error.dot(informationOf(link.covariance) * error);
   }
   OptimiserOptions options_;
-  const std::vector<PlanarLink>& links_;
+  const PoseLinks& links_;
   std::vector<Block> blocks_;
-  std::deque<LinkCost> costs_;
-  PlanarManifold manifold_;
+  std::deque<LinkCost<G>> costs_;
+  PoseManifold<G> manifold_;
 };
 
 }  // namespace
 
+template <class G>
 Result<OptimiserOutcome> optimiseWithCeres(const OptimiserOptions& options,
-                                           std::vector<PlanarPose>& nodes,
-                                           std::vector<PlanarLink>& links) {
-  CeresProblem problem(options, nodes, links);
+                                           std::vector<typename G::Pose>& nodes,
+                                           std::vector<PoseLink<G>>& links) {
+  CeresProblem<G> problem(options, nodes, links);
   if (options.annealed && options.loss == Loss::GemanMcclure) {
     for (const double mu : problem.easing()) (void)problem.solve(mu);
   }
@@ -191,5 +204,12 @@ Result<OptimiserOutcome> optimiseWithCeres(const OptimiserOptions& options,
   problem.copyResult(nodes, links);
   return OptimiserOutcome{summary.termination_type == ceres::CONVERGENCE, 2 * summary.final_cost};
 }
+
+template Result<OptimiserOutcome> optimiseWithCeres<Plane>(const OptimiserOptions&,
+                                                           std::vector<PlanarPose>&,
+                                                           std::vector<PlanarLink>&);
+template Result<OptimiserOutcome> optimiseWithCeres<Space>(const OptimiserOptions&,
+                                                           std::vector<Eigen::Isometry3d>&,
+                                                           std::vector<SpatialLink>&);
 
 }  // namespace tolman::experience_map

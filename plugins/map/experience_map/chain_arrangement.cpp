@@ -16,22 +16,29 @@ namespace {
 constexpr double kNearTranslation = 20;  // m
 constexpr double kNearRotation = 0.5;    // rad
 
-bool isNear(const PlanarLink& link, const std::vector<PlanarPose>& nodes) {
-  const Eigen::Vector3d off = residualOf(link, nodes[link.from], nodes[link.to]);
-  return off.head<2>().norm() < kNearTranslation && std::abs(off.z()) < kNearRotation;
+double metresOf(const Eigen::Vector3d& residual) { return residual.head<2>().norm(); }
+double metresOf(const Vector6d& residual) { return residual.head<3>().norm(); }
+double radiansOf(const Eigen::Vector3d& residual) { return std::abs(residual.z()); }
+double radiansOf(const Vector6d& residual) { return residual.tail<3>().norm(); }
+
+template <class G>
+bool isNear(const PoseLink<G>& link, const std::vector<typename G::Pose>& nodes) {
+  const StepOf<G> off = residualOf(link, nodes[link.from], nodes[link.to]);
+  return metresOf(off) < kNearTranslation && radiansOf(off) < kNearRotation;
 }
 
-/// The motion of the plane that moves `from` to `to`.
-PlanarPose planarTransform(const PlanarPose& from, const PlanarPose& to) {
-  return compose(to, between(from, PlanarPose{}));
+/// The motion of the world that moves `from` to `to`.
+template <class G>
+typename G::Pose transform(const typename G::Pose& from, const typename G::Pose& to) {
+  return compose(to, between(from, G::identity()));
 }
 
 /// The motion of the later part after which `loop` has no residual.
-PlanarPose partShift(const PlanarLink& loop, const std::vector<PlanarPose>& nodes,
-                     bool visit_is_later) {
-  if (visit_is_later) return planarTransform(nodes[loop.to], compose(nodes[loop.from], loop.pose));
-  return planarTransform(nodes[loop.from],
-                         compose(nodes[loop.to], between(loop.pose, PlanarPose{})));
+template <class G>
+typename G::Pose partShift(const PoseLink<G>& loop, const typename G::Pose& from,
+                           const typename G::Pose& to, bool visit_is_later) {
+  if (visit_is_later) return transform<G>(to, compose(from, loop.pose));
+  return transform<G>(from, compose(to, between(loop.pose, G::identity())));
 }
 
 }  // namespace
@@ -65,45 +72,60 @@ void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& befor
   const std::size_t here = before.first(before.of(visit));
   const std::size_t there = before.first(before.of(originOf(anchors_[visit])));
   if (here == there) return;
-  const auto poseAt = [&](std::size_t i) {
-    return compose(anchors_[i].correction, toPlanar(log[anchors_[i].slot].T_start_camera));
-  };
-  std::vector<PlanarPose> nodes(anchors_.size());
-  const PlanarLink loop = loopLink(log, visit);
-  nodes[loop.from] = poseAt(loop.from);
-  nodes[loop.to] = poseAt(loop.to);
-  const PlanarPose shift = partShift(loop, nodes, here > there);
+  const bool is_later = here > there;
+  const Eigen::Isometry3d shift =
+      isSpatial(log) ? shiftOf<Space>(log, visit, is_later) : shiftOf<Plane>(log, visit, is_later);
   for (std::size_t i = 0; i < anchors_.size(); ++i) {
     if (before.first(before.of(i)) != std::max(here, there)) continue;
-    anchors_[i].correction = compose(shift, anchors_[i].correction);
+    anchors_[i].correction = normalised(shift * anchors_[i].correction);
   }
 }
 
+template <class G>
+Eigen::Isometry3d ExperienceChain::shiftOf(const DeadReckoning& log, std::size_t visit,
+                                           bool visit_is_later) const {
+  const PoseLink<G> loop = loopLink<G>(log, visit);
+  const auto poseAt = [&](std::size_t i) {
+    return compose(poseIn<G>(anchors_[i].correction),
+                   poseIn<G>(log[anchors_[i].slot].T_start_camera));
+  };
+  return lifted(partShift(loop, poseAt(loop.from), poseAt(loop.to), visit_is_later));
+}
+
 /// Tries the relative poses that rejected loops between parts propose; keeps the least energy.
-void ExperienceChain::rearrange(const PathParts& parts, const PlanarGraph& start,
-                                OptimiserOptions options, std::size_t attempts, PlanarGraph& best,
-                                OptimiserOutcome& outcome) const {
+template <class G>
+void ExperienceChain::rearrange(const PathParts& parts, const ChainProblem<G>& start,
+                                OptimiserOptions options, std::size_t attempts,
+                                ChainProblem<G>& best, OptimiserOutcome& outcome) const {
   if (parts.count() == 1) return;
-  const std::vector<PlanarLink> judged = best.links;
+  const std::vector<PoseLink<G>> judged = best.links;
   for (std::size_t k = judged.size(); k-- > anchors_.size() - 1 && attempts > 0;) {
     const std::size_t from = parts.of(judged[k].from);
     const std::size_t to = parts.of(judged[k].to);
     if (from == to || judged[k].weight >= parameters_.min_loop_weight) continue;
     --attempts;
-    PlanarGraph other = start;
-    const PlanarPose shift = partShift(judged[k], other.nodes, to > from);
+    ChainProblem<G> other = start;
+    const typename G::Pose shift =
+        partShift(judged[k], other.nodes[judged[k].from], other.nodes[judged[k].to], to > from);
     for (std::size_t i = 0; i < other.nodes.size(); ++i) {
       if (parts.of(i) == std::max(from, to)) other.nodes[i] = compose(shift, other.nodes[i]);
     }
-    for (PlanarLink& link : other.links) {
+    for (PoseLink<G>& link : other.links) {
       if (link.robust) link.weight = isNear(link, other.nodes) ? 1 : kRejectedWeight;
     }
-    const Result<OptimiserOutcome> found = optimise(options, other.nodes, other.links);
+    const Result<OptimiserOutcome> found = optimise<G>(options, other.nodes, other.links);
     if (!found.isOk() || found.value().energy >= outcome.energy) continue;
     outcome = found.value();
     best = std::move(other);
   }
 }
+
+template void ExperienceChain::rearrange<Plane>(const PathParts&, const ChainProblem<Plane>&,
+                                                OptimiserOptions, std::size_t, ChainProblem<Plane>&,
+                                                OptimiserOutcome&) const;
+template void ExperienceChain::rearrange<Space>(const PathParts&, const ChainProblem<Space>&,
+                                                OptimiserOptions, std::size_t, ChainProblem<Space>&,
+                                                OptimiserOutcome&) const;
 
 void ExperienceChain::restore(const DeadReckoning& log, State state) {
   anchors_ = std::move(state.anchors);
@@ -113,11 +135,13 @@ void ExperienceChain::restore(const DeadReckoning& log, State state) {
   begins_ = {0};
   of_experience_.clear();
   last_visit_ = 0;
+  measured_ = false;
   for (std::size_t i = 0; i < anchors_.size(); ++i) {
     Anchor& anchor = anchors_[i];
     if (i > 0 && !anchor.gap) anchor.way = log.between(anchors_[i - 1].slot, anchor.slot);
     if (i > 0 && anchor.gap) begins_.push_back(i);
     if (anchor.visit) last_visit_ = i;
+    measured_ = measured_ || (anchor.visit && !anchor.assumed);
     if (!anchor.visit && anchor.experience >= 0) of_experience_.push_back(i);
   }
 }

@@ -2,8 +2,19 @@
 #include "dead_reckoning.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tolman::experience_map {
+namespace {
+
+/// Without height, pitch and roll, up to rounding.
+bool isInPlane(const Eigen::Isometry3d& motion) {
+  constexpr double kRounding = 1e-9;
+  return std::abs(motion.translation().y()) <= kRounding &&
+         (motion.linear().col(1) - Eigen::Vector3d::UnitY()).cwiseAbs().maxCoeff() <= kRounding;
+}
+
+}  // namespace
 
 Status DeadReckoning::check(const Motion& motion) const {
   if (frames_.empty() || motion.frame > frames_.back().frame) return Status::ok();
@@ -22,6 +33,8 @@ void DeadReckoning::append(const Motion& motion, std::int64_t anchor) {
   if (!frames_.empty()) {
     logged.gap = logged.initialising && !frames_.back().initialising;
     moved = {motion.T_previous_current, motion.covariance};
+    planar_ = planar_ && isInPlane(moved.T);
+    metric_ = metric_ && motion.scale_known;
     if (motion.state != TrackingState::Tracking) {
       moved.covariance +=
           isotropic(parameters_.lost_sigma_translation, parameters_.lost_sigma_rotation);
@@ -40,6 +53,7 @@ std::size_t DeadReckoning::revise(std::span<const MotionRevision> revisions, std
     if (!slot) ++unknown;
     // The first frame and the frame after a gap have no motion.
     if (!slot || *slot == 0 || frames_[*slot].gap) continue;
+    planar_ = planar_ && isInPlane(revision.T_previous_current);
     motions_.replace(*slot, {revision.T_previous_current, revision.covariance});
     first = std::min(first, *slot);
   }
@@ -56,6 +70,7 @@ void DeadReckoning::reckon(std::size_t first) {
 void DeadReckoning::restore(ReckonedFrame frame, const UncertainPose& motion) {
   frame.T_start_camera = frames_.empty() ? Eigen::Isometry3d::Identity()
                                          : normalised(frames_.back().T_start_camera * motion.T);
+  planar_ = planar_ && isInPlane(motion.T);
   frames_.push_back(frame);
   motions_.append(motion);
 }

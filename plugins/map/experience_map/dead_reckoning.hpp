@@ -53,6 +53,11 @@ class DeadReckoning {
   void moveTo(std::size_t slot, std::int64_t anchor) { frames_[slot].anchor = anchor; }
   std::size_t size() const { return frames_.size(); }
   std::size_t last() const { return frames_.size() - 1; }
+  /// Whether no motion so far has left the plane of the first camera, as recorded planar motion.
+  bool isPlanar() const { return planar_; }
+  /// Whether the scale of all motions so far was known.
+  bool isMetric() const { return metric_; }
+  void setMetric(bool metric) { metric_ = metric; }
   /// The next frame of a saved state; T_start_camera is recomputed.
   void restore(ReckonedFrame frame, const UncertainPose& motion);
 
@@ -62,6 +67,8 @@ class DeadReckoning {
   Parameters parameters_;
   std::deque<ReckonedFrame> frames_;  ///< grows without a copy, so memory has no peaks
   MotionStore motions_;
+  bool planar_ = true;
+  bool metric_ = true;
 };
 
 }  // namespace tolman::experience_map

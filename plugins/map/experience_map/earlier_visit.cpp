@@ -37,6 +37,7 @@ void ExperienceChain::insertVisit(DeadReckoning& log, std::size_t slot, std::int
   visit.experience = experience;
   visit.visit = true;
   visit.offset = withModel(measured);
+  measured_ = true;
   visit.way = log.between(before.slot, slot);
   visit.correction = before.correction;
   countLink(i, -1);

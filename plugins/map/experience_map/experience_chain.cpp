@@ -6,20 +6,6 @@
 #include <utility>
 
 namespace tolman::experience_map {
-namespace {
-
-/// The motion over a gap is unknown. Where a loop joins the segment to an earlier one, the
-/// variance is so large that the link has no influence; if none does yet, a unit covariance fixes
-/// the otherwise free pose of the segment.
-Eigen::Matrix3d gapCovariance(bool unjoined) {
-  constexpr double kLooseVariance = 1e6;      // m^2
-  constexpr double kLooseVarianceTurn = 1e4;  // rad^2
-  if (unjoined) return Eigen::Matrix3d::Identity();
-  return Eigen::Vector3d(kLooseVariance, kLooseVariance, kLooseVarianceTurn).asDiagonal();
-}
-
-}  // namespace
-
 Anchor& ExperienceChain::append(const DeadReckoning& log) {
   const Anchor& before = anchors_.back();
   Anchor anchor;
@@ -74,6 +60,7 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
   anchor.experience = experience;
   anchor.visit = true;
   anchor.assumed = assumed;
+  measured_ = measured_ || !assumed;
   anchor.offset = offset;
   last_visit_ = static_cast<std::size_t>(current());
   countLink(last_visit_, 1);
@@ -89,114 +76,19 @@ void ExperienceChain::refresh(const DeadReckoning& log, std::size_t first) {
   if (last_visit_ > 0 && first <= anchors_[last_visit_].slot) pending_ = true;
 }
 
-Status ExperienceChain::correct(const DeadReckoning& log, int iterations, double tolerance) {
-  pending_ = false;
-  if (last_visit_ == 0) return Status::ok();
-  return optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Effort::Online);
-}
-
-Status ExperienceChain::correctFinally(const DeadReckoning& log, int iterations, double tolerance) {
-  pending_ = false;
-  if (last_visit_ == 0) return Status::ok();
-  Status status =
-      optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Effort::Final);
-  for (Anchor& anchor : anchors_) {
-    anchor.rejected = anchor.visit && anchor.offset_weight < parameters_.min_loop_weight;
-  }
-  return status;
-}
-
-ExperienceChain::PlanarGraph ExperienceChain::planarGraph(const DeadReckoning& log) const {
-  PlanarGraph graph;
-  for (const Anchor& anchor : anchors_) {
-    graph.reckoned.push_back(toPlanar(log[anchor.slot].T_start_camera));
-    graph.nodes.push_back(compose(anchor.correction, graph.reckoned.back()));
-  }
-  const PathParts joined = parts();
-  for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    graph.links.push_back(wayLink(log, i, joined));
-  }
-  for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    if (anchors_[i].visit) graph.links.push_back(loopLink(log, i));
-  }
-  return graph;
-}
-
-Status ExperienceChain::optimiseAll(const DeadReckoning& log, OptimiserOptions options,
-                                    Effort effort) {
-  constexpr std::size_t kFinalAttempts = 10;  // bounds the time of the final correction
-  options.solver = parameters_.solver;
-  options.loss = parameters_.loss;
-  options.delta =
-      options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale;
-  const PlanarGraph start = planarGraph(log);
-  PlanarGraph found = start;
-  const Result<OptimiserOutcome> outcome =
-      effort == Effort::Online
-          ? optimise(options, found.nodes, found.links)
-          : experience_map::optimiseMultiStart(options, found.reckoned, found.nodes, found.links);
-  if (!outcome.isOk()) return outcome.status();
-  OptimiserOutcome best = outcome.value();
-  rearrange(parts(), start, options, effort == Effort::Online ? 1 : kFinalAttempts, found, best);
-  pending_ = !best.converged;
-  apply(found);
-  return Status::ok();
-}
-
-void ExperienceChain::apply(const PlanarGraph& graph) {
-  std::size_t loop = anchors_.size() - 1;  // loop links follow all odometry links
-  for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    Anchor& anchor = anchors_[i];
-    anchor.correction = compose(graph.nodes[i], tolman::between(graph.reckoned[i], PlanarPose{}));
-    anchor.way_weight = graph.links[i - 1].weight;
-    if (anchor.visit) anchor.offset_weight = graph.links[loop++].weight;
-  }
-}
-
-PlanarLink ExperienceChain::wayLink(const DeadReckoning& log, std::size_t i,
-                                    const PathParts& parts) const {
-  // Measured in the plane of the world, not of the tilted camera, so that dead reckoning has no
-  // residual.
-  const PlanarPose from = toPlanar(log[anchors_[i - 1].slot].T_start_camera);
-  const Eigen::Isometry3d& T_start_to = log[anchors_[i].slot].T_start_camera;
-  const Eigen::Matrix3d covariance =
-      anchors_[i].gap
-          ? gapCovariance(parts.first(parts.of(i)) == parts.of(i))
-          : planarCovariance(anchors_[i].way.covariance, T_start_to.linear(), from.theta);
-  return {.from = i - 1,
-          .to = i,
-          .pose = tolman::between(from, toPlanar(T_start_to)),
-          .covariance = covariance,
-          .robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber,
-          .weight = anchors_[i].way_weight};
-}
-
-PlanarLink ExperienceChain::loopLink(const DeadReckoning& log, std::size_t i) const {
-  const Anchor& visit = anchors_[i];
-  const Eigen::Isometry3d& T_start_origin = log[origin(visit.experience).slot].T_start_camera;
-  const Eigen::Isometry3d T_start_visit = T_start_origin * visit.offset.T;
-  const PlanarPose from = toPlanar(T_start_origin);
-  return {
-      .from = of_experience_[static_cast<std::size_t>(visit.experience)],
-      .to = i,
-      .pose = tolman::between(from, toPlanar(T_start_visit)),
-      .covariance = planarCovariance(visit.offset.covariance, T_start_visit.linear(), from.theta),
-      .weight = visit.offset_weight};
-}
-
 const Anchor& ExperienceChain::origin(std::int64_t experience) const {
   return anchors_[of_experience_[static_cast<std::size_t>(experience)]];
 }
 
 Eigen::Isometry3d ExperienceChain::T_world_camera(const DeadReckoning& log,
                                                   std::size_t slot) const {
-  return fromPlanar((*this)[log[slot].anchor].correction) * log[slot].T_start_camera;
+  return (*this)[log[slot].anchor].correction * log[slot].T_start_camera;
 }
 
 Eigen::Isometry3d ExperienceChain::T_world_experience(const DeadReckoning& log,
                                                       std::int64_t experience) const {
   const Anchor& anchor = origin(experience);
-  return fromPlanar(anchor.correction) * log[anchor.slot].T_start_camera;
+  return anchor.correction * log[anchor.slot].T_start_camera;
 }
 
 ExperiencePose ExperienceChain::experiencePose(const DeadReckoning& log, std::size_t slot) const {

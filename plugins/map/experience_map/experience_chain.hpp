@@ -18,10 +18,11 @@
 #include <tolman/records.hpp>
 #include <vector>
 
+#include "chain_problem.hpp"
 #include "dead_reckoning.hpp"
+#include "graph_optimiser.hpp"
 #include "parameters.hpp"
 #include "path_parts.hpp"
-#include "planar_optimiser.hpp"
 #include "uncertain_pose.hpp"
 
 namespace tolman::experience_map {
@@ -38,7 +39,9 @@ struct Anchor {
   UncertainPose offset;  ///< of a visit: T_experience_anchor as given with the decision
   double offset_weight = 1;
   bool rejected = false;  ///< a visit whose loop the final correction has rejected
-  PlanarPose correction;  ///< T_world = fromPlanar(correction) * T_start of dead reckoning
+  /// T_world_camera = correction * T_start_camera of dead reckoning; in the plane without height,
+  /// pitch and roll.
+  Eigen::Isometry3d correction = Eigen::Isometry3d::Identity();
 };
 
 /// Pose of a frame relative to an experience; stays valid when the experience is moved.
@@ -109,12 +112,6 @@ class ExperienceChain {
   void restore(const DeadReckoning& log, State state);
 
  private:
-  /// The problem of the optimiser.
-  struct PlanarGraph {
-    std::vector<PlanarPose> reckoned;
-    std::vector<PlanarPose> nodes;
-    std::vector<PlanarLink> links;  ///< odometry links, then loop links
-  };
   Anchor& append(const DeadReckoning& log);
   UncertainPose withModel(const UncertainPose& measured) const;
   PathParts parts() const;
@@ -122,18 +119,29 @@ class ExperienceChain {
   void alignPart(const DeadReckoning& log, const PathParts& before, std::size_t visit);
   void countLink(std::size_t i, int sign);
   void renumber(DeadReckoning& log, std::size_t i);
-  PlanarGraph planarGraph(const DeadReckoning& log) const;
-  void rearrange(const PathParts& parts, const PlanarGraph& start, OptimiserOptions options,
-                 std::size_t attempts, PlanarGraph& best, OptimiserOutcome& outcome) const;
+  /// Whether the map is corrected in space; otherwise in the plane (parameter `space`).
+  bool isSpatial(const DeadReckoning& log) const;
+  template <class G>
+  ChainProblem<G> problem(const DeadReckoning& log) const;
+  template <class G>
+  void rearrange(const PathParts& parts, const ChainProblem<G>& start, OptimiserOptions options,
+                 std::size_t attempts, ChainProblem<G>& best, OptimiserOutcome& outcome) const;
+  template <class G>
+  Eigen::Isometry3d shiftOf(const DeadReckoning& log, std::size_t visit, bool visit_is_later) const;
   void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& offset,
                 bool assumed);
   const Anchor& origin(std::int64_t experience) const;
-  PlanarLink wayLink(const DeadReckoning& log, std::size_t i, const PathParts& parts) const;
-  PlanarLink loopLink(const DeadReckoning& log, std::size_t i) const;
+  template <class G>
+  PoseLink<G> wayLink(const DeadReckoning& log, std::size_t i, const PathParts& parts) const;
+  template <class G>
+  PoseLink<G> loopLink(const DeadReckoning& log, std::size_t i) const;
   enum class Effort : std::uint8_t { Online, Final };
   Status optimiseAll(const DeadReckoning& log, OptimiserOptions options, Effort effort);
+  template <class G>
+  Status optimiseIn(const DeadReckoning& log, OptimiserOptions options, Effort effort);
   Link foldedLink(const DeadReckoning& log, std::size_t before, std::size_t i) const;
-  void apply(const PlanarGraph& graph);
+  template <class G>
+  void apply(const ChainProblem<G>& problem);
 
   Parameters parameters_;
   std::deque<Anchor> anchors_;  ///< a deque grows without copies, which long drives need
@@ -142,6 +150,7 @@ class ExperienceChain {
   std::int64_t links_ = 0;
   std::int64_t loops_ = 0;
   std::size_t last_visit_ = 0;  ///< anchor; 0 for none
+  bool measured_ = false;       ///< a visit has a measured offset
   bool pending_ = false;
 };
 

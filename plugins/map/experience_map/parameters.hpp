@@ -5,12 +5,18 @@
 #include <tolman/parameters.hpp>
 #include <tuple>
 
-#include "planar_optimiser.hpp"
+#include "graph_optimiser.hpp"
 
 namespace tolman::experience_map {
 
+/// In which poses are corrected.
+enum class Geometry : std::uint8_t { Auto, Plane, Space };
+inline constexpr std::array<std::string_view, 3> kGeometryNames = {"auto", "plane", "space"};
+constexpr std::span<const std::string_view> enumNames(Geometry) { return kGeometryNames; }
+
 struct Parameters {
   bool optimise = true;
+  Geometry space = Geometry::Auto;
   int online_iterations = 5;
   int interval = 10;
   double interval_growth = 0.02;
@@ -34,6 +40,11 @@ struct Parameters {
     using P = Parameters;
     return parameters(
         parameter("optimise", &P::optimise).doc("Correct the map when loops close."),
+        parameter("space", &P::space)
+            .doc("plane: position and heading are corrected in the plane of the first camera, "
+                 "height, pitch and roll stay odometry's. space: all six. auto: space as soon as a "
+                 "loop with a measured pose is closed, unless all motions lie in the plane or "
+                 "their scale is not known."),
         parameter("online_iterations", &P::online_iterations)
             .range(1, 100)
             .doc("Maximal number of iterations of one correction while running."),

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planar_link.hpp"
 
-#include <Eigen/LU>
 #include <cmath>
 
 namespace tolman::experience_map {
@@ -11,20 +10,20 @@ Eigen::Vector3d residualOf(const PlanarLink& link, const PlanarPose& from, const
   return {seen.x - link.pose.x, seen.y - link.pose.y, wrapAngle(seen.theta - link.pose.theta)};
 }
 
-LinkDerivatives derivativesOf(const PlanarPose& from, const PlanarPose& to) {
+LinkDerivatives<Plane> derivativesOf(const PlanarLink&, const PlanarPose& from,
+                                     const PlanarPose& to) {
   const PlanarPose seen = between(from, to);
   const double c = std::cos(from.theta);
   const double s = std::sin(from.theta);
-  LinkDerivatives by;
+  LinkDerivatives<Plane> by;
   by.by_to << c, s, 0, -s, c, 0, 0, 0, 1;
   by.by_from = -by.by_to;
   by.by_from.block<2, 1>(0, 2) << seen.y, -seen.x;
   return by;
 }
 
-Eigen::Matrix3d informationOf(const Eigen::Matrix3d& covariance) {
-  constexpr double kLeastVariance = 1e-12;
-  return (covariance + kLeastVariance * Eigen::Matrix3d::Identity()).inverse();
+PlanarPose moved(const PlanarPose& pose, const Eigen::Vector3d& step) {
+  return {pose.x + step.x(), pose.y + step.y(), wrapAngle(pose.theta + step.z())};
 }
 
 }  // namespace tolman::experience_map

@@ -3,19 +3,9 @@
 // Lengths are metres, angles radians.
 #pragma once
 
-#include <cstddef>
-#include <tolman/geometry.hpp>
+#include "pose_link.hpp"
 
 namespace tolman::experience_map {
-
-struct PlanarLink {
-  std::size_t from = 0;
-  std::size_t to = 0;
-  PlanarPose pose;             ///< of `to`, relative to `from`
-  Eigen::Matrix3d covariance;  ///< along the axes of `from`
-  bool robust = true;          ///< under the robust loss; otherwise plain least squares
-  double weight = 1;           ///< weight that the robust loss leaves it, in [0, 1]
-};
 
 /// f(e_i, e_j, e_ij) of the paper's section Cognitive Map,
 ///
@@ -29,13 +19,10 @@ struct PlanarLink {
 Eigen::Vector3d residualOf(const PlanarLink& link, const PlanarPose& from, const PlanarPose& to);
 
 /// Its derivatives by (x, y, theta) of both ends.
-struct LinkDerivatives {
-  Eigen::Matrix3d by_from;
-  Eigen::Matrix3d by_to;
-};
-LinkDerivatives derivativesOf(const PlanarPose& from, const PlanarPose& to);
+LinkDerivatives<Plane> derivativesOf(const PlanarLink& link, const PlanarPose& from,
+                                     const PlanarPose& to);
 
-/// Inverse of a covariance. 1e-12 is added to the variances, so that a singular one has an inverse.
-Eigen::Matrix3d informationOf(const Eigen::Matrix3d& covariance);
+/// The pose after a step (m, m, rad).
+PlanarPose moved(const PlanarPose& pose, const Eigen::Vector3d& step);
 
 }  // namespace tolman::experience_map

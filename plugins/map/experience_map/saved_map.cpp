@@ -12,7 +12,7 @@ namespace tolman::experience_map {
 namespace {
 
 constexpr std::string_view kMagic = "TLMEXMAP";
-constexpr std::uint64_t kStateVersion = 1;
+constexpr std::uint64_t kStateVersion = 2;
 /// Counters go on from a saved one, and stamps are subtracted.
 constexpr std::int64_t kMost = std::int64_t{1} << 62U;
 /// Metres: no vehicle drives as far, and what is computed from it stays finite. Covariances are
@@ -78,9 +78,7 @@ void put(StateWriter& writer, const Anchor& anchor) {
   }
   writer.put(anchor.way_weight);
   writer.put(anchor.offset_weight);
-  for (const double number : {anchor.correction.x, anchor.correction.y, anchor.correction.theta}) {
-    writer.put(number);
-  }
+  writer.putAll(std::span<const double>(anchor.correction.data(), 16));
   put(writer, anchor.offset);
 }
 
@@ -94,9 +92,7 @@ Anchor getAnchor(StateReader& reader) {
   }
   anchor.way_weight = reader.get<double>();
   anchor.offset_weight = reader.get<double>();
-  for (double* number : {&anchor.correction.x, &anchor.correction.y, &anchor.correction.theta}) {
-    *number = reader.get<double>();
-  }
+  reader.getAll(std::span<double>(anchor.correction.data(), 16));
   anchor.offset = getPose(reader);
   return anchor;
 }
@@ -131,15 +127,11 @@ bool areSound(const std::deque<Anchor>& anchors, const std::deque<SavedFrame>& f
     const Anchor& anchor = anchors[i];
     const bool in_order =
         i == 0 ? anchor.slot == 0 && !anchor.visit : anchor.slot >= anchors[i - 1].slot;
-    const PlanarPose& moved = anchor.correction;
-    const bool near = std::ranges::all_of(std::array{moved.x, moved.y, moved.theta}, [](double n) {
-      return std::abs(n) <= kFarthest;  // false for NaN
-    });
     const bool known = anchor.visit ? anchor.experience >= 0 && anchor.experience < made
                                     : anchor.experience == -1 || anchor.experience == made;
-    if (!in_order || !near || !known || anchor.slot >= frames.size() ||
-        !isWeight(anchor.way_weight) || !isWeight(anchor.offset_weight) ||
-        !isSound(anchor.offset)) {
+    if (!in_order || !isSound({anchor.correction, Matrix6d::Zero()}) || !known ||
+        anchor.slot >= frames.size() || !isWeight(anchor.way_weight) ||
+        !isWeight(anchor.offset_weight) || !isSound(anchor.offset)) {
       return false;
     }
     if (!anchor.visit && anchor.experience >= 0) ++made;
@@ -164,6 +156,7 @@ Status saveMap(const DeadReckoning& motions, const ExperienceChain& chain,
   writer.put(state.links);
   writer.put(state.loops);
   writer.put(std::int64_t{state.pending});
+  writer.put(std::int64_t{motions.isMetric()});
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -180,6 +173,7 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
   state.links = reader.get<std::int64_t>();
   state.loops = reader.get<std::int64_t>();
   state.pending = reader.get<std::int64_t>() != 0;
+  const bool is_metric = reader.get<std::int64_t>() != 0;
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
   const bool counted =
       std::ranges::all_of(std::array{version, next_correction, state.links, state.loops},
@@ -188,6 +182,7 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
     return Status::invalidInput("the saved map is damaged: a number is out of range");
   }
   for (const SavedFrame& saved : frames) motions.restore(saved.frame, saved.motion);
+  motions.setMetric(is_metric);
   chain.restore(motions, std::move(state));
   counters = {version, static_cast<std::size_t>(next_correction)};
   return Status::ok();

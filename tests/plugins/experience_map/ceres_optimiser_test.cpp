@@ -7,6 +7,9 @@
 #include <catch2/catch.hpp>
 #include <tolman/context.hpp>
 
+#include "planar_link.hpp"
+#include "spatial_link.hpp"
+
 namespace tolman::experience_map {
 namespace {
 
@@ -171,6 +174,47 @@ TEST_CASE("the first node is held, and a graph without loops is the odometry") {
   CHECK(graph.nodes.front().x == 3);
   CHECK(graph.nodes.front().y == -4);
   CHECK(graph.nodes.front().theta == 0.7);
+}
+
+TEST_CASE("in space the two solvers end at one minimum, too") {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    RandomStream random(seed);
+    const auto noise = [&](double metres, double radians) {
+      Vector6d twist;
+      for (int k = 0; k < 6; ++k) twist[k] = (k < 3 ? metres : radians) * random.normal();
+      return expSe3(twist);
+    };
+    std::vector<Eigen::Isometry3d> truth = {Eigen::Isometry3d::Identity()};
+    std::vector<Eigen::Isometry3d> nodes = truth;
+    std::vector<SpatialLink> links;
+    for (std::size_t i = 1; i < 30; ++i) {
+      const Eigen::Isometry3d step = expSe3((Vector6d() << 0, -0.1, 1, 0.02, -0.25, 0).finished());
+      truth.push_back(truth.back() * step);
+      SpatialLink& link = links.emplace_back();
+      link = {.from = i - 1, .to = i, .pose = step * noise(0.03, 0.01), .robust = false};
+      link.covariance = Matrix6d::Identity() * 1e-3;
+      nodes.push_back(nodes.back() * link.pose);
+    }
+    for (std::size_t k = 0; k < 6; ++k) {
+      SpatialLink& link = links.emplace_back();
+      link = {.from = 2 * k, .to = 15 + 2 * k};
+      link.pose = truth[link.from].inverse() * truth[link.to] * noise(0.05, 0.02);
+      if (k == seed % 6) link.pose.translation().y() += 3;  // the storey above
+      link.covariance = Matrix6d::Identity() * 4e-3;
+    }
+    const OptimiserOptions options = optionsOf(Loss::Huber, 1.5);
+    auto by_ceres = nodes;
+    auto links_of_ceres = links;
+    const auto a = optimise(options, nodes, links);
+    const auto b = optimiseWithCeres(options, by_ceres, links_of_ceres);
+    REQUIRE(a.isOk());
+    REQUIRE(b.isOk());
+    CHECK(a.value().energy == Approx(b.value().energy).epsilon(1e-6));
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      CHECK((nodes[k].matrix() - by_ceres[k].matrix()).norm() < 1e-4);
+    }
+    CHECK(nodes.front().matrix() == Eigen::Matrix4d::Identity());
+  }
 }
 
 }  // namespace tolman::experience_map

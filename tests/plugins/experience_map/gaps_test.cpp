@@ -147,7 +147,7 @@ TEST_CASE("bytes with numbers that cannot be are refused, and leave a fresh map"
       StateWriter writer;
       writer.putAll(std::span<const char>(payload.data(), payload.size()));
       std::ostringstream stream;
-      REQUIRE(writer.write(stream, "TLMEXMAP", 1).isOk());
+      REQUIRE(writer.write(stream, "TLMEXMAP", 2).isOk());
       Fixture f;
       if (loadInto(f, stream.str()).isOk()) {
         resume(f, saved);

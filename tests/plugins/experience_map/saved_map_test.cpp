@@ -36,7 +36,7 @@ void driveAtRandom(Fixture& f, std::uint64_t seed, int frames) {
 std::string payloadOf(const Fixture& f) { return tolman::test::savedPayload(f.map); }
 
 Status load(Fixture& f, const std::string& payload) {
-  return tolman::test::loadPayload(f.map, "TLMEXMAP", 1, payload);
+  return tolman::test::loadPayload(f.map, "TLMEXMAP", 2, payload);
 }
 
 std::string with(std::string payload, std::size_t word, std::int64_t value) {

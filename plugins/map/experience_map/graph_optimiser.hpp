@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Minimises the energy of the paper's section "Cognitive Map" over planar poses e_i (m, m, rad),
+// Minimises the energy of the paper's section "Cognitive Map" over poses e_i, in the plane or in
+// space,
 //
 //   min over e of 1/2 sum_k rho(|f_k|^2),    f_k: residual of link k in standard deviations,
 //
@@ -16,7 +17,7 @@
 #include <tolman/status.hpp>
 #include <vector>
 
-#include "planar_link.hpp"
+#include "pose_link.hpp"
 
 namespace tolman::experience_map {
 
@@ -56,15 +57,18 @@ struct OptimiserOutcome {
 
 /// Minimises the energy from the given nodes and weights (1 for new links); node 0 is fixed. On
 /// failure nothing changes.
-Result<OptimiserOutcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                                  std::vector<PlanarLink>& links);
+template <class G>
+Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
+                                  std::vector<typename G::Pose>& nodes,
+                                  std::vector<PoseLink<G>>& links);
 
 /// A redescending loss has many minima. Takes the best of three: from `nodes` as given, by
 /// graduated non-convexity, and from dead reckoning without loops, so that the result is never
 /// worse than that.
+template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
-                                            const std::vector<PlanarPose>& reckoned,
-                                            std::vector<PlanarPose>& nodes,
-                                            std::vector<PlanarLink>& links);
+                                            const std::vector<typename G::Pose>& reckoned,
+                                            std::vector<typename G::Pose>& nodes,
+                                            std::vector<PoseLink<G>>& links);
 
 }  // namespace tolman::experience_map

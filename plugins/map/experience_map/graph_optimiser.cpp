@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Iteratively reweighted Gauss-Newton. Graduated non-convexity: Yang, Antonante, Tzoumas, Carlone,
 // "Graduated Non-Convexity for Robust Spatial Perception", RA-L 2020, with the Geman-McClure loss.
-#include "planar_optimiser.hpp"
+#include "graph_optimiser.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "ceres_optimiser.hpp"
 #include "chain_system.hpp"
+#include "planar_link.hpp"
+#include "spatial_link.hpp"
 
 namespace tolman::experience_map {
 namespace {
 
 constexpr double kAcceptedWeight = 0.5;  ///< with all weights above it, other starts are not tried
 
+template <class G>
 class GaussNewton {
  public:
-  GaussNewton(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-              std::vector<PlanarLink>& links)
+  using Pose = typename G::Pose;
+  using PoseLinks = std::vector<PoseLink<G>>;
+
+  GaussNewton(const OptimiserOptions& options, std::vector<Pose>& nodes, PoseLinks& links)
       : options_(options), nodes_(nodes), links_(links), system_(nodes.size(), links) {
-    for (const PlanarLink& link : links) information_.push_back(informationOf(link.covariance));
+    for (const PoseLink<G>& link : links) information_.push_back(informationOf(link.covariance));
     chi_square_.resize(links.size());
     measure();
   }
 
   /// Graduated non-convexity: mu falls from a convex loss to 1, the Geman-McClure loss itself.
   Result<bool> anneal() {
-    for (PlanarLink& link : links_) link.weight = 1;
+    for (PoseLink<G>& link : links_) link.weight = 1;
     if (Status rough = descendRoughly(); !rough.isOk()) return rough;
     double worst = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) {
@@ -93,8 +98,8 @@ class GaussNewton {
   /// Squared residuals of all links at the present nodes.
   void measure() {
     for (std::size_t k = 0; k < links_.size(); ++k) {
-      const PlanarLink& link = links_[k];
-      const Eigen::Vector3d error = residualOf(link, nodes_[link.from], nodes_[link.to]);
+      const PoseLink<G>& link = links_[k];
+      const StepOf<G> error = residualOf(link, nodes_[link.from], nodes_[link.to]);
       chi_square_[k] = error.dot(information_[k] * error);
     }
   }
@@ -130,16 +135,13 @@ class GaussNewton {
   Status step() {
     constexpr double kLeastDamping = 1e-4;
     constexpr double kMostDamping = 1e8;
-    const std::vector<PlanarPose> start = nodes_;
+    const std::vector<Pose> start = nodes_;
     const double before = leastSquares();
     system_.linearise(nodes_, links_);
     for (double damping = damping_; damping < kMostDamping;
          damping = std::max(kLeastDamping, 10 * damping)) {
       if (!system_.solve(damping, step_)) continue;
-      for (std::size_t k = 0; k < nodes_.size(); ++k) {
-        nodes_[k] = {start[k].x + step_[k].x(), start[k].y + step_[k].y(),
-                     wrapAngle(start[k].theta + step_[k].z())};
-      }
+      for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k] = moved(start[k], step_[k]);
       measure();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
         damping_ = damping > kLeastDamping ? 0.1 * damping : 0;
@@ -153,23 +155,25 @@ class GaussNewton {
   }
 
   OptimiserOptions options_;
-  std::vector<PlanarPose>& nodes_;
-  std::vector<PlanarLink>& links_;
-  ChainSystem system_;
-  std::vector<Eigen::Matrix3d> information_;
+  std::vector<Pose>& nodes_;
+  PoseLinks& links_;
+  ChainSystem<G> system_;
+  std::vector<MatrixOf<G>> information_;
   std::vector<double> chi_square_;  ///< of each link
-  std::vector<Eigen::Vector3d> step_;
+  std::vector<StepOf<G>> step_;
   double damping_ = 0;
 };
 
 }  // namespace
 
-Result<OptimiserOutcome> optimise(const OptimiserOptions& options, std::vector<PlanarPose>& nodes,
-                                  std::vector<PlanarLink>& links) {
-  if (options.solver == Solver::Ceres) return optimiseWithCeres(options, nodes, links);
-  std::vector<PlanarPose> improved = nodes;
-  std::vector<PlanarLink> weighed = links;
-  GaussNewton descent(options, improved, weighed);
+template <class G>
+Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
+                                  std::vector<typename G::Pose>& nodes,
+                                  std::vector<PoseLink<G>>& links) {
+  if (options.solver == Solver::Ceres) return optimiseWithCeres<G>(options, nodes, links);
+  std::vector<typename G::Pose> improved = nodes;
+  std::vector<PoseLink<G>> weighed = links;
+  GaussNewton<G> descent(options, improved, weighed);
   const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
   const Result<bool> converged = annealed ? descent.anneal() : descent.descend();
   if (!converged.isOk()) return converged.status();
@@ -179,20 +183,23 @@ Result<OptimiserOutcome> optimise(const OptimiserOptions& options, std::vector<P
   return outcome;
 }
 
+template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
-                                            const std::vector<PlanarPose>& reckoned,
-                                            std::vector<PlanarPose>& nodes,
-                                            std::vector<PlanarLink>& links) {
-  const std::vector<PlanarPose> start = nodes;
-  const std::vector<PlanarLink> initial_links = links;
-  Result<OptimiserOutcome> best = optimise(options, nodes, links);
+                                            const std::vector<typename G::Pose>& reckoned,
+                                            std::vector<typename G::Pose>& nodes,
+                                            std::vector<PoseLink<G>>& links) {
+  using Poses = std::vector<typename G::Pose>;
+  using PoseLinks = std::vector<PoseLink<G>>;
+  const Poses start = nodes;
+  const PoseLinks initial_links = links;
+  Result<OptimiserOutcome> best = optimise<G>(options, nodes, links);
   if (options.loss == Loss::Huber) return best;  // convex: no other starts are needed
   const bool all_accepted = std::ranges::all_of(
-      links, [](const PlanarLink& link) { return link.weight > kAcceptedWeight; });
+      links, [](const PoseLink<G>& link) { return link.weight > kAcceptedWeight; });
   if (best.isOk() && best.value().converged && all_accepted) return best;
-  const auto attempt = [&](std::vector<PlanarPose> from, std::vector<PlanarLink> weighted) {
+  const auto attempt = [&](Poses from, PoseLinks weighted) {
     if (best.isOk()) options.energy_bound = best.value().energy;
-    const Result<OptimiserOutcome> outcome = optimise(options, from, weighted);
+    const Result<OptimiserOutcome> outcome = optimise<G>(options, from, weighted);
     if (!outcome.isOk()) return;
     if (best.isOk() && best.value().energy <= outcome.value().energy) return;
     best = outcome;
@@ -202,10 +209,25 @@ Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
   options.annealed = true;
   attempt(start, initial_links);
   options.annealed = false;
-  std::vector<PlanarLink> without_loops = initial_links;
-  for (PlanarLink& link : without_loops) link.weight = link.robust ? kRejectedWeight : 1;
+  PoseLinks without_loops = initial_links;
+  for (PoseLink<G>& link : without_loops) link.weight = link.robust ? kRejectedWeight : 1;
   attempt(reckoned, std::move(without_loops));
   return best;
 }
+
+template Result<OptimiserOutcome> optimise<Plane>(const OptimiserOptions&,
+                                                  std::vector<Plane::Pose>&,
+                                                  std::vector<PoseLink<Plane>>&);
+template Result<OptimiserOutcome> optimiseMultiStart<Plane>(OptimiserOptions,
+                                                            const std::vector<Plane::Pose>&,
+                                                            std::vector<Plane::Pose>&,
+                                                            std::vector<PoseLink<Plane>>&);
+template Result<OptimiserOutcome> optimise<Space>(const OptimiserOptions&,
+                                                  std::vector<Space::Pose>&,
+                                                  std::vector<PoseLink<Space>>&);
+template Result<OptimiserOutcome> optimiseMultiStart<Space>(OptimiserOptions,
+                                                            const std::vector<Space::Pose>&,
+                                                            std::vector<Space::Pose>&,
+                                                            std::vector<PoseLink<Space>>&);
 
 }  // namespace tolman::experience_map

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The optimum against a dense Gauss-Newton solver with numeric derivatives, written here.
-#include "planar_optimiser.hpp"
+#include "graph_optimiser.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>

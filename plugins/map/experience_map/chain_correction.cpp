@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The correction of the chain: its links as a problem of the optimiser, and the solution back.
+#include <cmath>
+
+#include "experience_chain.hpp"
+
+namespace tolman::experience_map {
+namespace {
+
+/// Coordinates of a step that are lengths; they come first.
+template <class G>
+constexpr int kLengths = G::kSize == 3 ? 2 : 3;
+
+/// The motion over a gap is unknown. Where a loop joins the segment to an earlier one, the
+/// variance is so large that the link has no influence; if none does yet, a unit covariance fixes
+/// the otherwise free pose of the segment.
+template <class G>
+MatrixOf<G> gapCovariance(bool unjoined) {
+  constexpr double kLooseVariance = 1e6;      // m^2
+  constexpr double kLooseVarianceTurn = 1e4;  // rad^2
+  if (unjoined) return MatrixOf<G>::Identity();
+  StepOf<G> variances = StepOf<G>::Constant(kLooseVarianceTurn);
+  variances.template head<kLengths<G>>().setConstant(kLooseVariance);
+  return variances.asDiagonal();
+}
+
+}  // namespace
+
+Status ExperienceChain::correct(const DeadReckoning& log, int iterations, double tolerance) {
+  pending_ = false;
+  if (last_visit_ == 0) return Status::ok();
+  return optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Effort::Online);
+}
+
+Status ExperienceChain::correctFinally(const DeadReckoning& log, int iterations, double tolerance) {
+  pending_ = false;
+  if (last_visit_ == 0) return Status::ok();
+  Status status =
+      optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Effort::Final);
+  for (Anchor& anchor : anchors_) {
+    anchor.rejected = anchor.visit && anchor.offset_weight < parameters_.min_loop_weight;
+  }
+  return status;
+}
+
+bool ExperienceChain::isSpatial(const DeadReckoning& log) const {
+  if (parameters_.space != Geometry::Auto) return parameters_.space == Geometry::Space;
+  return measured_ && log.isMetric() && !log.isPlanar();
+}
+
+Status ExperienceChain::optimiseAll(const DeadReckoning& log, OptimiserOptions options,
+                                    Effort effort) {
+  return isSpatial(log) ? optimiseIn<Space>(log, options, effort)
+                        : optimiseIn<Plane>(log, options, effort);
+}
+
+template <class G>
+ChainProblem<G> ExperienceChain::problem(const DeadReckoning& log) const {
+  ChainProblem<G> problem;
+  for (const Anchor& anchor : anchors_) {
+    problem.reckoned.push_back(poseIn<G>(log[anchor.slot].T_start_camera));
+    problem.nodes.push_back(compose(poseIn<G>(anchor.correction), problem.reckoned.back()));
+  }
+  const PathParts joined = parts();
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    problem.links.push_back(wayLink<G>(log, i, joined));
+  }
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    if (anchors_[i].visit) problem.links.push_back(loopLink<G>(log, i));
+  }
+  return problem;
+}
+
+template <class G>
+Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions options,
+                                   Effort effort) {
+  constexpr std::size_t kFinalAttempts = 10;  // bounds the time of the final correction
+  options.solver = parameters_.solver;
+  options.loss = parameters_.loss;
+  // The squared residual of a right link is as large as the residual has dimensions; the parameters
+  // are for three.
+  options.delta =
+      std::sqrt(G::kSize / 3.0) *
+      (options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale);
+  const ChainProblem<G> start = problem<G>(log);
+  ChainProblem<G> found = start;
+  const Result<OptimiserOutcome> outcome =
+      effort == Effort::Online
+          ? optimise<G>(options, found.nodes, found.links)
+          : optimiseMultiStart<G>(options, found.reckoned, found.nodes, found.links);
+  if (!outcome.isOk()) return outcome.status();
+  OptimiserOutcome best = outcome.value();
+  rearrange<G>(parts(), start, options, effort == Effort::Online ? 1 : kFinalAttempts, found, best);
+  pending_ = !best.converged;
+  apply<G>(found);
+  return Status::ok();
+}
+
+template <class G>
+void ExperienceChain::apply(const ChainProblem<G>& problem) {
+  std::size_t loop = anchors_.size() - 1;  // loop links follow all odometry links
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    Anchor& anchor = anchors_[i];
+    anchor.correction =
+        lifted(compose(problem.nodes[i], between(problem.reckoned[i], G::identity())));
+    anchor.way_weight = problem.links[i - 1].weight;
+    if (anchor.visit) anchor.offset_weight = problem.links[loop++].weight;
+  }
+}
+
+template <class G>
+PoseLink<G> ExperienceChain::wayLink(const DeadReckoning& log, std::size_t i,
+                                     const PathParts& parts) const {
+  const Anchor& before = anchors_[i - 1];
+  const Anchor& anchor = anchors_[i];
+  const Eigen::Isometry3d& T_start_from = log[before.slot].T_start_camera;
+  const Eigen::Isometry3d T_from_to = T_start_from.inverse() * log[anchor.slot].T_start_camera;
+  PoseLink<G> link = linkOf<G>(T_start_from, {T_from_to, anchor.way.covariance});
+  link.from = i - 1;
+  link.to = i;
+  if (anchor.gap) link.covariance = gapCovariance<G>(parts.first(parts.of(i)) == parts.of(i));
+  link.robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber;
+  link.weight = anchor.way_weight;
+  return link;
+}
+
+template <class G>
+PoseLink<G> ExperienceChain::loopLink(const DeadReckoning& log, std::size_t i) const {
+  const Anchor& visit = anchors_[i];
+  PoseLink<G> link = linkOf<G>(log[origin(visit.experience).slot].T_start_camera, visit.offset);
+  link.from = of_experience_[static_cast<std::size_t>(visit.experience)];
+  link.to = i;
+  link.weight = visit.offset_weight;
+  return link;
+}
+
+template PlanarLink ExperienceChain::loopLink<Plane>(const DeadReckoning&, std::size_t) const;
+template SpatialLink ExperienceChain::loopLink<Space>(const DeadReckoning&, std::size_t) const;
+
+}  // namespace tolman::experience_map
