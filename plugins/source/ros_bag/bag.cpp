@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bag.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "file_bytes.hpp"
+#include "mcap_file.hpp"
+#include "messages.hpp"
+#include "metadata_file.hpp"
+#include "sqlite_file.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+bool isUsed(const std::string& type) {
+  return type == kImage || type == kCompressedImage || type == kCameraInfo || type == kImu ||
+         type == kOdometry;
+}
+
+}  // namespace
+
+Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& cancellation) {
+  Result<std::vector<std::filesystem::path>> found = findBagFiles(path);
+  if (!found.isOk()) return found.status();
+  Bag bag;
+  bag.paths_ = std::move(found).value();
+  for (std::size_t file = 0; file < bag.paths_.size(); ++file) {
+    if (cancellation.requested()) return Status(StatusCode::Cancelled, "reading was cancelled");
+    if (Status status = bag.openFile(bag.paths_[file]); !status.isOk()) return status;
+    bag.visit(file);
+  }
+  for (auto& [name, topic] : bag.topics_) {
+    std::stable_sort(topic.index.begin(), topic.index.end(),
+                     [](const auto& a, const auto& b) { return a.stamp_ns < b.stamp_ns; });
+  }
+  return bag;
+}
+
+Status Bag::openFile(const std::filesystem::path& path) {
+  Result<FileBytes> bytes = FileBytes::open(path);
+  if (!bytes.isOk()) return bytes.status();
+  if (McapFile::isMcap(bytes.value())) {
+    files_.push_back(std::make_unique<McapFile>(std::move(bytes).value()));
+    return Status::ok();
+  }
+  if (SqliteFile::isSqlite(bytes.value())) {
+    auto database = SqliteFile::open(path, std::move(bytes).value());
+    if (!database.isOk()) return database.status();
+    files_.push_back(std::move(database).value());
+    return Status::ok();
+  }
+  std::array<std::uint8_t, 8> start{};
+  const bool ros1 = bytes.value().read(0, start) && asText(start) == "#ROSBAG ";
+  return Status::invalidInput(
+      path.string() + (ros1 ? ": is a ROS 1 bag; convert it to a ROS 2 bag (rosbags-convert)"
+                            : ": is no ROS 2 bag (.mcap or .db3); check the path"));
+}
+
+void Bag::visit(std::size_t file) {
+  constexpr std::size_t kMostProblems = 20;
+  std::vector<std::string> problems;
+  files_[file]->visit(
+      [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes bytes) {
+        add(topic, log_ns, {log_ns, file, place}, bytes);
+      },
+      problems);
+  for (std::size_t i = 0; i < std::min(problems.size(), kMostProblems); ++i) {
+    problems_.push_back(paths_[file].string() + ": " + problems[i]);
+  }
+  if (problems.size() > kMostProblems) {
+    problems_.push_back(paths_[file].string() + ": has " +
+                        std::to_string(problems.size() - kMostProblems) + " more problems");
+  }
+}
+
+void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message, Bytes bytes) {
+  BagTopic& known = topics_[topic.name];
+  if (known.messages == 0) {
+    known.topic = topic;
+    known.first_ns = known.last_ns = log_ns;
+  }
+  ++known.messages;
+  known.bytes += bytes.size();
+  known.first_ns = std::min(known.first_ns, log_ns);
+  known.last_ns = std::max(known.last_ns, log_ns);
+  if (known.topic != topic || topic.encoding != "cdr" || !isUsed(topic.type)) return;
+  if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());
+  known.index.push_back(message);
+  known.index.back().stamp_ns = headerStamp(bytes).value_or(log_ns);
+}
+
+Result<std::vector<std::uint8_t>> Bag::read(const BagMessage& message) {
+  Result<std::vector<std::uint8_t>> bytes = files_[message.file]->read(message.place);
+  if (bytes.isOk()) return bytes;
+  return Status(bytes.status().code(),
+                paths_[message.file].string() + ": " + bytes.status().message());
+}
+
+}  // namespace tolman::ros_bag

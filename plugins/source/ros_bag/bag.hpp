@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A whole bag, of one or several files: its topics, and where the messages that the source can use
+// stand. It is read once from start to end when it is opened.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bag_file.hpp"
+#include "tolman/context.hpp"
+
+namespace tolman::ros_bag {
+
+struct BagMessage {
+  std::int64_t stamp_ns = 0;  ///< of the header; of recording where that is not set
+  std::size_t file = 0;
+  MessagePlace place;
+};
+
+/// One topic with what its messages have in common.
+struct BagTopic {
+  Topic topic;
+  std::int64_t messages = 0;
+  std::uint64_t bytes = 0;
+  std::int64_t first_ns = 0;        ///< time of recording
+  std::int64_t last_ns = 0;         ///< time of recording
+  std::vector<std::uint8_t> first;  ///< the first message; of types that are used
+  std::vector<BagMessage> index;    ///< by stamp; of types that are used
+};
+
+class Bag {
+ public:
+  /// Opens and reads the bag. Damage goes to problems().
+  static Result<Bag> open(const std::filesystem::path& path, const Cancellation& cancellation);
+
+  /// By name.
+  const std::map<std::string, BagTopic>& topics() const { return topics_; }
+  /// One text with file and remedy each.
+  const std::vector<std::string>& problems() const { return problems_; }
+  Result<std::vector<std::uint8_t>> read(const BagMessage& message);
+
+ private:
+  Status openFile(const std::filesystem::path& path);
+  void visit(std::size_t file);
+  void add(const Topic& topic, std::int64_t log_ns, const BagMessage& message, Bytes bytes);
+
+  std::vector<std::filesystem::path> paths_;
+  std::vector<std::unique_ptr<BagFile>> files_;
+  std::map<std::string, BagTopic> topics_;
+  std::vector<std::string> problems_;
+};
+
+}  // namespace tolman::ros_bag

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bag_source.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "camera_calibration.hpp"
+#include "image_conversion.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+std::string shortNumber(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+Status checkCombination(const BagParameters& p) {
+  if (p.mono && !p.right.empty()) {
+    return Status::invalidParameter("mono and right are both given; keep one");
+  }
+  if (p.baseline > 0 && p.fx == 0) {
+    return Status::invalidParameter("baseline is given without fx; give both");
+  }
+  return Status::ok();
+}
+
+/// "sensor_msgs/msg/Image, 120 messages at 10 Hz, 37.2 MB"
+std::string summary(const BagTopic& topic) {
+  std::string text = topic.topic.type + ", " + std::to_string(topic.messages) +
+                     (topic.messages == 1 ? " message" : " messages");
+  if (topic.messages > 1 && topic.last_ns > topic.first_ns) {
+    const double seconds = static_cast<double>(topic.last_ns - topic.first_ns) * 1e-9;
+    text += " at " + shortNumber(static_cast<double>(topic.messages - 1) / seconds) + " Hz";
+  }
+  text += ", " + shortNumber(static_cast<double>(topic.bytes) * 1e-6) + " MB";
+  if (topic.topic.encoding != "cdr") text += ", encoded as '" + topic.topic.encoding + "'";
+  const auto size =
+      topic.first.empty() || (topic.topic.type != kImage && topic.topic.type != kCompressedImage)
+          ? Result<ImageSize>(Status::failed(""))
+          : imageSize(topic.topic.type, topic.first);
+  if (!size.isOk()) return text;
+  text += ", " + std::to_string(size.value().width) + "x" + std::to_string(size.value().height);
+  const auto image = readImage(topic.first);
+  const bool raw = image && topic.topic.type == kImage;
+  return raw ? text + " " + std::string(image->encoding.substr(0, 40)) : text;
+}
+
+}  // namespace
+
+Status BagSource::configure(const Context& context) {
+  const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
+  if (!bound.isOk()) return ready_ = bound.status();
+  parameters_ = bound.value();
+  return ready_ = prepare(context);
+}
+
+Status BagSource::prepare(const Context& context) {
+  if (Status status = checkCombination(parameters_); !status.isOk()) return status;
+  Result<Bag> bag = Bag::open(parameters_.path, context.cancellation);
+  if (!bag.isOk()) return bag.status();
+  bag_ = std::move(bag).value();
+  Status status = judgeProblems(context.log);
+  if (!status.isOk()) return status;
+  const auto chosen = chooseTopics(bag_->topics(), parameters_);
+  if (!chosen.isOk()) return chosen.status();
+  chosen_ = chosen.value();
+  status = findSize();
+  if (status.isOk()) status = makeRig();
+  if (status.isOk()) status = makeSequence(context.log);
+  if (status.isOk()) status = side_.load(*bag_, chosen_.imu, chosen_.odometry);
+  if (!status.isOk() || side_.damaged() == 0) return status;
+  const std::string what = parameters_.path + ": " + std::to_string(side_.damaged()) +
+                           " messages of other sensors are damaged";
+  if (parameters_.on_corrupt == OnCorrupt::Stop) {
+    return Status::invalidInput(what + "; leave them out by on_corrupt: skip");
+  }
+  context.log.warning(what);
+  return Status::ok();
+}
+
+Status BagSource::judgeProblems(Logger& log) const {
+  const std::vector<std::string>& problems = bag_->problems();
+  if (problems.empty()) return Status::ok();
+  if (parameters_.on_corrupt == OnCorrupt::Skip) {
+    for (const std::string& problem : problems) log.warning(problem);
+    return Status::ok();
+  }
+  const std::size_t more = problems.size() - 1;
+  return Status::invalidInput(
+      problems.front() +
+      (more == 0 ? ""
+                 : " (and " + std::to_string(more) + " more; `tolman dataset check` lists all)"));
+}
+
+Status BagSource::findSize() {
+  Status status;
+  for (const BagMessage& message : chosen_.left->index) {
+    const auto bytes = bag_->read(message);
+    const auto size = bytes.isOk() ? imageSize(chosen_.left->topic.type, bytes.value())
+                                   : Result<ImageSize>(bytes.status());
+    status = size.status();
+    if (!size.isOk()) continue;
+    size_ = size.value();
+    break;
+  }
+  if (!status.isOk()) {
+    return Status::invalidInput(chosen_.left->topic.name + ": no message has a sound image (the " +
+                                "last " + status.message() + "); record it again");
+  }
+  if (chosen_.depth == nullptr) return Status::ok();
+  const auto depth = convertDepth(chosen_.depth->first, depth_size_);
+  if (depth.isOk()) return Status::ok();
+  return Status::invalidInput(chosen_.depth->topic.name + ": the first message " +
+                              depth.status().message() + "; name another topic");
+}
+
+Status BagSource::makeRig() {
+  const BagParameters& p = parameters_;
+  rig_ = {};
+  raw_ = {};
+  rig_.width = size_.width;
+  rig_.height = size_.height;
+  const bool pair = chosen_.right != nullptr;
+  if (p.fx > 0) {
+    rig_.calibrated = true;
+    rig_.pinhole = {p.fx, p.fy > 0 ? p.fy : p.fx, p.cx > 0 ? p.cx : (rig_.width - 1) / 2.0,
+                    p.cy > 0 ? p.cy : (rig_.height - 1) / 2.0};
+    rig_.baseline = pair ? p.baseline : 0;
+    const bool inside = rig_.pinhole.cx < rig_.width && rig_.pinhole.cy < rig_.height;
+    if (!inside) return Status::invalidParameter("cx, cy is outside of the image; correct it");
+    if (!pair || p.baseline > 0) return Status::ok();
+    return Status::invalidParameter("fx is given for two cameras without baseline; give both");
+  }
+  if (chosen_.left_info != nullptr && (!pair || chosen_.right_info != nullptr)) {
+    return rigFromInfos();
+  }
+  if (!pair) return Status::ok();
+  return Status::invalidInput(
+      "there is no CameraInfo beside " + chosen_.left->topic.name + " and " +
+      chosen_.right->topic.name +
+      "; set left_info and right_info, give fx and baseline, or set mono: true");
+}
+
+Status BagSource::rigFromInfos() {
+  const auto left = readCameraInfo(chosen_.left_info->first);
+  if (!left) {
+    return Status::invalidInput(chosen_.left_info->topic.name +
+                                ": is no complete CameraInfo; "
+                                "give fx of rectified images");
+  }
+  CameraInfos infos{*left, std::nullopt};
+  if (chosen_.right != nullptr) {
+    infos.right = readCameraInfo(chosen_.right_info->first);
+    if (!infos.right) {
+      return Status::invalidInput(chosen_.right_info->topic.name +
+                                  ": is no complete CameraInfo; give fx and baseline");
+    }
+  }
+  Status status;
+  if (isRectified(chosen_.left->topic.name, infos)) {
+    const Result<CameraRig> rig = rectifiedRig(infos, size_.width, size_.height);
+    status = rig.status();
+    if (rig.isOk()) rig_ = rig.value();
+  } else {
+    const Result<RawRig> raw = ros_bag::rawRig(infos, size_.width, size_.height);
+    status = raw.status();
+    if (raw.isOk()) raw_ = raw.value();
+  }
+  if (status.isOk()) return status;
+  return {status.code(), chosen_.left_info->topic.name + ": " + status.message()};
+}
+
+Status BagSource::makeSequence(Logger& log) {
+  Result<FrameTable> table = makeFrameTable(*chosen_.left, chosen_.right, chosen_.depth,
+                                            std::llround(parameters_.tolerance * 1e9));
+  if (!table.isOk()) return table.status();
+  table_ = std::move(table).value();
+  if (table_.left_alone > 0) {
+    log.warning(parameters_.path + ": " + std::to_string(table_.left_alone) + " images of " +
+                chosen_.left->topic.name + " have no right one within the tolerance");
+  }
+  std::vector<std::int64_t> stamps;
+  for (const FrameRow& row : table_.rows) stamps.push_back(chosen_.left->index[row.left].stamp_ns);
+  Result<FrameSequence> sequence = FrameSequence::make(parameters_, stamps);
+  if (!sequence.isOk()) return sequence.status();
+  sequence_ = std::move(sequence).value();
+  return Status::ok();
+}
+
+Status BagSource::reset() {
+  next_frame_ = 0;
+  return ready_;
+}
+
+Status BagSource::info(SourceInfo& info) {
+  if (!ready_.isOk()) return ready_;
+  const bool pair = chosen_.right != nullptr;
+  info.description = "ROS 2 bag, " + std::to_string(sequence_.size()) +
+                     (pair ? " stereo pairs of " : " images of ") + chosen_.left->topic.name +
+                     (pair ? " and " + chosen_.right->topic.name : "") + ", " +
+                     std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px";
+  if (!rig_.calibrated) info.description += raw_.cameras.empty() ? ", uncalibrated" : ", raw";
+  info.rig = rig_;
+  info.frames = sequence_.size();
+  return Status::ok();
+}
+
+Status BagSource::rawRig(RawRig& rig) {
+  if (!ready_.isOk()) return ready_;
+  rig = raw_;
+  return Status::ok();
+}
+
+Status BagSource::next(Frame& frame) {
+  if (!ready_.isOk()) return ready_;
+  if (next_frame_ >= sequence_.size()) return Status::endOfStream();
+  frame.frame = next_frame_++;  // also when it cannot be read: a caller that skips gets the next
+  frame.stamp_ns = sequence_.stampNs(frame.frame);
+  frame.source_index = sequence_.sourceIndex(frame.frame);
+  const auto stampOf = [this](std::int64_t index) {
+    return chosen_.left->index[table_.rows[static_cast<std::size_t>(index)].left].stamp_ns;
+  };
+  const std::int64_t before = sequence_.sourceIndex(std::max<std::int64_t>(frame.frame - 1, 0));
+  side_.measure(stampOf(before), stampOf(frame.source_index), frame.sensors);
+  const FrameRow& row = table_.rows[static_cast<std::size_t>(frame.source_index)];
+  Status status = addDepth(row, frame);
+  if (status.isOk()) status = readImages(row, frame);
+  if (status.isOk() || parameters_.on_corrupt == OnCorrupt::Stop) return status;
+  frame.left = frame.right = {};
+  frame.defect = status.message();
+  return Status::ok();
+}
+
+Status BagSource::readImages(const FrameRow& row, Frame& frame) {
+  Status status = readImage(*chosen_.left, row.left, frame.left);
+  if (status.isOk() && chosen_.right != nullptr) {
+    status = readImage(*chosen_.right, row.right, frame.right);
+  }
+  return status;
+}
+
+Status BagSource::readImage(const BagTopic& topic, std::size_t index, Image& image) {
+  const BagMessage& message = topic.index[index];
+  const auto bytes = bag_->read(message);
+  Result<Image> converted = bytes.isOk()
+                                ? convertImage(topic.topic.type, bytes.value(), parameters_.colour)
+                                : Result<Image>(bytes.status());
+  Status status = converted.status();
+  if (status.isOk()) {
+    image = std::move(converted).value();
+    if (ImageSize{image.width(), image.height()} == size_) return status;
+    status = Status::invalidInput("has " + std::to_string(image.width()) + "x" +
+                                  std::to_string(image.height()) + " px, and the first of " +
+                                  chosen_.left->topic.name + " has " + std::to_string(size_.width) +
+                                  "x" + std::to_string(size_.height));
+  }
+  return {status.code(), parameters_.path + ": image " + std::to_string(index) + " of " +
+                             topic.topic.name + " (stamp " + std::to_string(message.stamp_ns) +
+                             " ns) " + status.message() +
+                             "; record it again, or leave it out by on_corrupt: skip"};
+}
+
+/// Frames without a depth image have depth 0, not known, everywhere.
+Status BagSource::addDepth(const FrameRow& row, Frame& frame) {
+  if (chosen_.depth == nullptr) return Status::ok();
+  const std::size_t pixels =
+      static_cast<std::size_t>(depth_size_.width) * static_cast<std::size_t>(depth_size_.height);
+  NamedArray depth{"depth", {depth_size_.height, depth_size_.width}, std::vector<float>(pixels)};
+  Status status;
+  if (row.depth) {
+    const auto bytes = bag_->read(chosen_.depth->index[*row.depth]);
+    ImageSize size;
+    auto values = bytes.isOk() ? convertDepth(bytes.value(), size)
+                               : Result<std::vector<float>>(bytes.status());
+    status = values.status();
+    if (status.isOk() && size == depth_size_) depth.values = std::move(values).value();
+    if (status.isOk() && size != depth_size_) status = Status::invalidInput("changes its size");
+  }
+  frame.sensors.push_back(std::move(depth));
+  if (status.isOk()) return status;
+  return {status.code(), parameters_.path + ": image " + std::to_string(*row.depth) + " of " +
+                             chosen_.depth->topic.name + " " + status.message() +
+                             "; record it again, or leave it out by on_corrupt: skip"};
+}
+
+Status BagSource::describe(std::vector<ArrayInfo>& arrays) const {
+  side_.describe(arrays);
+  if (chosen_.depth == nullptr) return Status::ok();
+  ArrayInfo& info = arrays.emplace_back();
+  info.name = "depth";
+  info.kind = ArrayKind::DepthImage;
+  info.unit = "m";
+  info.doc = "depth along the optical axis, 0 where it is not known";
+  info.axes.resize(2);
+  info.axes[0].name = "row";
+  info.axes[1].name = "column";
+  return Status::ok();
+}
+
+std::string BagSource::roleOf(const BagTopic& topic) const {
+  const std::array<std::pair<const BagTopic*, const char*>, 7> roles = {
+      {{chosen_.left, "left"},
+       {chosen_.right, "right"},
+       {chosen_.left_info, "left_info"},
+       {chosen_.right_info, "right_info"},
+       {chosen_.depth, "depth"},
+       {chosen_.imu, "imu"},
+       {chosen_.odometry, "odometry"}}};
+  for (const auto& [used, name] : roles) {
+    if (used == &topic) return std::string(", used as ") + name;
+  }
+  return "";
+}
+
+void BagSource::inspectTopics(std::vector<Finding>& findings) const {
+  for (const auto& [name, topic] : bag_->topics()) {
+    findings.push_back({Finding::Severity::Note, name, summary(topic) + roleOf(topic)});
+  }
+}
+
+Status BagSource::inspect(std::vector<Finding>& findings) {
+  using Severity = Finding::Severity;
+  const bool skip = parameters_.on_corrupt == OnCorrupt::Skip;
+  if (bag_) {
+    inspectTopics(findings);
+    for (const std::string& problem : bag_->problems()) {
+      findings.push_back({skip ? Severity::Warning : Severity::Error, "", problem});
+    }
+  }
+  const bool told = bag_ && !bag_->problems().empty() && !skip;
+  if (!ready_.isOk()) {
+    if (!told) findings.push_back({Severity::Error, "", ready_.message()});
+    return Status::ok();
+  }
+  SourceInfo found;
+  if (Status status = info(found); !status.isOk()) return status;
+  if (table_.left_alone > 0) {
+    findings.push_back({Severity::Warning, chosen_.left->topic.name,
+                        std::to_string(table_.left_alone) +
+                            " images have no right one within the tolerance; set tolerance"});
+  }
+  findings.push_back({Severity::Note, parameters_.path, found.description});
+  return Status::ok();
+}
+
+}  // namespace tolman::ros_bag

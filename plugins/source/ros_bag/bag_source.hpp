@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Source `ros_bag`: images, calibration and other sensors of a ROS 2 bag, without ROS.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "bag.hpp"
+#include "bag_parameters.hpp"
+#include "coded_image.hpp"
+#include "frame_table.hpp"
+#include "side_measurements.hpp"
+#include "tolman/extras.hpp"
+#include "tolman/roles.hpp"
+#include "topic_choice.hpp"
+
+namespace tolman::ros_bag {
+
+class BagSource final : public Source, public ArrayDescriptions, public RawRigSource {
+ public:
+  using Parameters = BagParameters;
+
+  Status configure(const Context& context) override;
+  Status reset() override;
+  Status info(SourceInfo& info) override;
+  Status rawRig(RawRig& rig) override;
+  Status next(Frame& frame) override;
+  Status describe(std::vector<ArrayInfo>& arrays) const override;
+  /// Lists the topics of the bag and its problems.
+  Status inspect(std::vector<Finding>& findings) override;
+
+ private:
+  Status prepare(const Context& context);
+  Status judgeProblems(Logger& log) const;
+  /// The size of the first image whose header is sound.
+  Status findSize();
+  Status makeRig();
+  Status rigFromInfos();
+  Status makeSequence(Logger& log);
+  Status readImage(const BagTopic& topic, std::size_t index, Image& image);
+  Status readImages(const FrameRow& row, Frame& frame);
+  Status addDepth(const FrameRow& row, Frame& frame);
+  void inspectTopics(std::vector<Finding>& findings) const;
+  std::string roleOf(const BagTopic& topic) const;
+
+  Parameters parameters_;
+  std::optional<Bag> bag_;
+  ChosenTopics chosen_;
+  FrameTable table_;
+  SideMeasurements side_;
+  ImageSize size_;
+  ImageSize depth_size_;
+  CameraRig rig_;
+  RawRig raw_;
+  FrameSequence sequence_;
+  Status ready_ = Status::failed("configure() was not called");
+  std::int64_t next_frame_ = 0;
+};
+
+}  // namespace tolman::ros_bag

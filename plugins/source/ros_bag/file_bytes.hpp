@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A file of a bag: its bytes at any place. One that is compressed as a whole is unpacked in memory.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include "bytes.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::ros_bag {
+
+class FileBytes {
+ public:
+  /// InvalidInput with the path and a remedy for what cannot be read.
+  static Result<FileBytes> open(const std::filesystem::path& path);
+
+  std::uint64_t size() const { return size_; }
+  /// Fills `bytes` with what stands at `at`; false where the file ends before.
+  bool read(std::uint64_t at, std::span<std::uint8_t> bytes);
+  /// Whether the file is unpacked, and its bytes then.
+  bool inMemory() const { return in_memory_; }
+  Bytes memory() const { return memory_; }
+
+ private:
+  std::ifstream stream_;
+  std::uint64_t size_ = 0;
+  bool in_memory_ = false;
+  std::vector<std::uint8_t> memory_;
+};
+
+}  // namespace tolman::ros_bag

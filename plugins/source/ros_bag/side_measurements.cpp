@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "side_measurements.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tolman::ros_bag {
+namespace {
+
+/// Heading of a pose with the axis z upwards.
+double headingOf(const std::array<double, 4>& q) {
+  const auto [x, y, z, w] = q;
+  return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+}
+
+float f(double value) { return static_cast<float>(value); }
+
+}  // namespace
+
+Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odometry) {
+  has_imu_ = imu != nullptr;
+  imu_.clear();
+  poses_.clear();
+  damaged_ = 0;
+  if (imu != nullptr) {
+    for (const BagMessage& message : imu->index) {
+      const auto bytes = bag.read(message);
+      if (!bytes.isOk()) return bytes.status();
+      auto measured = readImu(bytes.value());
+      damaged_ += measured ? 0 : 1;
+      if (!measured) continue;
+      measured->stamp_ns = message.stamp_ns;
+      imu_.push_back(*measured);
+    }
+  }
+  if (odometry == nullptr) return Status::ok();
+  for (const BagMessage& message : odometry->index) {
+    const auto bytes = bag.read(message);
+    if (!bytes.isOk()) return bytes.status();
+    const auto measured = readOdometry(bytes.value());
+    damaged_ += measured ? 0 : 1;
+    if (!measured) continue;
+    poses_.push_back(
+        {message.stamp_ns,
+         {measured->position[0], measured->position[1], headingOf(measured->orientation)}});
+  }
+  return Status::ok();
+}
+
+PlanarPose SideMeasurements::poseAt(std::int64_t stamp_ns) const {
+  const auto after =
+      std::upper_bound(poses_.begin(), poses_.end(), stamp_ns,
+                       [](std::int64_t stamp, const Pose& pose) { return stamp < pose.stamp_ns; });
+  if (after == poses_.begin()) return poses_.front().pose;
+  const Pose& before = *(after - 1);
+  if (after == poses_.end()) return before.pose;
+  const double part = static_cast<double>(stamp_ns - before.stamp_ns) /
+                      static_cast<double>(after->stamp_ns - before.stamp_ns);
+  PlanarPose pose = before.pose;
+  pose.x += part * (after->pose.x - before.pose.x);
+  pose.y += part * (after->pose.y - before.pose.y);
+  pose.theta += part * std::remainder(after->pose.theta - before.pose.theta, 2 * M_PI);
+  return pose;
+}
+
+void SideMeasurements::measureImu(std::int64_t begin_ns, std::int64_t end_ns,
+                                  std::vector<NamedArray>& sensors) const {
+  std::array<double, 6> sums{};
+  std::size_t samples = 0;
+  const auto begin = std::upper_bound(
+      imu_.begin(), imu_.end(), begin_ns,
+      [](std::int64_t stamp, const ImuMessage& imu) { return stamp < imu.stamp_ns; });
+  for (auto imu = begin; imu != imu_.end() && imu->stamp_ns <= end_ns; ++imu, ++samples) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      sums[i] += imu->angular_velocity[i];
+      sums[i + 3] += imu->linear_acceleration[i];
+    }
+  }
+  for (double& sum : sums) sum /= static_cast<double>(std::max<std::size_t>(samples, 1));
+  sensors.push_back({"imu.angular_velocity", {3}, {f(sums[0]), f(sums[1]), f(sums[2])}});
+  sensors.push_back({"imu.linear_acceleration", {3}, {f(sums[3]), f(sums[4]), f(sums[5])}});
+  sensors.push_back({"imu.samples", {1}, {static_cast<float>(samples)}});
+}
+
+void SideMeasurements::measure(std::int64_t previous_ns, std::int64_t stamp_ns,
+                               std::vector<NamedArray>& sensors) const {
+  if (has_imu_) {
+    measureImu(std::min(previous_ns, stamp_ns), std::max(previous_ns, stamp_ns), sensors);
+  }
+  if (poses_.empty()) return;
+  const PlanarPose step = between(poseAt(previous_ns), poseAt(stamp_ns));
+  sensors.push_back({"motion.planar", {3}, {f(step.x), f(step.y), f(step.theta)}});
+}
+
+void SideMeasurements::describe(std::vector<ArrayInfo>& arrays) const {
+  const auto add = [&arrays](const char* name, const char* unit, const char* doc,
+                             std::vector<std::string> labels) {
+    ArrayInfo& info = arrays.emplace_back();
+    info.name = name;
+    info.unit = unit;
+    info.doc = doc;
+    info.axes.emplace_back();
+    info.axes.back().name = "component";
+    info.axes.back().labels = std::move(labels);
+  };
+  if (has_imu_) {
+    add("imu.angular_velocity", "rad/s", "mean since the frame before", {"x", "y", "z"});
+    add("imu.linear_acceleration", "m/s^2", "mean since the frame before", {"x", "y", "z"});
+    add("imu.samples", "", "measurements since the frame before", {"number"});
+  }
+  if (poses_.empty()) return;
+  add("motion.planar", "", "planar motion since the frame before",
+      {"x (m)", "y (m)", "theta (rad)"});
+}
+
+}  // namespace tolman::ros_bag

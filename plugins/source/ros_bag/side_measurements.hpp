@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a bag measures beside images: angular velocity and acceleration, and planar odometry.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "bag.hpp"
+#include "messages.hpp"
+#include "tolman/fields.hpp"
+#include "tolman/geometry.hpp"
+
+namespace tolman::ros_bag {
+
+class SideMeasurements {
+ public:
+  /// Reads all messages of the topics that are not null. Damaged ones are counted.
+  Status load(Bag& bag, const BagTopic* imu, const BagTopic* odometry);
+  std::size_t damaged() const { return damaged_; }
+
+  /// Appends, for a frame at `stamp_ns` after one at `previous_ns` (the same at the first):
+  /// imu.angular_velocity (rad/s) and imu.linear_acceleration (m/s^2), the means since then in the
+  /// axes of the sensor, imu.samples, and motion.planar (m, m, rad) since then.
+  void measure(std::int64_t previous_ns, std::int64_t stamp_ns,
+               std::vector<NamedArray>& sensors) const;
+  /// Descriptions of these arrays.
+  void describe(std::vector<ArrayInfo>& arrays) const;
+
+ private:
+  struct Pose {
+    std::int64_t stamp_ns = 0;
+    PlanarPose pose;
+  };
+  void measureImu(std::int64_t begin_ns, std::int64_t end_ns,
+                  std::vector<NamedArray>& sensors) const;
+  /// Between measured poses in proportion to time; before the first and after the last constant.
+  PlanarPose poseAt(std::int64_t stamp_ns) const;
+
+  bool has_imu_ = false;
+  std::vector<ImuMessage> imu_;  ///< by stamp
+  std::vector<Pose> poses_;      ///< by stamp
+  std::size_t damaged_ = 0;
+};
+
+}  // namespace tolman::ros_bag

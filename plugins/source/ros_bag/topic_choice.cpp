@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "topic_choice.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "messages.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+using Topics = std::map<std::string, BagTopic>;
+using Types = std::initializer_list<std::string_view>;
+
+bool isOf(const BagTopic& topic, Types types) {
+  return !topic.index.empty() &&
+         std::find(types.begin(), types.end(), topic.topic.type) != types.end();
+}
+
+std::string listed(const std::vector<const BagTopic*>& topics) {
+  std::string text;
+  for (const BagTopic* topic : topics) text += (text.empty() ? "" : ", ") + topic->topic.name;
+  return text.empty() ? "none" : text;
+}
+
+std::vector<const BagTopic*> topicsOf(const Topics& topics, Types types) {
+  std::vector<const BagTopic*> found;
+  for (const auto& [name, topic] : topics) {
+    if (isOf(topic, types)) found.push_back(&topic);
+  }
+  return found;
+}
+
+/// The topic that a parameter names.
+Result<const BagTopic*> named(const Topics& topics, const char* parameter, const std::string& name,
+                              Types types) {
+  const auto topic = topics.find(name);
+  if (topic != topics.end() && isOf(topic->second, types)) return &topic->second;
+  std::string what = "the bag has no topic " + name;
+  if (topic != topics.end()) {
+    what = topic->second.topic.encoding == "cdr"
+               ? "topic " + name + " is of type " + topic->second.topic.type
+               : "messages of topic " + name + " are encoded as '" + topic->second.topic.encoding +
+                     "', not as those of ROS 2 (cdr)";
+  }
+  return Status::invalidParameter(what + "; set " + parameter +
+                                  " to one of: " + listed(topicsOf(topics, types)));
+}
+
+bool isDepth(const BagTopic& topic) {
+  if (topic.topic.type != kImage) return topic.topic.name.ends_with("compressedDepth");
+  const auto image = readImage(topic.first);
+  return image && (image->encoding == "16UC1" || image->encoding == "32FC1");
+}
+
+/// Topics of cameras. Of the same images as they are and compressed only the first.
+std::vector<const BagTopic*> cameraTopics(const Topics& topics) {
+  std::vector<const BagTopic*> found;
+  for (const BagTopic* topic : topicsOf(topics, {kImage, kCompressedImage})) {
+    const std::string& name = topic->topic.name;
+    const auto plain = topics.find(name.substr(0, name.rfind('/')));
+    const bool repeated =
+        name.ends_with("/compressed") && plain != topics.end() && isOf(plain->second, {kImage});
+    if (!repeated && !isDepth(*topic)) found.push_back(topic);
+  }
+  return found;
+}
+
+Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics& chosen) {
+  const auto choose = [&](const char* parameter, const std::string& name, const BagTopic*& topic) {
+    if (name.empty()) return Status::ok();
+    const auto found = named(topics, parameter, name, {kImage, kCompressedImage});
+    if (found.isOk()) topic = found.value();
+    return found.status();
+  };
+  if (Status status = choose("left", p.left, chosen.left); !status.isOk()) return status;
+  if (Status status = choose("right", p.right, chosen.right); !status.isOk()) return status;
+  const std::vector<const BagTopic*> cameras = cameraTopics(topics);
+  if (cameras.empty() && chosen.left == nullptr) {
+    return Status::invalidInput("the bag has no images; `tolman dataset check` lists its topics");
+  }
+  if (chosen.left == nullptr && chosen.right == nullptr && cameras.size() == 1) {
+    chosen.left = cameras.front();
+    return Status::ok();
+  }
+  std::vector<std::pair<const BagTopic*, const BagTopic*>> pairs;
+  for (const BagTopic* left : cameras) {
+    for (const BagTopic* right : cameras) {
+      const bool fits = (chosen.left == nullptr || chosen.left == left) &&
+                        (chosen.right == nullptr || chosen.right == right);
+      if (fits && isPair(left->topic.name, right->topic.name)) pairs.emplace_back(left, right);
+    }
+  }
+  if (chosen.left != nullptr && (chosen.right != nullptr || p.mono || pairs.empty())) {
+    return Status::ok();
+  }
+  if (pairs.size() == 1) {
+    std::tie(chosen.left, chosen.right) = pairs.front();
+    return Status::ok();
+  }
+  const char* parameter = chosen.left == nullptr ? "left" : "right";
+  return Status::invalidParameter(std::string("the bag has several cameras; set ") + parameter +
+                                  " to one of: " + listed(cameras));
+}
+
+/// The CameraInfo beside the images: /left/camera_info for /left/image_raw.
+const BagTopic* besides(const Topics& topics, const BagTopic& camera) {
+  std::string folder = camera.topic.name;
+  if (folder.ends_with("/compressed")) folder.erase(folder.rfind('/'));
+  const auto topic = topics.find(folder.substr(0, folder.rfind('/')) + "/camera_info");
+  if (topic != topics.end() && isOf(topic->second, {kCameraInfo})) return &topic->second;
+  return nullptr;
+}
+
+Status chooseInfo(const Topics& topics, const char* parameter, const std::string& name,
+                  const BagTopic* camera, const BagTopic*& info) {
+  if (camera == nullptr) return Status::ok();
+  if (name.empty()) {
+    info = besides(topics, *camera);
+    return Status::ok();
+  }
+  const auto found = named(topics, parameter, name, {kCameraInfo});
+  if (found.isOk()) info = found.value();
+  return found.status();
+}
+
+/// A sensor that is named, or the only one of its type.
+Status chooseSensor(const Topics& topics, const char* parameter, const std::string& name,
+                    std::string_view type, const BagTopic*& sensor) {
+  if (!name.empty()) {
+    const auto found = named(topics, parameter, name, {type});
+    if (found.isOk()) sensor = found.value();
+    return found.status();
+  }
+  const std::vector<const BagTopic*> all = topicsOf(topics, {type});
+  if (all.size() == 1) sensor = all.front();
+  return Status::ok();
+}
+
+}  // namespace
+
+bool isPair(const std::string& left, const std::string& right) {
+  if (const auto at = left.find("left"); at != std::string::npos) {
+    for (auto from = at; from != std::string::npos; from = left.find("left", from + 1)) {
+      std::string other = left;
+      if (other.replace(from, 4, "right") == right) return true;
+    }
+  }
+  if (left.size() != right.size()) return false;
+  const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin());
+  if (a == left.end() || std::isdigit(static_cast<unsigned char>(*a)) == 0) return false;
+  return *b == *a + 1 && *b <= '9' && std::equal(a + 1, left.end(), b + 1);
+}
+
+Result<ChosenTopics> chooseTopics(const Topics& topics, const BagParameters& p) {
+  ChosenTopics chosen;
+  Status status = chooseCameras(topics, p, chosen);
+  if (p.mono) chosen.right = nullptr;
+  const auto then = [&status](Status next) {
+    if (status.isOk()) status = std::move(next);
+  };
+  then(chooseInfo(topics, "left_info", p.left_info, chosen.left, chosen.left_info));
+  then(chooseInfo(topics, "right_info", p.right_info, chosen.right, chosen.right_info));
+  if (!p.depth.empty()) then(chooseSensor(topics, "depth", p.depth, kImage, chosen.depth));
+  then(chooseSensor(topics, "imu", p.imu, kImu, chosen.imu));
+  then(chooseSensor(topics, "odometry", p.odometry, kOdometry, chosen.odometry));
+  if (!status.isOk()) return status;
+  return chosen;
+}
+
+}  // namespace tolman::ros_bag
