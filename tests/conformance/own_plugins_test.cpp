@@ -8,6 +8,7 @@
 #include "conformance/validation.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/ros_bag_writer.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -21,6 +22,7 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   if (id == "kitti") return {"--set", path(sequence)};
   if (id == "images") return {"--set", path(sequence / "image_0")};
   if (id == "video") return {"--set", path(sequence / "video.avi")};
+  if (id == "ros_bag") return {"--set", path(sequence / "bag.mcap")};
   if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
   if (id == "town") {
@@ -75,12 +77,34 @@ void writeVideo(const fs::path& sequence) {
   for (const fs::path& file : files) writer.write(cv::imread(file.string()));
 }
 
+/// The pairs as a ROS 2 bag.
+void writeBag(const fs::path& sequence, int pairs) {
+  std::vector<RosMessage> messages;
+  for (const auto& [camera, side, baseline] :
+       {std::tuple{"image_0", "left", 0.0}, std::tuple{"image_1", "right", 0.5}}) {
+    messages.push_back({std::string("/") + side + "/camera_info", "sensor_msgs/msg/CameraInfo", 1,
+                        cameraInfoMessage(plainCamera(160, 60, 100, baseline))});
+    for (int i = 0; i < pairs; ++i) {
+      std::string name = "000000.png";
+      name.replace(6 - std::to_string(i).size(), std::to_string(i).size(), std::to_string(i));
+      const cv::Mat image = cv::imread((sequence / camera / name).string(), cv::IMREAD_GRAYSCALE);
+      REQUIRE(image.isContinuous());
+      const std::string pixels(reinterpret_cast<const char*>(image.data), image.total());
+      const std::int64_t stamp = 1'000'000'000LL + i * 100'000'000LL;
+      messages.push_back({std::string("/") + side + "/image_rect", "sensor_msgs/msg/Image", stamp,
+                          imageMessage({stamp, 160, 60, "mono8", pixels})});
+    }
+  }
+  writeBytes(sequence / "bag.mcap", mcapBytes(messages, {"zstd"}));
+}
+
 TEST_CASE("our own plugins conform at level 3") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 12);
   writeMotionLog(folder.path() / "sequence");
   recordRun(folder.path());
   writeVideo(folder.path() / "sequence");
+  writeBag(folder.path() / "sequence", 12);
   int plugins = 0;
   const nlohmann::json listed =
       nlohmann::json::parse(tolman::test::tolman({"plugins", "list", "--json"}).out);

@@ -28,7 +28,9 @@ Result<FileBytes> FileBytes::open(const fs::path& path) {
   }
   std::vector<std::uint8_t> packed(static_cast<std::size_t>(file.size_));
   const bool read = file.read(0, packed);
-  auto unpacked = read ? unpackZstd(packed, kMostInMemory) : std::nullopt;
+  // Images do not shrink to a hundredth: more is no bag.
+  const std::size_t most = std::min(kMostInMemory, 100 * packed.size() + (1U << 20U));
+  auto unpacked = read ? unpackZstd(packed, most) : std::nullopt;
   if (!unpacked) {
     return Status::invalidInput(path.string() +
                                 ": is compressed, and damaged or larger than 2 GiB" + remedy);

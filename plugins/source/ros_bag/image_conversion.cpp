@@ -147,7 +147,7 @@ Result<std::vector<float>> convertDepth(Bytes message, ImageSize& size) {
                 << static_cast<unsigned>(8 * (image->big_endian ? bytes - 1 - i : i));
       }
       const float metres =
-          millimetres ? static_cast<float>(bits) * 1e-3F : std::bit_cast<float>(bits);
+          millimetres ? static_cast<float>(bits) / 1000.0F : std::bit_cast<float>(bits);
       depth.push_back(metres > 0 && metres < 1e6F ? metres : 0);  // nor NaN
     }
   }

@@ -12,8 +12,8 @@ namespace tolman::ros_bag {
 namespace {
 
 constexpr std::array<std::uint8_t, 8> kMagic = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
-constexpr std::uint64_t kRecordHeader = 9;                     // kind, then length of the contents
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30U;  // of a record or an unpacked chunk
+constexpr std::uint64_t kRecordHeader = 9;  // kind, then length of the contents
+constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;  // of a record, and unpacked
 
 enum RecordKind : std::uint8_t {
   kFooter = 2,
@@ -42,7 +42,7 @@ std::optional<McapFile::Contents> McapFile::readRecord(std::uint64_t at, std::ui
   }
   if (size > kMostBytes) {
     scan.problems.push_back("has a record of " + std::to_string(size) + " bytes" +
-                            atByte(at - kRecordHeader) + ", more than 1 GiB; record it again");
+                            atByte(at - kRecordHeader) + ", more than 256 MiB; record it again");
     return std::nullopt;
   }
   Contents contents(static_cast<std::size_t>(size));
@@ -129,7 +129,7 @@ Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
   const std::string_view compression = fields.text();
   const Bytes packed = fields.take(fields.number<std::uint64_t>());
   if (!fields.ok()) return Status::invalidInput("is not complete");
-  if (size > kMostBytes) return Status::invalidInput("claims more than 1 GiB");
+  if (size > kMostBytes) return Status::invalidInput("claims more than 256 MiB");
   std::optional<Contents> records;
   if (compression.empty()) {
     records = Contents(packed.begin(), packed.end());

@@ -13,7 +13,7 @@
 namespace tolman::ros_bag {
 namespace {
 
-constexpr std::size_t kMostMessageBytes = std::size_t{1} << 30U;  // of an unpacked message
+constexpr std::size_t kMostMessageBytes = std::size_t{256} << 20U;  // of an unpacked message
 
 std::vector<std::uint8_t> blobOf(const SQLite::Column& column) {
   const auto* data = static_cast<const std::uint8_t*>(column.getBlob());

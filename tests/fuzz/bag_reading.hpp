@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Visits the messages of a bag, and reads some of them again.
+#pragma once
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "bag_file.hpp"
+#include "input.hpp"
+
+namespace tolman::fuzz {
+
+inline void readMessages(ros_bag::BagFile& bag) {
+  using Visited = std::pair<ros_bag::MessagePlace, std::vector<std::uint8_t>>;
+  std::vector<Visited> visited;
+  std::vector<std::string> problems;
+  bag.visit(
+      [&](const ros_bag::Topic&, std::int64_t, const ros_bag::MessagePlace& place,
+          ros_bag::Bytes bytes) {
+        require(place.size == bytes.size(), "a message of another size than its place says");
+        if (visited.size() < 50)
+          visited.emplace_back(place, std::vector(bytes.begin(), bytes.end()));
+      },
+      problems);
+  if (!problems.empty()) return;
+  for (const auto& [place, bytes] : visited) {
+    const auto again = bag.read(place);
+    require(again.isOk() && again.value() == bytes, "a message that cannot be read again");
+  }
+}
+
+}  // namespace tolman::fuzz

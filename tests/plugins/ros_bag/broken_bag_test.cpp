@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Bags that are damaged, cut off or no bags: one clear error each.
+#include <catch2/catch.hpp>
+
+#include "bag_case.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+std::string withoutFolder(std::string text, const test::TemporaryFolder& folder) {
+  const std::string name = folder.path().string() + "/";
+  for (auto at = text.find(name); at != std::string::npos; at = text.find(name)) {
+    text.erase(at, name.size());
+  }
+  return text;
+}
+
+const ParameterValues kSkip = {{"on_corrupt", std::string("skip")}};
+
+}  // namespace
+
+TEST_CASE("what is no bag") {
+  const test::TemporaryFolder folder;
+  const auto message = [&](const std::string& bytes) {
+    test::writeBytes(folder.path() / "a.bag", bytes);
+    return withoutFolder(Played(folder.path() / "a.bag").message, folder);
+  };
+  CHECK(message("text") == "a.bag: is no ROS 2 bag (.mcap or .db3); check the path");
+  CHECK(message("#ROSBAG V2.0\n") ==
+        "a.bag: is a ROS 1 bag; convert it to a ROS 2 bag (rosbags-convert)");
+  CHECK(message("SQLite format 3").find("is no ROS 2 bag") != std::string::npos);
+  CHECK(withoutFolder(Played(folder.path() / "none").message, folder) ==
+        "none: is no file that can be read; check the path");
+  CHECK(message(test::mcapBytes({greyImage("/a", 0)}, {"", true, 3, true, "ros1"})) ==
+        "the bag has no images; `tolman dataset check` lists its topics");
+}
+
+TEST_CASE("a recording that was killed stops the run, or is used as far as it goes") {
+  const test::TemporaryFolder folder;
+  std::string bytes = test::mcapBytes(pairMessages(9), {"zstd", true, 4});
+  bytes.resize(bytes.size() * 3 / 4);
+  test::writeBytes(folder.path() / "a.mcap", bytes);
+  Played stopped(folder.path() / "a.mcap");
+  CHECK(stopped.message.find("the recording was cut off") != std::string::npos);
+  CHECK(stopped.findings().back().find("error : ") == 0);
+  Played skipped(folder.path() / "a.mcap", kSkip);
+  CHECK(skipped.message.empty());
+  CHECK(skipped.frames.size() >= 4);
+  CHECK(skipped.context.log.size() == 1);
+}
+
+TEST_CASE("a damaged image in a sound bag") {
+  const test::TemporaryFolder folder;
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < 4; ++i) messages.push_back(greyImage("/camera", i));
+  messages[2].bytes = test::imageMessage({stampOf(2), 8, 6, "mono8", std::string(42, 'x')});
+  test::writeDb3(folder.path() / "a.db3", messages);
+  const Played stopped(folder.path() / "a.db3");
+  CHECK(stopped.frames.size() == 2);
+  CHECK(withoutFolder(stopped.message, folder) ==
+        "a.db3: image 2 of /camera (stamp " + std::to_string(stampOf(2)) +
+            " ns) has rows of 7 bytes instead of 8; record it again, or leave it out by "
+            "on_corrupt: skip");
+  const Played skipped(folder.path() / "a.db3", kSkip);
+  CHECK(skipped.message.empty());
+  REQUIRE(skipped.frames.size() == 4);
+  CHECK(skipped.frames[2].left.empty());
+  CHECK_FALSE(skipped.frames[2].defect.empty());
+  CHECK_FALSE(skipped.frames[3].left.empty());
+}
+
+TEST_CASE("stamps that repeat are refused") {
+  const test::TemporaryFolder folder;
+  test::writeDb3(folder.path() / "a.db3",
+                 {greyImage("/camera", 0), greyImage("/camera", 1), greyImage("/camera", 1)});
+  CHECK(Played(folder.path()).message ==
+        "the stamp of frame 2 is not after that of the frame before; sort the data");
+}
+
+}  // namespace tolman::ros_bag

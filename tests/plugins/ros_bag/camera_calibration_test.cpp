@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "camera_calibration.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bag_case.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+CameraInfoMessage messageOf(const test::RosCamera& camera) {
+  return *readCameraInfo(asBytes(test::cameraInfoMessage(camera)));
+}
+
+/// A pair with distortion, of cameras that are turned by `turn` against the rectified ones.
+CameraInfos distorted(double turn) {
+  test::RosCamera left = test::plainCamera(640, 480, 500, 0);
+  test::RosCamera right = test::plainCamera(640, 480, 500, 0.2);
+  left.D = {0.1, -0.2, 0.001, 0.002, 0.05};
+  right.D = left.D;
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  right.R = {c, 0, s, 0, 1, 0, -s, 0, c};
+  return {messageOf(left), messageOf(right)};
+}
+
+}  // namespace
+
+TEST_CASE("rectified images: the rig of P") {
+  const CameraInfos infos{messageOf(test::plainCamera(640, 480, 500, 0)),
+                          messageOf(test::plainCamera(640, 480, 500, 0.2))};
+  CHECK(isRectified("/left/image", infos));
+  const auto rig = rectifiedRig(infos, 640, 480);
+  REQUIRE(rig.isOk());
+  CHECK(rig.value().calibrated);
+  CHECK(rig.value().pinhole.fx == 500);
+  CHECK(rig.value().pinhole.cx == 319.5);
+  CHECK(rig.value().baseline == Approx(0.2).margin(1e-15));
+  CHECK_FALSE(isRectified("/left/image_raw", distorted(0)));
+  CHECK(isRectified("/left/image_rect", distorted(0)));
+}
+
+TEST_CASE("raw images: models, poses and the prescribed rectified cameras") {
+  const CameraInfos infos = distorted(0.1);
+  const auto rig = rawRig(infos, 640, 480);
+  REQUIRE(rig.isOk());
+  REQUIRE(rig.value().cameras.size() == 2);
+  const RawCamera& right = rig.value().cameras[1];
+  CHECK(right.model == LensModel::RadialTangential);
+  CHECK(right.distortion[4] == 0.05);
+  CHECK(right.distortion[5] == 0);
+  CHECK(rig.value().has_rectified);
+  CHECK(rig.value().rectified.baseline == Approx(0.2));
+  // A point of the right camera's axis in the frame of the left one, by hand.
+  const Eigen::Vector3d point = right.T_reference_camera * Eigen::Vector3d(0, 0, 1);
+  CHECK(point.x() == Approx(0.2 + std::sin(0.1)));
+  CHECK(point.z() == Approx(std::cos(0.1)));
+}
+
+TEST_CASE("other models, and one camera") {
+  test::RosCamera camera = test::plainCamera(640, 480, 500, 0);
+  camera.model = "equidistant";
+  camera.D = {0.01, 0.02, 0.03, 0.04};
+  const auto fisheye = rawRig({messageOf(camera), std::nullopt}, 640, 480);
+  REQUIRE(fisheye.isOk());
+  CHECK(fisheye.value().cameras[0].model == LensModel::Equidistant);
+  CHECK_FALSE(fisheye.value().has_rectified);
+  camera.model = "thin_prism";
+  CHECK(rawRig({messageOf(camera), std::nullopt}, 640, 480).status().message().find("thin_prism") !=
+        std::string::npos);
+}
+
+TEST_CASE("calibration that is none") {
+  const auto message = [](const test::RosCamera& camera, int width) {
+    return rectifiedRig({messageOf(camera), std::nullopt}, width, 480).status().message();
+  };
+  CHECK(message(test::plainCamera(640, 480, 500, 0), 320) ==
+        "is of 640x480 px, and the images have 320x480; give fx of rectified images, or record the "
+        "right one");
+  test::RosCamera zero = test::plainCamera(640, 480, 0, 0);
+  CHECK(message(zero, 640).find("was not calibrated") != std::string::npos);
+  const auto left = messageOf(test::plainCamera(640, 480, 500, 0));
+  CHECK(rectifiedRig({left, left}, 640, 480).status().message().find("exchange left and right") !=
+        std::string::npos);
+}
+
+}  // namespace tolman::ros_bag

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mcap_file.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bag_case.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+struct Read {
+  std::vector<std::string> messages;
+  std::vector<std::string> again;
+  std::vector<std::string> problems;
+};
+
+Read readAll(const std::string& bytes) {
+  const test::TemporaryFolder folder;
+  test::writeBytes(folder.path() / "bag.mcap", bytes);
+  auto file = FileBytes::open(folder.path() / "bag.mcap");
+  REQUIRE(file.isOk());
+  REQUIRE(McapFile::isMcap(file.value()));
+  McapFile bag(std::move(file).value());
+  Read read;
+  std::vector<MessagePlace> places;
+  bag.visit(
+      [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes message) {
+        read.messages.push_back(topic.name + std::to_string(log_ns) + std::string(asText(message)));
+        places.push_back(place);
+      },
+      read.problems);
+  for (auto place = places.rbegin(); place != places.rend(); ++place) {
+    const auto message = bag.read(*place);
+    REQUIRE(message.isOk());
+    read.again.insert(read.again.begin(), std::string(asText(message.value())));
+  }
+  return read;
+}
+
+std::vector<test::RosMessage> letters(int count) {
+  std::vector<test::RosMessage> messages;
+  for (int i = 0; i < count; ++i) {
+    messages.push_back({i % 2 == 0 ? "/a" : "/b", "std_msgs/msg/String", 100 + i,
+                        std::string(static_cast<std::size_t>(i + 1), 'x')});
+  }
+  return messages;
+}
+
+}  // namespace
+
+TEST_CASE("messages with and without chunks, in every compression") {
+  for (const test::McapStyle& style :
+       {test::McapStyle{"", false}, test::McapStyle{""}, test::McapStyle{"zstd"},
+        test::McapStyle{"lz4"}, test::McapStyle{"zstd", true, 1},
+        test::McapStyle{"lz4", true, 50}}) {
+    const Read read = readAll(test::mcapBytes(letters(10), style));
+    CHECK(read.problems.empty());
+    REQUIRE(read.messages.size() == 10);
+    CHECK(read.messages[3] == "/b103xxxx");
+    CHECK(read.again[7] == std::string(8, 'x'));
+  }
+}
+
+TEST_CASE("a recording that was cut off gives what is whole, and one problem") {
+  const std::string bytes = test::mcapBytes(letters(12), {"zstd"});
+  std::size_t before = 0;
+  constexpr std::size_t kEnd = 13 + 29 + 8;  // end of the data, footer, magic
+  for (std::size_t size = 8; size <= bytes.size() - kEnd; ++size) {
+    const Read read = readAll(bytes.substr(0, size));
+    CHECK(read.problems.size() == 1);
+    CHECK(read.problems[0].find("cut off") != std::string::npos);
+    CHECK(read.messages.size() >= before);
+    before = read.messages.size();
+  }
+  CHECK(before == 12);
+}
+
+TEST_CASE("a changed byte in a chunk is told by its check sum") {
+  std::string bytes = test::mcapBytes(letters(9), {""});
+  bytes[bytes.find("xxxxx")] = 'y';  // in the second chunk
+  const Read read = readAll(bytes);
+  CHECK(read.messages.size() == 6);
+  REQUIRE(read.problems.size() == 1);
+  CHECK(read.problems[0].find("wrong check sum") != std::string::npos);
+}
+
+TEST_CASE("lengths that lie do no harm") {
+  std::string bytes = test::mcapBytes(letters(3), {"", false});
+  const std::size_t at = bytes.find("/a") - 9;
+  for (std::size_t i = 0; i < 8; ++i) {
+    std::string changed = bytes;
+    changed[at + i] = '\xff';
+    CHECK(readAll(changed).messages.size() <= 3);
+  }
+  std::string unknown = test::mcapBytes(letters(3), {"brotli"});
+  CHECK(readAll(unknown).problems.at(0).find("unknown compression") != std::string::npos);
+}
+
+}  // namespace tolman::ros_bag

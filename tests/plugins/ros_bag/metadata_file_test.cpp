@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "metadata_file.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "bag_case.hpp"
+
+namespace tolman::ros_bag {
+
+TEST_CASE("the names of the files, as several versions of rosbag2 write them") {
+  CHECK(filesInMetadata("rosbag2_bagfile_information:\n  version: 4\n  relative_file_paths:\n"
+                        "    - a_0.db3\n    - 'a_1.db3'\r\n  duration:\n    - x\n") ==
+        std::vector<std::string>{"a_0.db3", "a_1.db3"});
+  CHECK(filesInMetadata("  relative_file_paths:\n  - b/b_0.mcap") ==
+        std::vector<std::string>{"b/b_0.mcap"});
+  CHECK(filesInMetadata("version: 5\n").empty());
+}
+
+TEST_CASE("files of a folder with and without metadata") {
+  const test::TemporaryFolder folder;
+  const auto names = [&] {
+    const auto files = findBagFiles(folder.path());
+    std::vector<std::string> found;
+    if (!files.isOk()) return std::vector<std::string>{files.status().message()};
+    for (const auto& file : files.value()) found.push_back(file.filename().string());
+    return found;
+  };
+  CHECK(names() == std::vector<std::string>{folder.path().string() +
+                                            ": has no .mcap or .db3 file; check the path"});
+  for (const char* name : {"bag_10.mcap", "bag_2.mcap", "bag_1.mcap", "notes.txt"}) {
+    test::writeBytes(folder.path() / name, "x");
+  }
+  CHECK(names() == std::vector<std::string>{"bag_1.mcap", "bag_2.mcap", "bag_10.mcap"});
+  test::writeBytes(folder.path() / "metadata.yaml", "relative_file_paths:\n- ../x/bag_2.mcap\n");
+  CHECK(names() == std::vector<std::string>{"bag_2.mcap"});
+  test::writeBytes(folder.path() / "metadata.yaml", "relative_file_paths:\n- bag_7.mcap\n");
+  CHECK(names().at(0).find("bag_7.mcap: is missing, and metadata.yaml names it") !=
+        std::string::npos);
+}
+
+}  // namespace tolman::ros_bag
