@@ -10,6 +10,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto bytes = ros_bag::FileBytes::open(file.path());
   if (!bytes.isOk() || !ros_bag::McapFile::isMcap(bytes.value())) return 0;
   ros_bag::McapFile bag(std::move(bytes).value());
-  fuzz::readMessages(bag);
+  fuzz::readMessages(bag, true);
   return 0;
 }

@@ -10,6 +10,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto bytes = ros_bag::FileBytes::open(folder.path() / "bag.db3");
   if (!bytes.isOk() || !ros_bag::SqliteFile::isSqlite(bytes.value())) return 0;
   auto bag = ros_bag::SqliteFile::open(folder.path() / "bag.db3", std::move(bytes).value());
-  if (bag.isOk()) fuzz::readMessages(*bag.value());
+  if (bag.isOk()) fuzz::readMessages(*bag.value(), false);
   return 0;
 }

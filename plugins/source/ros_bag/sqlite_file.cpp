@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "compression.hpp"
@@ -107,12 +108,15 @@ void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::strin
   }
   // In the order of the table: to sort here would read the images twice.
   SQLite::Statement rows(*database_, "SELECT id, topic_id, timestamp, data FROM messages");
+  std::int64_t last_id = std::numeric_limits<std::int64_t>::min();
   while (rows.executeStep()) {
     const std::int64_t id = rows.getColumn(0).getInt64();
     const auto topic = topics.find(rows.getColumn(1).getInt64());
     const std::int64_t log_ns = rows.getColumn(2).getInt64();
     const auto message = plain(blobOf(rows.getColumn(3)));
-    if (topic == topics.end() || !message || log_ns < 0) {
+    const bool in_order = id > last_id;  // else the tree of the table is damaged
+    last_id = std::max(last_id, id);
+    if (topic == topics.end() || !message || log_ns < 0 || !in_order) {
       problems.push_back("message " + std::to_string(id) +
                          " is damaged; copy the bag again, or leave it out by on_corrupt: skip");
       continue;
@@ -127,7 +131,10 @@ Result<std::vector<std::uint8_t>> SqliteFile::read(const MessagePlace& place) {
     query.bind(1, static_cast<std::int64_t>(place.offset));
     if (!query.executeStep()) return Status::failed("has changed while it was read");
     auto message = plain(blobOf(query.getColumn(0)));
-    if (!message) return Status::invalidInput("does not unpack; copy the bag again");
+    if (!message || message->size() != place.size) {
+      return Status::invalidInput(
+          "is damaged, or has changed while it was read; copy the bag again");
+    }
     return std::move(*message);
   } catch (const SQLite::Exception& failure) {
     return Status::invalidInput(std::string("is damaged (") + failure.what() +
