@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "car_park.hpp"
 #include "route.hpp"
 #include "route_shapes.hpp"
 #include "street_plan.hpp"
@@ -12,6 +13,7 @@
 namespace tolman::town {
 namespace {
 
+constexpr std::string_view kCarParkName = "car_park";
 constexpr double kPi = std::numbers::pi;
 constexpr double kLateralAcceleration = 1.5;       ///< m/s^2, in bends
 constexpr double kLongitudinalAcceleration = 1.5;  ///< m/s^2, before and after them
@@ -103,19 +105,23 @@ Ground groundAt(const Eigen::Vector2d& place) {
   return ground;
 }
 
-/// Streets are level across: both lanes take height and slope from the centreline between them.
-Eigen::Isometry3d cameraPose(const LanePosition& lane) {
+Eigen::Isometry3d cameraPose(const LanePosition& lane, double height, double slope) {
   const Eigen::Vector2d left(-lane.direction.y(), lane.direction.x());
-  const Eigen::Vector2d start_centre(-StreetPlan::kLaneOffset, 0);
-  const Ground ground = groundAt(lane.position + StreetPlan::kLaneOffset * left - start_centre);
-  const double slope = ground.gradient.dot(lane.direction);
   const Eigen::Vector3d forward =
       Eigen::Vector3d(lane.direction.x(), lane.direction.y(), slope).normalized();
   const Eigen::Vector3d right(-left.x(), -left.y(), 0);
   Eigen::Isometry3d T_town_camera = Eigen::Isometry3d::Identity();
   T_town_camera.linear() << right, forward.cross(right), forward;
-  T_town_camera.translation() << lane.position, ground.height;
+  T_town_camera.translation() << lane.position, height;
   return T_town_camera;
+}
+
+/// Streets are level across: both lanes take height and slope from the centreline between them.
+Eigen::Isometry3d poseOnGround(const LanePosition& lane) {
+  const Eigen::Vector2d left(-lane.direction.y(), lane.direction.x());
+  const Eigen::Vector2d start_centre(-StreetPlan::kLaneOffset, 0);
+  const Ground ground = groundAt(lane.position + StreetPlan::kLaneOffset * left - start_centre);
+  return cameraPose(lane, ground.height, ground.gradient.dot(lane.direction));
 }
 
 /// v^2 every kSpeedStep: what bends allow, then what brakes (backwards) and engine (forwards) do.
@@ -158,6 +164,30 @@ std::vector<double> frameDistances(const LanePath& path, const RouteOptions& opt
   return distances;
 }
 
+void addFrame(CameraRoute& route, const Eigen::Isometry3d& T_town_camera, double rate) {
+  const auto frame = static_cast<double>(route.stamps_ns.size());
+  route.stamps_ns.push_back(std::llround(frame * 1e9 / rate));
+  route.T_town_camera.push_back(T_town_camera);
+}
+
+CameraRoute carParkRoute(RouteOptions options) {
+  constexpr double kFastest = 5;      // m/s
+  constexpr double kPadBelow = 0.35;  // m, under the lowest floor
+  constexpr double kBeside = 3;       // m of level ground around the building
+  options.speed = std::min(options.speed, kFastest);
+  const CarParkDrive drive = carParkDrive();
+  CameraRoute route;
+  for (const double s : frameDistances(drive.path, options)) {
+    const auto [height, slope] = drive.at(s);
+    addFrame(route, cameraPose(drive.path.at(s), height, slope), options.rate);
+    route.raised.push_back(s > drive.inside_from && s < drive.inside_to);
+  }
+  route.pads.push_back({{CarPark::kWest - kBeside, CarPark::kAisleY + CarPark::kSouth - kBeside},
+                        {CarPark::kEast + kBeside, CarPark::kAisleY + CarPark::kNorth + kBeside},
+                        -options.camera_height - kPadBelow});
+  return route;
+}
+
 Status checkOptions(const RouteOptions& options) {
   const auto bad = [](double value) { return !std::isfinite(value) || value <= 0; };
   if (bad(options.rate)) return Status::invalidParameter("rate must be positive; give frames/s");
@@ -182,18 +212,21 @@ Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& opti
                                             {"highway", highwayPath}}};
   const auto known = std::find_if(kKnown.begin(), kKnown.end(),
                                   [&](const Known& one) { return one.name == name; });
+  if (name == kCarParkName) {
+    CameraRoute route = carParkRoute(options);
+    route.name = name;
+    return route;
+  }
   if (known == kKnown.end()) {
     return Status::invalidParameter(
         "there is no route '" + std::string(name) +
-        "'; use block, eights, district, highway, or a KITTI pose file");
+        "'; use block, eights, district, highway, car_park, or a KITTI pose file");
   }
   const LanePath path = known->path();
   CameraRoute route;
   route.name = name;
   for (const double s : frameDistances(path, options)) {
-    const auto frame = static_cast<double>(route.stamps_ns.size());
-    route.stamps_ns.push_back(std::llround(frame * 1e9 / options.rate));
-    route.T_town_camera.push_back(cameraPose(path.at(s)));
+    addFrame(route, poseOnGround(path.at(s)), options.rate);
   }
   return route;
 }

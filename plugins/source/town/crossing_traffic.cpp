@@ -128,7 +128,7 @@ std::optional<Placement> CrossingTraffic::at(std::size_t index, double seconds) 
   const double s = car.stop_s + (car.comes ? -driven : driven);
   if (s < 0 || s > lane.length()) return std::nullopt;
   const Lane::Place place = lane.at(s);
-  return onRoad(*plan_, place.position, car.comes ? -place.along : place.along);
+  return onRoad(*plan_, place, car.comes);
 }
 
 }  // namespace tolman::town

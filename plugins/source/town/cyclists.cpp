@@ -39,7 +39,7 @@ Cyclists::Posture Cyclists::at(std::size_t index, double seconds) const {
   const double turns = wrapPeriod(driven / kMetresPerTurn, 1.0);
   // Pedals turn forwards: clockwise seen from the right.
   const int phase = kPedalPhases - 1 - static_cast<int>(turns * kPedalPhases);
-  return {onRoad(*plan_, place.position, cyclist.comes ? -place.along : place.along), phase};
+  return {onRoad(*plan_, place, cyclist.comes), phase};
 }
 
 }  // namespace tolman::town

@@ -13,7 +13,8 @@ Lane::Lane(const CameraRoute& route, double left_offset) {
     const Eigen::Vector2d p = T.translation().head<2>() + left_offset * left;
     const double step = points_.empty() ? 0 : (p - points_.back().position).norm();
     if (points_.empty() || step >= kSpacing) {
-      points_.push_back({p, points_.empty() ? 0 : points_.back().s + step, frame});
+      points_.push_back(
+          {p, points_.empty() ? 0 : points_.back().s + step, frame, T.translation().z()});
     }
   }
 }
@@ -29,7 +30,7 @@ Lane::Place Lane::at(double s) const {
   const Point& to = points_[next];
   const Point& from = points_[next - 1];
   const Eigen::Vector2d along = to.position - from.position;
-  return {from.position + along * ((s - from.s) / (to.s - from.s)), along};
+  return {from.position + along * ((s - from.s) / (to.s - from.s)), along, to.camera_z};
 }
 
 std::size_t Lane::frameAt(double s) const { return points_[after(s)].frame; }

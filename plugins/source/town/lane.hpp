@@ -14,6 +14,7 @@ class Lane {
   struct Place {
     Eigen::Vector2d position;  ///< m, town frame
     Eigen::Vector2d along;     ///< in the direction of the route, of any length
+    double camera_z = 0;       ///< m, of the camera beside it
   };
 
   Lane() = default;
@@ -33,6 +34,7 @@ class Lane {
     Eigen::Vector2d position;
     double s;
     std::size_t frame;
+    double camera_z;
   };
   std::size_t after(double s) const;
 

@@ -26,6 +26,7 @@ std::uint32_t stretchSeed(const WorldOptions& options, std::uint32_t section, st
 void layOut(World& world, const StreetPlan& plan, const Prototypes& prototypes,
             const WorldOptions& options) {
   PlotBook book(plan);
+  for (const Plot& plot : options.reserved) book.enter(plot, 0);
   for (std::uint32_t i = 0; i < plan.sections().size(); ++i) {
     const StreetSection& section = plan.sections()[i];
     if (section.points.empty()) continue;

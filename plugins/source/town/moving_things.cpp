@@ -22,6 +22,17 @@ std::vector<Eigen::Vector2d> parkedCars(const World& world) {
   return places;
 }
 
+/// Vehicles keep to the streets: the route up to the first building that it goes into.
+CameraRoute withoutBuildings(const CameraRoute& route) {
+  if (route.pads.empty()) return route;
+  CameraRoute street;
+  for (std::size_t i = 0; i < route.T_town_camera.size() && !route.isRaised(i); ++i) {
+    street.stamps_ns.push_back(route.stamps_ns[i]);
+    street.T_town_camera.push_back(route.T_town_camera[i]);
+  }
+  return street;
+}
+
 double metresFrom(const Eigen::Isometry3d& T_town_camera, const Vec3& place) {
   const Eigen::Vector3d& camera = T_town_camera.translation();
   return std::hypot(static_cast<double>(place.x) - camera.x(),
@@ -30,8 +41,12 @@ double metresFrom(const Eigen::Isometry3d& T_town_camera, const Vec3& place) {
 
 }  // namespace
 
-MovingThings::MovingThings(const TownParameters& p, const CameraRoute& route,
+MovingThings::MovingThings(const TownParameters& p, const CameraRoute& whole,
                            const StreetPlan& plan, World& world)
+    : MovingThings(p, plan, world, withoutBuildings(whole)) {}
+
+MovingThings::MovingThings(const TownParameters& p, const StreetPlan& plan, World& world,
+                           const CameraRoute& route)
     : headlights_(p.traffic_headlights),
       traffic_(route, plan, p.traffic, hash(static_cast<std::uint32_t>(p.seed), 301)),
       crossing_(route, plan, p.crossing_traffic, hash(static_cast<std::uint32_t>(p.seed), 305)),

@@ -32,6 +32,8 @@ class MovingThings {
   void addHeadlights(Light& light, const Eigen::Isometry3d& T_town_camera) const;
 
  private:
+  MovingThings(const TownParameters& parameters, const StreetPlan& plan, World& world,
+               const CameraRoute& route);
   void arrangeCars(Scene& scene, double seconds, const Eigen::Isometry3d& T_town_camera);
   void arrangePeople(Scene& scene, double seconds, const Eigen::Isometry3d& T_town_camera);
 

@@ -37,6 +37,7 @@ bool PlotBook::clearOfStreets(const Plot& plot, double clearance) const {
       const double over = plot.half_depth * (2.0 * j / (rows - 1) - 1);
       const Eigen::Vector2d p = plot.point(along, over);
       if (plan_->distance(p.x(), p.y()) < clearance) return false;
+      if (!plan_->decks().empty() && plan_->deckDistance(p.x(), p.y()) < clearance) return false;
     }
   }
   return true;

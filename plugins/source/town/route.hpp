@@ -13,12 +13,25 @@
 
 namespace tolman::town {
 
+/// A rectangle of the ground that is level, under a building.
+struct GroundPad {
+  Eigen::Vector2d low;   ///< m, town frame
+  Eigen::Vector2d high;  ///< m
+  double height = 0;     ///< m
+};
+
 struct CameraRoute {
   std::string name;
   std::vector<std::int64_t> stamps_ns;
   /// Left camera (x right, y down, z forward) to town axes (see mesh.hpp); the first is the
   /// origin, looking along Y.
   std::vector<Eigen::Isometry3d> T_town_camera;
+  /// Of each frame, whether it is on a deck: a bridge, or a floor of the car park. Neither streets
+  /// nor terrain take their heights from it. Empty: none is.
+  std::vector<bool> raised;
+  std::vector<GroundPad> pads;
+
+  bool isRaised(std::size_t frame) const { return frame < raised.size() && raised[frame]; }
 };
 
 struct RouteOptions {
@@ -28,7 +41,7 @@ struct RouteOptions {
 };
 
 /// `block` (about 300 m, once round and on over the start: one loop), `eights`, `district`,
-/// `highway`; else InvalidParameter that names them.
+/// `highway`, `car_park` (five floors, up and down twice); else InvalidParameter that names them.
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options);
 
 /// A KITTI pose file: twelve numbers a line, T_world_camera. Refuses an empty file, a line that is

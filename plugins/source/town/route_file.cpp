@@ -121,9 +121,9 @@ Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options)
   }
   std::error_code failure;
   if (!fs::is_regular_file(file, failure)) {
-    return Status::invalidInput(
-        name +
-        ": there is no such file; correct the path, or use block, eights, district or highway");
+    return Status::invalidInput(name +
+                                ": there is no such file; correct the path, or use block, eights, "
+                                "district, highway or car_park");
   }
   if (fs::file_size(file, failure) > kMostBytes || failure) {
     return Status::invalidInput(name + ": is larger than 256 MiB; give a KITTI pose file");

@@ -31,6 +31,7 @@ struct Segment {
 std::vector<Segment> centrelines(const std::vector<PathPoint>& path) {
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path[i].raised || path[std::min(i + 1, path.size() - 1)].raised) continue;
     const Eigen::Vector2d& start = path[i].centre;
     const Eigen::Vector2d along = path[std::min(i + 1, path.size() - 1)].centre - start;
     const double squared = along.squaredNorm();

@@ -36,7 +36,8 @@ std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
 /// Height of the ground: the streets' heights, level across, and a membrane between the streets
 /// that settles to `mean` + farHills() away from them. Cells of 1 m or larger: 16 MB at most.
 GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<double>& heights,
-                      const GroundGrid& distance, const GridExtent& extent, double mean);
+                      const GroundGrid& distance, const GridExtent& extent, double mean,
+                      const std::vector<GroundPad>& pads = {});
 
 /// m, the hills that no street lies on.
 double farHills(double x, double y);

@@ -19,7 +19,14 @@ struct Meeting {
 
 constexpr double kMeets = 6;            ///< m between driven points
 constexpr double kMeetingScale = 3;     ///< m, of the weight by distance
+constexpr double kSameLevel = 1.5;      ///< m
 constexpr double kBeyondWeight = 0.01;  ///< of heights that no pose measured
+
+/// Decks meet only decks of the same level.
+bool mayMeet(const PathPoint& a, const PathPoint& b) {
+  if (!a.raised && !b.raised) return true;
+  return a.raised && b.raised && std::abs(a.height - b.height) < kSameLevel;
+}
 
 /// For each point the nearest one of every earlier pass.
 std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
@@ -31,7 +38,7 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
     std::size_t previous = 0;
     double nearest = kMeets;
     for (const std::size_t other : others) {
-      if (!isOtherPass(path[i], path[other])) continue;
+      if (!isOtherPass(path[i], path[other]) || !mayMeet(path[i], path[other])) continue;
       const double apart = (path[i].driven - path[other].driven).norm();
       if (apart >= kMeets) continue;
       const double scaled = apart / kMeetingScale;

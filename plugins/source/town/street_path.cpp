@@ -23,42 +23,50 @@ Eigen::Vector2d heading(const Eigen::Isometry3d& T_town_camera) {
   return forward.norm() > 1e-6 ? forward.normalized() : Eigen::Vector2d(0, 1);
 }
 
+struct Place {
+  Eigen::Vector3d at;
+  bool raised;
+};
+
 /// Camera positions that lie ahead of the ones before.
-std::vector<Eigen::Vector3d> progress(const CameraRoute& route) {
-  std::vector<Eigen::Vector3d> places = {route.T_town_camera.front().translation()};
-  const auto add = [&](const Eigen::Isometry3d& pose, double smallest_advance) {
-    const Eigen::Vector2d step = (pose.translation() - places.back()).head<2>();
+std::vector<Place> progress(const CameraRoute& route) {
+  std::vector<Place> places = {{route.T_town_camera.front().translation(), route.isRaised(0)}};
+  const auto add = [&](std::size_t frame, double smallest_advance) {
+    const Eigen::Isometry3d& pose = route.T_town_camera[frame];
+    const Eigen::Vector2d step = (pose.translation() - places.back().at).head<2>();
     if (step.norm() < smallest_advance || step.dot(heading(pose)) <= 0) return;
-    places.push_back(pose.translation());
+    places.push_back({pose.translation(), route.isRaised(frame)});
   };
-  for (const Eigen::Isometry3d& pose : route.T_town_camera) add(pose, kSmallestAdvance);
-  add(route.T_town_camera.back(), 0.1 * kSmallestAdvance);
+  for (std::size_t i = 0; i < route.T_town_camera.size(); ++i) add(i, kSmallestAdvance);
+  add(route.T_town_camera.size() - 1, 0.1 * kSmallestAdvance);
   return places;
 }
 
-PathPoint pathPoint(const Eigen::Vector3d& place, double s) {
+PathPoint pathPoint(const Eigen::Vector3d& place, double s, bool raised) {
   PathPoint point;
+  point.raised = raised;
   point.driven = place.head<2>();
   point.height = place.z();
   point.s = s;
   return point;
 }
 
-std::vector<PathPoint> everyMetre(const std::vector<Eigen::Vector3d>& places) {
+std::vector<PathPoint> everyMetre(const std::vector<Place>& places) {
   std::vector<PathPoint> points;
   double driven = 0;  // to places[i]
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    const Eigen::Vector3d step = places[i + 1] - places[i];
+    const Eigen::Vector3d step = places[i + 1].at - places[i].at;
+    const bool raised = places[i].raised || places[i + 1].raised;
     const double length = step.head<2>().norm();
     for (;;) {
       const double s = static_cast<double>(points.size()) * kSpacing;
       if (s >= driven + length) break;
-      const Eigen::Vector3d place = places[i] + (s - driven) / length * step;
-      points.push_back(pathPoint(place, s));
+      const Eigen::Vector3d place = places[i].at + (s - driven) / length * step;
+      points.push_back(pathPoint(place, s, raised));
     }
     driven += length;
   }
-  points.push_back(pathPoint(places.back(), driven));
+  points.push_back(pathPoint(places.back().at, driven, places.back().raised));
   return points;
 }
 
@@ -112,6 +120,7 @@ bool isOtherPass(const PathPoint& a, const PathPoint& b) {
 }
 
 bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach) {
+  if (a.raised || b.raised) return false;
   return std::abs(a.direction.dot(b.direction)) >= kSameDirection && isOtherPass(a, b) &&
          (a.centre - b.centre).squaredNorm() < reach * reach;
 }

@@ -18,6 +18,7 @@ struct PathPoint {
   double height = 0;        ///< m, Z of the road: camera_height below the camera
   double s = 0;             ///< m driven
   bool driven_over = true;  ///< false where the street goes on beyond either end of the route
+  bool raised = false;      ///< on a deck (CameraRoute::raised)
 };
 
 /// Standstill and reversing are left out. Before the first pose and after the last one the street
@@ -25,7 +26,7 @@ struct PathPoint {
 std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height);
 
 /// Two passes over one street, in either direction: near each other, and not just neighbours on the
-/// path. Directions within 35 degrees.
+/// path. Directions within 35 degrees. Decks are no street.
 bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach);
 
 /// Path distance from which near points count as a second pass.

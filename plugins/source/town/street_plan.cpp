@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -73,7 +74,7 @@ Status heightRefusal(const CameraRoute& route, std::size_t frame, double above,
         "frames " + std::to_string(std::min(frame, *other)) + " and " +
         std::to_string(std::max(frame, *other)) + " cross " +
         fixed(std::abs(height(*other) - height(frame)), 1) +
-        " m apart in height; the town has no bridges: choose another route, or crossings: level");
+        " m apart in height; choose another route, or crossings: level or bridge");
   }
   return Status::invalidInput("frame " + std::to_string(frame) + ": the camera would be " +
                               fixed(above, 1) + " m above the road (" + fixed(possible.lowest, 1) +
@@ -88,6 +89,7 @@ Status checkCameras(const CameraRoute& route, const StreetPlan& plan, double cam
   double worst = 0;  // m beyond what is possible
   double worst_above = 0;
   for (std::size_t i = 0; i < route.T_town_camera.size(); ++i) {
+    if (route.isRaised(i)) continue;
     const Eigen::Vector3d place = route.T_town_camera[i].translation();
     if (plan.distance(place.x(), place.y()) > StreetPlan::kRoadHalfWidth - kKerbClearance) {
       return Status::invalidInput("frame " + std::to_string(i) +
@@ -104,7 +106,32 @@ Status checkCameras(const CameraRoute& route, const StreetPlan& plan, double cam
   return worst > 0 ? heightRefusal(route, worst_frame, worst_above, possible) : Status::ok();
 }
 
+/// Runs of raised points, each a point longer at both ends, so that it touches the street.
+std::vector<Deck> findDecks(const std::vector<PathPoint>& path,
+                            const std::vector<double>& heights) {
+  std::vector<Deck> decks;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool next = i + 1 < path.size() && path[i + 1].raised;
+    const bool before = i > 0 && path[i - 1].raised;
+    if (!path[i].raised && !next && !before) continue;
+    if (!path[i].raised && (decks.empty() || next)) decks.emplace_back();
+    if (decks.empty()) decks.emplace_back();
+    decks.back().points.push_back({path[i].centre, path[i].direction, heights[i]});
+  }
+  return decks;
+}
+
 }  // namespace
+
+double StreetPlan::deckDistance(double x, double y) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Deck& deck : decks_) {
+    for (const Deck::Point& point : deck.points) {
+      nearest = std::min(nearest, (point.position - Eigen::Vector2d(x, y)).norm());
+    }
+  }
+  return nearest;
+}
 
 double StreetPlan::height(double x, double y) const {
   const Eigen::Vector2d place(x, y);
@@ -114,6 +141,20 @@ double StreetPlan::height(double x, double y) const {
   const double t = std::min(outside / kFarBlend, 1.0);
   const double far = mean_height_ + farHills(x, y);
   return near + t * t * (3 - 2 * t) * (far - near);
+}
+
+double StreetPlan::roadHeight(double x, double y, double camera_z) const {
+  double found = height(x, y);
+  double nearest = kRoadHalfWidth + 1;  // m from the centreline of a deck
+  for (const Deck& deck : decks_) {
+    for (const Deck::Point& point : deck.points) {
+      const double apart = (point.position - Eigen::Vector2d(x, y)).norm();
+      if (apart >= nearest || point.height > camera_z || point.height < found) continue;
+      nearest = apart;
+      found = point.height;
+    }
+  }
+  return found;
 }
 
 Result<StreetPlan> StreetPlan::grow(const CameraRoute& route, double camera_height) {
@@ -136,9 +177,16 @@ Result<StreetPlan> StreetPlan::grow(const CameraRoute& route, double camera_heig
   plan.distance_ = distanceGrid(path, extent, kFarthest);
   const std::vector<double> heights = agreeOnHeights(path);
   double sum = 0;
-  for (const double height : heights) sum += height;
-  plan.mean_height_ = sum / static_cast<double>(heights.size());
-  plan.height_ = heightGrid(path, heights, plan.distance_, extent, plan.mean_height_);
+  double count = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path[i].raised) continue;
+    sum += heights[i];
+    ++count;
+  }
+  if (count == 0) return Status::invalidInput("no frame of the route is on a street");
+  plan.mean_height_ = sum / count;
+  plan.decks_ = findDecks(path, heights);
+  plan.height_ = heightGrid(path, heights, plan.distance_, extent, plan.mean_height_, route.pads);
   if (const Status status = checkCameras(route, plan, camera_height); !status.isOk()) return status;
   return plan;
 }

@@ -24,6 +24,16 @@ struct StreetSection {
   std::vector<StreetPoint> points;
 };
 
+/// Where the road is above the ground. One point a metre; the centreline.
+struct Deck {
+  struct Point {
+    Eigen::Vector2d position;   ///< m, town frame
+    Eigen::Vector2d direction;  ///< unit vector
+    double height = 0;          ///< m, Z of the road
+  };
+  std::vector<Point> points;
+};
+
 /// Traffic keeps to the right: the centreline is kLaneOffset left of the driven path.
 class StreetPlan {
  public:
@@ -37,23 +47,31 @@ class StreetPlan {
   /// takes the mean and blends into each pass over some 15 m. A street goes on for 50 m beyond
   /// either end of the route, unless the route comes along there itself.
   ///
+  /// Raised frames make decks instead of streets.
+  ///
   /// Refuses a route that cannot have streets: passes that cross at different heights (a bridge),
   /// a camera that would be under ground, an extent beyond 12 km. Messages name the frames.
   /// `levelled` of level_route.hpp makes most such routes possible.
   static Result<StreetPlan> grow(const CameraRoute& route, double camera_height);
 
   const std::vector<StreetSection>& sections() const { return sections_; }
+  const std::vector<Deck>& decks() const { return decks_; }
+  /// m from (x, y) to the nearest point of a deck's centreline; infinite without decks.
+  double deckDistance(double x, double y) const;
   /// m from (x, y) to the nearest centreline of any pass, at most kFarthest. Continuous.
   double distance(double x, double y) const { return distance_.at(x, y); }
   /// m, Z of the road surface or of the terrain there, without kerb and pavement. Smooth; under
   /// every pose it is camera_height below the camera, up to what the passes disagree. Beyond
   /// kFarthest it falls back to gentle hills.
   double height(double x, double y) const;
+  /// The road below a camera at `camera_z`: that of the highest deck under it, else height().
+  double roadHeight(double x, double y, double camera_z) const;
   const Eigen::Vector2d& lowCorner() const { return low_; }
   const Eigen::Vector2d& highCorner() const { return high_; }
 
  private:
   std::vector<StreetSection> sections_;
+  std::vector<Deck> decks_;
   GroundGrid distance_;
   GroundGrid height_;
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();

@@ -19,7 +19,10 @@ class SectionFinder {
 
   std::vector<std::vector<std::size_t>> find() {
     for (std::size_t i = 0; i < path_.size(); ++i) {
-      if (isKnown(i)) {
+      if (path_[i].raised) {
+        closeSection();
+        known_run_.clear();
+      } else if (isKnown(i)) {
         known_run_.push_back(i);
         if (known_run_.size() == kShortest) closeSection();
       } else {

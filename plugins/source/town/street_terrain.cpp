@@ -25,6 +25,7 @@ GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>&
   const double smoothing = std::max(kSmoothing, 1.5 * cell);
   const int radius = static_cast<int>(std::ceil(kReach / cell));
   for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path[i].raised) continue;
     const Eigen::Vector2d at = (path[i].driven - extent.low) / cell;
     const int column = static_cast<int>(at.x());
     const int row = static_cast<int>(at.y());
@@ -154,6 +155,45 @@ GroundGrid membrane(const Level& level, double mean) {
   return height;
 }
 
+/// The pad's height within it, whatever streets are near.
+void flatten(Level& level, const GroundPad& pad) {
+  for (int r = 0; r < level.known.rows(); ++r) {
+    for (int c = 0; c < level.known.columns(); ++c) {
+      const Eigen::Vector2d place = level.known.position(c, r);
+      if ((place.array() < pad.low.array()).any() || (place.array() > pad.high.array()).any()) {
+        continue;
+      }
+      level.known.value(c, r) = static_cast<float>(pad.height);
+      level.weight.value(c, r) = 1;
+    }
+  }
+}
+
+/// The ground stays below the roadway of decks, also where they meet their embankments.
+void lowerUnderDecks(GroundGrid& height, const std::vector<PathPoint>& path,
+                     const std::vector<double>& heights) {
+  constexpr double kBelow = 0.35;  // m, more than a kerb
+  constexpr double kOver = 6.5;    // m to either side
+  constexpr double kAlong = 0.75;  // m
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!path[i].raised) continue;
+    const Eigen::Vector2d at = (path[i].centre - height.position(0, 0)) / height.cell();
+    const int radius = static_cast<int>(std::ceil(kOver / height.cell())) + 1;
+    const int column = static_cast<int>(at.x());
+    const int row = static_cast<int>(at.y());
+    for (int r = std::max(row - radius, 0); r <= std::min(row + radius, height.rows() - 1); ++r) {
+      for (int c = std::max(column - radius, 0);
+           c <= std::min(column + radius, height.columns() - 1); ++c) {
+        const Eigen::Vector2d offset = height.position(c, r) - path[i].centre;
+        const Eigen::Vector2d& d = path[i].direction;
+        if (std::abs(offset.dot(d)) > kAlong) continue;
+        if (std::abs(offset.x() * d.y() - offset.y() * d.x()) > kOver) continue;
+        height.value(c, r) = std::min(height.value(c, r), static_cast<float>(heights[i] - kBelow));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 double farHills(double x, double y) {
@@ -162,7 +202,8 @@ double farHills(double x, double y) {
 }
 
 GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<double>& heights,
-                      const GroundGrid& distance, const GridExtent& extent, double mean) {
+                      const GroundGrid& distance, const GridExtent& extent, double mean,
+                      const std::vector<GroundPad>& pads) {
   const Eigen::Vector2d size = extent.high - extent.low;
   const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMostCells));
   Level level{streetHeights(path, heights, extent, cell),
@@ -175,7 +216,10 @@ GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<doub
       level.weight.value(c, r) = static_cast<float>(t * t * (3 - 2 * t));
     }
   }
-  return membrane(level, mean);
+  for (const GroundPad& pad : pads) flatten(level, pad);
+  GroundGrid height = membrane(level, mean);
+  lowerUnderDecks(height, path, heights);
+  return height;
 }
 
 }  // namespace tolman::town

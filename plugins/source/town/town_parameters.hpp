@@ -18,8 +18,8 @@
 namespace tolman::town {
 
 /// What becomes of a route whose own poses cross at different heights.
-enum class Crossings : std::uint8_t { Level, Refuse };
-inline constexpr std::array<std::string_view, 2> kCrossingsNames = {"level", "refuse"};
+enum class Crossings : std::uint8_t { Level, Refuse, Bridge };
+inline constexpr std::array<std::string_view, 3> kCrossingsNames = {"level", "refuse", "bridge"};
 constexpr std::span<const std::string_view> enumNames(Crossings) { return kCrossingsNames; }
 
 struct TownParameters : FrameSelection, CameraDisturbances, StreetLife {
@@ -71,11 +71,13 @@ constexpr auto driveParameters() {
   using P = TownParameters;
   return parameters(
       parameter("route", &P::route)
-          .doc("block, eights, district, highway, or a file of poses in KITTI's format to drive "
+          .doc("block, eights, district, highway, car_park, or a file of poses in KITTI's format "
+               "to drive "
                "along."),
       parameter("crossings", &P::crossings)
           .doc("What becomes of a route whose passes cross too far apart in height: level bends "
-               "their heights, and the true poses, until they agree; refuse."),
+               "their heights, and the true poses, until they agree; bridge builds bridges where "
+               "they cross at an angle, and levels the rest; refuse."),
       parameter("rate", &P::rate).range(0.1, 1000).unit("Hz").doc("Frames per second."),
       parameter("speed", &P::speed)
           .range(0.5, 40)

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "bridges.hpp"
+#include "car_park.hpp"
 #include "level_route.hpp"
 #include "noise.hpp"
 #include "true_camera.hpp"
@@ -66,8 +68,9 @@ Status TownSource::build() {
   if (!sequence.isOk()) return sequence.status();
   sequence_ = sequence.value();
   chooseFrames();
+  if (p.crossings == Crossings::Bridge) route_ = bridged(route_, p.camera_height);
   Result<StreetPlan> plan = StreetPlan::grow(route_, p.camera_height);
-  if (!plan.isOk() && p.crossings == Crossings::Level) {
+  if (!plan.isOk() && p.crossings != Crossings::Refuse) {
     CameraRoute level = levelled(route_, p.camera_height);
     Result<StreetPlan> again = StreetPlan::grow(level, p.camera_height);
     if (again.isOk()) {
@@ -88,7 +91,15 @@ Status TownSource::build() {
 void TownSource::buildScene() {
   const Parameters& p = parameters_;
   const auto seed = static_cast<std::uint32_t>(p.seed);
-  World world = buildWorld(*plan_, {seed, p.aliasing, p.density, p.guard_rails});
+  const bool has_car_park = !route_.pads.empty();
+  WorldOptions options = {seed, p.aliasing, p.density, p.guard_rails, {}};
+  if (has_car_park) options.reserved.push_back(carParkPlot());
+  World world = buildWorld(*plan_, options);
+  if (has_car_park) {
+    addCarPark(world, -p.camera_height, hash(seed, 311));
+  } else {
+    addBridges(world, *plan_);
+  }
   trees_ = schedule_.anyBare() ? addBareTrees(world) : Exchange{};
   cars_ = schedule_.anyExchanged() ? addOtherCars(world, hash(seed, 304)) : Exchange{};
   moving_ = std::make_unique<MovingThings>(p, route_, *plan_, world);
@@ -258,6 +269,9 @@ Status TownSource::inspect(std::vector<Finding>& findings) {
   if (is_levelled_) {
     note(Finding::Severity::Note,
          "passes crossed at different heights; the poses were levelled (crossings: level)");
+  }
+  if (route_.pads.empty() && !plan_->decks().empty()) {
+    note(Finding::Severity::Note, std::to_string(plan_->decks().size()) + " bridges");
   }
   note(Finding::Severity::Note, std::to_string(scene_->triangles()) + " triangles and " +
                                     std::to_string(scene_->instances()) +

@@ -24,14 +24,15 @@ Traffic::Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_p
 Placement Traffic::at(std::size_t index, double seconds) const {
   const Car& car = cars_[index];
   const Lane::Place place = lane_.at(wrapPeriod(car.start - car.speed * seconds, lane_.length()));
-  return onRoad(*plan_, place.position, -place.along);
+  return onRoad(*plan_, place, true);
 }
 
-Placement onRoad(const StreetPlan& plan, const Eigen::Vector2d& place,
-                 const Eigen::Vector2d& forward) {
+Placement onRoad(const StreetPlan& plan, const Lane::Place& place, bool comes) {
+  const Eigen::Vector2d forward = comes ? Eigen::Vector2d(-place.along) : place.along;
   const double yaw = std::atan2(forward.y(), forward.x());
-  return Placement::at({static_cast<float>(place.x()), static_cast<float>(place.y()),
-                        static_cast<float>(plan.height(place.x(), place.y()))},
+  const Eigen::Vector2d& at = place.position;
+  return Placement::at({static_cast<float>(at.x()), static_cast<float>(at.y()),
+                        static_cast<float>(plan.roadHeight(at.x(), at.y(), place.camera_z))},
                        static_cast<float>(yaw));
 }
 

@@ -33,9 +33,8 @@ class Traffic {
   std::vector<Car> cars_;
 };
 
-/// Upright on the road at `place`, looking along `forward` (of any length).
-Placement onRoad(const StreetPlan& plan, const Eigen::Vector2d& place,
-                 const Eigen::Vector2d& forward);
+/// Upright on the road at a place of a lane, looking along the route or against it.
+Placement onRoad(const StreetPlan& plan, const Lane::Place& place, bool comes);
 
 /// How a vehicle keeps clear of the camera.
 struct Clearing {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh.hpp"
+#include "plots.hpp"
 #include "street_plan.hpp"
 #include "surface.hpp"
 
@@ -38,6 +39,7 @@ struct WorldOptions {
   double aliasing = 0.15;  ///< share of stretches that look like others
   double density = 1;      ///< of houses, trees and parked cars; 0 leaves bare streets
   bool guard_rails = false;
+  std::vector<Plot> reserved;  ///< ground that something else stands on
 };
 
 World buildWorld(const StreetPlan& plan, const WorldOptions& options);

@@ -98,7 +98,7 @@ TEST_CASE("files without a drive are refused") {
   RouteOptions options;
   CHECK(readRoute("/nowhere/drive.txt", options).status().message() ==
         "/nowhere/drive.txt: there is no such file; correct the path, or use block, eights, "
-        "district or highway");
+        "district, highway or car_park");
   CHECK(PoseFile("").refusal() == "drive.txt: has no pose; a drive needs two or more");
   CHECK(PoseFile("\n\n").refusal() == "drive.txt: has no pose; a drive needs two or more");
   CHECK(PoseFile(kStart).refusal() == "drive.txt: has one pose; a drive needs two or more");

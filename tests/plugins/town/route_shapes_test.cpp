@@ -251,7 +251,8 @@ TEST_CASE("a route that is not there is refused with those that are") {
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().code() == StatusCode::InvalidParameter);
   CHECK(refused.status().message() ==
-        "there is no route 'circle'; use block, eights, district, highway, or a KITTI pose file");
+        "there is no route 'circle'; use block, eights, district, highway, car_park, or a KITTI "
+        "pose file");
 }
 
 TEST_CASE("options that no car can drive are refused") {

@@ -28,9 +28,9 @@ bool sameMesh(const Mesh& a, const Mesh& b) {
 
 TEST_CASE("a seed makes one town, another seed another") {
   const SmallTown town;
-  const World a = worldOf(town, {3, 0.15, 1});
-  const World b = worldOf(town, {3, 0.15, 1});
-  const World c = worldOf(town, {4, 0.15, 1});
+  const World a = worldOf(town, {3, 0.15, 1, false, {}});
+  const World b = worldOf(town, {3, 0.15, 1, false, {}});
+  const World c = worldOf(town, {4, 0.15, 1, false, {}});
   CHECK(sameMesh(a.fixed, b.fixed));
   CHECK(a.instances.size() == b.instances.size());
   CHECK_FALSE(sameMesh(a.fixed, c.fixed));
@@ -38,9 +38,9 @@ TEST_CASE("a seed makes one town, another seed another") {
 
 TEST_CASE("density thins out, and 0 leaves bare streets") {
   const SmallTown town;
-  const World full = worldOf(town, {3, 0.15, 1});
-  const World half = worldOf(town, {3, 0.15, 0.5});
-  const World bare = worldOf(town, {3, 0.15, 0});
+  const World full = worldOf(town, {3, 0.15, 1, false, {}});
+  const World half = worldOf(town, {3, 0.15, 0.5, false, {}});
+  const World bare = worldOf(town, {3, 0.15, 0, false, {}});
   CHECK(full.instances.size() > half.instances.size());
   CHECK(bare.instances.empty());
   CHECK(full.instances.size() > 60);
@@ -84,7 +84,7 @@ TEST_CASE("every triangle has a surface, and every instance a prototype") {
 TEST_CASE("with aliasing 1 all street fronts are of two kinds, with 0 each is its own") {
   const SmallTown town(makeLight(12, Weather::Clear, 0, 1), {}, "district");
   const auto kindsOfHouses = [&](double aliasing) {
-    const World world = worldOf(town, {1, aliasing, 1});
+    const World world = worldOf(town, {1, aliasing, 1, false, {}});
     std::vector<std::uint32_t> seeds;
     for (const Surface& surface : world.surfaces) {
       if (surface.material == Material::Facade) seeds.push_back(surface.seed);
