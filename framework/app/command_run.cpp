@@ -45,7 +45,7 @@ ExitCode execute(const RunCommand& command, run::SystemOptions options,
   run::RunLog log(invocation.quiet);
   const run::SteadyClock clock;
   run::Run run(log, clock, interrupts,
-               {command.out, command.replace, command.resume, invocation.command_line,
+               {command.out, command.replace, command.resume, invocation.command_line, false,
                 [](const run::Outcome& outcome) { return static_cast<int>(exitCode(outcome)); }});
   const run::Outcome outcome = run.execute(std::move(checked));
   if (!outcome.directory.empty()) print(outcome, invocation);

@@ -144,6 +144,9 @@ int runProgram(int argc, const char* const* argv) {
   addReportCommand(app, invocation);
   addViewCommand(app, invocation);
   addPlanCommand(app, invocation);
+  addSweepCommand(app, invocation);
+  addCompareCommand(app, invocation);
+  addRerunCommand(app, invocation);
   addWordCommands(app);
   addStageCommand(app);
   addExamples(app, "tolman");

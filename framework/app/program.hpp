@@ -77,6 +77,9 @@ void addPlanCommand(CLI::App& app, Invocation& invocation);
 void addReportCommand(CLI::App& app, Invocation& invocation);
 void addViewCommand(CLI::App& app, Invocation& invocation);
 void addExportCommand(CLI::App& app, Invocation& invocation);
+void addSweepCommand(CLI::App& app, Invocation& invocation);
+void addCompareCommand(CLI::App& app, Invocation& invocation);
+void addRerunCommand(CLI::App& app, Invocation& invocation);
 void addStageCommand(CLI::App& app);  // hidden
 
 }  // namespace tolman::app

@@ -8,7 +8,6 @@
 
 #include "config/characters.hpp"
 #include "config/yaml_reader.hpp"
-#include "tolman/status.hpp"
 
 namespace tolman::config {
 namespace {
@@ -96,6 +95,21 @@ void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
     const Status done = assign(tree, path.value(), std::move(*value), origin);
     if (!done.isOk()) problems.push_back({origin, "", done.message()});
   }
+}
+
+Status setValue(Node& tree, const std::string& path, const Node& value) {
+  const auto parts = readPath(path + "=");
+  if (!parts.isOk()) return parts.status();
+  Node merged = value;
+  if (value.isMap()) {
+    const Node* there = &tree;
+    for (const std::string& part : parts.value()) there = there ? there->find(part) : nullptr;
+    if (there != nullptr && there->isMap()) {
+      merged = *there;
+      merge(merged, value);
+    }
+  }
+  return assign(tree, parts.value(), std::move(merged), value.origin);
 }
 
 }  // namespace tolman::config

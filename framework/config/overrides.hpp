@@ -7,6 +7,7 @@
 
 #include "config/node.hpp"
 #include "config/variables.hpp"
+#include "tolman/status.hpp"
 
 namespace tolman::config {
 
@@ -16,5 +17,9 @@ namespace tolman::config {
 /// of the old one; otherwise later overrides take precedence.
 void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
                     const Environment& environment, Problems& problems);
+
+/// Sets one value by such a path, with its own origin. A map is merged into the map that is there,
+/// unless it names another plugin.
+Status setValue(Node& tree, const std::string& path, const Node& value);
 
 }  // namespace tolman::config

@@ -2,6 +2,8 @@
 #include "run/provenance.hpp"
 
 #include <fmt/chrono.h>
+#include <gnu/libc-version.h>
+#include <sqlite3.h>
 #include <sys/utsname.h>
 
 #include <chrono>
@@ -9,8 +11,10 @@
 #include <fstream>
 #include <thread>
 
+#include "record/data_digest.hpp"
 #include "record/digest.hpp"
 #include "run/build_info.hpp"
+#include "run/input_data.hpp"
 #include "run/run.hpp"
 #include "tolman/version.hpp"
 
@@ -19,13 +23,46 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string processorName() {
+/// The first entry of that name in /proc/cpuinfo.
+std::string processorEntry(std::string_view name) {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
     const auto colon = line.find(": ");
-    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+    if (line.starts_with(name) && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown";
+}
+
+/// Those by which libraries choose among their implementations, whose results may differ.
+Json processorFeatures() {
+  Json features = Json::array();
+  const std::string flags = " " + processorEntry("flags") + " ";
+  for (const char* feature : {"sse4_2", "avx", "fma", "avx2", "avx512f", "avx512vl"}) {
+    if (flags.find(std::string(" ") + feature + " ") != std::string::npos) {
+      features.push_back(feature);
+    }
+  }
+  return features;
+}
+
+/// Of more than kMostDigested bytes names, sizes and times only: reading them takes longer than
+/// the first frames.
+Json dataList(const CheckedSystem& system) {
+  constexpr std::int64_t kMostDigested = std::int64_t{1} << 30U;
+  std::vector<const Schema*> schemas;
+  for (const host::LoadedPlugin& plugin : system.plugins) schemas.push_back(&plugin.schema);
+  Json list = Json::array();
+  for (const std::string& path : inputPaths(system.config, system.values, schemas)) {
+    const auto digest = record::digestData(path, {}, kMostDigested);
+    if (!digest.isOk()) {
+      list.push_back({{"path", path}, {"reason", digest.status().message()}});
+      continue;
+    }
+    const record::DataDigest& data = digest.value();
+    list.push_back({{"path", path}, {"files", data.files}, {"bytes", data.bytes}});
+    if (!data.sha256.empty()) list.back()["sha256"] = data.sha256;
+  }
+  return list;
 }
 
 Json machine() {
@@ -33,7 +70,8 @@ Json machine() {
   ::uname(&system);
   return {{"host", system.nodename},
           {"system", std::string(system.sysname) + " " + system.release},
-          {"processor", processorName()},
+          {"processor", processorEntry("model name")},
+          {"features", processorFeatures()},
           {"cores", std::thread::hardware_concurrency()}};
 }
 
@@ -109,9 +147,15 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
   json["tolman"] = {{"version", kVersion},       {"revision", kRevision},
                     {"compiler", kCompiler},     {"build_type", kBuildType},
                     {"sdk", TOLMAN_SDK_VERSION}, {"fingerprint", TOLMAN_FINGERPRINT}};
+  json["libraries"] = {{"libc", ::gnu_get_libc_version()},
+                       {"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+                                             EIGEN_MINOR_VERSION)},
+                       {"sqlite", ::sqlite3_libversion()},
+                       {"fmt", FMT_VERSION}};
   json["machine"] = machine();
   json["source"] = sourceJson(assembly);
   json["plugins"] = pluginList(system);
+  json["data"] = dataList(system);
   return json;
 }
 

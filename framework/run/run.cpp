@@ -188,7 +188,8 @@ void Run::openRecord() {
   recorder_ = require(record::Recorder::open(directory_->path()), FailureKind::Record);
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
-  if (config().record.replay) openAnswers();
+  const bool has_images = assembly_->sourceInfo().rig.width > 0;
+  if (config().record.replay || (options_.share_answers && has_images)) openAnswers();
 }
 
 void Run::openAnswers() {

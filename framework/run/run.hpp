@@ -45,6 +45,8 @@ struct RunOptions {
   /// except for frames that a realtime run drops.
   std::filesystem::path resume{};
   std::vector<std::string> command_line{};  ///< for run.json
+  /// Record the answers of the front end as with record.replay, if there are images.
+  bool share_answers = false;
   /// For run.json: the exit code that the program will give this outcome. Null: none is written.
   std::function<int(const Outcome&)> exit_code{};
 };

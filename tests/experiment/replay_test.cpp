@@ -145,3 +145,23 @@ TEST_CASE("what cannot be replayed is told with its remedy") {
   CHECK(damaged.exit_code != 0);
   CHECK(contains(damaged.err, "answers.bin"));
 }
+
+TEST_CASE("a run that is made again gives the same bytes, or what has changed is told") {
+  Recorded data;
+  REQUIRE(data.run("motion.yaml", "run", kFrontEnd).exit_code == 0);
+  const std::string run = (data.folder.path() / "run").string();
+  const Finished same = tolman::test::tolman({"rerun", run, "--verify"});
+  INFO(same.err);
+  CHECK(same.exit_code == 0);
+  CHECK(contains(same.out, "trajectory.tum      same\n"));
+  const auto json = readJson(data.folder.path() / "run/run.json");
+  CHECK(json["data"][0]["files"] == 3);
+  CHECK(json["data"][0]["sha256"].get<std::string>().size() == 64);
+  CHECK(json["libraries"].contains("sqlite"));
+
+  writeMotionFolder(data.folder.path() / "log", 0.004);
+  const Finished other = tolman::test::tolman({"rerun", run, "--verify", "--force"});
+  CHECK(other.exit_code == 8);
+  CHECK(contains(other.out, "trajectory.tum      differs\n"));
+  CHECK(contains(other.out, "log has other contents"));
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman rerun: the same run again, compared byte for byte.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "app/program.hpp"
+#include "record/run_directory.hpp"
+#include "run/run.hpp"
+#include "run/terminal.hpp"
+
+namespace tolman::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct RerunCommand {
+  std::string run;
+  std::string out;
+  bool verify = false;
+  bool replace = false;
+};
+
+/// Digests by file, as in results.sha256.
+std::map<std::string, std::string> digestsOf(const fs::path& run) {
+  std::map<std::string, std::string> digests;
+  std::ifstream stream(run / "results.sha256");
+  for (std::string digest, file; stream >> digest >> file;) digests[file] = digest;
+  return digests;
+}
+
+/// What differs in run.json of what decides results, a line each.
+std::vector<std::string> changesIn(const Json& before, const Json& after) {
+  std::vector<std::string> changes;
+  const auto part = [](const Json& json, const char* key) {
+    return json.is_object() && json.contains(key) ? json[key] : Json();
+  };
+  for (const char* key : {"tolman", "libraries", "machine", "seed"}) {
+    const Json old = part(before, key);
+    const Json now = part(after, key);
+    if (!old.is_object() || !now.is_object()) {
+      if (old != now) changes.push_back(fmt::format("{}: {} -> {}", key, old.dump(), now.dump()));
+      continue;
+    }
+    for (const auto& [name, value] : now.items()) {
+      if (!old.contains(name) || old[name] == value) continue;
+      changes.push_back(fmt::format("{} {}: {} -> {}", key, name, old[name].dump(), value.dump()));
+    }
+  }
+  for (const char* list : {"plugins", "data"}) {
+    const char* name = list == std::string_view("data") ? "path" : "id";
+    for (const Json& now : part(after, list)) {
+      for (const Json& old : part(before, list)) {
+        if (old.value(name, "") != now.value(name, "")) continue;
+        if (old.value("sha256", "") == now.value("sha256", "")) continue;
+        changes.push_back(fmt::format("{}: {} has other contents", list, now.value(name, "")));
+      }
+    }
+  }
+  return changes;
+}
+
+ExitCode compare(const fs::path& before, const fs::path& after, const Invocation& invocation) {
+  const auto expected = digestsOf(before);
+  const auto found = digestsOf(after);
+  if (expected.empty()) {
+    throw Ended{ExitCode::Dataset, (before / "results.sha256").string() + ": has no digests"};
+  }
+  Json files = Json::object();
+  bool same = expected.size() == found.size();
+  for (const auto& [file, digest] : expected) {
+    const auto other = found.find(file);
+    const char* text = other == found.end()      ? "missing"
+                       : other->second == digest ? "same"
+                                                 : "differs";
+    same = same && text == std::string_view("same");
+    files[file] = text;
+  }
+  const auto changes = changesIn(record::RunDirectory::readRunFile(before),
+                                 record::RunDirectory::readRunFile(after));
+  if (invocation.json) {
+    std::cout << Json{{"same", same}, {"files", files}, {"changes", changes}}.dump(2) << "\n";
+  } else if (!invocation.quiet) {
+    for (const auto& [file, text] : files.items()) {
+      std::cout << fmt::format("{:<20}{}\n", file, text.get<std::string>());
+    }
+    for (const std::string& change : changes) std::cout << "  " << run::printable(change) << "\n";
+    if (!same && changes.empty()) std::cout << "  nothing that run.json knows has changed\n";
+  }
+  return same ? ExitCode::Ok : ExitCode::Record;
+}
+
+ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
+  const run::Interrupts interrupts;
+  fs::path before = fs::absolute(command.run).lexically_normal();
+  if (!before.has_filename()) before = before.parent_path();
+  const fs::path out =
+      command.out.empty() ? fs::path(before.string() + "-again") : fs::path(command.out);
+  run::SystemOptions options{
+      (before / "config.resolved.yaml").string(), {}, invocation.plugin_paths};
+  options.quiet = invocation.quiet;
+  auto checked = run::require(run::checkSystem(options));
+  run::RunLog log(invocation.quiet);
+  const run::SteadyClock clock;
+  run::RunOptions run_options;
+  run_options.out = out;
+  run_options.replace = command.replace;
+  run_options.command_line = invocation.command_line;
+  run_options.exit_code = [](const run::Outcome& o) { return static_cast<int>(exitCode(o)); };
+  run::Run run(log, clock, interrupts, run_options);
+  const run::Outcome outcome = run.execute(std::move(checked));
+  if (outcome.failure) return printFailure(*outcome.failure);
+  if (outcome.interrupted) return ExitCode::Interrupted;
+  return command.verify ? compare(before, out, invocation) : exitCode(outcome);
+}
+
+}  // namespace
+
+void addRerunCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand("rerun", "Run the configuration of a run again");
+  auto options = std::make_shared<RerunCommand>();
+  command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
+  command->add_option("--out", options->out, "Directory of the new run (default: RUN-again)")
+      ->type_name("FOLDER")
+      ->check(notEmpty);
+  command->add_flag("--force", options->replace, "Replace the run that the --out directory holds");
+  command->add_flag("--verify", options->verify,
+                    "Compare the results byte for byte, and tell what has changed");
+  command->callback(
+      [options, &invocation] { invocation.exit_code = execute(*options, invocation); });
+}
+
+}  // namespace tolman::app

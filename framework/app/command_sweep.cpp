@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman sweep: many runs from one file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "app/duration_text.hpp"
+#include "app/sweep_display.hpp"
+#include "app/system_options.hpp"
+#include "experiment/job_files.hpp"
+#include "experiment/known_data.hpp"
+#include "experiment/point_run.hpp"
+#include "experiment/run_table.hpp"
+#include "record/atomic_file.hpp"
+#include "run/terminal.hpp"
+
+namespace tolman::app {
+namespace {
+
+using experiment::PlannedRun;
+using experiment::PointState;
+namespace fs = std::filesystem;
+
+struct SweepCommand {
+  std::string file;
+  std::string out;
+  std::size_t jobs = 0;
+  bool dry_run = false;
+  bool retry = false;
+  std::string write;
+};
+
+/// The runs of a plan by what became of them so far.
+struct Progress {
+  std::vector<PlannedRun> todo;
+  std::size_t done = 0;
+  std::size_t failed = 0;
+  std::size_t sharing = 0;  ///< of those to do, how many take the answers of another run
+  std::size_t others = 0;   ///< in the folder, and not in the file any more
+  double run_s = 0;         ///< mean time of a run that is done; 0: none is
+};
+
+Progress progressOf(const experiment::Plan& plan, const fs::path& out, bool retry) {
+  Progress progress;
+  std::vector<std::string> folders;
+  double sum = 0;
+  for (const PlannedRun& run : plan.runs) {
+    folders.push_back(run.folder);
+    const auto outcome = experiment::outcomeOf(out / run.folder);
+    if (outcome.state == PointState::Done) {
+      ++progress.done;
+      sum += outcome.wall_s;
+    } else if (outcome.state == PointState::Failed && !retry) {
+      ++progress.failed;
+    } else {
+      progress.todo.push_back(run);
+      if (!run.needs.empty() || !run.replays.empty()) ++progress.sharing;
+    }
+  }
+  if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
+  std::ranges::sort(folders);
+  for (const PlannedRun& run : experiment::readPoints(out)) {
+    if (!std::ranges::binary_search(folders, run.folder)) ++progress.others;
+  }
+  return progress;
+}
+
+experiment::Plan planOf(const SweepCommand& command, const fs::path& out,
+                        const Invocation& invocation) {
+  experiment::PlanOptions options;
+  options.plugin_paths = invocation.plugin_paths;
+  options.out = out;
+  options.known = experiment::readKnownData(out);
+  options.find_config = configFile;
+  options.environment = config::processEnvironment();
+  experiment::Plan plan = experiment::makePlan(command.file, options);
+  if (plan.problems.empty()) return plan;
+  throw Ended{ExitCode::Configuration, config::format(plan.problems)};
+}
+
+void printPlan(const experiment::Plan& plan, const Progress& progress, const SweepCommand& command,
+               const fs::path& out, const Invocation& invocation) {
+  if (invocation.json) {
+    auto runs = nlohmann::ordered_json::array();
+    for (const PlannedRun& run : plan.runs) {
+      runs.push_back({{"name", run.name},
+                      {"key", run.key},
+                      {"folder", (out / run.folder).string()},
+                      {"state", enumName(experiment::outcomeOf(out / run.folder).state)},
+                      {"answers_of", run.needs.empty() ? run.replays : run.needs}});
+    }
+    std::cout << runs.dump(1) << "\n";
+    return;
+  }
+  if (invocation.quiet) return;
+  const auto fronts = std::ranges::count_if(plan.runs, &PlannedRun::is_front_end);
+  const auto line = [](const char* name, const std::string& text) {
+    std::cout << fmt::format("{:<10}{}\n", name, text);
+  };
+  line("sweep",
+       fmt::format("{}: {} runs{}", plan.name, plan.runs.size() - static_cast<std::size_t>(fronts),
+                   fronts > 0 ? fmt::format(" on {} front ends", fronts) : ""));
+  line("folder", out.string());
+  line("done", std::to_string(progress.done));
+  if (progress.failed > 0) line("failed", fmt::format("{} (--retry)", progress.failed));
+  line("to do", fmt::format("{}, of which {} can take the answers of another run's front end",
+                            progress.todo.size(), progress.sharing));
+  if (progress.others > 0) {
+    line("left", fmt::format("{} runs in the folder are not in the file; they stay as they are",
+                             progress.others));
+  }
+  const auto jobs = static_cast<double>(std::max<std::size_t>(command.jobs, 1));
+  const double seconds = progress.run_s * static_cast<double>(progress.todo.size()) / jobs;
+  if (!progress.todo.empty()) {
+    line("time", seconds > 0 ? fmt::format("about {} with {} jobs, from the runs that are done",
+                                           durationText(seconds), command.jobs)
+                             : std::string("not known before a run is done"));
+  }
+  if (!command.dry_run) return;
+  for (const PlannedRun& run : progress.todo) std::cout << "  " << run::printable(run.name) << "\n";
+}
+
+/// Options of the command that runs one of them.
+std::vector<std::string> pointCommand(const std::string& program, std::size_t jobs, bool retry,
+                                      const Invocation& invocation) {
+  std::vector<std::string> words = {program};
+  for (const std::string& path : invocation.plugin_paths) {
+    words.insert(words.end(), {"--plugin-path", fs::absolute(path).string()});
+  }
+  words.insert(words.end(), {"--quiet", "sweep", "point"});
+  if (retry) words.emplace_back("--retry");
+  if (jobs > 0) {
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    words.insert(words.end(),
+                 {"--threads", std::to_string(std::max<std::size_t>(1, cores / jobs))});
+  }
+  return words;
+}
+
+ExitCode runJobs(const SweepCommand& command, const Progress& progress, const fs::path& out,
+                 const Invocation& invocation) {
+  const run::Interrupts interrupts;
+  const auto words = pointCommand("/proc/self/exe", command.jobs, command.retry, invocation);
+  experiment::JobsState state;
+  {
+    SweepDisplay display(std::cerr, terminalOf(invocation));
+    state = experiment::runLocally(out, progress.todo, {command.jobs, words}, interrupts, display);
+  }
+  if (interrupts.requested()) return ExitCode::Interrupted;
+  if (!invocation.quiet && !invocation.json) {
+    std::cout << fmt::format("{:<10}{}\n", "ended",
+                             jobsText(state) + ", in " + durationText(state.seconds));
+  }
+  return state.failed + progress.failed > 0 ? ExitCode::PluginFailed : ExitCode::Ok;
+}
+
+ExitCode execute(SweepCommand command, const Invocation& invocation) {
+  if (command.file.empty()) throw CLI::RequiredError("a sweep file");
+  if (command.jobs == 0) command.jobs = std::max(1U, std::thread::hardware_concurrency());
+  const fs::path out =
+      fs::absolute(command.out.empty() ? fs::path("sweeps") / fs::path(command.file).stem()
+                                       : fs::path(command.out))
+          .lexically_normal();
+  const experiment::Plan plan = planOf(command, out, invocation);
+  const Progress progress = progressOf(plan, out, command.retry);
+  printPlan(plan, progress, command, out, invocation);
+  if (command.dry_run) return ExitCode::Ok;
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw Ended{ExitCode::Record, out.string() + ": " + error.message()};
+  const record::FileDescriptor lock = record::lockFolder(out);
+  if (!lock.isOpen()) throw Ended{ExitCode::Record, out.string() + ": another sweep works here"};
+  for (const PlannedRun& run : progress.todo) requireOrEnd(experiment::freeze(out, run));
+  requireOrEnd(experiment::writeKnownData(out, plan.data));
+  if (command.write.empty()) return runJobs(command, progress, out, invocation);
+  const std::string program = fs::read_symlink("/proc/self/exe", error).string();
+  const auto written =
+      experiment::writeJobFiles(out, plan.name, progress.todo,
+                                pointCommand(program, 0, command.retry, invocation), command.write);
+  printFiles(valueOrEnd(written), invocation);
+  return ExitCode::Ok;
+}
+
+void addPoint(CLI::App& sweep, Invocation& invocation) {
+  CLI::App* command = sweep.add_subcommand("point", "Run one frozen run of a sweep");
+  auto folder = std::make_shared<std::string>();
+  auto options = std::make_shared<experiment::PointRunOptions>();
+  command->add_option("run", *folder, "Its folder")->type_name("FOLDER")->required();
+  command->add_flag("--retry", options->retry, "Run it again when it has failed");
+  command->add_option("--threads", options->threads, "Threads, where the configuration has 0")
+      ->check(CLI::Range(1, 1024));
+  command->callback([folder, options, &invocation] {
+    const run::Interrupts interrupts;
+    options->plugin_paths = invocation.plugin_paths;
+    options->command_line = invocation.command_line;
+    options->quiet = invocation.quiet;
+    options->find_config = configFile;
+    options->exit_code = [](const run::Outcome& o) { return static_cast<int>(exitCode(o)); };
+    options->failure_code = [](const run::Failure& f) {
+      return static_cast<int>(exitCode(f.kind));
+    };
+    const auto outcome = experiment::runPoint(*folder, *options, interrupts);
+    if (!outcome.message.empty()) std::cerr << run::printable(outcome.message) << "\n";
+    invocation.exit_code = outcome.state == PointState::Interrupted
+                               ? ExitCode::Interrupted
+                               : static_cast<ExitCode>(outcome.exit_code);
+  });
+}
+
+void addStatus(CLI::App& sweep, Invocation& invocation) {
+  CLI::App* command =
+      sweep.add_subcommand("status", "What became of the runs of a sweep, from their folders");
+  auto folder = std::make_shared<std::string>();
+  command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
+  command->callback([folder, &invocation] {
+    const auto runs = experiment::readPoints(*folder);
+    if (runs.empty()) throw Ended{ExitCode::Usage, *folder + ": holds no runs of a sweep"};
+    std::map<PointState, int> counts;
+    auto list = nlohmann::ordered_json::array();
+    std::string failed;
+    for (const PlannedRun& run : runs) {
+      const auto outcome = experiment::outcomeOf(fs::path(*folder) / run.folder);
+      ++counts[outcome.state];
+      list.push_back({{"name", run.name},
+                      {"folder", run.folder},
+                      {"state", enumName(outcome.state)},
+                      {"exit_code", outcome.exit_code},
+                      {"message", outcome.message},
+                      {"wall_s", outcome.wall_s}});
+      if (outcome.state != PointState::Failed) continue;
+      failed += run::printable("  " + run.name + "\n    " + outcome.message) + "\n";
+    }
+    if (invocation.json) {
+      std::cout << list.dump(1) << "\n";
+      return;
+    }
+    for (const auto& [state, count] : counts) {
+      std::cout << fmt::format("{:<13}{}\n", enumName(state), count);
+    }
+    std::cout << failed;
+  });
+}
+
+void addCollect(CLI::App& sweep, Invocation& invocation) {
+  CLI::App* command =
+      sweep.add_subcommand("collect", "Factors and metrics of the runs that are done, as CSV");
+  auto folder = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>();
+  command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
+  command->add_option("--out", *out, "File (default: results.csv in the sweep)")
+      ->type_name("FILE")
+      ->check(notEmpty);
+  command->callback([folder, out, &invocation] {
+    const auto rows = valueOrEnd(experiment::readRunRows({*folder}));
+    const fs::path file = out->empty() ? fs::path(*folder) / "results.csv" : fs::path(*out);
+    requireOrEnd(record::writeAtomically(file, experiment::csvOf(rows)));
+    printFiles({file}, invocation);
+  });
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand("sweep", "Many runs from one file: grids, samples, seeds");
+  auto options = std::make_shared<SweepCommand>();
+  command->add_option("file", options->file, "What varies (YAML)")->type_name("FILE");
+  command->add_option("--out", options->out, "Folder of the sweep (default: sweeps/FILE)")
+      ->type_name("FOLDER")
+      ->check(notEmpty);
+  command->add_option("--jobs", options->jobs, "Runs at a time (default: one per processor)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--dry-run", options->dry_run, "Check all runs and print what is to do");
+  command->add_flag("--retry", options->retry, "Run those that failed again");
+  command
+      ->add_option("--write", options->write,
+                   "Freeze the runs and write what others run them with, instead of running them")
+      ->type_name("slurm|parallel|snakemake")
+      ->check(CLI::IsMember({"slurm", "parallel", "snakemake"}));
+  addStatus(*command, invocation);
+  addCollect(*command, invocation);
+  addPoint(*command, invocation);
+  command->callback([command, options, &invocation] {
+    if (!command->get_subcommands().empty()) return;  // the subcommand did the work
+    invocation.exit_code = execute(*options, invocation);
+  });
+}
+
+}  // namespace tolman::app

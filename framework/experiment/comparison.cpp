@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "config/nearest_name.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+constexpr double kSameCoverage = 0.02;  // share of the frames
+
+bool isRepeated(const std::string& factor) { return factor == "sequence" || factor == "seed"; }
+
+std::vector<std::string> factorNames(const std::vector<RunRow>& rows) {
+  std::vector<std::string> names;
+  for (const RunRow& row : rows) {
+    for (const Factor& factor : row.factors) {
+      if (std::ranges::find(names, factor.name) == names.end()) names.push_back(factor.name);
+    }
+  }
+  return names;
+}
+
+/// `wanted`, or the one name that ends with it.
+std::string fullName(const std::string& wanted, const std::vector<std::string>& names) {
+  if (std::ranges::find(names, wanted) != names.end()) return wanted;
+  std::vector<std::string> ends;
+  for (const std::string& name : names) {
+    if (name.ends_with("." + wanted)) ends.push_back(name);
+  }
+  return ends.size() == 1 ? ends.front() : "";
+}
+
+/// "ate" and the like, as the summary of a run has them.
+std::string metricOf(const std::string& wanted) {
+  static const std::map<std::string, std::string> kShort = {
+      {"ate", "map.ate.rmse_m"},
+      {"odometry_ate", "odometry.ate.rmse_m"},
+      {"t_rel", "map.kitti.t_rel_percent"},
+      {"r_rel", "map.kitti.r_rel_deg_per_100m"}};
+  const auto found = kShort.find(wanted);
+  return found == kShort.end() ? wanted : found->second;
+}
+
+class Comparer {
+ public:
+  Comparer(const std::vector<RunRow>& rows, const ComparisonOptions& options)
+      : rows_(rows), options_(options) {}
+
+  Result<Comparison> run() {
+    Status status = choose();
+    if (status.isOk()) status = chooseMetric();
+    if (status.isOk()) status = refuseMixtures();
+    if (!status.isOk()) return status;
+    warnOfEqualResults();
+    fillLevels();
+    return std::move(comparison_);
+  }
+
+ private:
+  using Values =
+      std::map<std::string, std::map<std::string, double>>;  ///< by sequence, by the rest
+
+  /// Factors and rows.
+  Status choose() {
+    const std::vector<std::string> names = factorNames(rows_);
+    const auto known = [&](const std::string& wanted, std::string& name) {
+      name = fullName(wanted, names);
+      if (!name.empty()) return Status::ok();
+      return Status::invalidParameter("no factor '" + wanted + "'" +
+                                      config::didYouMean(wanted, names) +
+                                      "; factors: " + config::listed(names));
+    };
+    for (const auto& [factor, label] : options_.only) {
+      std::string name;
+      if (Status status = known(factor, name); !status.isOk()) return status;
+      std::erase_if(rows_,
+                    [&, &label = label](const RunRow& row) { return row.label(name) != label; });
+    }
+    if (rows_.empty()) return Status::invalidParameter("no run is left to compare");
+    for (const std::string& wanted : options_.by) {
+      if (Status status = known(wanted, comparison_.by.emplace_back()); !status.isOk())
+        return status;
+    }
+    for (const std::string& name : names) {
+      if (comparison_.by.empty() && !isRepeated(name)) comparison_.by.push_back(name);
+    }
+    return Status::ok();
+  }
+
+  Status chooseMetric() {
+    std::vector<std::string> names;
+    for (const auto& [name, value] : rows_.front().metrics) names.push_back(name);
+    const std::string wanted = metricOf(options_.metric);
+    comparison_.metric = fullName(wanted, names);
+    if (comparison_.metric.empty()) {
+      return Status::invalidParameter("no metric '" + wanted + "' in " +
+                                      rows_.front().directory.string() + "/metrics.json" +
+                                      config::didYouMean(wanted, names));
+    }
+    const std::size_t before = rows_.size();
+    std::erase_if(rows_,
+                  [&](const RunRow& row) { return !row.metrics.contains(comparison_.metric); });
+    if (rows_.size() < before) {
+      note(fmt::format("{} of {} runs have no {} and are left out.", before - rows_.size(), before,
+                       comparison_.metric));
+    }
+    return Status::ok();
+  }
+
+  static Status mixed(const RunRow& a, const RunRow& b, const std::string& what) {
+    return Status::invalidInput("'" + a.name + "' and '" + b.name + "' " + what);
+  }
+
+  Status refuseMixtures() const {
+    std::map<std::string, const RunRow*> first;  // by sequence
+    for (const RunRow& row : rows_) {
+      const RunRow& other = rows_.front();
+      if (row.alignment != other.alignment) {
+        return mixed(other, row,
+                     "are aligned by " + other.alignment + " and " + row.alignment +
+                         ", whose errors are not to be averaged; set "
+                         "evaluation.alignment, or choose runs with --only");
+      }
+      const RunRow& same = *first.try_emplace(row.label("sequence"), &row).first->second;
+      if (row.truth != same.truth) {
+        return mixed(same, row,
+                     "have different true poses; name the sequences in the sweep, or "
+                     "choose runs with --only");
+      }
+      const double difference = coverage(row) - coverage(same);
+      if (!options_.mixed_coverage && std::abs(difference) > kSameCoverage) {
+        return mixed(same, row,
+                     fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their "
+                                 "errors are of different paths; --mixed-coverage "
+                                 "averages them all the same",
+                                 100 * coverage(same), 100 * coverage(row)));
+      }
+    }
+    return Status::ok();
+  }
+
+  static double coverage(const RunRow& row) {
+    const auto found = row.metrics.find("map.coverage");
+    return found == row.metrics.end() ? 1 : found->second;
+  }
+
+  /// All labels but the seed: runs of one cell differ in the seed only.
+  static std::string cellOf(const RunRow& row) {
+    std::string cell;
+    for (const Factor& factor : row.factors) {
+      if (factor.name != "seed") cell += factor.name + "=" + factor.label + "\n";
+    }
+    return cell;
+  }
+
+  void warnOfEqualResults() {
+    std::map<std::string, std::set<std::string>> results;
+    std::map<std::string, std::size_t> counts;
+    for (const RunRow& row : rows_) {
+      results[cellOf(row)].insert(row.results);
+      ++counts[cellOf(row)];
+    }
+    std::size_t equal = 0;
+    for (const auto& [cell, count] : counts) {
+      const std::size_t different = results[cell].size();
+      if (different < count) ++equal;
+      fewest_ = std::min(fewest_, different);
+    }
+    if (equal > 0) {
+      note(fmt::format(
+          "In {} of {} settings several seeds gave the same results, byte for byte: they "
+          "count as one run, and say nothing of the spread.",
+          equal, counts.size()));
+    }
+    if (fewest_ < kFewestSeeds) {
+      note(
+          fmt::format("Not enough runs for intervals and tests: {} different results a setting, at "
+                      "least {} are needed.",
+                      fewest_, kFewestSeeds));
+    }
+  }
+
+  std::string levelOf(const RunRow& row) const {
+    std::string level;
+    for (const std::string& factor : comparison_.by) {
+      level += (level.empty() ? "" : ", ") + row.label(factor);
+    }
+    return level.empty() ? row.name : level;
+  }
+
+  /// What a run of another level must have in common with it, beside the sequence.
+  std::string restOf(const RunRow& row) const {
+    std::string rest;
+    for (const Factor& factor : row.factors) {
+      const bool is_by = std::ranges::find(comparison_.by, factor.name) != comparison_.by.end();
+      if (!is_by && factor.name != "sequence") rest += factor.name + "=" + factor.label + "\n";
+    }
+    return rest;
+  }
+
+  void fillLevels() {
+    std::vector<std::string> order;
+    std::map<std::string, Values> values;
+    for (const RunRow& row : rows_) {
+      const std::string level = levelOf(row);
+      if (!values.contains(level)) order.push_back(level);
+      values[level][row.label("sequence")][restOf(row)] = row.metrics.at(comparison_.metric);
+    }
+    sort(order);
+    comparison_.baseline = values.contains(options_.baseline) ? options_.baseline : order.front();
+    for (const std::string& label : order) {
+      Level level{label, {}, {}, {}, {}};
+      std::vector<std::vector<double>> groups;
+      for (const auto& [sequence, runs] : values[label]) {
+        auto& group = groups.emplace_back();
+        for (const auto& [rest, value] : runs) group.push_back(value);
+        level.values.insert(level.values.end(), group.begin(), group.end());
+      }
+      level.summary = summaryOf(level.values);
+      if (fewest_ >= kFewestSeeds) level.interval = bootstrapMean(groups, options_.seed);
+      if (label != comparison_.baseline) {
+        level.difference = difference(values[label], values[comparison_.baseline]);
+      }
+      comparison_.levels.push_back(std::move(level));
+    }
+    const std::size_t runs = comparison_.levels.front().summary.n;
+    if (!std::ranges::all_of(comparison_.levels,
+                             [&](const Level& l) { return l.summary.n == runs; })) {
+      note(
+          "The levels have different numbers of runs: their means are of different sequences or "
+          "seeds. The paired differences use the runs that both have.");
+    }
+  }
+
+  /// By number where all first labels are numbers.
+  static void sort(std::vector<std::string>& labels) {
+    const auto number = [](const std::string& label) -> std::optional<double> {
+      char* end = nullptr;
+      const double value = std::strtod(label.c_str(), &end);
+      const bool is_number = end != label.c_str() && (*end == '\0' || *end == ',');
+      return is_number ? std::optional(value) : std::nullopt;
+    };
+    if (!std::ranges::all_of(labels, [&](const auto& l) { return number(l).has_value(); })) return;
+    std::ranges::stable_sort(labels, {}, [&](const auto& l) { return *number(l); });
+  }
+
+  PairedDifference difference(const Values& level, const Values& baseline) const {
+    PairedDifference paired;
+    std::vector<std::vector<double>> groups;
+    std::vector<double> means;
+    for (const auto& [sequence, runs] : level) {
+      const auto same = baseline.find(sequence);
+      if (same == baseline.end()) continue;
+      std::vector<double> group;
+      for (const auto& [rest, value] : runs) {
+        const auto other = same->second.find(rest);
+        if (other != same->second.end()) group.push_back(value - other->second);
+      }
+      if (group.empty()) continue;
+      paired.pairs += group.size();
+      means.push_back(summaryOf(group).mean);
+      groups.push_back(std::move(group));
+    }
+    if (groups.empty()) return paired;
+    paired.mean = summaryOf(means).mean;
+    if (fewest_ < kFewestSeeds) return paired;
+    paired.interval = bootstrapMean(groups, options_.seed);
+    paired.test = signedRank(groups.size() > 1 ? means : groups.front());
+    return paired;
+  }
+
+  void note(std::string text) { comparison_.notes.push_back(std::move(text)); }
+
+  std::vector<RunRow> rows_;
+  const ComparisonOptions& options_;
+  Comparison comparison_;
+  std::size_t fewest_ = SIZE_MAX;  ///< different results of one setting
+};
+
+}  // namespace
+
+Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options) {
+  return Comparer(rows, options).run();
+}
+
+}  // namespace tolman::experiment

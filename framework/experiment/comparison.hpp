@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares runs by a factor: each level of it over all sequences and seeds, and paired with the
+// first level.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiment/run_table.hpp"
+#include "experiment/statistics.hpp"
+
+namespace tolman::experiment {
+
+struct ComparisonOptions {
+  std::string metric = "map.ate.rmse_m";  ///< a key of metrics.json, or its last parts
+  std::vector<std::string> by;            ///< factors; empty: the first that is not repeated
+  std::vector<std::pair<std::string, std::string>> only;  ///< factor and label
+  std::string baseline;                                   ///< level; empty: the first
+  bool mixed_coverage = false;                            ///< average runs whose coverage differs
+  std::uint64_t seed = 1;                                 ///< of the bootstrap
+};
+
+/// Differences to the baseline in runs that are alike in all else.
+struct PairedDifference {
+  std::size_t pairs = 0;
+  double mean = 0;
+  /// Nothing where a sequence has fewer than three seeds with results of their own.
+  std::optional<Interval> interval;
+  std::optional<SignedRank> test;  ///< of the means of the sequences; of one sequence of the seeds
+};
+
+struct Level {
+  std::string label;
+  std::vector<double> values;  ///< of all runs
+  Summary summary;
+  std::optional<Interval> interval;            ///< of the mean, as in PairedDifference
+  std::optional<PairedDifference> difference;  ///< to the baseline; none for the baseline
+};
+
+struct Comparison {
+  std::string metric;
+  std::vector<std::string> by;
+  std::string baseline;
+  std::vector<Level> levels;
+  std::vector<std::string> notes;  ///< what the reader must know
+};
+
+inline constexpr std::size_t kFewestSeeds = 3;
+
+/// InvalidParameter for an unknown metric or factor; InvalidInput for runs that must not be
+/// averaged: other alignments, other truths of one sequence, other coverages.
+Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options);
+
+}  // namespace tolman::experiment

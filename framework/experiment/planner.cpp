@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/planner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <sstream>
+#include <utility>
+
+#include "config/overrides.hpp"
+#include "record/digest.hpp"
+#include "record/sha256.hpp"
+#include "run/input_data.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+using config::Node;
+
+std::string sha256Of(const std::string& text) {
+  record::Sha256 sha;
+  sha.add(text);
+  return sha.digest();
+}
+
+/// A configuration without what only later stages, evaluation and record read.
+std::string frontEndPart(const std::string& yaml) {
+  constexpr std::array<std::string_view, 5> kLater = {
+      "cells:", "map:", "evaluation:", "record:", "observers:"};
+  std::string part;
+  bool taken = true;
+  std::istringstream lines(yaml);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(' ')) taken = std::ranges::find(kLater, line) == kLater.end();
+    if (taken) part += line + "\n";
+  }
+  return part;
+}
+
+std::string folderName(const std::string& name, const std::string& key) {
+  constexpr std::size_t kLongest = 80;
+  std::string folder;
+  for (const char c : name.substr(0, kLongest)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                       std::string_view("=,+_-").find(c) != std::string_view::npos ||
+                       (c == '.' && !folder.empty());
+    folder += plain ? c : '_';
+  }
+  return folder + "-" + key.substr(0, 10);
+}
+
+void replaceAll(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    text.replace(at, from.size(), to);
+    at += to.size();
+  }
+}
+
+class Planner {
+ public:
+  Planner(const PlanOptions& options, Plan& plan)
+      : options_(options), plan_(plan), catalogue_(run::openCatalogue(options.plugin_paths)) {
+    const auto host = record::fileDigest("/proc/self/exe");
+    host_ = host.isOk() ? host.value() : "unreadable";
+  }
+
+  void make(const SweepFile& sweep) {
+    const std::vector<Point> points = pointsOf(sweep, plan_.problems);
+    if (!plan_.problems.empty()) return;
+    std::vector<PlannedRun> runs;
+    std::map<std::string, std::string> names;  // by key
+    for (const Point& point : points) {
+      const FrontRun* front = point.front_end ? &frontRun(*point.front_end) : nullptr;
+      const config::Loaded& base = this->base(sweep, point, front);
+      std::optional<PlannedRun> run = resolve(base, point, front);
+      if (!run) continue;
+      const auto [same, is_new] = names.try_emplace(run->key, run->name);
+      if (!is_new) {
+        tell({config::Origin::ofFile(sweep.file), "",
+              "'" + same->second + "' and '" + run->name + "' are the same run"});
+      }
+      runs.push_back(std::move(*run));
+    }
+    for (const auto& [label, front] : fronts_) plan_.runs.push_back(front.run);
+    if (sweep.reuse) shareFrontEnds(runs);
+    std::ranges::move(runs, std::back_inserter(plan_.runs));
+  }
+
+ private:
+  struct FrontRun {
+    PlannedRun run;
+    std::string path;  ///< of its run directory
+  };
+  struct Plugin {
+    host::LoadedPlugin loaded;
+    std::string refusal;  ///< empty: it can be used
+  };
+
+  /// Each problem once.
+  void tell(config::Problem problem) {
+    if (told_.insert(config::format(problem)).second) plan_.problems.push_back(std::move(problem));
+  }
+
+  config::Loaded load(const Node& file) {
+    std::filesystem::path path = std::filesystem::path(file.origin.file).parent_path() / file.text;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) path = options_.find_config(file.text);
+    config::Loaded loaded = config::load(path.lexically_normal(), {}, options_.environment);
+    if (!loaded.complete) {
+      tell({file.origin, file.key, "the configuration '" + file.text + "' cannot be read"});
+    }
+    for (const config::Problem& problem : loaded.problems) tell(problem);
+    loaded.problems.clear();
+    loaded.tree.erase("observers");
+    const Node* record = loaded.tree.find("record");
+    if (record == nullptr || record->find("report") == nullptr) {
+      Node no{Node::Kind::Scalar, "report", file.origin, file.origin};
+      no.text = "false";
+      (void)config::setValue(loaded.tree, "record.report", no);
+    }
+    return loaded;
+  }
+
+  /// Plugins first: another one removes the parameters of the one before.
+  void apply(Node& tree, std::vector<Setting> settings) {
+    std::ranges::stable_partition(settings, [](const Setting& setting) {
+      return setting.key.ends_with(".plugin") || setting.value->isMap();
+    });
+    for (const Setting& setting : settings) {
+      const Status done = config::setValue(tree, setting.key, *setting.value);
+      if (!done.isOk()) tell({setting.value->origin, setting.key, done.message()});
+    }
+  }
+
+  const FrontRun& frontRun(const FrontEnd& front) {
+    const auto found = fronts_.find(front.label);
+    if (found != fronts_.end()) return found->second;
+    FrontRun& made = fronts_[front.label];
+    config::Loaded base = load(*front.base);
+    Node yes{Node::Kind::Scalar, "replay", front.base->origin, front.base->origin};
+    yes.text = "true";
+    (void)config::setValue(base.tree, "record.replay", yes);
+    const Point point{"front-end-" + front.label, {}, front.settings, nullptr};
+    if (auto run = resolve(base, point, nullptr)) made.run = std::move(*run);
+    made.run.is_front_end = true;
+    made.path = (options_.out / made.run.folder / "run").string();
+    return made;
+  }
+
+  /// The base with the settings of all points, and with the replay of a front end.
+  const config::Loaded& base(const SweepFile& sweep, const Point& point, const FrontRun* front) {
+    const auto found = bases_.find(point.front_end.get());
+    if (found != bases_.end()) return found->second;
+    config::Loaded loaded = load(*sweep.base);
+    if (front != nullptr) {
+      const auto environment = [&](const std::string& name) {
+        return name == "REPLAY_RUN" ? front->path : options_.environment(name);
+      };
+      const config::Loaded replay =
+          config::load(options_.find_config("experiments/replay"), {}, environment);
+      for (const config::Problem& problem : replay.problems) tell(problem);
+      config::merge(loaded.tree, replay.tree);
+    }
+    apply(loaded.tree, sweep.settings);
+    return bases_.emplace(point.front_end.get(), std::move(loaded)).first->second;
+  }
+
+  const Plugin& plugin(const std::string& id, Role role) {
+    const auto [found, is_new] = plugins_.try_emplace({id, role});
+    if (!is_new) return found->second;
+    try {
+      found->second.loaded = run::loadFrom(catalogue_, id, role);
+      const std::string file = found->second.loaded.manifest.file.string();
+      const auto digest = record::fileDigest(file);
+      digests_[file] = digest.isOk() ? digest.value() : "unreadable";
+    } catch (const run::Failed& refused) {
+      found->second.refusal = refused.what();
+    }
+    return found->second;
+  }
+
+  const record::DataDigest* data(const std::string& path) {
+    const auto found = plan_.data.find(path);
+    if (found != plan_.data.end()) return &found->second;
+    const auto known = options_.known.find(path);
+    auto digest = record::digestData(
+        path, known == options_.known.end() ? record::DataDigest() : known->second);
+    if (!digest.isOk()) {
+      tell({config::Origin::ofFile(path), "", digest.status().message()});
+      return nullptr;
+    }
+    return &plan_.data.emplace(path, std::move(digest).value()).first->second;
+  }
+
+  /// Checks the values of one point; nothing where they have problems.
+  std::optional<PlannedRun> resolve(const config::Loaded& base, const Point& point,
+                                    const FrontRun* front) {
+    config::Loaded loaded = base;
+    apply(loaded.tree, point.settings);
+    config::Problems problems;
+    config::SystemConfig system = config::parse(loaded, problems);
+    config::StageValues values;
+    std::vector<const Schema*> schemas;
+    PlannedRun run;
+    for (const config::StageConfig& stage : system.stages) {
+      if (stage.plugin.empty()) continue;
+      const Plugin& plugin = this->plugin(stage.plugin, stage.role);
+      if (!plugin.refusal.empty()) {
+        problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", plugin.refusal,
+                            config::Problem::Kind::Plugin});
+        continue;
+      }
+      values[stage.instance] = config::check(stage, plugin.loaded.schema, system.folders, problems);
+      schemas.push_back(&plugin.loaded.schema);
+      const std::string file = plugin.loaded.manifest.file.string();
+      run.inputs.plugins[file] = digests_.at(file);
+      if (stage.role < Role::Cells) run.front += "plugin " + digests_.at(file) + "\n";
+    }
+    for (const config::Problem& problem : problems) tell(problem);
+    if (!problems.empty() || !loaded.complete) return std::nullopt;
+    run.name = point.name;
+    run.factors = point.factors;
+    run.inputs.host = host_;
+    addData(run, run::inputPaths(system, values, schemas), front);
+    setKey(run, system, values, front);
+    return run;
+  }
+
+  void addData(PlannedRun& run, const std::vector<std::string>& paths, const FrontRun* front) {
+    for (const std::string& path : paths) {
+      if (front != nullptr && path == front->path) continue;  // front->run.key stands for it
+      if (const record::DataDigest* digest = data(path)) run.inputs.data.push_back(*digest);
+    }
+  }
+
+  void setKey(PlannedRun& run, config::SystemConfig& system, const config::StageValues& values,
+              const FrontRun* front) const {
+    const auto section = [&](const char* key) -> ParameterValues& {
+      return std::ranges::find(system.sections, key, &config::Section::key)->values;
+    };
+    ParameterValues& general = section("");
+    const ParameterValue threads = std::exchange(general["threads"], std::int64_t{0});
+    const ParameterValues record = section("record");
+    general["name"] = std::string("-");
+    for (const char* shown : {"replay", "report", "state_every"}) section("record").erase(shown);
+    std::string decisive = config::resolvedYaml(system, values);
+    if (front != nullptr) replaceAll(decisive, front->path, "front end " + front->run.key);
+    std::string inputs = "host " + run.inputs.host + "\n";
+    for (const record::DataDigest& data : run.inputs.data) {
+      inputs += "data " + data.path + " " + (data.sha256.empty() ? data.stamp : data.sha256) + "\n";
+    }
+    run.front = sha256Of(frontEndPart(decisive) + inputs + run.front);
+    for (const auto& [file, digest] : run.inputs.plugins) inputs += "plugin " + digest + "\n";
+    run.key = sha256Of(decisive + inputs);
+    run.folder = folderName(run.name, run.key);
+    if (front != nullptr) run.needs = front->run.folder;
+    general["name"] = run.name;
+    general["threads"] = threads;
+    section("record") = record;
+    run.config = config::resolvedYaml(system, values);
+  }
+
+  /// The first run with a front end records its answers, and the others take them. (That of a
+  /// replay costs nothing.)
+  static void shareFrontEnds(std::vector<PlannedRun>& runs) {
+    std::map<std::string, PlannedRun*> first;  // by front end
+    for (PlannedRun& run : runs) {
+      if (!run.needs.empty()) continue;
+      const auto [leader, is_new] = first.try_emplace(run.front, &run);
+      if (is_new) continue;
+      run.replays = leader->second->folder;
+      leader->second->shares = true;
+    }
+  }
+
+  const PlanOptions& options_;
+  Plan& plan_;
+  host::Catalogue catalogue_;
+  std::string host_;
+  std::map<const FrontEnd*, config::Loaded> bases_;
+  std::map<std::string, FrontRun> fronts_;  ///< by label
+  std::map<std::pair<std::string, Role>, Plugin> plugins_;
+  std::map<std::string, std::string> digests_;  ///< of the files of plugins
+  std::set<std::string> told_;
+};
+
+}  // namespace
+
+Plan makePlan(const std::filesystem::path& file, const PlanOptions& options) {
+  Plan plan;
+  const SweepFile sweep = readSweep(file, options.environment, plan.problems);
+  plan.name = sweep.name;
+  if (plan.problems.empty()) Planner(options, plan).make(sweep);
+  return plan;
+}
+
+}  // namespace tolman::experiment

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/point_folder.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "config/named_value.hpp"
+#include "record/atomic_file.hpp"
+#include "record/run_directory.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+Json jsonOf(const record::DataDigest& data) {
+  return {{"path", data.path},
+          {"files", data.files},
+          {"bytes", data.bytes},
+          {"stamp", data.stamp},
+          {"sha256", data.sha256}};
+}
+
+Json jsonOf(const PlannedRun& run) {
+  Json factors = Json::object();
+  for (const Factor& factor : run.factors) factors[factor.name] = factor.label;
+  Json plugins = Json::object();
+  for (const auto& [file, digest] : run.inputs.plugins) plugins[file] = digest;
+  Json data = Json::array();
+  for (const record::DataDigest& one : run.inputs.data) data.push_back(jsonOf(one));
+  return {{"name", run.name},
+          {"key", run.key},
+          {"front_end", run.front},
+          {"factors", factors},
+          {"host", run.inputs.host},
+          {"plugins", plugins},
+          {"data", data},
+          {"needs", run.needs},
+          {"replays", run.replays},
+          {"shares", run.shares},
+          {"is_front_end", run.is_front_end}};
+}
+
+PlannedRun runOf(const Json& json, const std::string& folder) {
+  PlannedRun run;
+  run.folder = folder;
+  run.name = json.at("name");
+  run.key = json.at("key");
+  run.front = json.at("front_end");
+  for (const auto& [name, label] : json.at("factors").items()) run.factors.push_back({name, label});
+  run.inputs.host = json.at("host");
+  for (const auto& [file, digest] : json.at("plugins").items()) run.inputs.plugins[file] = digest;
+  for (const Json& data : json.at("data")) {
+    run.inputs.data.push_back(
+        {data.at("path"), data.at("files"), data.at("bytes"), data.at("stamp"), data.at("sha256")});
+  }
+  run.needs = json.at("needs");
+  run.replays = json.at("replays");
+  run.shares = json.at("shares");
+  run.is_front_end = json.at("is_front_end");
+  return run;
+}
+
+Json readJson(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return Json::parse(stream, nullptr, false);
+}
+
+}  // namespace
+
+Status freeze(const fs::path& sweep, const PlannedRun& run) {
+  const fs::path folder = sweep / run.folder;
+  std::error_code error;
+  if (fs::exists(folder / "point.json", error)) return Status::ok();
+  fs::create_directories(folder, error);
+  if (error) return Status::failed(folder.string() + ": " + error.message());
+  const Status written =
+      record::writeAtomically(folder / "config.yaml", run.config, record::Sync::No);
+  if (!written.isOk()) return written;
+  return record::writeAtomically(folder / "point.json", jsonOf(run).dump(1) + "\n",
+                                 record::Sync::No);
+}
+
+Result<PlannedRun> readPoint(const fs::path& folder) {
+  try {
+    return runOf(readJson(folder / "point.json"), folder.filename().string());
+  } catch (const Json::exception&) {
+    return Status::invalidInput((folder / "point.json").string() +
+                                ": is missing or damaged; is this the folder of a run of a sweep?");
+  }
+}
+
+std::vector<PlannedRun> readPoints(const fs::path& sweep) {
+  std::vector<PlannedRun> runs;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(sweep, error)) {
+    if (!fs::exists(entry.path() / "point.json", error)) continue;
+    auto run = readPoint(entry.path());
+    if (run.isOk()) runs.push_back(std::move(run).value());
+  }
+  std::ranges::sort(runs, {}, &PlannedRun::folder);
+  return runs;
+}
+
+PointOutcome outcomeOf(const fs::path& folder) {
+  PointOutcome outcome;
+  const Json json = readJson(folder / "outcome.json");
+  if (json.is_object()) {
+    const auto state = config::valueNamed<PointState>(json.value("state", ""));
+    outcome = {state.value_or(PointState::Failed), json.value("exit_code", 0),
+               json.value("message", ""), json.value("wall_s", 0.0), json.value("replayed", false)};
+    return outcome;
+  }
+  std::error_code ignored;
+  if (record::RunDirectory::isBeingWritten(folder)) {
+    outcome.state = PointState::Running;
+  } else if (fs::exists(folder / "run", ignored)) {
+    outcome.state = PointState::Interrupted;
+  }
+  return outcome;
+}
+
+Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
+  const Json json = {{"state", enumName(outcome.state)},
+                     {"exit_code", outcome.exit_code},
+                     {"message", outcome.message},
+                     {"wall_s", outcome.wall_s},
+                     {"replayed", outcome.replayed}};
+  return record::writeAtomically(folder / "outcome.json",
+                                 json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace tolman::experiment

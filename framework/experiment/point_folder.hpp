@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The folder of one run of a sweep, which alone says what is to be run and what became of it:
+//   config.yaml   the whole configuration, frozen when the run was planned
+//   point.json    name, factors, key, digests of the inputs, the run whose answers it takes
+//   run/          the run directory
+//   outcome.json  written when the run has ended, unless it was interrupted
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "experiment/planner.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::experiment {
+
+enum class PointState : std::uint8_t { Planned, Running, Interrupted, Done, Failed };
+inline constexpr std::array<std::string_view, 5> kPointStateNames = {
+    "planned", "running", "interrupted", "done", "failed"};
+constexpr std::span<const std::string_view> enumNames(PointState) { return kPointStateNames; }
+
+struct PointOutcome {
+  PointState state = PointState::Planned;
+  int exit_code = 0;
+  std::string message;
+  double wall_s = 0;
+  bool replayed = false;  ///< took the answers of another run
+};
+
+/// Writes config.yaml and point.json below `sweep`, unless they are there already: what is frozen
+/// does not change.
+Status freeze(const std::filesystem::path& sweep, const PlannedRun& run);
+
+/// A frozen run, without its configuration.
+Result<PlannedRun> readPoint(const std::filesystem::path& folder);
+/// All of a sweep's folder, by name.
+std::vector<PlannedRun> readPoints(const std::filesystem::path& sweep);
+
+PointOutcome outcomeOf(const std::filesystem::path& folder);
+Status writeOutcome(const std::filesystem::path& folder, const PointOutcome& outcome);
+
+}  // namespace tolman::experiment

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/point_run.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <variant>
+
+#include "record/answers_file.hpp"
+#include "record/atomic_file.hpp"
+#include "record/digest.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+using run::FailureKind;
+
+constexpr const char* kPlanAgain =
+    " has changed since the run was planned; plan it again with "
+    "`tolman sweep`, which makes a new run of it";
+
+[[noreturn]] void refuse(FailureKind kind, const std::string& message) {
+  throw run::Failed({kind, message});
+}
+
+void requireUnchanged(const Inputs& inputs) {
+  const auto host = record::fileDigest("/proc/self/exe");
+  if (!host.isOk() || host.value() != inputs.host) {
+    refuse(FailureKind::Configuration, std::string("tolman") + kPlanAgain);
+  }
+  for (const auto& [file, digest] : inputs.plugins) {
+    const auto now = record::fileDigest(file);
+    if (!now.isOk() || now.value() != digest) refuse(FailureKind::Plugin, file + kPlanAgain);
+  }
+  for (const record::DataDigest& data : inputs.data) {
+    const auto now = record::digestData(data.path, data);
+    run::require(now.status(), FailureKind::Dataset);
+    const bool same =
+        data.sha256.empty() ? now.value().stamp == data.stamp : now.value().sha256 == data.sha256;
+    if (!same) refuse(FailureKind::Dataset, data.path + kPlanAgain);
+  }
+}
+
+/// The configuration to run: the frozen one, or the same on the answers of another run.
+std::string configOf(const fs::path& folder, const PlannedRun& point,
+                     const PointRunOptions& options, bool& replayed) {
+  const fs::path sweep = folder.parent_path();
+  if (!point.needs.empty()) {
+    const PointOutcome front = outcomeOf(sweep / point.needs);
+    if (front.state != PointState::Done || !record::hasAnswers(sweep / point.needs / "run")) {
+      refuse(FailureKind::Dataset, "the front end " + point.needs + " has not been run: it is " +
+                                       std::string(enumName(front.state)));
+    }
+  }
+  const fs::path answers = sweep / point.replays / "run";
+  replayed = !point.replays.empty() && record::hasAnswers(answers);
+  if (!replayed) return (folder / "config.yaml").string();
+  const std::string yaml = "extends: [config.yaml, \"" +
+                           fs::absolute(options.find_config("experiments/replay")).string() +
+                           "\"]\n";
+  run::require(record::writeAtomically(folder / "replay.yaml", yaml, record::Sync::No),
+               FailureKind::Record);
+  ::setenv("REPLAY_RUN", fs::absolute(answers).c_str(), 1);  // no other thread reads it
+  return (folder / "replay.yaml").string();
+}
+
+run::Outcome execute(const fs::path& folder, const PlannedRun& point,
+                     const PointRunOptions& options, const Cancellation& cancellation,
+                     bool& replayed) {
+  requireUnchanged(point.inputs);
+  run::SystemOptions system{configOf(folder, point, options, replayed), {}, options.plugin_paths};
+  system.quiet = true;
+  if (options.threads > 0) {
+    system.overrides.push_back("threads=" + std::to_string(options.threads));
+  }
+  if (replayed) system.overrides.push_back("name=\"" + point.name + "\"");
+  run::CheckedSystem checked = run::require(run::checkSystem(system));
+  run::RunLog log(options.quiet);
+  const run::SteadyClock clock;
+  run::Run run(log, clock, cancellation,
+               {folder / "run", true, {}, options.command_line, point.shares, options.exit_code});
+  return run.execute(std::move(checked));
+}
+
+/// An empty folder is left as that of an earlier run would be refused.
+void removeUnfinished(const fs::path& run) {
+  std::error_code ignored;
+  if (!fs::exists(run / "run.json", ignored) && !fs::exists(run / "run.sqlite", ignored)) {
+    fs::remove_all(run, ignored);
+  }
+}
+
+}  // namespace
+
+PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
+                      const Cancellation& cancellation) {
+  const fs::path folder = fs::absolute(given).lexically_normal();
+  const record::FileDescriptor lock = record::lockFolder(folder);
+  PointOutcome outcome = outcomeOf(folder);
+  if (!lock.isOpen()) return {PointState::Running, 0, "another process runs it", 0, false};
+  const bool ended =
+      outcome.state == PointState::Done || (outcome.state == PointState::Failed && !options.retry);
+  if (ended) return outcome;
+  const auto begin = std::chrono::steady_clock::now();
+  outcome = {PointState::Failed, 0, "", 0, false};
+  std::error_code ignored;
+  fs::remove(folder / "outcome.json", ignored);
+  try {
+    const auto point = readPoint(folder);
+    run::require(point.status(), FailureKind::Configuration);
+    removeUnfinished(folder / "run");
+    const run::Outcome ran =
+        execute(folder, point.value(), options, cancellation, outcome.replayed);
+    outcome.exit_code = options.exit_code(ran);
+    if (ran.failure) outcome.message = ran.failure->message;
+    if (!ran.failure) outcome.state = ran.interrupted ? PointState::Interrupted : PointState::Done;
+  } catch (const run::Failed& failed) {
+    outcome.exit_code = options.failure_code(failed.failure);
+    outcome.message = failed.what();
+  }
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (outcome.state == PointState::Interrupted || cancellation.requested()) return outcome;
+  const Status written = writeOutcome(folder, outcome);
+  if (!written.isOk()) outcome = {PointState::Failed, 8, written.message(), outcome.wall_s, false};
+  return outcome;
+}
+
+}  // namespace tolman::experiment

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs one frozen run of a sweep, in this process.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "experiment/point_folder.hpp"
+#include "run/run.hpp"
+
+namespace tolman::experiment {
+
+struct PointRunOptions {
+  std::vector<std::string> plugin_paths;
+  std::vector<std::string> command_line;  ///< for run.json
+  bool retry = false;                     ///< run it again when it failed
+  bool quiet = false;
+  int threads = 0;  ///< replaces `threads: 0` of the configuration
+  std::function<std::string(const std::string&)> find_config;
+  std::function<int(const run::Outcome&)> exit_code;
+  std::function<int(const run::Failure&)> failure_code;
+};
+
+/// What became of the run; also when it had ended before. An interrupted one has the state
+/// Interrupted and no outcome.json.
+PointOutcome runPoint(const std::filesystem::path& folder, const PointRunOptions& options,
+                      const Cancellation& cancellation);
+
+}  // namespace tolman::experiment

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs as rows: factors, and all numbers of metrics.json.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "experiment/sweep_file.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::experiment {
+
+struct RunRow {
+  std::string name;
+  std::filesystem::path directory;  ///< of the run
+  std::vector<Factor> factors;
+  std::map<std::string, double> metrics;  ///< "map.ate.rmse_m"; without times
+  std::string alignment;
+  std::string truth;    ///< digest of the true poses of the frames; empty without truth
+  std::string results;  ///< digest of results.sha256
+
+  /// Empty where the run has no such factor.
+  std::string label(const std::string& factor) const;
+};
+
+/// Of sweeps all runs that are done, without front ends, and of others the run. The factors of runs
+/// outside a sweep are the keys in which their configurations differ.
+Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
+
+/// One line a run: name, factors, metrics, digest of the results.
+std::string csvOf(const std::vector<RunRow>& rows);
+
+/// A text as one field of CSV.
+std::string csvField(const std::string& text);
+
+}  // namespace tolman::experiment

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Comparisons of made-up runs, whose numbers are known.
+#include "experiment/comparison.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "experiment/comparison_figure.hpp"
+#include "experiment/comparison_text.hpp"
+
+using namespace tolman;
+using namespace tolman::experiment;
+
+namespace {
+
+RunRow row(const std::string& period, const std::string& sequence, int seed, double error) {
+  RunRow row;
+  row.factors = {{"cells.period", period}, {"sequence", sequence}, {"seed", std::to_string(seed)}};
+  row.name = period + "/" + sequence + "/" + std::to_string(seed);
+  row.metrics = {{"map.ate.rmse_m", error}, {"map.coverage", 1.0}};
+  row.alignment = "se2";
+  row.truth = "truth of " + sequence;
+  row.results = row.name;
+  return row;
+}
+
+/// Two periods, two sequences, three seeds; the second period is worse by 1 on a and by 3 on b.
+std::vector<RunRow> rows() {
+  std::vector<RunRow> all;
+  for (int seed = 1; seed <= 3; ++seed) {
+    all.push_back(row("75", "a", seed, 10 + seed));
+    all.push_back(row("150", "a", seed, 11 + seed));
+    all.push_back(row("75", "b", seed, 20 + 5 * seed));
+    all.push_back(row("150", "b", seed, 23 + 5 * seed));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("levels, and differences paired over sequences and seeds") {
+  const auto compared = compareRuns(rows(), {});
+  REQUIRE(compared.isOk());
+  const Comparison& c = compared.value();
+  CHECK(c.by == std::vector<std::string>{"cells.period"});
+  REQUIRE(c.levels.size() == 2);
+  CHECK(c.levels[0].label == "75");  // by number
+  CHECK(c.levels[0].summary.mean == Approx((12 + 30) / 2.0));
+  CHECK_FALSE(c.levels[0].difference);
+  const auto& difference = c.levels[1].difference;
+  REQUIRE(difference);
+  CHECK(difference->pairs == 6);
+  CHECK(difference->mean == Approx(2));
+  REQUIRE(difference->interval);  // of two sequences with constant differences 1 and 3
+  CHECK(difference->interval->low == Approx(1));
+  CHECK(difference->interval->high == Approx(3));
+  REQUIRE(difference->test);
+  CHECK(difference->test->n == 2);  // sequences, not runs
+  CHECK(difference->test->p == Approx(0.5));
+  CHECK(c.notes.empty());
+}
+
+TEST_CASE("one sequence: the test is over its seeds") {
+  ComparisonOptions options;
+  options.only = {{"sequence", "b"}};
+  options.baseline = "150";
+  const auto compared = compareRuns(rows(), options);
+  REQUIRE(compared.isOk());
+  const auto& difference = compared.value().levels[0].difference;
+  REQUIRE(difference);
+  CHECK(difference->mean == Approx(-3));
+  CHECK(difference->test->n == 3);
+  CHECK(difference->test->p == Approx(0.25));
+  CHECK(difference->test->effect == -1);
+}
+
+TEST_CASE("below three seeds there are no intervals") {
+  std::vector<RunRow> few = rows();
+  std::erase_if(few, [](const RunRow& r) { return r.label("seed") == "3"; });
+  const auto compared = compareRuns(few, {});
+  REQUIRE(compared.isOk());
+  CHECK_FALSE(compared.value().levels[0].interval);
+  CHECK_FALSE(compared.value().levels[1].difference->test);
+  REQUIRE(compared.value().notes.size() == 1);
+  CHECK(compared.value().notes[0].starts_with("Not enough runs"));
+  CHECK(markdownOf(compared.value()).find("not enough runs") != std::string::npos);
+}
+
+TEST_CASE("seeds with equal results count as one run") {
+  std::vector<RunRow> equal = rows();
+  for (RunRow& r : equal) r.results = r.label("cells.period") + r.label("sequence");
+  const auto compared = compareRuns(equal, {});
+  REQUIRE(compared.isOk());
+  REQUIRE(compared.value().notes.size() == 2);
+  CHECK(compared.value().notes[0].starts_with("In 4 of 4 settings several seeds gave the same"));
+  CHECK_FALSE(compared.value().levels[0].interval);
+}
+
+TEST_CASE("what must not be averaged is refused") {
+  const auto refusal = [](const auto& change) {
+    std::vector<RunRow> all = rows();
+    change(all.back());
+    return compareRuns(all, {}).status();
+  };
+  const Status alignment = refusal([](RunRow& r) { r.alignment = "sim3"; });
+  CHECK(alignment.code() == StatusCode::InvalidInput);
+  CHECK(alignment.message().find("aligned by se2 and sim3") != std::string::npos);
+  const Status truth = refusal([](RunRow& r) { r.truth = "other"; });
+  CHECK(truth.message().find("different true poses") != std::string::npos);
+  const Status coverage = refusal([](RunRow& r) { r.metrics["map.coverage"] = 0.6; });
+  CHECK(coverage.message().find("cover 100.0 % and 60.0 %") != std::string::npos);
+  ComparisonOptions options;
+  options.mixed_coverage = true;
+  std::vector<RunRow> all = rows();
+  all.back().metrics["map.coverage"] = 0.6;
+  CHECK(compareRuns(all, options).isOk());
+  options.by = {"perriod"};
+  CHECK(compareRuns(all, options).status().message().find("factors: cells.period") !=
+        std::string::npos);
+  options = {};
+  options.metric = "map.atee";
+  CHECK(compareRuns(rows(), options).status().code() == StatusCode::InvalidParameter);
+}
+
+TEST_CASE("tables as Markdown, LaTeX and CSV") {
+  const Comparison comparison = compareRuns(rows(), {}).value();
+  const std::string markdown = markdownOf(comparison);
+  CHECK(markdown.starts_with("| cells.period | runs | mean | 95 % interval |"));
+  CHECK(markdown.find("| 150 | 6 | 23 |") != std::string::npos);
+  CHECK(markdown.find("| +2 | 1 to 3 | 0.500 | +1.00 |") != std::string::npos);
+  const std::string latex = latexOf(comparison);
+  CHECK(latex.find("\\toprule\ncells.period & runs & mean & 95 \\% interval") != std::string::npos);
+  const std::string csv = csvOf(comparison);
+  CHECK(csv.find("\n75,6,21,") != std::string::npos);
+  CHECK(csv.find(",,,,,,\n") != std::string::npos);  // the baseline has no difference
+}
+
+TEST_CASE("numbers give a line with a band, names give boxes") {
+  const std::string line = comparisonFigure(compareRuns(rows(), {}).value());
+  CHECK(line.find("<polyline") != std::string::npos);
+  CHECK(line.find("map.ate.rmse_m") != std::string::npos);
+  std::vector<RunRow> named = rows();
+  for (RunRow& r : named) r.factors[0].label = r.factors[0].label == "75" ? "paper" : "full";
+  const std::string boxes = comparisonFigure(compareRuns(named, {}).value());
+  CHECK(boxes.find(">paper<") != std::string::npos);
+  CHECK(boxes.find("<circle") != std::string::npos);
+}

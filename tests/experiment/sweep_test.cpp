@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sweeps by the program: planned, run, killed, continued, extended, compared.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <thread>
+
+#include "end_to_end/process.hpp"
+#include "experiment/motion_folder.hpp"
+#include "support/data.hpp"
+#include "support/paths.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct Study {
+  TemporaryFolder folder;
+
+  Study() {
+    writeMotionFolder(folder.path() / "a");
+    writeMotionFolder(folder.path() / "b", -0.003);
+    writeMotionConfig(folder.path(), folder.path() / "a");
+    write("seeds: 3\n");
+  }
+  /// Two periods and two sequences with noise.
+  void write(const std::string& more) const {
+    std::ofstream(file()) << "base: motion.yaml\n"
+                             "set: {odometry.noise_distance: 0.02, odometry.noise_heading: 0.002}\n"
+                             "grid: {cells.period: [100, 150]}\n"
+                             "sequences: {a: a, b: b}\n"
+                          << more;
+  }
+  std::string file() const { return (folder.path() / "study.yaml").string(); }
+  fs::path out(const std::string& name = "out") const { return folder.path() / name; }
+  Words words(const Words& options = {}, const std::string& name = "out") const {
+    Words words = {"sweep", file(), "--out", out(name).string()};
+    words.insert(words.end(), options.begin(), options.end());
+    return words;
+  }
+  Finished sweep(const Words& options = {}, const std::string& name = "out") const {
+    return tolman::test::tolman(words(options, name));
+  }
+  /// Digests of the results by the name of the run.
+  std::map<std::string, std::string> results(const std::string& name = "out") const {
+    std::map<std::string, std::string> digests;
+    for (const auto& entry : fs::directory_iterator(out(name))) {
+      if (!fs::exists(entry.path() / "run/results.sha256")) continue;
+      digests[readJson(entry.path() / "point.json")["name"]] =
+          readText(entry.path() / "run/results.sha256");
+    }
+    return digests;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a sweep runs all points once, and what is added later") {
+  const Study study;
+  const Finished planned = study.sweep({"--dry-run"});
+  INFO(planned.err);
+  REQUIRE(planned.exit_code == 0);
+  CHECK(contains(planned.out, "study: 12 runs"));
+  CHECK(contains(planned.out, "  period=100,sequence=b,seed=3\n"));
+  CHECK_FALSE(fs::exists(study.out()));
+
+  const Finished first = study.sweep();
+  INFO(first.err);
+  REQUIRE(first.exit_code == 0);
+  CHECK(contains(first.err, "12 of 12"));
+  const auto results = study.results();
+  CHECK(results.size() == 12);
+  CHECK(results.at("period=100,sequence=a,seed=1") != results.at("period=100,sequence=a,seed=2"));
+
+  // A run of the sweep has the results of the same configuration by itself.
+  const Finished alone = tolman::test::tolman(
+      {"run", (study.folder.path() / "motion.yaml").string(), "--quiet", "--out",
+       study.out("alone").string(), "--set", "odometry.noise_distance=0.02", "--set",
+       "odometry.noise_heading=0.002", "--set", "cells.period=100", "--seed", "2"});
+  REQUIRE(alone.exit_code == 0);
+  CHECK(readText(study.out("alone") / "results.sha256") ==
+        results.at("period=100,sequence=a,seed=2"));
+
+  study.write("seeds: 4\n");
+  const Finished more = study.sweep({"--jobs", "1"});
+  REQUIRE(more.exit_code == 0);
+  CHECK(contains(more.out, "done      12\n"));
+  CHECK(contains(more.err, "4 of 4"));
+  CHECK(study.results().size() == 16);
+  study.write("seeds: [4]\n");
+  CHECK(contains(study.sweep({"--dry-run"}).out, "12 runs in the folder are not in the file"));
+}
+
+TEST_CASE("a wrong point is told with key, file and line before anything runs") {
+  const Study study;
+  study.write("list: {model: {good: {}, bad: {cells.perod: 3, place.kept: 7}}}\n");
+  const Finished finished = study.sweep();
+  CHECK(finished.exit_code == 3);
+  CHECK(contains(finished.err, ": cells.perod: unknown parameter"));
+  CHECK(contains(finished.err, "study.yaml:5:"));
+  CHECK(contains(finished.err, "did you mean 'period'"));
+  CHECK(contains(finished.err, "place.kept: 7 is out of range"));
+  CHECK_FALSE(fs::exists(study.out()));
+}
+
+TEST_CASE("a sweep that is killed goes on and ends with the same results") {
+  const Study study;
+  REQUIRE(study.sweep({}, "whole").exit_code == 0);
+  for (const int signal : {SIGKILL, SIGINT, SIGKILL}) {
+    Words command = study.words();
+    command.insert(command.begin(), tolmanProgram().string());
+    const std::size_t before = fs::exists(study.out()) ? study.results().size() : 0;
+    const TemporaryFolder output;
+    Process process(command, output.path());
+    for (int i = 0; i < 3000 && (!fs::exists(study.out()) || study.results().size() <= before);
+         ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    process.signal(signal);
+    process.wait();
+  }
+  Finished last = study.sweep();
+  for (int i = 0; i < 100 && last.exit_code == 8;
+       ++i) {  // processes of the killed one may still end
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    last = study.sweep();
+  }
+  INFO(last.err);
+  CHECK(last.exit_code == 0);
+  CHECK(study.results() == study.results("whole"));
+}
+
+TEST_CASE("a run that fails is told, left alone, and tried again on demand") {
+  const Study study;
+  study.write("list: {log: {right: {}, wrong: {source.odometry: none.g2o}}}\n");
+  const Finished first = study.sweep();
+  CHECK(first.exit_code == 7);
+  CHECK(contains(first.err, "none.g2o is no file that can be read"));
+  CHECK(study.results().size() == 4);
+  const Finished status = tolman::test::tolman({"sweep", "status", study.out().string()});
+  CHECK(contains(status.out, "done         4\nfailed       4\n"));
+  const Finished again = study.sweep();
+  CHECK(again.exit_code == 7);
+  CHECK(contains(again.out, "failed    4 (--retry)"));
+  CHECK_FALSE(contains(again.err, "none.g2o"));
+  CHECK(contains(study.sweep({"--retry"}).err, "none.g2o"));
+}
+
+TEST_CASE("data that change after planning are told; planning again makes new runs") {
+  const Study study;
+  REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
+  writeMotionFolder(study.folder.path() / "b", 0.004);
+  int changed = 0;
+  for (const auto& entry : fs::directory_iterator(study.out())) {
+    if (!entry.is_directory()) continue;
+    const Finished point = tolman::test::tolman({"sweep", "point", entry.path().string()});
+    if (point.exit_code != 5) continue;
+    ++changed;
+    CHECK(contains(point.err, "/b has changed since the run was planned"));
+  }
+  CHECK(changed == 6);
+  CHECK(study.results().size() == 6);
+  const Finished again = study.sweep();
+  CHECK(again.exit_code == 0);
+  CHECK(contains(again.out, "done      6\n"));
+  CHECK(contains(again.out, "6 runs in the folder are not in the file"));
+  CHECK(study.results().size() == 12);
+}
+
+TEST_CASE("a front end is run once, and its noise follows the seed") {
+  const Study study;
+  std::ofstream(study.file())
+      << "base: motion.yaml\n"
+         "set: {odometry.noise_distance: 0.02}\n"
+         "grid: {cells.period: [100, 150]}\n"
+         "sequences: {a: {front_end: {base: motion.yaml, source.path: a}}}\n"
+         "seeds: 3\n";
+  const Finished planned = study.sweep({"--dry-run"});
+  INFO(planned.err);
+  CHECK(contains(planned.out, "6 runs on 1 front ends"));
+  const Finished finished = study.sweep();
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto results = study.results();
+  CHECK(results.size() == 7);
+  CHECK(results.at("period=100,sequence=a,seed=1") != results.at("period=100,sequence=a,seed=2"));
+  CHECK(contains(study.sweep().out, "done      7\n"));  // the keys do not depend on the folder
+}
+
+TEST_CASE("lists of commands give the same results") {
+  const Study study;
+  study.write("seeds: 1\n");
+  REQUIRE(study.sweep({}, "whole").exit_code == 0);
+  REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
+  REQUIRE(run({"sh", (study.out() / "commands-1.txt").string()}).exit_code == 0);
+  REQUIRE(run({"sh", (study.out() / "commands-2.txt").string()}).exit_code == 0);
+  CHECK(study.results() == study.results("whole"));
+  CHECK(contains(study.sweep().out, "to do     0"));
+}
+
+TEST_CASE("results are collected and compared") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const std::string out = study.out().string();
+  REQUIRE(tolman::test::tolman({"sweep", "collect", out}).exit_code == 0);
+  const std::string csv = readText(study.out() / "results.csv");
+  CHECK(csv.starts_with("name,cells.period,sequence,seed,alignment,results_sha256,"));
+  CHECK(std::ranges::count(csv, '\n') == 13);
+  const std::string figure = (study.folder.path() / "figure.svg").string();
+  const Finished table = tolman::test::tolman({"compare", out, "--figure", figure});
+  INFO(table.err);
+  REQUIRE(table.exit_code == 0);
+  CHECK(contains(table.out, "| cells.period | runs | mean |"));
+  CHECK(contains(table.out, "| 150 | 6 | "));
+  CHECK(contains(readText(figure), "<svg"));
+  CHECK(tolman::test::tolman({"compare", out, "--metric", "map.ate.rmse"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"compare", out, "--format", "latex"}).out.find("\\toprule") !=
+        std::string::npos);
+}
+
+TEST_CASE("ten thousand points are planned") {
+  const Study study;
+  std::ofstream(study.file())
+      << "base: motion.yaml\n"
+         "random: {count: 1000, keys: {cells.period: {min: 50, max: 300}}}\n"
+         "seeds: 10\n";
+  const Finished planned = study.sweep({"--dry-run"});
+  INFO(planned.err.substr(0, 2000));
+  CHECK(planned.exit_code == 0);
+  CHECK(contains(planned.out, "10000 runs"));
+}
