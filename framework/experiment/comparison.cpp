@@ -178,6 +178,14 @@ class Comparer {
           "count as one run, and say nothing of the spread.",
           equal, counts.size()));
     }
+    std::set<std::string> own;
+    for (const RunRow& row : rows_) own.insert(row.label("sequence") + row.results);
+    if (equal == 0 && own.size() < rows_.size()) {
+      note(fmt::format(
+          "Only {} of {} runs have results of their own, byte for byte: a factor changes "
+          "nothing. Intervals over its levels are too narrow; choose one with --only.",
+          own.size(), rows_.size()));
+    }
     if (fewest_ < kFewestSeeds) {
       note(
           fmt::format("Not enough runs for intervals and tests: {} different results a setting, at "

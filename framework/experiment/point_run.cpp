@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <thread>
 #include <variant>
 
 #include "record/answers_file.hpp"
@@ -90,20 +91,35 @@ void removeUnfinished(const fs::path& run) {
   }
 }
 
+/// Waits for another process that runs it, such as one whose sweep was killed a moment ago.
+record::FileDescriptor lockWhenFree(const fs::path& folder, const Cancellation& cancellation) {
+  for (;;) {
+    record::FileDescriptor lock = record::lockFolder(folder);
+    std::error_code ignored;
+    if (lock.isOpen() || cancellation.requested() || !fs::is_directory(folder, ignored))
+      return lock;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+}
+
 }  // namespace
 
 PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
                       const Cancellation& cancellation) {
   const fs::path folder = fs::absolute(given).lexically_normal();
-  const record::FileDescriptor lock = record::lockFolder(folder);
+  std::error_code ignored;
+  if (!fs::exists(folder / "point.json", ignored)) {
+    return {PointState::Failed, options.failure_code({FailureKind::Configuration, ""}),
+            folder.string() + ": is no folder of a run of a sweep", 0, false};
+  }
+  const record::FileDescriptor lock = lockWhenFree(folder, cancellation);
+  if (!lock.isOpen()) return {PointState::Interrupted, 0, "", 0, false};
   PointOutcome outcome = outcomeOf(folder);
-  if (!lock.isOpen()) return {PointState::Running, 0, "another process runs it", 0, false};
   const bool ended =
       outcome.state == PointState::Done || (outcome.state == PointState::Failed && !options.retry);
   if (ended) return outcome;
   const auto begin = std::chrono::steady_clock::now();
   outcome = {PointState::Failed, 0, "", 0, false};
-  std::error_code ignored;
   fs::remove(folder / "outcome.json", ignored);
   try {
     const auto point = readPoint(folder);

@@ -95,6 +95,15 @@ TEST_CASE("seeds with equal results count as one run") {
   CHECK_FALSE(compared.value().levels[0].interval);
 }
 
+TEST_CASE("a factor that changes nothing is told") {
+  std::vector<RunRow> same = rows();
+  for (RunRow& r : same) r.results = r.label("sequence") + r.label("seed");
+  const auto compared = compareRuns(same, {});
+  REQUIRE(compared.isOk());
+  REQUIRE(compared.value().notes.size() == 1);
+  CHECK(compared.value().notes[0].starts_with("Only 6 of 12 runs have results of their own"));
+}
+
 TEST_CASE("what must not be averaged is refused") {
   const auto refusal = [](const auto& change) {
     std::vector<RunRow> all = rows();
