@@ -1,4 +1,5 @@
-# Debian packages: tolman (program, plugins, configurations, pages) and libtolman-sdk-dev.
+# Debian packages: tolman (program, plugins, configurations, pages), libtolman-sdk-dev and
+# python3-tolman.
 #   scripts/package, or of what is built: cpack --config build/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -7,7 +8,7 @@ set(CPACK_PACKAGE_NAME tolman)
 set(CPACK_PACKAGE_CONTACT "Tolman maintainers <maintainers@tolman.example>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program sdk)
+set(CPACK_COMPONENTS_ALL program sdk python)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -33,13 +34,22 @@ set(CPACK_DEBIAN_SDK_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4)")
 set(CPACK_DEBIAN_SDK_PACKAGE_RECOMMENDS "tolman (= ${PROJECT_VERSION}), cmake (>= 3.22), g++")
 set(CPACK_DEBIAN_SDK_PACKAGE_SUGGESTS "catch2, libopencv-dev")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tolman)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "This package has the plugin that runs plugins written in Python, the classes
+that they derive from, and the results of runs as arrays and tables.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "tolman (= ${PROJECT_VERSION}), python3 (>= 3.10), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-pandas)
+
 # Beside each other as in the repository, so that their links lead somewhere.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program
         PATTERN site EXCLUDE)
 install(DIRECTORY sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman/sdk
         COMPONENT program)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
-foreach(package program:tolman sdk:libtolman-sdk-dev)
+foreach(package program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
   string(REPLACE ":" ";" package ${package})
   list(POP_FRONT package component)
   install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}

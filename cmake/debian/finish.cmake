@@ -21,7 +21,7 @@ run(seconds date -d ${date} +%s)
 run(day date -d ${date} -R)
 set(ENV{SOURCE_DATE_EPOCH} ${seconds}) # CPack gives it to what it packs itself
 
-foreach(package program:tolman sdk:libtolman-sdk-dev)
+foreach(package program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
   string(REPLACE ":" ";" package ${package})
   list(POP_FRONT package component)
   set(changelog ${folder}/${component}/usr/share/doc/${package}/changelog)

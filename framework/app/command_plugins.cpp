@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,9 @@ void list(Invocation& invocation) {
       std::cout << fmt::format("{:<9} {:<22} {:<7} {}\n", role, m.id, m.version,
                                refusal ? "refused: " + refusal->id : m.summary);
     }
+  }
+  for (const Manifest& m : catalogue.interpreters()) {
+    std::cout << fmt::format("{:<9} {:<22} {:<7} {}\n", "any", m.id, m.version, m.summary);
   }
   for (const auto& library : catalogue.broken()) {
     std::cout << fmt::format("{:<9} {:<22} refused: {}\n", "-", library.file.filename().string(),
@@ -133,9 +138,11 @@ void describe(const Description& asked, Invocation& invocation) {
 
 /// Gate, open, construct: prints each step that succeeded; returns why one failed.
 std::optional<Refusal> examine(const Manifest& manifest) {
-  std::cout << fmt::format("manifest   {} {} of role {}, SDK {}.{}\n           {}\n", manifest.id,
-                           manifest.version, enumName(manifest.role), manifest.sdk_major,
-                           manifest.sdk_minor, manifest.fingerprint);
+  const std::string role =
+      manifest.programs.empty() ? "role " + std::string(enumName(manifest.role)) : "any role";
+  std::cout << fmt::format("manifest   {} {} of {}, SDK {}.{}\n           {}\n", manifest.id,
+                           manifest.version, role, manifest.sdk_major, manifest.sdk_minor,
+                           manifest.fingerprint);
   if (auto refusal = host::checkGate(manifest, HostIdentity::ofThisBuild())) return refusal;
   std::cout << "gate       passed\n";
   const auto opened = openApart(manifest);
@@ -152,8 +159,18 @@ std::optional<Refusal> examine(const Manifest& manifest) {
   return std::nullopt;
 }
 
+/// Of a library, or of the program that the file is. Throws run::Failed.
+std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& invocation) {
+  const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
+  const std::string suffix = std::filesystem::path(file).extension();
+  const bool is_program = std::ranges::any_of(
+      catalogue.interpreters(), [&](const Manifest& m) { return m.programs == suffix; });
+  if (is_program) return {run::require(catalogue.program(file))};
+  return run::require(host::readManifests(file));
+}
+
 void doctor(const std::string& file, Invocation& invocation) {
-  for (const Manifest& manifest : run::require(host::readManifests(file))) {
+  for (const Manifest& manifest : manifestsOf(file, invocation)) {
     const auto refusal = examine(manifest);
     if (refusal) invocation.exit_code = printFailure(ExitCode::Plugin, refusal->text());
   }
@@ -170,7 +187,8 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
 
   CLI::App* one = command->add_subcommand("describe", "Parameters of plugins");
   auto asked = std::make_shared<Description>();
-  one->add_option("id", asked->ids, "Plugin ids")->type_name("PLUGIN");
+  one->add_option("id", asked->ids, "Plugin ids, or programs such as my_cells.py")
+      ->type_name("PLUGIN");
   auto* markdown = one->add_flag("--markdown", asked->markdown, "As a reference page");
   one->add_flag("--json-schema", asked->json_schema,
                 "As JSON Schema of a stage; without ids of a whole configuration file")
@@ -180,7 +198,9 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* doctor_command =
       command->add_subcommand("doctor", "Why does a plugin library (not) load?");
   auto file = std::make_shared<std::string>();
-  doctor_command->add_option("file", *file, "Library, *.so")->type_name("LIBRARY")->required();
+  doctor_command->add_option("file", *file, "Library, *.so, or a program such as *.py")
+      ->type_name("FILE")
+      ->required();
   doctor_command->callback([file, &invocation] { doctor(*file, invocation); });
 
   addPluginsNewCommand(*command, invocation);

@@ -21,6 +21,7 @@ struct Request {
   std::string role;
   std::string name;
   std::string folder;
+  bool python = false;
 };
 
 /// A word of a shell command, quoted where it must be.
@@ -29,9 +30,14 @@ std::string quoted(const std::string& word) {
   return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";
 }
 
-std::string nextCommands(const fs::path& folder, const fs::path& executable) {
+std::string nextCommands(const Request& request, const fs::path& folder,
+                         const fs::path& executable) {
   const auto prefix = unusualPrefix(executable);
   const std::string program = prefix ? quoted(executable.string()) : "tolman";
+  if (request.python) {
+    return fmt::format("next:\n  cd {0}\n  {1} run {2}.yaml\n  {1} plugins validate {2}.py\n",
+                       quoted(folder.string()), program, request.name);
+  }
   const std::string sdk = prefix ? " -DCMAKE_PREFIX_PATH=" + quoted(prefix->string()) : "";
   return fmt::format(
       "next:\n"
@@ -60,8 +66,8 @@ void makePlugin(const Request& request, const Invocation& invocation) {
   const fs::path templates = valueOrEnd(templateFolder(executable), ExitCode::Record);
 
   const fs::path folder = request.folder.empty() ? request.name : request.folder;
-  const auto written =
-      valueOrEnd(writeNewPlugin(templates, {role, request.name, folder}), ExitCode::Record);
+  const auto written = valueOrEnd(
+      writeNewPlugin(templates, {role, request.name, folder, request.python}), ExitCode::Record);
   if (invocation.json) {
     nlohmann::ordered_json json = {{"folder", fs::absolute(folder).string()},
                                    {"files", nlohmann::ordered_json::array()}};
@@ -69,7 +75,7 @@ void makePlugin(const Request& request, const Invocation& invocation) {
     std::cout << json.dump(2) << "\n";
   } else if (!invocation.quiet) {
     std::cout << fmt::format("wrote {} files to {}\n", written.size(), folder.string())
-              << nextCommands(folder, executable);
+              << nextCommands(request, folder, executable);
   }
 }
 
@@ -87,6 +93,7 @@ void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation) {
       ->required();
   command->add_option("dir", request->folder, "Folder to write; default: NAME")
       ->type_name("FOLDER");
+  command->add_flag("--python", request->python, "One file in Python instead of C++");
   command->callback([request, &invocation] { makePlugin(*request, invocation); });
 }
 

@@ -10,6 +10,8 @@
 #include "conformance/report_text.hpp"
 #include "conformance/run_check.hpp"
 #include "host/manifest.hpp"
+#include "isolation/remote_plugin.hpp"
+#include "run/checked_system.hpp"
 
 namespace tolman::app {
 namespace {
@@ -18,8 +20,23 @@ using conformance::CheckSeverity;
 using conformance::ConformanceReport;
 using conformance::KitOptions;
 
+/// The program of the file, opened in a process of its own: only then is its role known.
+host::OrRefusal<std::vector<host::Manifest>> programIn(const KitOptions& options,
+                                                       const Invocation& invocation) {
+  const auto found = run::openCatalogue(invocation.plugin_paths).program(options.file);
+  if (const auto* refusal = std::get_if<host::Refusal>(&found)) return *refusal;
+  isolation::LaunchOptions launch{run::SystemOptions{}.stage_program};
+  launch.deadline_s = options.timeout;
+  auto opened = isolation::RemotePlugin::start(std::get<host::Manifest>(found), launch);
+  if (const auto* refusal = std::get_if<host::Refusal>(&opened)) return *refusal;
+  return std::vector{std::get<std::shared_ptr<isolation::RemotePlugin>>(opened)->manifest()};
+}
+
 /// The plugins of the file that are asked for: all, or the one of --id.
-host::OrRefusal<std::vector<host::Manifest>> wanted(const KitOptions& options) {
+host::OrRefusal<std::vector<host::Manifest>> wanted(const KitOptions& options,
+                                                    const Invocation& invocation) {
+  const std::string suffix = std::filesystem::path(options.file).extension();
+  if (!suffix.empty() && suffix != ".so") return programIn(options, invocation);
   auto read = host::readManifests(options.file);
   auto* manifests = std::get_if<std::vector<host::Manifest>>(&read);
   if (manifests == nullptr || options.id.empty()) return read;
@@ -57,13 +74,15 @@ void validate(KitOptions options, Invocation& invocation) {
     }
   };
   std::vector<ConformanceReport> reports;
-  const auto found = wanted(options);
+  const auto found = wanted(options, invocation);
   if (const auto* refusal = std::get_if<host::Refusal>(&found)) {
     reports.push_back(refused(options, *refusal));
     print(reports.back().checks.back());
   } else {
     for (const auto& manifest : std::get<std::vector<host::Manifest>>(found)) {
+      options.file = manifest.file;
       options.id = manifest.id;
+      options.program_file = manifest.program;
       reports.push_back(conformance::validate(options, manifest.role, print));
       if (!invocation.json) std::cout << conformance::summary(reports.back()) << std::flush;
     }
@@ -88,7 +107,9 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
   CLI::App* command =
       plugins.add_subcommand("validate", "Check whether a plugin keeps the contract");
   auto options = std::make_shared<KitOptions>();
-  command->add_option("file", options->file, "Library, *.so")->type_name("LIBRARY")->required();
+  command->add_option("file", options->file, "Library, *.so, or a program such as *.py")
+      ->type_name("FILE")
+      ->required();
   command->add_option("--id", options->id, "One plugin of the library; else all")->type_name("ID");
   command->add_option("--level", options->level, "1 contract, 2 reproducible results, 3 all checks")
       ->type_name("1|2|3")

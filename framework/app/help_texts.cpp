@@ -23,6 +23,7 @@ constexpr std::array kExamples = {
     Example{"tolman plugins describe bayesian_attractor", "parameters of a plugin"},
     Example{"tolman plugins doctor build/mine.so", "why is a library not loaded?"},
     Example{"tolman plugins new place my_places", "a repository with a plugin that works"},
+    Example{"tolman plugins new cells mine --python", "one file in Python that works"},
     Example{"tolman plugins validate build/mine.so", "does a plugin satisfy the contract?"},
     Example{"tolman dataset check ~/kitti/sequences/06", "is the data set sound?"},
     Example{"tolman dataset render town.yaml --out town",

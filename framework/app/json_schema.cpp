@@ -82,11 +82,18 @@ Json objectOf(Json properties) {
       {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
 }
 
+/// All keys of the plugin: those that it declares, and of a program its file.
+Schema keysOf(const host::LoadedPlugin& plugin) {
+  Schema keys = plugin.manifest.program.empty() ? Schema() : config::programSchema();
+  keys.insert(keys.end(), plugin.schema.begin(), plugin.schema.end());
+  return keys;
+}
+
 /// A stage that is this plugin; nothing is required of it yet.
 Json alternative(const host::LoadedPlugin& plugin) {
   Json properties = {{"plugin", {{"const", plugin.manifest.id}}}};
   properties["plugin"]["description"] = plugin.manifest.summary;
-  properties.update(propertiesOf(plugin.schema));
+  properties.update(propertiesOf(keysOf(plugin)));
   Json host = propertiesOf(schemaOf<config::StageSettings>());
   host.erase("plugin");
   properties.update(host);
@@ -97,7 +104,7 @@ Json alternative(const host::LoadedPlugin& plugin) {
 
 Json requiredBy(const host::LoadedPlugin& plugin) {
   Json names = Json::array();
-  for (const ParameterInfo& info : plugin.schema) {
+  for (const ParameterInfo& info : keysOf(plugin)) {
     if (info.required) names.push_back(info.name);
   }
   return names;

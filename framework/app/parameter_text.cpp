@@ -26,6 +26,9 @@ std::string defaultText(const ParameterInfo& info) {
 /// The stage of a configuration that uses the plugin, with the parameters that have no default.
 std::string stageText(const host::LoadedPlugin& plugin) {
   std::string stage = "{plugin: " + plugin.manifest.id;
+  if (!plugin.manifest.program.empty()) {
+    stage += ", file: " + plugin.manifest.program.filename().string();
+  }
   for (const ParameterInfo& p : plugin.schema) {
     if (p.required) stage += fmt::format(", {}: ...", p.name);
   }
@@ -35,9 +38,14 @@ std::string stageText(const host::LoadedPlugin& plugin) {
              : fmt::format("{}: {}", enumName(plugin.manifest.role), stage);
 }
 
+/// The file's name for a program.
+std::string nameOf(const host::Manifest& manifest) {
+  return manifest.program.empty() ? manifest.id : manifest.program.filename().string();
+}
+
 std::string headline(const host::LoadedPlugin& plugin) {
   const auto& m = plugin.manifest;
-  return fmt::format("{} {} ({}): {}", m.id, m.version, enumName(m.role), m.summary);
+  return fmt::format("{} {} ({}): {}", nameOf(m), m.version, enumName(m.role), m.summary);
 }
 
 }  // namespace
@@ -73,7 +81,7 @@ std::string parametersText(const host::LoadedPlugin& plugin) {
 
 std::string parametersMarkdown(const host::LoadedPlugin& plugin) {
   const auto& m = plugin.manifest;
-  std::string text = fmt::format("## `{}` ({})\n\n{}\n\n", m.id, enumName(m.role), m.summary);
+  std::string text = fmt::format("## `{}` ({})\n\n{}\n\n", nameOf(m), enumName(m.role), m.summary);
   if (plugin.schema.empty()) return text + "No parameters.\n";
   text += "| parameter | type | default | unit | range | meaning |\n|---|---|---|---|---|---|\n";
   for (const ParameterInfo& p : plugin.schema) {
@@ -90,6 +98,7 @@ nlohmann::ordered_json parametersJson(const host::LoadedPlugin& plugin) {
                                  {"version", m.version},
                                  {"summary", m.summary},
                                  {"file", m.file.string()}};
+  if (!m.program.empty()) json["program"] = m.program.string();
   json["parameters"] = nlohmann::ordered_json::array();
   for (const ParameterInfo& p : plugin.schema) {
     nlohmann::ordered_json one = {{"name", p.name},

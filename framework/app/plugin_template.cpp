@@ -175,7 +175,9 @@ Result<std::vector<fs::path>> writeNewPlugin(const fs::path& templates, const Ne
   if (!about.isOk()) return about.status();
   const auto values = valuesOf(plugin, about.value());
   std::vector<fs::path> written;
-  for (const fs::path& from : {templates / "shared", of_role}) {
+  std::vector<fs::path> folders = {templates / "shared", of_role};
+  if (plugin.python) folders = {templates / "python" / enumName(plugin.role)};
+  for (const fs::path& from : folders) {
     if (Status status = copyFilled(from, plugin.folder, values, written); !status.isOk()) {
       return status;
     }

@@ -35,6 +35,7 @@ struct NewPlugin {
   Role role = Role::Place;
   std::string name;              ///< a legal id
   std::filesystem::path folder;  ///< absent or empty
+  bool python = false;           ///< one file in Python instead of a repository in C++
 };
 
 /// Writes the repository; gives the files, relative to its folder, in order. A folder that holds

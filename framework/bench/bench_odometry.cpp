@@ -122,8 +122,9 @@ class OdometryComparison {
  private:
   /// The time of another process would not be counted.
   static void refuseProcesses(const run::CheckedSystem& checked) {
-    for (const config::StageConfig& stage : checked.config.stages) {
-      if (stage.isolation == config::Isolation::None) continue;
+    for (std::size_t i = 0; i < checked.config.stages.size(); ++i) {
+      const config::StageConfig& stage = checked.config.stages[i];
+      if (!checked.remotes.at(i)) continue;
       throw run::Failed({run::FailureKind::Configuration,
                          stage.instance + ": runs in a process of its own, whose time is not "
                                           "counted; set isolation to none"});

@@ -243,4 +243,16 @@ struct StageSettings {
   }
 };
 
+/// The key of a stage whose plugin runs a program.
+struct ProgramSettings {
+  std::string file;
+  static constexpr auto declaration() {
+    return parameters(parameter("file", &ProgramSettings::file)
+                          .required()
+                          .path()
+                          .doc("The program that is the plugin."));
+  }
+};
+inline Schema programSchema() { return schemaOf<ProgramSettings>(); }
+
 }  // namespace tolman::config

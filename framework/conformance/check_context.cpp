@@ -34,7 +34,9 @@ Settings readSettings(const Schema& schema, const std::string& id,
 host::Manifest CheckContext::manifest() const {
   auto read = host::readManifest(task_.file, task_.id);
   if (const auto* refusal = std::get_if<host::Refusal>(&read)) refuse(*refusal);
-  return std::move(std::get<host::Manifest>(read));
+  auto& manifest = std::get<host::Manifest>(read);
+  manifest.program = task_.program;
+  return std::move(manifest);
 }
 
 const PluginUnderTest& CheckContext::plugin() {

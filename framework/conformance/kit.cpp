@@ -33,9 +33,10 @@ class CheckProcess {
     const auto begin = std::chrono::steady_clock::now();
     const auto command = [&](int descriptor) {
       std::vector<std::string> words = options_.program;
-      words.push_back(encode(CheckTask{result_.check, descriptor, options_.file, options_.id,
-                                       options_.set, options_.seed, options_.level, scratch.path(),
-                                       options_.timeout, options_.memory_mib}));
+      words.push_back(
+          encode(CheckTask{result_.check, descriptor, options_.file, options_.id,
+                           options_.program_file, options_.set, options_.seed, options_.level,
+                           scratch.path(), options_.timeout, options_.memory_mib}));
       return words;
     };
     reportEnd(runChild(command, options_.timeout,

@@ -18,6 +18,7 @@ struct CheckTask {
   int report_descriptor = -1;  ///< where the process writes its messages
   std::string file;
   std::string id;
+  std::string program;
   std::vector<std::string> set;  ///< "key=value"
   std::uint64_t seed = 1;
   int level = 3;

@@ -68,7 +68,7 @@ void Catalogue::addLibrary(const fs::path& file) {
     return;
   }
   for (Manifest& manifest : std::get<std::vector<Manifest>>(read)) {
-    manifests_.push_back(std::move(manifest));
+    (manifest.programs.empty() ? manifests_ : interpreters_).push_back(std::move(manifest));
   }
 }
 
@@ -86,7 +86,32 @@ OrRefusal<Manifest> Catalogue::find(const std::string& id, Role role) const {
                  "`tolman plugins list` shows the plugins of each role"};
 }
 
+const Manifest* Catalogue::interpreter(const std::string& id) const {
+  const auto found = std::ranges::find(interpreters_, id, &Manifest::id);
+  return found == interpreters_.end() ? nullptr : &*found;
+}
+
+OrRefusal<Manifest> Catalogue::program(const fs::path& file) const {
+  const std::string suffix = file.extension().string();
+  const auto found = std::ranges::find(interpreters_, suffix, &Manifest::programs);
+  if (found == interpreters_.end()) {
+    return Refusal{"plugin/not-found",
+                   file.string() + ": no plugin on the search path runs '" + suffix + "' files",
+                   "`tolman plugins list` shows what is there; the plugin may be in a package of "
+                   "its own, or have been left out of the build for want of a library"};
+  }
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    return Refusal{"plugin/not-found", file.string() + ": there is no such file",
+                   "correct the path; it is relative to the configuration that says it"};
+  }
+  Manifest manifest = *found;
+  manifest.program = fs::absolute(file);
+  return manifest;
+}
+
 OrRefusal<Manifest> Catalogue::find(const std::string& id) const {
+  if (const fs::path file = id; file.has_extension()) return program(file);
   const auto is_wanted = [&](const Manifest& manifest) { return manifest.id == id; };
   const auto first = std::find_if(manifests_.begin(), manifests_.end(), is_wanted);
   if (first == manifests_.end()) return notFound(id, std::nullopt);
@@ -114,6 +139,7 @@ Refusal Catalogue::notFound(const std::string& id, std::optional<Role> role) con
   for (const Manifest& manifest : manifests_) {
     if (!role || manifest.role == *role) known.push_back(manifest.id);
   }
+  for (const Manifest& manifest : interpreters_) known.push_back(manifest.id);
   const std::optional<std::string> nearest = config::nearestName(id, known);
   return {"plugin/not-found", message,
           (nearest ? "did you mean '" + *nearest + "'? " : std::string()) +

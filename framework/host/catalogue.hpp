@@ -33,10 +33,18 @@ class Catalogue {
   /// the folders searched), plugin/wrong-role, plugin/ambiguous (twice in one folder).
   OrRefusal<Manifest> find(const std::string& id, Role role) const;
 
-  /// The manifest of `id` in any role.
+  /// The manifest of `id` in any role; of a program, where `id` is the path of a file.
   OrRefusal<Manifest> find(const std::string& id) const;
 
+  /// The interpreter of this id; null for other plugins and unknown ones.
+  const Manifest* interpreter(const std::string& id) const;
+  /// A program as a plugin, by the interpreter that runs files of its suffix. Refusals:
+  /// plugin/not-found.
+  OrRefusal<Manifest> program(const std::filesystem::path& file) const;
+
+  /// Of the plugins that are libraries.
   const std::vector<Manifest>& manifests() const { return manifests_; }
+  const std::vector<Manifest>& interpreters() const { return interpreters_; }
   const std::vector<BrokenLibrary>& broken() const { return broken_; }
 
  private:
@@ -45,6 +53,7 @@ class Catalogue {
 
   std::vector<std::filesystem::path> search_path_;
   std::vector<Manifest> manifests_;
+  std::vector<Manifest> interpreters_;
   std::vector<BrokenLibrary> broken_;
 };
 

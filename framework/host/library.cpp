@@ -8,7 +8,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/guard.hpp"
 #include "host/schema.hpp"
+#include "tolman/program.hpp"
 
 namespace tolman::host {
 namespace {
@@ -43,15 +45,17 @@ OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
   }
 }
 
+Refusal noEntry(const Manifest& manifest, const std::string& symbol) {
+  return {"plugin/entry-missing",
+          manifest.file.string() + " has a manifest for '" + manifest.id + "' but no function " +
+              symbol,
+          "register the class with TOLMAN_PLUGIN, and keep the symbol visible"};
+}
+
 OrRefusal<const PluginDescriptor*> callEntry(const boost::dll::shared_library& library,
                                              const Manifest& manifest) {
   const std::string symbol = "tolman_plugin_" + manifest.id;
-  if (!library.has(symbol)) {
-    return Refusal{"plugin/entry-missing",
-                   manifest.file.string() + " has a manifest for '" + manifest.id +
-                       "' but no function " + symbol,
-                   "register the class with TOLMAN_PLUGIN, and keep the symbol visible"};
-  }
+  if (!library.has(symbol)) return noEntry(manifest, symbol);
   try {
     const PluginDescriptor* descriptor = library.get<Entry>(symbol)();
     if (descriptor != nullptr && descriptor->schema != nullptr && descriptor->create != nullptr &&
@@ -84,13 +88,35 @@ OrRefusal<LoadedPlugin> describe(const Manifest& manifest, const PluginDescripto
   }
 }
 
+/// Opens the program of an interpreter.
+OrRefusal<LoadedPlugin> openProgram(const boost::dll::shared_library& library,
+                                    const Manifest& manifest) {
+  const std::string symbol = "tolman_program_" + manifest.id;
+  if (!library.has(symbol)) return noEntry(manifest, symbol);
+  Program program;
+  const Status status = contained(
+      [&] { return library.get<OpenProgram()>(symbol)()(manifest.program.string(), program); });
+  if (!status.isOk() || program.descriptor == nullptr) {
+    return Refusal{"plugin/program", manifest.program.string() + ": " + status.message(),
+                   "correct the program; `tolman plugins doctor FILE` opens it alone"};
+  }
+  LoadedPlugin plugin{manifest, program.descriptor, std::move(program.schema)};
+  plugin.manifest.role = program.descriptor->role;
+  plugin.manifest.version = program.version;
+  plugin.manifest.summary = program.summary;
+  if (auto refusal = checkSchema(plugin.manifest, plugin.schema)) return *refusal;
+  return plugin;
+}
+
 }  // namespace
 
 OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host) {
   if (auto refusal = checkGate(manifest, host)) return *refusal;
   auto opened = openPinned(manifest);
   if (auto* refusal = std::get_if<Refusal>(&opened)) return *refusal;
-  auto entry = callEntry(std::get<boost::dll::shared_library>(opened), manifest);
+  const auto& library = std::get<boost::dll::shared_library>(opened);
+  if (!manifest.programs.empty()) return openProgram(library, manifest);
+  auto entry = callEntry(library, manifest);
   if (auto* refusal = std::get_if<Refusal>(&entry)) return *refusal;
   return describe(manifest, *std::get<const PluginDescriptor*>(entry));
 }

@@ -19,7 +19,8 @@ struct LoadedPlugin {
 /// entry function and reads the schema. The library stays loaded, because inline statics,
 /// thread-local variables and exceptions make unloading C++ code unsafe. Refusals: those of
 /// checkGate(), checkSchema(), plugin/load-failed, plugin/entry-missing,
-/// plugin/entry-failed, plugin/stale-manifest.
+/// plugin/entry-failed, plugin/stale-manifest. The manifest of a program gets its role, version and
+/// summary; plugin/program if it cannot be opened.
 OrRefusal<LoadedPlugin> loadPlugin(const Manifest& manifest, const HostIdentity& host);
 
 }  // namespace tolman::host

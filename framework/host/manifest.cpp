@@ -50,7 +50,9 @@ Manifest fromJson(const nlohmann::json& json, const std::filesystem::path& file)
   manifest.file = file;
   manifest.id = text("id");
   checkIdentifier(manifest.id);
-  manifest.role = roleNamed(text("role"));
+  manifest.programs = printable(json.value("programs", ""));
+  const bool is_plugin = manifest.programs.empty();
+  if (is_plugin) manifest.role = roleNamed(text("role"));
   manifest.version = text("version");
   const std::string sdk = text("sdk");
   const auto dot = sdk.find('.');
@@ -61,7 +63,7 @@ Manifest fromJson(const nlohmann::json& json, const std::filesystem::path& file)
   manifest.sdk_minor = dot == std::string::npos ? 0 : part(dot + 1, std::string::npos);
   manifest.fingerprint = text("fingerprint");
   manifest.opencv = text("opencv");
-  manifest.schema_hash = number<std::uint64_t>(text("schema"), "hash", 16);
+  if (is_plugin) manifest.schema_hash = number<std::uint64_t>(text("schema"), "hash", 16);
   manifest.summary = text("summary");
   std::istringstream extras(json.value("extras", ""));  // since SDK 0.2
   for (std::string name; std::getline(extras, name, ',');) manifest.extras.push_back(name);

@@ -26,6 +26,9 @@ struct Manifest {
   std::uint64_t schema_hash = 0;
   std::string summary;
   std::vector<std::string> extras;  ///< interfaces beside the role: arrays, state, page, ...
+  /// Of an interpreter (tolman/program.hpp), else empty: the suffix of the programs that it runs.
+  std::string programs;
+  std::filesystem::path program;  ///< absolute; the one that is meant. Its role is known when open
 
   bool hasExtra(std::string_view name) const {
     return std::find(extras.begin(), extras.end(), name) != extras.end();

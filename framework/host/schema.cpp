@@ -2,6 +2,7 @@
 #include "host/schema.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -42,16 +43,18 @@ Complaint complaintAbout(const ParameterInfo& info, const Schema& reserved) {
 }
 
 Refusal refusal(const Manifest& manifest, const std::string& name, const Complaint& complaint) {
+  const auto& file = manifest.program.empty() ? manifest.file : manifest.program;
   return {"plugin/bad-schema",
-          manifest.file.string() + ": parameter '" + name + "' of '" + manifest.id + "' " +
-              complaint.what,
+          file.string() + ": parameter '" + name + "' of '" + manifest.id + "' " + complaint.what,
           complaint.remedy};
 }
 
 }  // namespace
 
 std::optional<Refusal> checkSchema(const Manifest& manifest, const Schema& schema) {
-  const Schema reserved = schemaOf<config::StageSettings>();  // keys that the host reads
+  Schema reserved = schemaOf<config::StageSettings>();  // keys that the host reads
+  if (!manifest.programs.empty())
+    std::ranges::copy(config::programSchema(), std::back_inserter(reserved));
   std::set<std::string_view> seen;
   for (const ParameterInfo& info : schema) {
     const bool is_new = seen.insert(info.name).second;

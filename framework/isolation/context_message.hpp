@@ -31,6 +31,7 @@ struct ContextMessage {
 struct LoadMessage {
   std::string file;
   std::string id;
+  std::string program;           ///< that an interpreter is to open; empty for other plugins
   std::uint64_t memory_mib = 0;  ///< 0 for no limit
   std::int64_t threads = 0;      ///< 0 for one per processor
 };
@@ -42,6 +43,6 @@ auto parts(T& m) {
 }
 template <class T>
 requires std::same_as<std::remove_const_t<T>, LoadMessage>
-auto parts(T& m) { return std::tie(m.file, m.id, m.memory_mib, m.threads); }
+auto parts(T& m) { return std::tie(m.file, m.id, m.program, m.memory_mib, m.threads); }
 
 }  // namespace tolman::isolation

@@ -60,6 +60,7 @@ void endWithHost(int socket) {
 host::OrRefusal<host::LoadedPlugin> open(const LoadMessage& message) {
   auto manifest = host::readManifest(message.file, message.id);
   if (auto* refusal = std::get_if<host::Refusal>(&manifest)) return *refusal;
+  std::get<host::Manifest>(manifest).program = message.program;
   return host::loadPlugin(std::get<host::Manifest>(manifest), host::HostIdentity::ofThisBuild());
 }
 
@@ -112,7 +113,8 @@ class PluginProcess {
     handlers_[Call::Destroy] = handler(*this, &PluginProcess::destroy);
   }
 
-  Status load(const LoadMessage& message, host::Refusal& refusal, Schema& schema) {
+  Status load(const LoadMessage& message, host::Refusal& refusal, Role& role, std::string& version,
+              std::string& summary, Schema& schema) {
     limitResources(message.memory_mib);
     if (message.threads > 0) {
       threads_.emplace(tbb::global_control::max_allowed_parallelism,
@@ -124,6 +126,9 @@ class PluginProcess {
       return Status::ok();
     }
     plugin_ = std::move(std::get<host::LoadedPlugin>(loaded));
+    role = plugin_->manifest.role;
+    version = plugin_->manifest.version;
+    summary = plugin_->manifest.summary;
     schema = plugin_->schema;
     return Status::ok();
   }

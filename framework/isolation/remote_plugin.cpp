@@ -57,12 +57,16 @@ std::optional<host::Refusal> RemotePlugin::load() {
                          "no process for plugin '" + manifest_.id + "': " + error.what(),
                          "run without `isolation: process`, or end other programs"};
   }
-  const LoadMessage message{manifest_.file.string(), manifest_.id, launch_.memory_mib,
-                            launch_.threads};
+  const LoadMessage message{manifest_.file.string(), manifest_.id, manifest_.program.string(),
+                            launch_.memory_mib, launch_.threads};
   host::Refusal refusal;  // an empty id means success
   const Status status = process_->call(
       Call::Load, [&](Encoder& encoder) { encoder.put(message); },
-      [&](Decoder& decoder) { decoder.getAll(refusal, schema_); });
+      [&](Decoder& decoder) {
+        decoder.getAll(refusal, manifest_.role, manifest_.version, manifest_.summary, schema_);
+        if (enumName(manifest_.role) == "invalid")
+          throw MalformedMessage("a role that does not exist");
+      });
   if (!status.isOk()) {
     const std::string remedy =
         "`tolman plugins validate FILE` shows more; static constructors of the library run when it "

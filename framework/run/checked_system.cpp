@@ -62,18 +62,48 @@ struct Opened {
   std::shared_ptr<isolation::RemotePlugin> remote;
 };
 
+/// The program that the key `file` names, as a plugin. Throws Failed.
+host::Manifest programOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
+                         const config::SystemConfig& config) {
+  const Schema schema = config::programSchema();
+  config::Node own = stage.given;
+  std::erase_if(own.children, [&](const auto& child) { return child.key != schema[0].name; });
+  config::Problems problems;
+  const auto values = config::check(own, schema, {stage.path, "plugin " + stage.plugin, {}},
+                                    config.folders, problems);
+  if (!problems.empty())
+    throw Failed(
+        {FailureKind::Configuration, "'" + schema[0].name + "' " + problems.front().message, {}});
+  return require(catalogue.program(std::get<std::string>(values.at(schema[0].name))));
+}
+
+/// A program tells its role when it is open. Throws Failed.
+void requireRole(const host::Manifest& manifest, Role role) {
+  if (manifest.role == role) return;
+  require(host::OrRefusal<bool>(host::Refusal{
+      "plugin/wrong-role",
+      manifest.program.string() + " has the role " + std::string(enumName(manifest.role)) +
+          ", not " + std::string(enumName(role)),
+      "derive its class from the class of the stage's role"}));
+}
+
 /// Throws Failed.
 Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
             const config::SystemConfig& config, const SystemOptions& options) {
-  if (!options.apart && stage.isolation == config::Isolation::None) {
+  const bool is_program = catalogue.interpreter(stage.plugin) != nullptr;
+  if (!options.apart && !is_program && stage.isolation == config::Isolation::None) {
     return {loadFrom(catalogue, stage.plugin, stage.role), nullptr};
   }
   const isolation::LaunchOptions launch{options.stage_program, config.isolation.deadline,
                                         static_cast<std::uint64_t>(config.isolation.memory_limit),
                                         config.general.threads};
-  const auto manifest = require(catalogue.find(stage.plugin, stage.role));
+  const auto manifest = is_program ? programOf(catalogue, stage, config)
+                                   : require(catalogue.find(stage.plugin, stage.role));
   auto remote = require(isolation::RemotePlugin::start(manifest, launch));
-  return {{remote->manifest(), nullptr, remote->schema()}, remote};
+  requireRole(remote->manifest(), stage.role);
+  Schema schema = is_program ? config::programSchema() : Schema();
+  schema.insert(schema.end(), remote->schema().begin(), remote->schema().end());
+  return {{remote->manifest(), nullptr, std::move(schema)}, remote};
 }
 
 /// Whether a plugin saves its state is known only of its object, which is therefore created here.

@@ -75,17 +75,26 @@ Json machine() {
           {"cores", std::thread::hardware_concurrency()}};
 }
 
+std::string digestOf(const std::filesystem::path& file) {
+  const auto digest = record::fileDigest(file);
+  return digest.isOk() ? digest.value() : "unreadable";
+}
+
 Json pluginList(const CheckedSystem& system) {
   Json list = Json::array();
   for (std::size_t i = 0; i < system.plugins.size(); ++i) {
     const host::Manifest& manifest = system.plugins[i].manifest;
-    const auto digest = record::fileDigest(manifest.file);
-    list.push_back({{"stage", system.config.stages[i].instance},
-                    {"id", manifest.id},
-                    {"role", enumName(manifest.role)},
-                    {"version", manifest.version},
-                    {"file", manifest.file.string()},
-                    {"sha256", digest.isOk() ? digest.value() : "unreadable"}});
+    Json entry = {{"stage", system.config.stages[i].instance},
+                  {"id", manifest.id},
+                  {"role", enumName(manifest.role)},
+                  {"version", manifest.version},
+                  {"file", manifest.file.string()},
+                  {"sha256", digestOf(manifest.file)}};
+    if (!manifest.program.empty()) {
+      entry["program"] = manifest.program.string();
+      entry["program_sha256"] = digestOf(manifest.program);
+    }
+    list.push_back(std::move(entry));
   }
   return list;
 }

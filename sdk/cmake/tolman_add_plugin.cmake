@@ -7,7 +7,7 @@
 # the manifest; COMPONENTS links further modules of it, such as calib3d.
 function(tolman_add_plugin name)
   cmake_parse_arguments(ARG "OPENCV" "ROLE" "SOURCES;LIBRARIES;COMPONENTS" ${ARGN})
-  set(roles source odometry place cells map observer)
+  set(roles source odometry place cells map observer program)
   if(NOT ARG_ROLE IN_LIST roles)
     message(FATAL_ERROR "tolman_add_plugin(${name}): ROLE must be one of: ${roles}")
   endif()

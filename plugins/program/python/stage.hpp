@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the roles have in common: parameters, reset, arrays, state.
+#pragma once
+
+#include <istream>
+#include <iterator>
+#include <ostream>
+
+#include "convert.hpp"
+#include "interpreter.hpp"
+#include "services.hpp"
+#include "tolman/plugin.hpp"
+
+namespace tolman::python {
+
+/// An answer without frame and time belongs to the question.
+template <class Answer, class Question>
+void address(Answer& answer, const Question& question) {
+  if (answer.frame < 0) {
+    answer.frame = question.frame;
+    answer.stamp_ns = question.stamp_ns;
+  }
+}
+
+template <class RoleType>
+class Stage : public RoleType, public ArraySource, public ArrayDescriptions, public StateKeeper {
+ public:
+  ~Stage() noexcept(false) override {
+    if (Py_IsInitialized() == 0) return;
+    const py::gil_scoped_acquire lock;
+    object_ = services_ = values_ = py::object();
+  }
+
+  Status configure(const Context& context) override {
+    log_ = &context.log;
+    return work("start", [&] {
+      services_ = servicesOf(context);
+      values_ = valuesOf(context.parameters);
+      make();
+    });
+  }
+  Status reset() override {
+    return work("start", [&] { make(); });
+  }
+  void arrays(std::vector<NamedArray>& arrays) const override {
+    const Status status = work("arrays", [&] {
+      auto more = arraysFrom(object_.attr("arrays")(), "arrays()");
+      arrays.insert(arrays.end(), std::make_move_iterator(more.begin()),
+                    std::make_move_iterator(more.end()));
+    });
+    if (!status.isOk()) throw std::runtime_error(status.message());
+  }
+  Status describe(std::vector<ArrayInfo>& arrays) const override {
+    if (!opened().has_descriptions) return Status::ok();
+    return work("describe", [&] {
+      std::vector<ArrayInfo> more;
+      fromPython(object_.attr("describe")(), more, "describe()");
+      arrays.insert(arrays.end(), more.begin(), more.end());
+    });
+  }
+  Status save(std::ostream& stream) const override {
+    return work("save", [&] {
+      const std::string bytes = py::bytes(opened().host.attr("save")(object_));
+      stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    });
+  }
+  Status load(std::istream& stream) override {
+    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    Status status = work("load", [&] {
+      make();  // attributes that the state does not have
+      opened().host.attr("load")(object_, py::bytes(bytes));
+    });
+    if (!status.isOk()) (void)reset();
+    return status;
+  }
+
+ protected:
+  Status work(const char* call, const std::function<void()>& body) const {
+    return inPython(call, log_, body);
+  }
+  /// Calls a method; its name is also where the answer stands in messages.
+  template <class... Arguments>
+  py::object ask(const char* method, const Arguments&... arguments) const {
+    return object_.attr(method)(toPython(arguments)...);
+  }
+  /// Calls a method and takes its answer as a record or a list of them.
+  template <class Answer, class... Arguments>
+  void answer(Answer& record, const char* method, const Arguments&... arguments) const {
+    fromPython(ask(method, arguments...), record, std::string(method) + "()");
+  }
+  py::handle object() const { return object_; }
+
+ private:
+  void make() { object_ = opened().host.attr("make")(opened().type, services_, values_); }
+
+  Logger* log_ = nullptr;
+  py::object object_;
+  py::object services_;
+  py::object values_;
+};
+
+}  // namespace tolman::python

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plugins in Python in whole runs: parameters, arrays, state, provenance, seeds, and results that do not depend on threads."""
+import json
+import sqlite3
+import unittest
+
+from support import Systems, tolman
+
+CELLS = '''
+    import math
+    import typing
+    import numpy as np
+    import tolman
+
+    class Mine(tolman.Cells):
+        """Random cells that count frames."""
+        gain: float = tolman.parameter(2, range=(0, 10), unit="Hz", doc="Largest rate.")
+        mode: typing.Literal["plain", "loud"] = tolman.parameter("plain", doc="How it talks.")
+
+        def start(self):
+            self.frames, self.activity = 0, np.zeros(6)
+
+        def step(self, motion, place):
+            assert motion.T_previous_current.shape == (4, 4) and motion.state in ("initialising", "tracking")
+            assert place.recognition in ("none", "novel", "familiar")
+            self.activity = self.gain * self.rng.random(6)
+            self.frames += 1
+            if self.mode == "loud" and self.frames == 3:
+                self.log.warning("three frames")
+            first = self.frames == 1
+            return tolman.Decision(action="create_experience" if first else "stay", experience=0,
+                                   heading=(0.1 * self.frames) % (2 * math.pi))
+
+        def arrays(self):
+            return {"hd.activity": self.activity}
+
+        def describe(self):
+            axis = tolman.ArrayAxis("heading", "rad", 0, math.pi / 3, 2 * math.pi)
+            return [tolman.ArrayInfo("hd.activity", "activity", "Hz", "head direction cells", axes=[axis])]
+'''
+STAGE = "{plugin: python, file: mine.py%s}"
+
+
+class ProgramsTest(Systems):
+    def setUp(self):
+        super().setUp()
+        self.write("mine.py", CELLS)
+
+    def rates(self, out):
+        """The recorded bytes of all frames."""
+        database = sqlite3.connect(self.folder / out / "run.sqlite")
+        return database.execute('SELECT frame, "values" FROM array ORDER BY frame').fetchall()
+
+    def test_a_run_records_answers_arrays_and_origin(self):
+        ran = self.run_system(cells=STAGE % ", gain: 3, mode: loud")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertIn("three frames", ran.stderr)
+        database = sqlite3.connect(self.folder / "run/run.sqlite")
+        rows = database.execute("SELECT frame, action, experience, heading FROM decision ORDER BY frame").fetchall()
+        self.assertEqual(len(rows), 25)
+        self.assertEqual(rows[0][1:3], ("create_experience", 0))
+        self.assertAlmostEqual(rows[9][3], 1.0)
+        plugins = json.loads((self.folder / "run/run.json").read_text())["plugins"]
+        cells = next(plugin for plugin in plugins if plugin["stage"] == "cells")
+        self.assertEqual(cells["program"], str(self.folder / "mine.py"))
+        self.assertEqual(len(cells["program_sha256"]), 64)
+
+    def test_results_depend_on_the_seed_and_not_on_threads(self):
+        for out, more in (("a", ("--threads", 1)), ("b", ("--threads", 4)), ("c", ("--seed", 7))):
+            ran = self.run_system(*more, out=out, cells=STAGE % "")
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual(len(self.rates("a")), 25)
+        self.assertEqual(self.rates("a"), self.rates("b"))
+        self.assertNotEqual(self.rates("a"), self.rates("c"))
+
+    def test_wrong_configurations_are_refused_before_the_run(self):
+        for words, expected in (("gian: 3", "gain"), ("gain: 11", "0 ... 10 Hz"), ("mode: silent", "plain"),
+                                ("gain: fast", "number")):
+            checked = tolman("check", self.config(cells=STAGE % (", " + words)))
+            self.assertEqual(checked.returncode, 3, words)
+            self.assertIn(expected, checked.stderr)
+            self.assertIn("system.yaml:4", checked.stderr)
+
+    def test_wrong_files_are_refused(self):
+        for stage, expected in (("{plugin: python}", "'file' is missing"), ("{plugin: python, file: none.py}", "no such file"),
+                                ("{plugin: python, file: system.yaml}", "runs '.yaml' files")):
+            checked = tolman("check", self.config(cells=stage))
+            self.assertIn(checked.returncode, (3, 4))
+            self.assertIn(expected, checked.stderr)
+        checked = tolman("check", self.config(place=STAGE % ""))
+        self.assertIn("[plugin/wrong-role]", checked.stderr)
+
+    def test_the_schema_is_described_as_that_of_other_plugins(self):
+        described = json.loads(tolman("plugins", "describe", self.folder / "mine.py", "--json").stdout)
+        self.assertEqual(described["role"], "cells")
+        self.assertEqual(described["summary"], "Random cells that count frames.")
+        gain = described["parameters"][0]
+        self.assertEqual((gain["name"], gain["type"], gain["min"], gain["max"], gain["unit"]),
+                         ("gain", "real", 0, 10, "Hz"))
+        schema = json.loads(tolman("plugins", "describe", self.folder / "mine.py", "--json-schema").stdout)
+        self.assertEqual(schema["properties"]["gain"]["maximum"], 10)
+        self.assertEqual(schema["properties"]["plugin"]["const"], "python")
+        self.assertIn("file", schema["required"])
+
+    def test_two_programs_in_one_run(self):
+        self.write("watch.py", '''
+            import tolman
+
+            class Watch(tolman.Observer):
+                """Counts what it sees."""
+                def start(self):
+                    self.seen = []
+                def observe(self, snapshot):
+                    self.seen.append(snapshot.cells["hd.activity"].shape)
+                def finish(self, graph):
+                    self.write_artefact("seen.txt", f"{len(self.seen)} {self.seen[-1]} {len(graph.experiences)}")
+        ''')
+        ran = self.run_system(cells=STAGE % "", observers="[{plugin: python, name: watch, file: watch.py}]")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertEqual((self.folder / "run/artefacts/watch/seen.txt").read_text(), "25 (6,) 1")
+
+    def test_a_continued_session_goes_on_from_the_saved_state(self):
+        self.assertEqual(self.run_system(out="monday", cells=STAGE % "").returncode, 0)
+        ran = self.run_system("--continue", self.folder / "monday", out="tuesday", cells=STAGE % "")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        database = sqlite3.connect(self.folder / "tuesday/run.sqlite")
+        heading, = database.execute("SELECT heading FROM decision ORDER BY frame DESC LIMIT 1").fetchone()
+        self.assertAlmostEqual(heading, 5.0)  # 50 frames
+
+
+if __name__ == "__main__":
+    unittest.main()
