@@ -41,7 +41,7 @@ set(CPACK_COMPONENT_PYTHON_DESCRIPTION
 that they derive from, and the results of runs as arrays and tables.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "tolman (= ${PROJECT_VERSION}), python3 (>= 3.10), python3-numpy")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS python3-pandas)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-h5py")
 
 # Beside each other as in the repository, so that their links lead somewhere.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program

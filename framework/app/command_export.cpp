@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman export: result files from run.sqlite, also of a killed run; tolman schema.
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "app/program.hpp"
+#include "isolation/child_process.hpp"
 #include "record/export.hpp"
 #include "record/reference.hpp"
 #include "record/run_directory.hpp"
@@ -25,6 +27,25 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   printFiles(written, invocation);
 }
 
+/// The package `tolman` of Python writes the file; its words and its failure become this command's.
+void exportNwb(const std::string& run, const std::string& out, Invocation& invocation) {
+  std::error_code ignored;
+  const auto prefix =
+      std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
+  const std::string folders =
+      (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
+  std::vector<std::string> command = {
+      "/usr/bin/env", "PYTHONPATH=" + folders, "/usr/bin/python3", "-m", "tolman.nwb", run};
+  if (!out.empty()) command.push_back((std::filesystem::path(out) / "run.nwb").string());
+  isolation::ChildProcess python(command, {});
+  const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
+  if (end.signal == 0 && end.exit_code == 0) return;
+  invocation.exit_code =
+      printFailure(ExitCode::Record,
+                   "no NWB file was written; it needs python3-tolman and python3-h5py (Python " +
+                       end.text() + ")");
+}
+
 }  // namespace
 
 void addExportCommand(CLI::App& app, Invocation& invocation) {
@@ -38,13 +59,17 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
                    "Folder to write to (default: the run directory; of a session, session-N in it)")
       ->type_name("FOLDER")
       ->check(notEmpty);
+  auto nwb = std::make_shared<bool>(false);
+  command->add_flag("--nwb", *nwb, "Also run.nwb: Neurodata Without Borders, with seeded spikes");
   auto session = std::make_shared<std::int64_t>(-1);
   command
       ->add_option("--session", *session,
                    "Session whose trajectories to write, from 0 (default: the run's own)")
       ->check(CLI::NonNegativeNumber);
-  command->callback(
-      [run, out, session, &invocation] { exportFiles(*run, *out, *session, invocation); });
+  command->callback([run, out, session, nwb, &invocation] {
+    exportFiles(*run, *out, *session, invocation);
+    if (*nwb) exportNwb(*run, *out, invocation);
+  });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");
   schema->callback([] { std::cout << record::recordsMarkdown(); });

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What `tolman plugins new ROLE NAME --python` writes works at once and conforms at the strictest level."""
 import json
+import re
 import unittest
 
-from support import Systems, tolman
+from support import ROOT, Systems, tolman
 
 STAGE_ROLES = ("source", "odometry", "place", "cells", "map", "observer")
 
@@ -26,6 +27,12 @@ class TemplatesTest(Systems):
                 self.assertEqual(found.returncode, 0, faults)
                 self.assertEqual(report["role"], role)
                 self.assertGreater(len(report["checks"]), 20)
+
+    def test_the_model_of_the_page_conforms(self):
+        page = (ROOT / "docs/python.md").read_text()
+        model = re.search(r"```python\n(import math.*?)```", page, re.DOTALL)[1]
+        found = tolman("plugins", "validate", self.write("page.py", model), "--level", "2")
+        self.assertEqual(found.returncode, 0, found.stdout)
 
     def test_written_systems_are_legal(self):
         for role in STAGE_ROLES:

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The results of a run: tables, arrays, and measures of cells, from run.sqlite. Also of a run that goes on or was killed.
+
+    run = tolman.Run("runs/latest")
+    run.motion, run.decisions, run.map, run.events      # pandas tables; NumPy structured arrays without pandas
+    run.array("grid.activity").values                    # frames x rows x columns
+    run.rate_maps("grid.activity"), run.tuning("hd.activity"), run.metrics
+"""
+import functools
+import json
+import pathlib
+import sqlite3
+
+import numpy as np
+
+from tolman import cells, records
+
+_TYPES = {"INTEGER": np.int64, "REAL": np.float64}
+
+# Units of columns whose name alone tells them; see docs/reference/records.md.
+_UNITS = {"stamp_ns": "ns", "duration_ns": "ns", "time_ns": "ns", "dt": "s", "duration": "s", "v": "m/s",
+          "omega": "rad/s", "heading": "rad", "relative_yaw": "rad", "x": "m", "y": "m", "baseline": "m",
+          "width": "px", "height": "px"}  # yapf: disable
+
+
+def unit_of(column):
+    """The unit of a column, "" for none."""
+    if column.startswith("pinhole_"):
+        return "px"
+    if column.startswith("T_") and column.rpartition("_")[2] in ("x", "y", "z"):
+        return "m"
+    return _UNITS.get(column, "")
+
+
+def _table(names, types, rows):
+    """A pandas table with its units in `attrs`, or a structured array."""
+    kinds = [_TYPES.get(kind, object) for kind in types]
+    array = np.array([tuple(row) for row in rows], dtype=list(zip(names, kinds)))
+    try:
+        import pandas
+    except ImportError:
+        return array
+    table = pandas.DataFrame({name: array[name] for name in names})
+    table.attrs["units"] = {name: unit_of(name) for name in names}
+    return table
+
+
+class Run:
+    """One run directory."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path).resolve()
+        file = self.path / "run.sqlite"
+        if not file.is_file():
+            raise FileNotFoundError(f"{self.path}: is no run directory, for it has no run.sqlite")
+        self._database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+
+    def __repr__(self):
+        return f"tolman.Run({str(self.path)!r})"
+
+    def _json(self, name):
+        file = self.path / name
+        return json.loads(file.read_text()) if file.is_file() else {}
+
+    @property
+    def info(self):
+        """What run.json says: versions, plugins with digests, machine, counters."""
+        return self._json("run.json")
+
+    @property
+    def metrics(self):
+        """What metrics.json says; empty while the run goes on."""
+        return self._json("metrics.json")
+
+    def table(self, name):
+        """A table of run.sqlite without its binary columns."""
+        columns = [(row[1], row[2]) for row in self._database.execute(f'PRAGMA table_info("{name}")') if row[2] != "BLOB"]
+        if not columns:
+            raise KeyError(f"{self.path}: run.sqlite has no table '{name}'")
+        listed = ", ".join(f'"{column}"' for column, _ in columns)
+        rows = self._database.execute(f'SELECT {listed} FROM "{name}" ORDER BY rowid')
+        return _table(*zip(*columns), rows)
+
+    frames = property(lambda self: self.table("frame"), doc="What the source gave.")
+    motion = property(lambda self: self.table("motion"), doc="Answers of odometry.")
+    places = property(lambda self: self.table("place"), doc="Answers of place recognition.")
+    decisions = property(lambda self: self.table("decision"), doc="Answers of the cells.")
+    map = property(lambda self: self.table("map_update"), doc="Answers of the map.")
+    experiences = property(lambda self: self.table("experience"), doc="Nodes of the map.")
+    links = property(lambda self: self.table("link"), doc="Constraints of the map.")
+    events = property(lambda self: self.table("event"), doc="What happened beside the answers.")
+    timing = property(lambda self: self.table("timing"), doc="Wall time of the stages.")
+
+    def covariances(self, name):
+        """The 6x6 covariances of a table such as "motion", one for each of its rows."""
+        rows = self._database.execute(f'SELECT covariance FROM "{name}" ORDER BY rowid').fetchall()
+        return np.array([np.frombuffer(row[0]).reshape(6, 6) for row in rows]).reshape(-1, 6, 6)
+
+    def trajectory(self, of="map"):
+        """Planar poses: frame, stamp_ns, x (forward), y (left), heading. `of`: map (the finished one), truth, or best.
+
+        `best` is the truth where the run has one, else the map.
+        """
+        if of == "best":
+            of = "truth" if self._database.execute("SELECT max(has_truth) FROM frame").fetchone()[0] else "map"
+        rows = self._database.execute(_POSES[of]).fetchall()
+        if of == "map" and not rows:
+            rows = self._database.execute(_POSES["known"]).fetchall()
+        frame, stamp, x, z, qx, qy, qz, qw = (np.array(column) for column in zip(*rows)) if rows else [np.zeros(0)] * 8
+        axis_x, axis_z = 2 * (qx * qz + qw * qy), 1 - 2 * (qx * qx + qy * qy)  # of the optical axis
+        heading = np.arctan2(-axis_x, axis_z)
+        return _table(("frame", "stamp_ns", "x", "y", "heading"), ("INTEGER", "INTEGER", "REAL", "REAL", "REAL"),
+                      zip(frame, stamp, z, -x, heading))
+
+    @functools.cached_property
+    def descriptions(self):
+        """ArrayInfo by name, of the arrays that have one."""
+        rows = self._database.execute("SELECT name, kind, unit, doc, population, axes FROM array_info")
+        return {row[0]: records.ArrayInfo(*row[:5], [records.ArrayAxis(**axis) for axis in json.loads(row[5])])
+                for row in rows}
+
+    @property
+    def arrays(self):
+        """Names of the recorded arrays."""
+        return [row[0] for row in self._database.execute("SELECT DISTINCT name FROM array ORDER BY name")]
+
+    def array(self, name):
+        """A recorded array over all frames: cells.Array."""
+        rows = self._database.execute('SELECT a.frame, f.stamp_ns, a.shape, a."values" FROM array a JOIN frame f '
+                                      "ON f.frame = a.frame WHERE a.name = ? ORDER BY a.frame", (name,)).fetchall()
+        if not rows:
+            raise KeyError(f"{self.path}: no array '{name}'; there are {', '.join(self.arrays) or 'none'}")
+        shape = tuple(int(size) for size in rows[0][2].split("x"))
+        values = np.array([np.frombuffer(row[3], np.float32) for row in rows]).reshape(-1, *shape)
+        info = self.descriptions.get(name, records.ArrayInfo(name))
+        return cells.Array(info, np.array([row[0] for row in rows]), np.array([row[1] for row in rows]), values)
+
+    def _walk(self, array):
+        """Position, heading and rates at the frames that have both."""
+        poses = self.trajectory("best")
+        own = {int(frame): i for i, frame in enumerate(poses["frame"])}
+        rows = [(own[int(frame)], k) for k, frame in enumerate(array.frames) if int(frame) in own]
+        at, of = (np.array(column, int) for column in zip(*rows)) if rows else (np.zeros(0, int), np.zeros(0, int))
+        x, y, heading = (np.asarray(poses[name])[at] for name in ("x", "y", "heading"))
+        return x, y, heading, array.values[of].reshape(len(of), -1)
+
+    def rate_maps(self, name, bin_m=None):
+        """Mean rate of every unit in square bins of the plane: cells.RateMaps. Bins: a 24th of the longer side."""
+        array = self.array(name)
+        x, y, _, rates = self._walk(array)
+        return cells.rate_maps(x, y, rates, array.values.shape[1:], bin_m)
+
+    def tuning(self, name, bins=36):
+        """Mean rate of every unit by heading: cells.Tuning."""
+        array = self.array(name)
+        _, _, heading, rates = self._walk(array)
+        return cells.tuning(heading, rates, array.values.shape[1:], bins)
+
+
+def _poses(table, prefix, where=""):
+    columns = ", ".join(f't."{prefix}_{part}"' for part in ("x", "z", "qx", "qy", "qz", "qw"))
+    return f"SELECT f.frame, f.stamp_ns, {columns} FROM {table} t JOIN frame f ON f.frame = t.frame {where} ORDER BY f.frame"
+
+
+_POSES = {
+    "map": _poses("final_pose", "T_world_camera"),
+    "known": _poses("map_update", "T_world_camera"),
+    "truth": _poses("frame", "T_world_camera_truth", "WHERE t.has_truth"),
+}

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results of a real run against what its files say, and measures of cells against activity that is known."""
+import json
+import math
+import re
+import sqlite3
+import unittest
+
+from support import ROOT, Systems
+
+import numpy as np
+
+import tolman
+from tolman import cells, results
+
+
+class MeasuresTest(unittest.TestCase):
+    def test_a_rate_map_finds_the_field(self):
+        rng = np.random.default_rng(5)
+        x, y = rng.uniform(-1, 3, 20000), rng.uniform(0, 2, 20000)
+        rates = np.stack([(x > 1) & (x < 1.5) & (y < 0.5), np.full(x.shape, 4.0)], axis=1).astype(float)
+        maps = cells.rate_maps(x, y, rates, (2,), 0.5)
+        self.assertEqual(maps.values.shape, (2, 8, 4))
+        self.assertEqual(maps.visits.sum(), 20000)
+        self.assertEqual(np.argwhere(maps.values[0] > 0).tolist(), [[4, 0]])
+        self.assertEqual(maps.values[0, 4, 0], 1)
+        self.assertTrue((maps.values[1] == 4).all())
+        self.assertEqual((maps.x_m[4], maps.y_m[0]), (1, 0))
+
+    def test_bins_without_visits_are_not_numbers(self):
+        maps = cells.rate_maps(np.array([0.1, 2.1]), np.array([0.1, 0.1]), np.ones((2, 1)), (1,), 1)
+        self.assertTrue(np.array_equal(maps.values[0, :, 0], [1, np.nan, 1], equal_nan=True))
+
+    def test_a_tuning_curve_has_the_preferred_direction_and_length(self):
+        heading = np.linspace(0, 2 * math.pi, 36000, endpoint=False) + 0.01
+        rates = np.stack([1 + np.cos(heading - 2), np.ones_like(heading)], axis=1)
+        curves = cells.tuning(heading - 4 * math.pi, rates, (2,), 36)
+        self.assertAlmostEqual(curves.preferred_rad[0], 2, places=2)
+        self.assertAlmostEqual(curves.mean_vector_length[0], 0.5, places=2)  # of a cosine
+        self.assertAlmostEqual(curves.mean_vector_length[1], 0, places=6)
+
+    def test_phases_wrap_around(self):
+        axis = tolman.ArrayAxis("heading", "rad", 5, 1, 6)
+        array = cells.Array(tolman.ArrayInfo(axes=[axis]), np.zeros(1), np.zeros(1), np.zeros((1, 4)))
+        self.assertEqual(array.phases[0].tolist(), [5, 0, 1, 2])
+        self.assertEqual(array.periods, [6])
+
+
+class RunTest(Systems):
+    @classmethod
+    def declared_units(cls):
+        """(column, unit) of the plain fields in the reference of the record."""
+        text = (ROOT / "docs/reference/records.md").read_text()
+        return re.findall(r"^\| `?(\w+)`? \|[^|]*\| ([^|]*) \|", text, re.MULTILINE)
+
+    def made(self):
+        ran = self.run_system()
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        return tolman.Run(self.folder / "run")
+
+    def test_tables_arrays_and_files_of_a_run(self):
+        run = self.made()
+        database = sqlite3.connect(self.folder / "run/run.sqlite")
+        self.assertEqual(len(run.motion), 25)
+        self.assertEqual(list(run.decisions["action"]),
+                         [row[0] for row in database.execute("SELECT action FROM decision ORDER BY frame")])
+        self.assertEqual(run.covariances("motion").shape, (25, 6, 6))
+        self.assertEqual(run.metrics, json.loads((self.folder / "run/metrics.json").read_text()))
+        self.assertEqual(run.info["counters"]["frames"], 25)
+        for name in run.arrays:
+            array = run.array(name)
+            self.assertEqual(array.values.shape[0], 25)
+            self.assertEqual(list(array.frames), list(range(25)))
+            self.assertEqual(len(array.axes), len(run.descriptions[name].axes))
+        with self.assertRaisesRegex(KeyError, "no array 'none'"):
+            run.array("none")
+        with self.assertRaisesRegex(KeyError, "no table 'none'"):
+            run.table("none")
+
+    def test_the_trajectory_is_that_of_the_exported_file(self):
+        run = self.made()
+        lines = [[float(word) for word in line.split()]
+                 for line in (self.folder / "run/trajectory.tum").read_text().splitlines() if line[0] != "#"]
+        poses = run.trajectory()
+        self.assertTrue(np.allclose(poses["x"], [line[3] for line in lines]))
+        self.assertTrue(np.allclose(poses["y"], [-line[1] for line in lines]))
+        turned = np.unwrap(np.asarray(poses["heading"]))
+        self.assertAlmostEqual(turned[-1], 2 * math.pi, delta=0.2)  # once round, to the left
+
+    def test_a_folder_without_a_run_is_refused(self):
+        with self.assertRaisesRegex(FileNotFoundError, "no run.sqlite"):
+            tolman.Run(self.folder)
+
+    def test_runs_from_python(self):
+        config = self.config()
+        run = tolman.run(config, set={"seed": 3, "cells": {"plugin": "bayesian_attractor"}}, out=self.folder / "a")
+        self.assertEqual(len(run.motion), 25)
+        with self.assertRaisesRegex(tolman.RunFailed, "did you mean") as failed:
+            tolman.run(config, set={"cells.plugin": "bayesian_atractor"}, out=self.folder / "b")
+        self.assertEqual(failed.exception.code, 4)
+
+    def test_structured_arrays_without_pandas(self):
+        import sys
+
+        run = self.made()
+        kept, sys.modules["pandas"] = sys.modules.get("pandas"), None
+        try:
+            self.assertEqual(run.motion.dtype.names[:2], ("frame", "stamp_ns"))
+        finally:
+            sys.modules.pop("pandas")
+            if kept is not None:
+                sys.modules["pandas"] = kept
+
+    def test_units_are_those_of_the_reference(self):
+        checked = 0
+        for column, unit in self.declared_units():
+            if unit.strip() in ("s", "m/s", "rad/s", "rad", "px", "ns") and "T_" not in column:
+                self.assertEqual(results.unit_of(column), unit.strip(), column)
+                checked += 1
+        self.assertGreater(checked, 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
