@@ -15,7 +15,7 @@ class Array:
     info: ArrayInfo
     frames: np.ndarray
     stamps_ns: np.ndarray
-    values: np.ndarray  # frames x the shape of the array
+    values: np.ndarray  # frames x the shape of the array; one array a frame where the shape is not always the same
 
     def __array__(self, dtype=None):
         return np.asarray(self.values, dtype)

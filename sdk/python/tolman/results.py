@@ -130,8 +130,12 @@ class Run:
                                       "ON f.frame = a.frame WHERE a.name = ? ORDER BY a.frame", (name,)).fetchall()
         if not rows:
             raise KeyError(f"{self.path}: no array '{name}'; there are {', '.join(self.arrays) or 'none'}")
-        shape = tuple(int(size) for size in rows[0][2].split("x"))
-        values = np.array([np.frombuffer(row[3], np.float32) for row in rows]).reshape(-1, *shape)
+        parts = [np.frombuffer(row[3], np.float32).reshape([int(size) for size in row[2].split("x")]) for row in rows]
+        if len({part.shape for part in parts}) == 1:
+            values = np.stack(parts)
+        else:  # such as a list of hypotheses
+            values = np.empty(len(parts), object)
+            values[:] = parts
         info = self.descriptions.get(name, records.ArrayInfo(name))
         return cells.Array(info, np.array([row[0] for row in rows]), np.array([row[1] for row in rows]), values)
 
