@@ -49,7 +49,8 @@ class ProgramsTest(Systems):
     def rates(self, out):
         """The recorded bytes of all frames."""
         database = sqlite3.connect(self.folder / out / "run.sqlite")
-        return database.execute('SELECT frame, "values" FROM array ORDER BY frame').fetchall()
+        return database.execute('SELECT frame, "values" FROM array WHERE name = ? ORDER BY frame',
+                                ("hd.activity",)).fetchall()
 
     def test_a_run_records_answers_arrays_and_origin(self):
         ran = self.run_system(cells=STAGE % ", gain: 3, mode: loud")
