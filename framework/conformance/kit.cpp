@@ -34,9 +34,9 @@ class CheckProcess {
     const auto command = [&](int descriptor) {
       std::vector<std::string> words = options_.program;
       words.push_back(
-          encode(CheckTask{result_.check, descriptor, options_.file, options_.id,
-                           options_.program_file, options_.set, options_.seed, options_.level,
-                           scratch.path(), options_.timeout, options_.memory_mib}));
+          encode(CheckTask{result_.check, descriptor, options_.file, options_.id, options_.set,
+                           options_.seed, options_.level, scratch.path(), options_.timeout,
+                           options_.memory_mib, options_.program_file}));
       return words;
     };
     reportEnd(runChild(command, options_.timeout,

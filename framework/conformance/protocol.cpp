@@ -9,8 +9,8 @@ namespace tolman::conformance {
 
 using Json = nlohmann::json;
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, check, report_descriptor, file, id, program, set,
-                                   seed, level, scratch, timeout_s, memory_mib)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CheckTask, check, report_descriptor, file, id, set, seed, level,
+                                   scratch, timeout_s, memory_mib, program)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CallStarted, call)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(CurrentInput, description)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, value, unit)

@@ -18,13 +18,13 @@ struct CheckTask {
   int report_descriptor = -1;  ///< where the process writes its messages
   std::string file;
   std::string id;
-  std::string program;
   std::vector<std::string> set;  ///< "key=value"
   std::uint64_t seed = 1;
   int level = 3;
   std::filesystem::path scratch;
   double timeout_s = 60;            ///< after which the kit kills the process
   std::uint64_t memory_mib = 4096;  ///< 0 for no limit
+  std::string program{};            ///< that the plugin runs if it is an interpreter, else empty
 };
 std::string encode(const CheckTask& task);
 /// Throws std::exception for what encode() did not write.
