@@ -7,6 +7,7 @@
 
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
+#include "app/terminal_output.hpp"
 #include "bench/bench.hpp"
 #include "bench/bench_odometry.hpp"
 #include "bench/bench_places.hpp"
@@ -54,7 +55,7 @@ ExitCode bench(const Run& run, Options options, const Text& text, const Json& js
   options.progress = progress.callbacks();
   const auto measured = run(options, log, interrupts);
   if (invocation.json) {
-    std::cout << json(measured).dump(2) << "\n";
+    std::cout << jsonText(json(measured));
   } else {
     std::cout << text(measured);
   }

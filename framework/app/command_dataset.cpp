@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 #include "config/check.hpp"
 #include "config/overrides.hpp"
 #include "host/stage_artefacts.hpp"
@@ -56,7 +57,7 @@ bool print(const Findings& findings, bool json) {
     std::cout << fmt::format("{:<8} {}{}{}\n", severity, finding.where,
                              finding.where.empty() ? "" : ": ", finding.message);
   }
-  if (json) std::cout << list.dump(2) << "\n";
+  if (json) std::cout << jsonText(list);
   return sound;
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/program.hpp"
 #include "app/summary.hpp"
+#include "app/terminal_output.hpp"
 #include "evaluation/metrics.hpp"
 #include "evaluation/trajectory_files.hpp"
 
@@ -65,7 +66,7 @@ void evaluate(const EvalOptions& options, const Invocation& invocation) {
       evaluation::scoreTrajectory(truth, estimate, options.alignment, std::nullopt, difference_ns);
   if (!metrics.scores) throw Ended{ExitCode::Dataset, metrics.reason};
   if (invocation.json) {
-    std::cout << evaluation::toJson(metrics).dump(2) << "\n";
+    std::cout << jsonText(evaluation::toJson(metrics));
   } else {
     std::cout << fmt::format("{:<10}{}\n", "alignment", enumName(options.alignment))
               << trajectoryText("estimate", metrics);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 #include "planning/shortest_path.hpp"
 #include "record/graph_parts.hpp"
 #include "record/run_reader.hpp"
@@ -128,7 +129,7 @@ void run(const PlanOptions& options, const Invocation& invocation) {
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
   if (invocation.json) {
-    std::cout << toJson(plan, graph).dump(2) << "\n";
+    std::cout << jsonText(toJson(plan, graph));
   } else {
     print(plan, graph);
   }

@@ -11,6 +11,7 @@
 
 #include "app/plugin_template.hpp"
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 
 namespace tolman::app {
 namespace {
@@ -72,7 +73,7 @@ void makePlugin(const Request& request, const Invocation& invocation) {
     nlohmann::ordered_json json = {{"folder", fs::absolute(folder).string()},
                                    {"files", nlohmann::ordered_json::array()}};
     for (const fs::path& file : written) json["files"].push_back(file.string());
-    std::cout << json.dump(2) << "\n";
+    std::cout << jsonText(json);
   } else if (!invocation.quiet) {
     std::cout << fmt::format("wrote {} files to {}\n", written.size(), folder.string())
               << nextCommands(request, folder, executable);

@@ -10,6 +10,7 @@
 #include "app/duration_text.hpp"
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
+#include "app/terminal_output.hpp"
 #include "dataset/rendering.hpp"
 #include "pipeline/drive.hpp"
 #include "run/assembly.hpp"
@@ -151,7 +152,7 @@ class RenderRun {
                                            {"revisits_opposite", opposite},
                                            {"interrupted", outcome.interrupted},
                                            {"seconds", seconds}};
-      std::cout << json.dump(2) << "\n";
+      std::cout << jsonText(json);
     } else if (!invocation_.quiet) {
       const double rate = seconds > 0 ? static_cast<double>(outcome.written) / seconds : 0;
       std::cout << fmt::format("{:<10}{}\n{:<10}{} written, {} left out\n", "folder", command_.out,

@@ -6,6 +6,7 @@
 
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
+#include "app/terminal_output.hpp"
 #include "run/page_observer.hpp"
 
 namespace tolman::app {
@@ -24,7 +25,7 @@ void print(const run::Outcome& outcome, const Invocation& invocation) {
     nlohmann::ordered_json json = record::RunDirectory::readRunFile(outcome.directory);
     json["directory"] = outcome.directory.string();
     if (outcome.metrics) json["metrics"] = evaluation::toJson(*outcome.metrics);
-    std::cout << json.dump(2) << "\n";
+    std::cout << jsonText(json);
   } else if (!invocation.quiet) {
     std::cout << healthText(outcome)
               << fmt::format("{:<10}{}\n", "run", outcome.directory.string());

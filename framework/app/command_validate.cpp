@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 #include "conformance/kit.hpp"
 #include "conformance/report_text.hpp"
 #include "conformance/run_check.hpp"
@@ -92,7 +93,7 @@ void validate(KitOptions options, Invocation& invocation) {
     all.push_back(conformance::json(report));
     if (invocation.exit_code == ExitCode::Ok) invocation.exit_code = exitCode(report);
   }
-  if (invocation.json) std::cout << all.dump(2) << "\n";
+  if (invocation.json) std::cout << jsonText(all);
 }
 
 std::vector<std::string> checkIds() {

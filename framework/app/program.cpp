@@ -15,6 +15,7 @@
 
 #include "app/help_texts.hpp"
 #include "app/help_tree.hpp"
+#include "app/terminal_output.hpp"
 #include "config/nearest_name.hpp"
 #include "run/build_info.hpp"
 #include "run/terminal.hpp"
@@ -167,7 +168,7 @@ void printFiles(const std::vector<std::filesystem::path>& files, const Invocatio
     list.push_back(file.string());
     if (!invocation.json && !invocation.quiet) std::cout << file.string() << "\n";
   }
-  if (invocation.json) std::cout << nlohmann::ordered_json{{"files", list}}.dump(2) << "\n";
+  if (invocation.json) std::cout << jsonText({{"files", list}});
 }
 
 std::string positive(const std::string& value) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/terminal_output.hpp"
 
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "run/terminal.hpp"
@@ -24,6 +25,10 @@ bool TerminalOutput::passOn() {
   const std::string text = run::printable(std::exchange(line_, {}));
   const auto size = static_cast<std::streamsize>(text.size());
   return below_->sputn(text.data(), size) == size;
+}
+
+std::string jsonText(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace tolman::app

@@ -3,6 +3,7 @@
 // object lives, what is written to the stream appears without them, line by line.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <streambuf>
 #include <string>
@@ -27,5 +28,8 @@ class TerminalOutput : public std::streambuf {
   std::streambuf* below_;
   std::string line_;  ///< not yet passed on
 };
+
+/// Indented, with a line feed; names of files that are no UTF-8 with U+FFFD in them.
+std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace tolman::app

@@ -3,6 +3,7 @@
 #include "config/overrides.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 
@@ -73,6 +74,18 @@ Status assign(Node& tree, const std::vector<std::string>& path, Node value, cons
   return Status::ok();
 }
 
+/// YAML leaves out comments, outer blanks and line breaks. A problem where it left out something,
+/// so that a path with such characters does not become another path.
+std::string lostText(const Node& value, const std::string& given) {
+  constexpr std::array kNulls = {"", "~", "null", "Null", "NULL"};
+  if (value.kind == Node::Kind::Null && std::ranges::find(kNulls, given) == kNulls.end()) {
+    return "YAML reads this as nothing; put the value into quotes: --set 'key=\"value\"'";
+  }
+  if (!value.isScalar() || value.quoted || value.text == given) return "";
+  return "YAML reads this as '" + value.text +
+         "'; put the value into quotes: --set 'key=\"value\"'";
+}
+
 }  // namespace
 
 void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
@@ -91,6 +104,10 @@ void applyOverrides(Node& tree, const std::vector<std::string>& overrides,
     const std::size_t equals = argument.find('=');
     std::optional<Node> value = readYaml(argument.substr(equals + 1), origin, problems);
     if (!value) continue;  // readYaml() has reported the reason
+    if (const std::string lost = lostText(*value, argument.substr(equals + 1)); !lost.empty()) {
+      problems.push_back({origin, "", lost});
+      continue;
+    }
     expandVariables(*value, argument.substr(0, equals), environment, problems);
     const Status done = assign(tree, path.value(), std::move(*value), origin);
     if (!done.isOk()) problems.push_back({origin, "", done.message()});

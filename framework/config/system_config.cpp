@@ -9,6 +9,7 @@
 
 #include "config/characters.hpp"
 #include "config/nearest_name.hpp"
+#include "config/printable_text.hpp"
 
 namespace tolman::config {
 namespace {
@@ -75,9 +76,22 @@ class Parser {
     others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "isolation",
                                  "checks", "rectification", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
-    if (!config_.general.name.empty()) return;
-    config_.general.name = std::filesystem::path(loaded_.file).stem().string();
+    if (!config_.general.name.empty()) {
+      refuseUnprintable();
+      return;
+    }
+    config_.general.name = printable(std::filesystem::path(loaded_.file).stem().string());
     config_.sections.back().values["name"] = config_.general.name;
+  }
+
+  /// The name goes into JSON, XML and terminals.
+  void refuseUnprintable() {
+    const std::string& name = config_.general.name;
+    if (printable(name, "") == name) return;
+    const Node* given = tree_.find("name");
+    problems_.push_back({given == nullptr ? tree_.origin : given->origin, "name",
+                         "is not UTF-8, or has control characters: '" + printable(name) +
+                             "'; choose another name"});
   }
 
   /// A list under `segments` is read as `segment_lengths`.

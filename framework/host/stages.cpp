@@ -79,7 +79,7 @@ Status OdometryStage::track(const Frame& frame, Motion& motion) {
     if (status.isOk()) status = checkAnswer(frame, motion);
     if (status.isOk()) status = checkMotion(motion, frame.frame == first_frame_);
     if (status.isOk()) status = times_.check(frame, motion);
-    if (status.isOk()) status = check(motion.revisions, frame.frame);
+    if (status.isOk()) status = check(motion.revisions, frame.frame - 1);
     return status;
   });
   times_.add(frame, answered.isOk());
@@ -93,7 +93,7 @@ Status OdometryStage::check(const std::vector<MotionRevision>& revisions,
     return Status::failed(
         fmt::format("revised frame {}, which was dropped before odometry", revision.frame));
   }
-  return checkRevisions(revisions, first_frame_, newest);
+  return checkRevisions(revisions, first_frame_ + 1, newest);
 }
 
 /// Converts frame numbers to those of the plugin and back.

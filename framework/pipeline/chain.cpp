@@ -78,9 +78,8 @@ void Chain::admit(FrameRecords& records) {
 void Chain::odometry(FrameRecords& records) {
   if (failed()) return;
   records.odometry_status = timed(records.times, Role::Odometry, [&] {
-    return withoutOtherTasks([&] {
-      return stages_.odometry.track(records.frame, records.motion, records.impossible_motion);
-    });
+    return withoutOtherTasks(
+        [&] { return stages_.odometry.track(records.frame, records.motion, records.impossible); });
   });
 }
 
@@ -102,13 +101,19 @@ bool Chain::takeOdometry(FrameRecords& records) {
   const Status& status = records.odometry_status;
   if (!resolve(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
-  if (!records.impossible_motion.empty()) {
-    ++counters_.impossible;
-    listener_.onEvent({records.frame.frame, LogLevel::Warning, "odometry",
-                       "the motion " + records.impossible_motion + "; it is predicted instead"});
+  if (const std::string& reason = records.impossible.motion; !reason.empty()) {
+    tellImpossible(records.frame.frame, "the motion " + reason + "; it is predicted instead");
+  }
+  if (const std::string& which = records.impossible.revision; !which.empty()) {
+    tellImpossible(records.frame.frame, "the revision " + which + "; it is left out");
   }
   last_motion_ = records.motion;
   return true;
+}
+
+void Chain::tellImpossible(std::int64_t frame, const std::string& text) {
+  ++counters_.impossible;
+  listener_.onEvent({frame, LogLevel::Warning, "odometry", text});
 }
 
 bool Chain::takePlace(FrameRecords& records) {
@@ -278,6 +283,12 @@ void Chain::publishTrajectory() {
 }
 
 void Chain::finish() {
+  if (counters_.dropped > 0) {
+    listener_.onEvent(
+        {-1, LogLevel::Warning, "pipeline",
+         "frames were dropped: the .kitti files repeat the pose before them, the .tum "
+         "files leave them out"});
+  }
   if (counters_.neverTracked()) {
     listener_.onEvent(
         {-1, LogLevel::Warning, "odometry", std::string(counters_.neverTrackedText())});
@@ -289,7 +300,12 @@ void Chain::finish() {
     (void)resolve(status, policy, -1, role);
     return status.isOk();
   };
-  step(Role::Odometry, policies_.odometry, [&] { return stages_.odometry.finish(revisions); });
+  Impossible impossible;
+  step(Role::Odometry, policies_.odometry,
+       [&] { return stages_.odometry.finish(revisions, impossible); });
+  if (!impossible.revision.empty()) {
+    tellImpossible(-1, "the revision " + impossible.revision + "; it is left out");
+  }
   step(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
   step(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });

@@ -95,6 +95,7 @@ class Chain {
  private:
   bool resolve(const Status& status, config::FailurePolicy policy, std::int64_t frame, Role role);
   bool takeOdometry(FrameRecords& records);
+  void tellImpossible(std::int64_t frame, const std::string& text);
   bool takePlace(FrameRecords& records);
   bool decide(FrameRecords& records);
   bool map(FrameRecords& records);

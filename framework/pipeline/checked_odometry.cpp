@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/checked_odometry.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "host/prediction.hpp"
@@ -22,33 +23,47 @@ std::optional<std::string> CheckedOdometry::admit(Frame& frame) {
 }
 
 /// An odometry that follows something else than the world may be sure of itself.
-Status CheckedOdometry::track(const Frame& frame, Motion& motion, std::string& impossible) {
+Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& impossible) {
   const Status status = odometry_.track(frame, motion);
   if (!status.isOk()) return status;
-  impossible = motion_check_.check(motion).value_or("");
-  if (!impossible.empty()) {
+  answered_.push_back({motion.frame, motion.dt, motion.scale_known});
+  impossible.motion = motion_check_.check(motion).value_or("");
+  if (!impossible.motion.empty()) {
     replaced_.insert(frame.frame);
     Motion predicted = predictedMotion(frame, last_);
     predicted.revisions = std::move(motion.revisions);
     motion = std::move(predicted);
   }
-  removeReplaced(motion.revisions);
+  filter(motion.revisions, impossible.revision);
   last_ = motion;
   last_.revisions.clear();
   last_.points.resize(Eigen::NoChange, 0);
   return status;
 }
 
-Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions) {
+Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions, Impossible& impossible) {
   const Status status = odometry_.finish(revisions);
-  removeReplaced(revisions);
+  filter(revisions, impossible.revision);
   return status;
 }
 
-/// They improve a motion that was not believed.
-void CheckedOdometry::removeReplaced(std::vector<MotionRevision>& revisions) const {
-  if (replaced_.empty()) return;
-  std::erase_if(revisions, [&](const MotionRevision& r) { return replaced_.contains(r.frame); });
+/// Revisions of a motion that was not believed go without a word.
+void CheckedOdometry::filter(std::vector<MotionRevision>& revisions,
+                             std::string& impossible) const {
+  std::erase_if(revisions, [&](const MotionRevision& revision) {
+    if (replaced_.contains(revision.frame)) return true;
+    const std::optional<std::string> reason = reasonAgainst(revision);
+    if (reason && impossible.empty()) {
+      impossible = "of frame " + std::to_string(revision.frame) + " " + *reason;
+    }
+    return reason.has_value();
+  });
+}
+
+std::optional<std::string> CheckedOdometry::reasonAgainst(const MotionRevision& revision) const {
+  const auto found = std::ranges::lower_bound(answered_, revision.frame, {}, &Answered::frame);
+  if (found == answered_.end() || found->frame != revision.frame) return std::nullopt;
+  return motion_check_.checkRevision(revision, found->dt, found->scale_known);
 }
 
 }  // namespace tolman::pipeline

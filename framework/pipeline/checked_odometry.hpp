@@ -2,6 +2,7 @@
 // Odometry between two checks: of the images that it gets, and of the motions that it answers.
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -16,6 +17,12 @@ namespace tolman::pipeline {
 /// The last motion, as a prediction for a frame without an answer.
 Motion predictedMotion(const Frame& frame, const Motion& last);
 
+/// What odometry answered and the robot cannot have done; empty: nothing.
+struct Impossible {
+  std::string motion;    ///< why the motion was replaced
+  std::string revision;  ///< which revision was left out first, and why
+};
+
 class CheckedOdometry {
  public:
   CheckedOdometry(host::OdometryStage& odometry, const config::CheckSettings& settings)
@@ -25,19 +32,27 @@ class CheckedOdometry {
   /// order, one call at a time; track() may still work on an earlier one.
   std::optional<std::string> admit(Frame& frame);
 
-  /// Replaces an impossible motion by a prediction; `impossible` becomes the reason, else empty.
-  Status track(const Frame& frame, Motion& motion, std::string& impossible);
+  /// Replaces an impossible motion by a prediction, and leaves out impossible revisions.
+  Status track(const Frame& frame, Motion& motion, Impossible& impossible);
 
-  Status finish(std::vector<MotionRevision>& revisions);
+  Status finish(std::vector<MotionRevision>& revisions, Impossible& impossible);
 
  private:
-  void removeReplaced(std::vector<MotionRevision>& revisions) const;
+  /// A motion that may be revised.
+  struct Answered {
+    std::int64_t frame = -1;
+    double dt = 0;  ///< s
+    bool scale_known = true;
+  };
+  void filter(std::vector<MotionRevision>& revisions, std::string& impossible) const;
+  std::optional<std::string> reasonAgainst(const MotionRevision& revision) const;
 
   host::OdometryStage& odometry_;
   bool check_images_;
   imaging::FrameCheck frame_check_;
   MotionCheck motion_check_;
   Motion last_;
+  std::deque<Answered> answered_;    ///< of all frames so far, in order
   std::set<std::int64_t> replaced_;  ///< frames with an impossible motion
 };
 

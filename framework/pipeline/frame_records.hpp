@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/checked_odometry.hpp"
 #include "pipeline/checkpoint.hpp"
 #include "tolman/records.hpp"
 #include "tolman/roles.hpp"
@@ -27,7 +28,7 @@ struct FrameRecords {
   bool leave_out_place = false;  ///< realtime: place recognition is late and skips this frame
   bool answered = false;         ///< all stages have answered; the listener may see it
   Status odometry_status;
-  std::string impossible_motion;  ///< why the answer of odometry was replaced; empty: it was not
+  Impossible impossible;
   Status place_status;
   StageTimes times{};
   std::unique_ptr<Checkpoint> checkpoint;  ///< null: none is wanted after this frame

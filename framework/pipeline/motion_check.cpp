@@ -20,19 +20,30 @@ std::optional<std::string> MotionCheck::check(const Motion& motion) {
   return std::nullopt;
 }
 
-std::optional<std::string> MotionCheck::reasonAgainst(const Motion& motion, double speed) const {
-  const double turn_rate =
-      Eigen::AngleAxisd(motion.T_previous_current.linear()).angle() / motion.dt;
+std::optional<std::string> MotionCheck::checkRevision(const MotionRevision& revision, double dt,
+                                                      bool scale_known) const {
+  if (dt <= 0) return std::nullopt;
+  return tooFast(revision.T_previous_current, dt, scale_known);
+}
+
+std::optional<std::string> MotionCheck::tooFast(const Eigen::Isometry3d& moved, double dt,
+                                                bool scale_known) const {
+  const double turn_rate = Eigen::AngleAxisd(moved.linear()).angle() / dt;
   if (turn_rate > settings_.max_turn_rate) {
     return fmt::format("turns by {:.1f} rad/s; checks.max_turn_rate is {:.3g}", turn_rate,
                        settings_.max_turn_rate);
   }
-  if (!motion.scale_known) return std::nullopt;
-  if (speed > settings_.max_speed) {
-    return fmt::format("has a speed of {:.0f} m/s; checks.max_speed is {:.3g}", speed,
-                       settings_.max_speed);
+  const double speed = moved.translation().norm() / dt;
+  if (!scale_known || speed <= settings_.max_speed) return std::nullopt;
+  return fmt::format("has a speed of {:.0f} m/s; checks.max_speed is {:.3g}", speed,
+                     settings_.max_speed);
+}
+
+std::optional<std::string> MotionCheck::reasonAgainst(const Motion& motion, double speed) const {
+  if (auto reason = tooFast(motion.T_previous_current, motion.dt, motion.scale_known)) {
+    return reason;
   }
-  if (!speed_) return std::nullopt;
+  if (!motion.scale_known || !speed_) return std::nullopt;
   // Not of the velocity: a clip that is played to and fro turns it round at once.
   // A small error of a position is a large one of the acceleration where frames follow fast.
   constexpr double kPositionError = 0.1;  // m

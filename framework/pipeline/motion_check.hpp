@@ -17,8 +17,14 @@ class MotionCheck {
   /// Call it with each motion, in order. Why a motion in state Tracking is impossible; nothing
   /// where it is possible. Where the scale is unknown only the turn rate is checked.
   std::optional<std::string> check(const Motion& motion);
+  /// The same for a better value of an earlier motion over `dt` s, whose neighbours may be revised
+  /// as well: its speed and turn rate are checked.
+  std::optional<std::string> checkRevision(const MotionRevision& revision, double dt,
+                                           bool scale_known) const;
 
  private:
+  std::optional<std::string> tooFast(const Eigen::Isometry3d& moved, double dt,
+                                     bool scale_known) const;
   std::optional<std::string> reasonAgainst(const Motion& motion, double speed) const;
 
   config::CheckSettings settings_;

@@ -33,19 +33,27 @@ Revisions lastRevisions(const Database& database) {
   return revisions;
 }
 
-/// Frames whose odometry was lost or initialising. The last frame before a track is its origin.
+/// Frames whose odometry was lost or initialising. The last frame before the first track of a
+/// session is its origin; before a later track the pose is unknown.
 std::set<std::int64_t> untrackedFrames(const Database& database) {
+  std::set<std::int64_t> beginnings;
+  forEachRow<RecordedSession>(
+      database, "", [&](const RecordedSession& row) { beginnings.insert(row.first_frame); });
   std::set<std::int64_t> frames;
   std::int64_t origin = -1;
+  bool has_tracked = false;
   Statement rows(database, "SELECT \"frame\", \"state\" FROM \"motion\" ORDER BY \"frame\"");
   while (rows.step()) {
     const std::int64_t frame = rows.next().getInt64();
     const std::string state = rows.next().getString();
+    if (beginnings.contains(frame)) has_tracked = false;
     if (state == enumName(TrackingState::Tracking)) {
       frames.erase(std::exchange(origin, -1));
+      has_tracked = true;
     } else {
       frames.insert(frame);
-      origin = state == enumName(TrackingState::Initialising) ? frame : -1;
+      const bool begins = state == enumName(TrackingState::Initialising) && !has_tracked;
+      origin = begins ? frame : -1;
     }
   }
   return frames;

@@ -99,6 +99,15 @@ evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std
   return errors.result();
 }
 
+/// Frames that `realtime` dropped have no record, and their truth is in none: they count as not
+/// tracked.
+void countDropped(evaluation::TrajectoryMetrics& metrics, const evaluation::Trajectory& poses) {
+  if (!metrics.scores || poses.empty()) return;
+  const auto processed = static_cast<double>(poses.size());
+  const auto given = static_cast<double>(poses.back().frame - poses.front().frame + 1);
+  metrics.scores->coverage *= processed / given;
+}
+
 /// Of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
@@ -106,6 +115,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
   metrics.odometry = evaluation::scoreTrajectory(truth, run.odometry, metrics.alignment, lengths);
+  countDropped(metrics.odometry, run.odometry);
   const record::GraphParts parts = record::partsOf(run.graph);
   metrics.parts = parts.count;
   metrics.sessions =
@@ -116,6 +126,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
     metrics.map.reason = evaluation::unjoinedText(metrics);
   } else {
     metrics.map = evaluation::scoreTrajectory(truth, run.map, metrics.alignment, lengths);
+    countDropped(metrics.map, run.odometry);
   }
   const record::RunTotals totals = must(reader.totals());
   metrics.frames = totals.frames;

@@ -83,7 +83,7 @@ class RepeatedOdometry {
 
   void track(const Frame& frame, const Motion& before) {
     Motion motion;
-    std::string impossible;
+    pipeline::Impossible impossible;
     const bool failed = !assembly_.checkedOdometry().track(frame, motion, impossible).isOk();
     last_ = failed ? before : motion;  // recorded after a failure is the predicted motion
     if (isSameMotion(last_, before)) return;

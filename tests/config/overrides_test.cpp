@@ -35,6 +35,21 @@ TEST_CASE("A path on the command line refers to the working directory") {
         (std::filesystem::current_path() / "data").string());
 }
 
+TEST_CASE("Quotes keep what YAML would leave out") {
+  const test::CheckedSystem system = with({"source.path=\"/a #2 \"", "name='x # y'"});
+  CHECK(system.complaints() == "");
+  CHECK(std::get<std::string>(system.of("source").at("path")) == "/a #2 ");
+  CHECK(system.config.general.name == "x # y");
+}
+
+TEST_CASE("A name that JSON and XML cannot hold is refused") {
+  for (const char* name : {"name=\"b\xff\"", "name=\"a\\e[31m\""}) {
+    CHECK(with({name}).complaints().find("is not UTF-8, or has control characters") !=
+          std::string::npos);
+  }
+  CHECK(with({"name=\"Übung 3\""}).complaints() == "");
+}
+
 TEST_CASE("A later --set overrides an earlier one") {
   CHECK(with({"seed=1", "seed=2"}).config.general.seed == 2);
 }
@@ -78,6 +93,15 @@ TEST_CASE("An illegal --set is reported as typed") {
       {"name=${NOWHERE}",
        "--set name=${NOWHERE}: name: the environment variable NOWHERE is not set; set it or write "
        "${NOWHERE:-default}\n"},
+      {"source.path=a #2",
+       "--set source.path=a #2: YAML reads this as 'a'; put the value into quotes: --set "
+       "'key=\"value\"'\n"},
+      {"source.path=# a",
+       "--set source.path=# a: YAML reads this as nothing; put the value into quotes: --set "
+       "'key=\"value\"'\n"},
+      {"source.path=a ",
+       "--set source.path=a : YAML reads this as 'a'; put the value into quotes: --set "
+       "'key=\"value\"'\n"},
       {"odometry.plugni=x",
        "--set odometry.plugni=x: odometry.plugni: unknown parameter; did you mean 'plugin'? "
        "(parameters of plugin toy_odometry: active_points, scale, pyramid, solver)\n"},

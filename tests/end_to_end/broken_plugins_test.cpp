@@ -125,6 +125,9 @@ TEST_CASE("answers that the record cannot take, or that break the contract, are 
            {"mirror", "track, frame 3: the rotation of 'T_previous_current' is not orthonormal"},
            {"huge_speed", "track, frame 3: 'v' is larger than a record takes"},
            {"far_revision", "track, frame 3: 'revisions.T_previous_current' is farther than"},
+           {"revises_itself", "track, frame 3: revised frame 3, which is not a past frame"},
+           {"revises_the_first", "track, frame 3: revised frame 0, which is not a past frame"},
+           {"huge_covariance", "track, frame 3: 'covariance' is larger than 1e+24 m^2"},
            {"negative_dt", "track, frame 3: 'dt' is -3 s"},
            {"negative_tracked", "track, frame 3: 'tracked' is -9"},
            {"negative_variance", "track, frame 3: 'covariance' has a negative variance"},
@@ -161,6 +164,14 @@ TEST_CASE("without any experience the map gets no figures, and each frame is ski
   CHECK(metrics["map"]["coverage"].is_null());
   CHECK(metrics["map"]["reason"] ==
         "the map has no experience, so its poses are those of odometry");
+}
+
+TEST_CASE("an impossible revision is left out and told") {
+  const Attempt attempt("answer_faults", "fast_revision");
+  INFO(attempt.finished.err);
+  CHECK(contains(attempt.finished.err, "the revision of frame 2 has a speed of "));
+  CHECK(readJson(attempt.out / "run.json")["counters"]["impossible"] == 1);
+  CHECK(readJson(attempt.out / "metrics.json")["odometry"]["path_length_m"].get<double>() < 1000);
 }
 
 TEST_CASE("on_failure: skip goes on without the frame") {

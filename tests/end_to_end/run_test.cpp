@@ -102,6 +102,41 @@ TEST_CASE("realtime: paced by stamps, and every frame is processed or counted as
   CHECK(counters["frames"].get<int>() + counters["dropped"].get<int>() == 20);
 }
 
+TEST_CASE("frames that realtime dropped are not covered, and the .kitti files are told to repeat") {
+  Tiny tiny(30);
+  const Finished finished = tiny.run({"--set", "pipeline={mode: realtime, speed: 40, queue: 1}"});
+  INFO(finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto counters = readJson(tiny.out / "run.json")["counters"];
+  const auto frames = counters["frames"].get<double>();
+  if (counters["dropped"] == 0) return;  // a fast machine
+  CHECK(contains(finished.err, "the .kitti files repeat the pose before them"));
+  const auto coverage = readJson(tiny.out / "metrics.json")["coverage"].get<double>();
+  CHECK(coverage <= frames / (frames + 1) + 1e-9);
+}
+
+TEST_CASE("--continue and --out take any name as it is") {
+  Tiny tiny(4);
+  for (const std::string name : {"x", "x #2", "\"q\"", "null", "a: b", "trail "}) {
+    INFO(name);
+    REQUIRE(tiny.run({}, name).exit_code == 0);
+    const Finished next =
+        tiny.run({"--continue", (tiny.folder.path() / name).string()}, name + "-next");
+    INFO(next.err);
+    REQUIRE(next.exit_code == 0);
+    const auto run = readJson(tiny.folder.path() / (name + "-next") / "run.json");
+    CHECK(run["continued"]["directory"] == (tiny.folder.path() / name).string());
+  }
+}
+
+TEST_CASE("--json shows names that are no UTF-8 with a sign in their place") {
+  Tiny tiny(3);
+  const Finished finished = tiny.run({"--json"}, "b\xff");
+  INFO(finished.err);
+  CHECK(finished.exit_code == 0);
+  CHECK(nlohmann::json::parse(finished.out)["exit_code"] == 0);
+}
+
 TEST_CASE("--json gives one document with figures") {
   Tiny tiny(5);
   const Finished finished = tiny.run({"--json"});

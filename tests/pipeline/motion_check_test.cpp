@@ -95,10 +95,11 @@ TEST_CASE(
     frame.frame = i;
     frame.stamp_ns = i * 100'000'000;
     Motion motion;
-    std::string impossible;
+    Impossible impossible;
     REQUIRE(odometry.track(frame, motion, impossible).isOk());
     CAPTURE(i);
-    CHECK(impossible.empty() == (i != 3));
+    CHECK(impossible.motion.empty() == (i != 3));
+    CHECK(impossible.revision.empty());
     CHECK(motion.frame == i);
     CHECK(motion.dt == Approx(i == 0 ? 0 : 0.1));
     if (i == 3) {
@@ -107,9 +108,23 @@ TEST_CASE(
       CHECK(motion.covariance(0, 0) >= 1);
     }
     for (const MotionRevision& revision : motion.revisions) CHECK(revision.frame != 3);
-    CHECK(motion.revisions.size() == (i == 4 ? 0U : i > 0 ? 1U : 0U));
+    CHECK(motion.revisions.size() == (i == 4 ? 0U : i > 1 ? 1U : 0U));
   }
   std::vector<MotionRevision> revisions;
-  REQUIRE(odometry.finish(revisions).isOk());
+  Impossible impossible;
+  REQUIRE(odometry.finish(revisions, impossible).isOk());
   CHECK(revisions.size() == 1);  // of frame 2; that of frame 3 is dropped
+}
+
+TEST_CASE("a revision is as possible as a motion has to be") {
+  const MotionCheck check{config::CheckSettings()};
+  MotionRevision revision;
+  revision.T_previous_current.translation().z() = 2;
+  CHECK_FALSE(check.checkRevision(revision, 0.1, true));
+  revision.T_previous_current.translation().z() = 500;
+  CHECK(check.checkRevision(revision, 0.1, true)->starts_with("has a speed of 5000 m/s"));
+  CHECK_FALSE(check.checkRevision(revision, 0.1, false));
+  CHECK_FALSE(check.checkRevision(revision, 0, true));
+  revision.T_previous_current.rotate(Eigen::AngleAxisd(2, Eigen::Vector3d::UnitX()));
+  CHECK(check.checkRevision(revision, 0.1, false)->starts_with("turns by 20.0 rad/s"));
 }

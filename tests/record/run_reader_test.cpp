@@ -55,7 +55,7 @@ TEST_CASE("odometry is composed from the last revisions") {
   CHECK(poses[3].stamp_ns == 1'300'000'000);
 }
 
-TEST_CASE("poses without tracking are marked; the last before a track is its origin") {
+TEST_CASE("poses without tracking are marked; the last before the first track is its origin") {
   using enum TrackingState;
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
@@ -75,7 +75,7 @@ TEST_CASE("poses without tracking are marked; the last before a track is its ori
   const auto poses = reader->odometry().value();
   std::string tracked;
   for (const auto& pose : poses) tracked += pose.tracked ? '+' : '-';
-  CHECK(tracked == "-++--+++-");
+  CHECK(tracked == "-++--+-+-");
 }
 
 TEST_CASE("the map's trajectory moves with its experiences") {
