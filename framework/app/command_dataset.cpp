@@ -13,6 +13,8 @@
 #include "config/check.hpp"
 #include "config/overrides.hpp"
 #include "host/stage_artefacts.hpp"
+#include "imaging/pair_survey.hpp"
+#include "pipeline/rectified_source.hpp"
 #include "run/assembly.hpp"
 
 namespace tolman::app {
@@ -28,7 +30,7 @@ struct DatasetOptions {
 using Findings = std::vector<Finding>;
 
 /// Reads every frame, as a run would.
-void decodeAll(host::SourceStage& source, Findings& findings) {
+void decodeAll(pipeline::RectifiedSource& source, Findings& findings) {
   SourceInfo info;
   Status status = source.info(info);
   std::int64_t frames = 0;
@@ -42,6 +44,26 @@ void decodeAll(host::SourceStage& source, Findings& findings) {
   } else {
     findings.push_back({Finding::Severity::Error, "", status.message()});
   }
+}
+
+/// Rectifies some pairs as a run would, and says how well their rows fit.
+void surveyPairs(pipeline::RectifiedSource& source, Findings& findings) {
+  constexpr int kPairs = 10;
+  SourceInfo info;
+  if (const Status status = source.info(info); !status.isOk()) {
+    findings.push_back({Finding::Severity::Error, "", status.message()});
+    return;
+  }
+  if (!source.text().empty()) {
+    findings.push_back({Finding::Severity::Note, "cameras", source.text()});
+  }
+  if (!info.rig.isStereo()) return;
+  imaging::PairSurvey survey;
+  Frame frame;
+  while (survey.pairs() < kPairs && source.next(frame).isOk()) survey.add(frame);
+  for (Finding& finding : survey.findings()) findings.push_back(std::move(finding));
+  (void)source.instance().reset();  // a failure is seen by the next call
+  source.expect();
 }
 
 bool print(const Findings& findings, bool json) {
@@ -79,7 +101,7 @@ ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const Dataset
 /// Configures the source, lets it inspect its data, and prints the findings.
 ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues& values,
                  const DatasetOptions& options, const Invocation& invocation) {
-  host::SourceStage source(std::move(instance));
+  pipeline::RectifiedSource source(std::move(instance));
   run::RunLog log(invocation.quiet);
   run::StageLogger logger(log, "source");
   host::StageArtefacts artefacts;
@@ -89,6 +111,7 @@ ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues
       source.instance().configure({values, logger, artefacts, interrupts, clock, {}, 1, "source"});
   Findings findings;
   const Status inspected = source.inspect(findings);
+  if (configured.isOk()) surveyPairs(source, findings);
   if (configured.isOk() && options.decode) decodeAll(source, findings);
   const bool sound = print(findings, invocation.json);
   if (!sound) return ExitCode::Dataset;  // the list has the reason why configure() failed
@@ -128,6 +151,7 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
   check_command->callback(
       [options, &invocation] { invocation.exit_code = check(*options, invocation); });
   addRenderCommand(*command, invocation);
+  addImportCommand(*command, invocation);
 }
 
 }  // namespace tolman::app

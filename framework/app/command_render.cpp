@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman dataset render: the frames of any source as a KITTI folder, for any other program.
+// tolman dataset render and import: the frames of any source as a KITTI folder, for any other
+// program.
 #include <fmt/format.h>
 #include <oneapi/tbb/global_control.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
@@ -13,6 +16,7 @@
 #include "app/terminal_output.hpp"
 #include "dataset/rendering.hpp"
 #include "pipeline/drive.hpp"
+#include "record/atomic_file.hpp"
 #include "run/assembly.hpp"
 
 namespace tolman::app {
@@ -172,6 +176,38 @@ class RenderRun {
   std::unique_ptr<run::Assembly> assembly_;
 };
 
+struct ImportCommand {
+  std::string path;
+  std::string source;
+  std::vector<std::string> overrides;
+};
+
+/// The options of a configuration of this source alone, which lies in memory.
+run::SystemOptions systemOf(const ImportCommand& import, const record::FileDescriptor& memory,
+                            const Invocation& invocation) {
+  const std::string yaml = "source: {plugin: " + import.source + "}\n";
+  if (::write(memory.number(), yaml.data(), yaml.size()) != static_cast<ssize_t>(yaml.size())) {
+    throw run::Failed({run::FailureKind::Record, "no memory for the configuration"});
+  }
+  run::SystemOptions options;
+  options.config = "/proc/self/fd/" + std::to_string(memory.number());
+  options.plugin_paths = invocation.plugin_paths;
+  options.overrides = {"source.path=" + import.path};
+  for (const std::string& value : import.overrides) options.overrides.push_back("source." + value);
+  return options;
+}
+
+void addOutput(CLI::App& command, RenderCommand& render) {
+  command.add_option("--out", render.out, "Folder to write")
+      ->type_name("FOLDER")
+      ->required()
+      ->check(notEmpty);
+  command.add_option("--frames", render.render.frames, "Take at most this many frames")
+      ->check(positive);
+  command.add_flag("--depth", render.depth, "Write depth maps too (16 bits, m * 256)");
+  command.add_flag("--force", render.replace, "Replace an earlier rendering in the folder");
+}
+
 }  // namespace
 
 void addRenderCommand(CLI::App& dataset, Invocation& invocation) {
@@ -179,17 +215,32 @@ void addRenderCommand(CLI::App& dataset, Invocation& invocation) {
       dataset.add_subcommand("render", "Write the frames of a source as a KITTI folder");
   auto options = std::make_shared<SystemOptionsReader>(*command);
   auto render = std::make_shared<RenderCommand>();
-  command->add_option("--out", render->out, "Folder to write")
-      ->type_name("FOLDER")
-      ->required()
-      ->check(notEmpty);
-  command->add_option("--frames", render->render.frames, "Take at most this many frames")
-      ->check(positive);
-  command->add_flag("--depth", render->depth, "Write depth maps too (16 bits, m * 256)");
-  command->add_flag("--force", render->replace, "Replace an earlier rendering in the folder");
+  addOutput(*command, *render);
   command->callback([options, render, &invocation] {
     RenderRun run(invocation, *render);
     invocation.exit_code = run.execute(options->read(invocation));
+  });
+}
+
+void addImportCommand(CLI::App& dataset, Invocation& invocation) {
+  CLI::App* command = dataset.add_subcommand(
+      "import", "Write a recording, rectified, as a KITTI folder (render without a configuration)");
+  auto import = std::make_shared<ImportCommand>();
+  auto render = std::make_shared<RenderCommand>();
+  command->add_option("path", import->path, "Folder or file of the recording")
+      ->type_name("PATH")
+      ->required();
+  command->add_option("--source", import->source, "Source plugin that reads it")
+      ->type_name("SOURCE")
+      ->required();
+  command->add_option("--set", import->overrides, "Parameter of the source: --set a=b")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  addOutput(*command, *render);
+  command->callback([import, render, &invocation] {
+    const record::FileDescriptor memory(::memfd_create("import.yaml", MFD_CLOEXEC));
+    RenderRun run(invocation, *render);
+    invocation.exit_code = run.execute(systemOf(*import, memory, invocation));
   });
 }
 

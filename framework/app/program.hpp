@@ -71,6 +71,7 @@ void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation);  // below 
 void addValidateCommand(CLI::App& plugins, Invocation& invocation);    // below `plugins`
 void addDatasetCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
+void addImportCommand(CLI::App& dataset, Invocation& invocation);  // likewise
 void addBenchCommand(CLI::App& app, Invocation& invocation);
 void addEvalCommand(CLI::App& app, Invocation& invocation);
 void addPlanCommand(CLI::App& app, Invocation& invocation);

@@ -177,6 +177,7 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
   }
   measure.matched = static_cast<int>(down.size());
   if (down.empty()) return measure;
+  measure.rows = down;
   measure.rows_low = percentile(down, 0.5);
   measure.share_exchanged = static_cast<double>(exchanged) / measure.matched;
   for (double& d : down) d = std::fabs(d - measure.rows_low);

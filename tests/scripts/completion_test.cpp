@@ -122,7 +122,7 @@ TEST_CASE("bash completes configurations, files, folders and plugins") {
   CHECK(bashOffers(desk, {"report", "a", "b", ""}) == Words{"drives"});  // as many as wanted
   CHECK(bashOffers(desk, {"plugins", "doctor", ""}) == Words{"drives", "mine.so"});
   CHECK(hasAll(bashOffers(desk, {"plugins", "describe", ""}), {"kitti", "view_templates"}));
-  CHECK(bashOffers(desk, {"dataset", "check", "--source", "ki"}) == Words{"kitti"});
+  CHECK(bashOffers(desk, {"dataset", "check", "--source", "to"}) == Words{"town"});
   CHECK(bashOffers(desk, {"run", "--viewer", "ki"}).empty());  // it is no observer
   CHECK(bashOffers(desk, {"run", "--seed", ""}).empty());
 }
@@ -170,8 +170,8 @@ TEST_CASE("zsh completes the same, with texts") {
   CHECK(terminal.waitFor("emplates"));
   terminal.type(
       "\x15"
-      "tolman dataset check --source ki\t");
-  CHECK(terminal.waitFor("tti"));
+      "tolman dataset check --source to\t");
+  CHECK(terminal.waitFor("wn"));
   terminal.type(
       "\x15"
       "exit\n");
@@ -191,7 +191,7 @@ TEST_CASE("fish completes the same") {
   CHECK(hasAll(fishOffers(desk, "tolman run "), {"demo", "town/district", "mine.yaml"}));
   CHECK(fishOffers(desk, "tolman run --out dr") == Words{"drives/"});
   CHECK(fishOffers(desk, "tolman report a b ") == Words{"drives/"});
-  CHECK(fishOffers(desk, "tolman dataset check --source ki") == Words{"kitti"});
+  CHECK(fishOffers(desk, "tolman dataset check --source to") == Words{"town"});
   CHECK(hasAll(fishOffers(desk, "tolman plugins describe "), {"kitti", "view_templates"}));
   CHECK(fishOffers(desk, "tolman run --seed ").empty());
 }

@@ -4,6 +4,11 @@
 #include <utility>
 
 namespace tolman::image_folders {
+namespace {
+
+constexpr const char* kDepth = "depth.left";
+
+}  // namespace
 
 Status FolderSource::configure(const Context& context) {
   dataset_ = {};
@@ -22,6 +27,25 @@ Status FolderSource::configure(const Context& context) {
   return ready_;
 }
 
+Status FolderSource::rawRig(RawRig& rig) {
+  if (!ready_.isOk()) return ready_;
+  rig = dataset_.raw;
+  return Status::ok();
+}
+
+Status FolderSource::describe(std::vector<ArrayInfo>& arrays) const {
+  if (dataset_.depth.empty()) return Status::ok();
+  ArrayInfo& depth = arrays.emplace_back();
+  depth.name = kDepth;
+  depth.kind = ArrayKind::DepthImage;
+  depth.unit = "m";
+  depth.doc = "measured depth of the image along the optical axis; 0 where it was not measured";
+  depth.axes.resize(2);
+  depth.axes[0].name = "row";
+  depth.axes[1].name = "column";
+  return Status::ok();
+}
+
 Status FolderSource::reset() {
   next_frame_ = 0;
   return ready_;
@@ -29,7 +53,7 @@ Status FolderSource::reset() {
 
 Status FolderSource::info(SourceInfo& info) {
   if (!ready_.isOk()) return ready_;
-  info.description = describe(dataset_, sequence_.size());
+  info.description = descriptionOf(dataset_, sequence_.size());
   info.rig = dataset_.rig;
   info.frames = sequence_.size();
   info.has_truth = !dataset_.T_world_left.empty();
@@ -54,21 +78,37 @@ Status FolderSource::next(Frame& frame) {
   const bool damaged = status.code() == StatusCode::InvalidInput;
   if (!damaged || parameters_.on_corrupt == OnCorrupt::Stop) return status;
   frame.left = frame.right = {};
+  frame.sensors.clear();
   frame.defect = status.message();
   return Status::ok();
 }
 
 Status FolderSource::readImages(std::size_t index, Frame& frame) const {
   const auto read = [this](const std::filesystem::path& file) {
-    return readImageFile(file, parameters_.colour, dataset_.size());
+    return readImageFile(file, parameters_.colour, dataset_.size(), parameters_.bits);
   };
   Result<Image> left = read(dataset_.left[index]);
   if (!left.isOk()) return left.status();
   frame.left = std::move(left).value();
-  if (dataset_.right.empty()) return Status::ok();
+  if (dataset_.right.empty()) return readDepth(index, frame);
   Result<Image> right = read(dataset_.right[index]);
   if (!right.isOk()) return right.status();
   frame.right = std::move(right).value();
+  return readDepth(index, frame);
+}
+
+Status FolderSource::readDepth(std::size_t index, Frame& frame) const {
+  if (dataset_.depth.empty()) return Status::ok();
+  const ImageSize size = dataset_.size();
+  const auto values = readDepthFile(dataset_.depth[index], size);
+  if (!values.isOk()) return values.status();
+  NamedArray& depth = frame.sensors.emplace_back();
+  depth.name = kDepth;
+  depth.shape = {size.height, size.width};
+  const double m_per_value = 1 / dataset_.depth_per_m;
+  for (const std::uint16_t value : values.value()) {
+    depth.values.push_back(static_cast<float>(value * m_per_value));
+  }
   return Status::ok();
 }
 
@@ -82,7 +122,7 @@ Status FolderSource::inspect(std::vector<Finding>& findings) {
   if (!dataset_.left.empty()) {
     const auto all = static_cast<std::int64_t>(dataset_.left.size());
     findings.push_back({Finding::Severity::Note, dataset_.left.front().parent_path().string(),
-                        describe(dataset_, ready_.isOk() ? sequence_.size() : all)});
+                        descriptionOf(dataset_, ready_.isOk() ? sequence_.size() : all)});
   }
   return Status::ok();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Base of the sources `kitti` and `images`: frames from an ImageDataset, which a derived class
+// Base of the sources that read image files: frames from an ImageDataset, which a derived class
 // reads.
 #pragma once
 
@@ -12,6 +12,7 @@
 
 #include "image_dataset.hpp"
 #include "inspection.hpp"
+#include "tolman/extras.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
 
@@ -24,9 +25,10 @@ enum class OnCorrupt : std::uint8_t {
 inline constexpr std::array<std::string_view, 2> kOnCorruptNames = {"stop", "skip"};
 constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCorruptNames; }
 
-/// Parameters of both layouts.
+/// Parameters of all layouts.
 struct FolderParameters : FrameSelection {
   bool colour = false;
+  int bits = 16;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
 };
 
@@ -36,17 +38,23 @@ constexpr auto folderParameters() {
       parameters(
           parameter<P, bool>("colour", &P::colour)
               .doc("Provide colour images; otherwise colour files are converted to grey."),
+          parameter<P, int>("bits", &P::bits)
+              .range(8, 16)
+              .doc("Bits that images of 16 bits use, from the lowest; the 8 highest of them are "
+                   "taken."),
           parameter<P, OnCorrupt>("on_corrupt", &P::on_corrupt)
               .doc("Damaged image files: stop the run, or skip: give a frame without images.")),
       selectionParameters<P>());
 }
 
-class FolderSource : public Source {
+class FolderSource : public Source, public RawRigSource, public ArrayDescriptions {
  public:
   Status configure(const Context& context) final;
   Status reset() final;
   Status info(SourceInfo& info) final;
   Status next(Frame& frame) final;
+  Status rawRig(RawRig& rig) final;
+  Status describe(std::vector<ArrayInfo>& arrays) const final;
   /// Reads every image file once: seconds for thousands of images.
   Status inspect(std::vector<Finding>& findings) final;
 
@@ -57,6 +65,7 @@ class FolderSource : public Source {
 
  private:
   Status readImages(std::size_t index, Frame& frame) const;
+  Status readDepth(std::size_t index, Frame& frame) const;
 
   FolderParameters parameters_;
   ImageDataset dataset_;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "image_dataset.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
+#include "camera_files.hpp"
 #include "image_listing.hpp"
 #include "text_file.hpp"
 
@@ -10,19 +13,6 @@ namespace tolman::image_folders {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// The size in the first sound header: damaged images are the business of on_corrupt.
-void findImageSize(ImageDataset& dataset, Inspection& inspection) {
-  for (const fs::path& file : dataset.left) {
-    const Result<ImageSize> size = checkImageFile(file);
-    if (!size.isOk()) continue;
-    dataset.rig.width = size.value().width;
-    dataset.rig.height = size.value().height;
-    return;
-  }
-  if (dataset.left.empty()) return;  // explained by listImages()
-  inspection.error(dataset.left.front().parent_path(), "has no readable image; restore them");
-}
 
 std::string pixels(ImageSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
@@ -41,6 +31,19 @@ void checkImage(const fs::path& file, ImageSize expected, std::vector<Finding>& 
 }
 
 }  // namespace
+
+/// Damaged images are the business of on_corrupt.
+void findImageSize(ImageDataset& dataset, Inspection& inspection) {
+  for (const fs::path& file : dataset.left) {
+    const Result<ImageSize> size = checkImageFile(file);
+    if (!size.isOk()) continue;
+    dataset.rig.width = size.value().width;
+    dataset.rig.height = size.value().height;
+    return;
+  }
+  if (dataset.left.empty()) return;  // explained by listImages()
+  inspection.error(dataset.left.front().parent_path(), "has no readable image; restore them");
+}
 
 void readFolders(const fs::path& left_folder, const fs::path& right_folder, ImageDataset& dataset,
                  Inspection& inspection) {
@@ -69,8 +72,49 @@ void checkPrincipalPoint(const fs::path& file, const CameraRig& rig, Inspection&
                              " image; give the calibration of these images");
 }
 
-std::string describe(const ImageDataset& dataset, std::int64_t frames) {
-  const bool stereo = dataset.rig.isStereo();
+std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,
+                                         const std::vector<std::int64_t>& others,
+                                         std::int64_t apart_ns) {
+  std::vector<std::ptrdiff_t> nearest;
+  for (const std::int64_t time : times) {
+    auto best = std::lower_bound(others.begin(), others.end(), time);
+    if (best != others.begin() && (best == others.end() || time - best[-1] < *best - time)) --best;
+    const bool found = best != others.end() && std::abs(*best - time) <= apart_ns;
+    nearest.push_back(found ? best - others.begin() : -1);
+  }
+  return nearest;
+}
+
+void keepFrames(const std::vector<bool>& keep, ImageDataset& dataset) {
+  const auto filter = [&](auto& list) {
+    if (list.size() != keep.size()) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+      if (keep[i]) list[kept++] = list[i];
+    }
+    list.resize(kept);
+  };
+  filter(dataset.left);
+  filter(dataset.right);
+  filter(dataset.stamps_ns);
+  filter(dataset.T_world_left);
+  filter(dataset.depth);
+}
+
+void readRawCameras(const std::vector<fs::path>& files, int kitti_left, ImageDataset& dataset,
+                    Inspection& inspection) {
+  if (dataset.left.empty()) return;  // explained by who lists the images
+  const Result<RawRig> rig = camera_files::readCameras(
+      files, {dataset.right.empty() ? 1 : 2, dataset.rig.width, dataset.rig.height, kitti_left});
+  if (!rig.isOk()) {
+    inspection.error(rig.status().message());
+  } else {
+    dataset.raw = rig.value();
+  }
+}
+
+std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames) {
+  const bool stereo = dataset.rig.isStereo() || !dataset.right.empty();
   std::string text = dataset.layout + ", " + std::to_string(frames);
   if (frames != static_cast<std::int64_t>(dataset.left.size())) {
     text += " from " + std::to_string(dataset.left.size());
@@ -82,8 +126,10 @@ std::string describe(const ImageDataset& dataset, std::int64_t frames) {
     const double rate = static_cast<double>(stamps.size() - 1) / seconds;
     text += " px at " + fixed(rate, rate < 1 ? 4 : 1) + " Hz";
   }
-  if (stereo) text += ", baseline " + fixed(dataset.rig.baseline, 4) + " m";
-  if (!dataset.rig.calibrated) text += ", uncalibrated";
+  if (dataset.rig.isStereo()) text += ", baseline " + fixed(dataset.rig.baseline, 4) + " m";
+  const bool raw = !dataset.raw.cameras.empty();
+  if (!dataset.depth.empty()) text += ", with depth";
+  if (!dataset.rig.calibrated) text += raw ? ", not rectified" : ", uncalibrated";
   return text + (dataset.T_world_left.empty() ? ", no truth" : ", with truth");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A data set of image files, calibration, stamps (ns) and true poses (m), after its folders and
-// text files were read. Shared by the sources `kitti` and `images`.
+// text files were read. Shared by all sources of image files.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,7 +22,10 @@ struct ImageDataset {
   std::vector<std::filesystem::path> right;  ///< empty for a single camera
   std::vector<std::int64_t> stamps_ns;
   std::vector<Eigen::Isometry3d> T_world_left;  ///< truth, of the left camera; or empty
+  std::vector<std::filesystem::path> depth;     ///< of the left camera, 16 bits; or empty
+  double depth_per_m = 0;                       ///< values of a depth image per metre
   CameraRig rig;
+  RawRig raw;  ///< of unrectified images; else without cameras
 
   ImageSize size() const { return {rig.width, rig.height}; }
 };
@@ -32,6 +35,9 @@ void readFolders(const std::filesystem::path& left_folder,
                  const std::filesystem::path& right_folder, ImageDataset& dataset,
                  Inspection& inspection);
 
+/// Fills the image size of the rig: that of the first image whose header is sound.
+void findImageSize(ImageDataset& dataset, Inspection& inspection);
+
 /// Stamps of a camera with `rate` images a second.
 std::vector<std::int64_t> uniformStamps(std::size_t count, double rate);
 
@@ -39,9 +45,22 @@ std::vector<std::int64_t> uniformStamps(std::size_t count, double rate);
 void checkPrincipalPoint(const std::filesystem::path& file, const CameraRig& rig,
                          Inspection& inspection);
 
+/// Lists of sensors that were exposed at other times: for each time the one of `others` that is
+/// nearest, at most `apart_ns` away; else -1. Both increase.
+std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,
+                                         const std::vector<std::int64_t>& others,
+                                         std::int64_t apart_ns);
+
+/// Keeps the frames whose place in `keep` is true, in all lists.
+void keepFrames(const std::vector<bool>& keep, ImageDataset& dataset);
+
+/// Reads raw cameras for the images that were found; an error where that fails.
+void readRawCameras(const std::vector<std::filesystem::path>& files, int kitti_left,
+                    ImageDataset& dataset, Inspection& inspection);
+
 /// "KITTI odometry, 51 stereo pairs of 1226x370 px at 9.7 Hz, baseline 0.537 m, with truth";
 /// `frames` of them are used.
-std::string describe(const ImageDataset& dataset, std::int64_t frames);
+std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames);
 
 /// An error finding for each image file that is damaged or of another size; nothing is decoded.
 void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings);

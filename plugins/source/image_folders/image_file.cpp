@@ -100,18 +100,23 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   return bytes;
 }
 
-Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected) {
+/// The bytes of an image of the size `expected`, as its header says it.
+Result<std::vector<std::uint8_t>> checkedBytes(const fs::path& file, ImageSize expected) {
   Result<std::vector<std::uint8_t>> bytes = readBytes(file);
   if (!bytes.isOk()) return bytes.status();
   const Result<ImageSize> size = checkImageBytes(bytes.value());
   if (!size.isOk()) return size.status();
-  if (size.value() != expected) {
-    return problem("has " + std::to_string(size.value().width) + "x" +
-                   std::to_string(size.value().height) + " pixels, but the first image has " +
-                   std::to_string(expected.width) + "x" + std::to_string(expected.height));
-  }
-  Result<Image> image =
-      isPng(bytes.value()) ? decodePng(bytes.value(), colour) : decodeJpeg(bytes.value(), colour);
+  if (size.value() == expected) return bytes;
+  return problem("has " + std::to_string(size.value().width) + "x" +
+                 std::to_string(size.value().height) + " pixels, but the first image has " +
+                 std::to_string(expected.width) + "x" + std::to_string(expected.height));
+}
+
+Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected, int bits) {
+  Result<std::vector<std::uint8_t>> bytes = checkedBytes(file, expected);
+  if (!bytes.isOk()) return bytes.status();
+  Result<Image> image = isPng(bytes.value()) ? decodePng(bytes.value(), colour, bits)
+                                             : decodeJpeg(bytes.value(), colour);
   if (!image.isOk()) return image;
   if (ImageSize{image.value().width(), image.value().height()} != expected) {
     return problem("has a damaged header");
@@ -143,9 +148,19 @@ Result<ImageSize> checkImageFile(const fs::path& file) {
   return size.isOk() ? size : named(file, size.status());
 }
 
-Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected) {
-  Result<Image> image = checkAndDecode(file, colour, expected);
+Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected, int bits) {
+  Result<Image> image = checkAndDecode(file, colour, expected, bits);
   return image.isOk() ? image : named(file, image.status());
+}
+
+Result<std::vector<std::uint16_t>> readDepthFile(const fs::path& file, ImageSize expected) {
+  Result<std::vector<std::uint8_t>> bytes = checkedBytes(file, expected);
+  if (!bytes.isOk()) return named(file, bytes.status());
+  Result<std::vector<std::uint16_t>> depth = decodeDeepPng(bytes.value());
+  const auto pixels =
+      static_cast<std::size_t>(expected.width) * static_cast<std::size_t>(expected.height);
+  if (depth.isOk() && depth.value().size() != pixels) depth = problem("has a damaged header");
+  return depth.isOk() ? depth : named(file, depth.status());
 }
 
 }  // namespace tolman::image_folders

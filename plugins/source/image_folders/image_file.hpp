@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "tolman/image.hpp"
 #include "tolman/status.hpp"
@@ -30,8 +31,13 @@ Result<ImageSize> checkImageBytes(std::span<const std::uint8_t> bytes);
 /// The same for a file. Messages name the file and the remedy.
 Result<ImageSize> checkImageFile(const std::filesystem::path& file);
 
-/// An image of the size `expected` as Gray8, or as Bgr8 when `colour`. The orientation of EXIF data
-/// is ignored: calibration is of the pixels as stored.
-Result<Image> readImageFile(const std::filesystem::path& file, bool colour, ImageSize expected);
+/// An image of the size `expected` as Gray8, or as Bgr8 when `colour`; `bits` of 16 are used, see
+/// decodePng(). The orientation of EXIF data is ignored: calibration is of the pixels as stored.
+Result<Image> readImageFile(const std::filesystem::path& file, bool colour, ImageSize expected,
+                            int bits = 16);
+
+/// A PNG of one channel of 16 bits, of the size `expected`, row by row.
+Result<std::vector<std::uint16_t>> readDepthFile(const std::filesystem::path& file,
+                                                 ImageSize expected);
 
 }  // namespace tolman::image_folders

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "calibration.hpp"
+#include "camera_files.hpp"
 #include "times_and_poses.hpp"
 
 namespace tolman::image_folders {
@@ -32,6 +33,12 @@ Status checkCombination(const Parameters& p) {
     return Status::invalidParameter(
         "two cameras need a calibration; give the file, or fx and baseline");
   }
+  if (!p.calibration_right.empty() && p.calibration.empty()) {
+    return Status::invalidParameter("calibration_right is given without calibration; name both");
+  }
+  if (p.stamps_in_names && !p.stamps.empty()) {
+    return Status::invalidParameter("stamps and stamps_in_names are both given; keep one");
+  }
   if (!p.stamps_column.empty() && p.stamps.empty()) {
     return Status::invalidParameter("stamps_column is given without stamps; name the file");
   }
@@ -46,13 +53,20 @@ void setRig(const Parameters& p, CameraRig& rig) {
   rig.baseline = p.baseline;
 }
 
-void readRig(const Parameters& p, CameraRig& rig, Inspection& inspection) {
+void readRig(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {
+  CameraRig& rig = dataset.rig;
   if (p.calibration.empty()) {
     setRig(p, rig);
     if (rig.calibrated) checkPrincipalPoint("cx, cy", rig, inspection);
     return;
   }
   const fs::path file = fs::path(p.path) / p.calibration;
+  if (camera_files::isRawCalibration(file) || !p.calibration_right.empty()) {
+    std::vector<fs::path> files = {file};
+    if (!p.calibration_right.empty()) files.push_back(fs::path(p.path) / p.calibration_right);
+    readRawCameras(files, 0, dataset, inspection);
+    return;
+  }
   const auto calibration = readKittiCalibration(file, 0, !p.right.empty(), inspection);
   if (!calibration) return;
   rig.calibrated = true;
@@ -62,12 +76,16 @@ void readRig(const Parameters& p, CameraRig& rig, Inspection& inspection) {
 }
 
 void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {
+  if (p.stamps_in_names) {
+    dataset.stamps_ns = timesOfNames(dataset.left, p.stamps_unit, inspection);
+    return;
+  }
   if (p.stamps.empty()) {
     dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);
     return;
   }
   const fs::path file = fs::path(p.path) / p.stamps;
-  dataset.stamps_ns = readTimes(file, p.stamps_column, inspection);
+  dataset.stamps_ns = readTimes(file, p.stamps_column, inspection, p.stamps_unit);
   checkCount(file, dataset.stamps_ns.size(), dataset.left.size(), inspection);
 }
 
@@ -83,7 +101,7 @@ Status ImagesSource::load(const ParameterValues& values, FolderParameters& share
   dataset.layout = "images";
   const fs::path right = p.right.empty() ? fs::path() : fs::path(p.path) / p.right;
   readFolders(leftFolder(p), right, dataset, inspection);
-  readRig(p, dataset.rig, inspection);
+  readRig(p, dataset, inspection);
   readStamps(p, dataset, inspection);
   return Status::ok();
 }

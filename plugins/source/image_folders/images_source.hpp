@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "folder_source.hpp"
+#include "times_and_poses.hpp"
 
 namespace tolman::image_folders {
 
@@ -16,6 +17,7 @@ class ImagesSource final : public FolderSource {
     std::string left;
     std::string right;
     std::string calibration;
+    std::string calibration_right;
     double fx = 0;
     double fy = 0;
     double cx = 0;
@@ -24,6 +26,8 @@ class ImagesSource final : public FolderSource {
     double rate = 10;
     std::string stamps;
     std::string stamps_column;
+    TimeUnit stamps_unit = TimeUnit::Seconds;
+    bool stamps_in_names = false;
 
     static constexpr auto declaration() {
       return std::tuple_cat(
@@ -35,9 +39,13 @@ class ImagesSource final : public FolderSource {
               parameter("left", &Parameters::left)
                   .doc("Folder of the left (or only) camera; empty: images, or path itself."),
               parameter("right", &Parameters::right)
-                  .doc("Folder of the right camera of a rectified pair; empty for one camera."),
+                  .doc("Folder of the right camera; empty for one camera."),
               parameter("calibration", &Parameters::calibration)
-                  .doc("Calibration in KITTI's format (P0, P1); empty: fx to baseline."),
+                  .doc("Calibration: KITTI's P0, P1 for rectified images; for raw ones Kalibr, "
+                       "OpenCV, ROS, EuRoC or KITTI raw. Empty: fx to baseline."),
+              parameter("calibration_right", &Parameters::calibration_right)
+                  .doc("Second file where calibration has one camera, or no poses (OpenCV's "
+                       "extrinsics)."),
               parameter("fx", &Parameters::fx)
                   .range(0, 1e6)
                   .unit("px")
@@ -63,9 +71,12 @@ class ImagesSource final : public FolderSource {
                   .unit("Hz")
                   .doc("Frame rate, where stamps names no file."),
               parameter("stamps", &Parameters::stamps)
-                  .doc("File with the time of each image in seconds, one a line, or a table."),
+                  .doc("File with the time of each image, one a line, or a table."),
               parameter("stamps_column", &Parameters::stamps_column)
-                  .doc("Name of the table's column that holds the times.")),
+                  .doc("Name of the table's column that holds the times."),
+              parameter("stamps_unit", &Parameters::stamps_unit).doc("Unit of the times."),
+              parameter("stamps_in_names", &Parameters::stamps_in_names)
+                  .doc("The names of the left images are their times.")),
           folderParameters<Parameters>());
     }
   };

@@ -14,6 +14,12 @@ void Inspection::error(const std::filesystem::path& file, int line, std::string 
   add(file.string(), file.string() + ":" + std::to_string(line), std::move(message));
 }
 
+void Inspection::error(const std::string& message) {
+  const std::size_t end = std::min(message.find(": "), message.size());
+  const std::string where = message.substr(0, end);
+  add(where, where, message.substr(std::min(end + 2, message.size())));
+}
+
 void Inspection::warning(const std::filesystem::path& file, std::string message) {
   findings_.push_back({Finding::Severity::Warning, file.string(), std::move(message)});
 }

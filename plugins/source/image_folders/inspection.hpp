@@ -16,6 +16,8 @@ class Inspection {
  public:
   void error(const std::filesystem::path& file, std::string message);
   void error(const std::filesystem::path& file, int line, std::string message);
+  /// "FILE: what", or "FILE:LINE: what".
+  void error(const std::string& message);
   /// What may be meant as it is: the data are used.
   void warning(const std::filesystem::path& file, std::string message);
 

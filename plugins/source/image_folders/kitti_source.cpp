@@ -11,14 +11,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Parameters = KittiSource::Parameters;
+using KittiParameters = KittiSource::Parameters;
 
 fs::path imageFolder(const fs::path& root, int camera) {
   return root / ("image_" + std::to_string(camera));
 }
 
 /// 0 for the grey pair, 2 for the colour pair, -1 when there is neither.
-int leftCamera(const Parameters& p) {
+int leftCamera(const KittiParameters& p) {
   const fs::path root = p.path;
   std::error_code ignored;
   for (const int camera : {p.colour ? 2 : 0, p.colour ? 0 : 2}) {
@@ -38,7 +38,7 @@ void readCalibration(const fs::path& file, int left, bool stereo, ImageDataset& 
   checkPrincipalPoint(file, dataset.rig, inspection);
 }
 
-void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {
+void readStamps(const KittiParameters& p, ImageDataset& dataset, Inspection& inspection) {
   const fs::path file = fs::path(p.path) / "times.txt";
   if (!fs::exists(file)) {
     if (p.rate > 0) {
@@ -53,7 +53,7 @@ void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspecti
 }
 
 /// The file named by the user, that in the sequence, or that of the benchmark's own tree.
-fs::path posesFile(const Parameters& p) {
+fs::path posesFile(const KittiParameters& p) {
   if (!p.poses.empty()) return p.poses;
   const fs::path root = fs::path(p.path) / "";
   const fs::path sequence = root.parent_path();
@@ -65,8 +65,8 @@ fs::path posesFile(const Parameters& p) {
   return {};
 }
 
-void readTruth(const Parameters& p, const Eigen::Vector3d& t_left_camera0, ImageDataset& dataset,
-               Inspection& inspection) {
+void readTruth(const KittiParameters& p, const Eigen::Vector3d& t_left_camera0,
+               ImageDataset& dataset, Inspection& inspection) {
   const fs::path file = posesFile(p);
   if (file.empty()) return;
   dataset.T_world_left = readKittiPoses(file, inspection);

@@ -88,17 +88,28 @@ std::unique_ptr<std::uint8_t[]> inflate(const PlainPng& image) {
   return rows;
 }
 
-Result<Image> decodeByOpenCv(std::vector<std::uint8_t>& png, bool colour) {
-  cv::Mat pixels;
+/// Empty where the data are damaged.
+cv::Mat decodeByOpenCv(std::vector<std::uint8_t>& png, int mode) {
   try {
-    const int mode = colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE;
-    pixels = cv::imdecode(png, mode | cv::IMREAD_IGNORE_ORIENTATION);
+    return cv::imdecode(png, mode | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);
   } catch (const cv::Exception& error) {
     if (error.code == cv::Error::StsNoMem) throw std::bad_alloc();
-    pixels.release();
+    return {};
   }
-  if (pixels.empty()) return Status::invalidInput("cannot be decoded, its data are damaged");
-  return asImage(pixels);
+}
+
+Status damaged() { return Status::invalidInput("cannot be decoded, its data are damaged"); }
+
+/// The 8 highest of the lowest `bits` of each value.
+cv::Mat eightBits(const cv::Mat& deep, int bits) {
+  cv::Mat pixels(deep.rows, deep.cols, CV_MAKETYPE(CV_8U, deep.channels()));
+  for (int r = 0; r < deep.rows; ++r) {
+    const auto* from = deep.ptr<std::uint16_t>(r);
+    std::transform(
+        from, from + deep.cols * deep.channels(), pixels.ptr<std::uint8_t>(r),
+        [&](std::uint16_t v) { return static_cast<std::uint8_t>(std::min(v >> (bits - 8), 255)); });
+  }
+  return pixels;
 }
 
 }  // namespace
@@ -119,10 +130,22 @@ std::optional<Image> decodePlainPng(Bytes png, bool colour) {
   return whole ? std::optional(std::move(image)) : std::nullopt;
 }
 
-Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour) {
+Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits) {
   removeExtras(png);
   if (std::optional<Image> image = decodePlainPng(png, colour)) return *std::move(image);
-  return decodeByOpenCv(png, colour);
+  const cv::Mat pixels = decodeByOpenCv(png, colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE);
+  if (pixels.empty()) return damaged();
+  return asImage(pixels.depth() == CV_16U ? eightBits(pixels, bits) : pixels);
+}
+
+Result<std::vector<std::uint16_t>> decodeDeepPng(std::vector<std::uint8_t>& png) {
+  removeExtras(png);
+  const cv::Mat values = decodeByOpenCv(png, cv::IMREAD_UNCHANGED);
+  if (values.empty()) return damaged();
+  if (values.type() != CV_16UC1) {
+    return Status::invalidInput("has no single channel of 16 bits; it is no depth image");
+  }
+  return std::vector<std::uint16_t>(values.begin<std::uint16_t>(), values.end<std::uint16_t>());
 }
 
 }  // namespace tolman::image_folders

@@ -17,9 +17,14 @@
 
 namespace tolman::image_folders {
 
-/// The pixels as OpenCV's decoder gives them, as Gray8, or as Bgr8 when `colour`. Removes chunks
-/// from `png` that pixels do not depend on. A failure completes the sentence "FILE ...".
-Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour);
+/// The pixels as OpenCV's decoder gives them, as Gray8, or as Bgr8 when `colour`. Of 16 bits a
+/// channel the lowest `bits` are used, and of these the 8 highest become the pixel; larger values
+/// become 255. Removes chunks from `png` that pixels do not depend on. A failure completes the
+/// sentence "FILE ...".
+Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits = 16);
+
+/// Values of one channel of 16 bits, row by row. A failure completes the sentence "FILE ...".
+Result<std::vector<std::uint16_t>> decodeDeepPng(std::vector<std::uint8_t>& png);
 
 /// The fast way alone; nullopt for other kinds of images and for damaged ones.
 std::optional<Image> decodePlainPng(std::span<const std::uint8_t> png, bool colour);

@@ -117,11 +117,12 @@ std::optional<double> parseNumber(std::string_view field) {
   return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-std::optional<std::int64_t> parseSeconds(std::string_view field) {
+std::optional<std::int64_t> parseSeconds(std::string_view field, int digits_of_unit) {
   const bool negative = takeSign(field);
   const std::optional<Decimal> seconds = parseDecimal(field);
   if (!seconds) return std::nullopt;
-  const int length = seconds->point + 9;  // digits before the point, counted in nanoseconds
+  const int length =
+      seconds->point + digits_of_unit;  // digits before the point, counted in nanoseconds
   if (seconds->digits.empty() || length < 0) return 0;
   if (length > 19) return std::nullopt;
   std::string digits = seconds->digits;

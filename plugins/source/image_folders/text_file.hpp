@@ -31,9 +31,10 @@ std::string inQuotes(std::string_view field);
 /// A finite number in C notation that fills the whole field.
 std::optional<double> parseNumber(std::string_view field);
 
-/// Decimal seconds, with or without an exponent, to nanoseconds: exact, then rounded half away from
-/// zero. (By way of a double, 1.6e9 s would lose 100 ns.) None beyond 2^62 ns, which is 146 years.
-std::optional<std::int64_t> parseSeconds(std::string_view field);
+/// Decimal numbers of a unit of 10^-9 * 10^`digits` s (9 for seconds, 0 for nanoseconds), with or
+/// without an exponent, to nanoseconds: exact, then rounded half away from zero. (By way of a
+/// double, 1.6e9 s would lose 100 ns.) None beyond 2^62 ns, which is 146 years.
+std::optional<std::int64_t> parseSeconds(std::string_view field, int digits = 9);
 
 /// A number for a message, with `digits` after the point.
 std::string fixed(double value, int digits);

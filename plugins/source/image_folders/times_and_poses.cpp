@@ -28,21 +28,35 @@ std::optional<std::size_t> takeHeader(const fs::path& file, const std::string& c
   return static_cast<std::size_t>(found - names.begin());
 }
 
+std::string nameOf(TimeUnit unit) {
+  return unit == TimeUnit::Seconds ? "seconds" : std::string(enumName(unit));
+}
+
+/// A number as of nanoseconds since 1970.
+bool isWhole(std::string_view field) {
+  return field.size() > 12 && field.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 /// The time in a line, in ns.
 std::optional<std::int64_t> parseTime(const fs::path& file, const TextLine& line,
-                                      std::optional<std::size_t> column, Inspection& inspection) {
+                                      std::optional<std::size_t> column, TimeUnit unit,
+                                      Inspection& inspection) {
   const auto fields = splitFields(line.text);
   if (fields.size() <= column.value_or(0) || (!column && fields.size() > 1)) {
     inspection.error(file, line.number,
                      "has " + std::to_string(fields.size()) +
                          (column ? " columns, fewer than the first line"
-                                 : " columns; write one time in seconds a line"));
+                                 : " columns; write one time a line, or set "
+                                   "stamps_column"));
     return std::nullopt;
   }
   const std::string_view field = fields[column.value_or(0)];
-  const std::optional<std::int64_t> ns = parseSeconds(field);
-  if (!ns)
-    inspection.error(file, line.number, inQuotes(field) + " is no time in seconds; correct it");
+  const std::optional<std::int64_t> ns = parseSeconds(field, digitsOf(unit));
+  if (!ns) {
+    inspection.error(file, line.number,
+                     inQuotes(field) + " is no time in " + nameOf(unit) + "; correct it" +
+                         (isWhole(field) ? ", or set stamps_unit (of `images`) to ns or us" : ""));
+  }
   return ns;
 }
 
@@ -105,7 +119,7 @@ void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
   if (*median > kImpossible_ns) {
     inspection.error(file, found +
                                "times are in seconds: divide nanoseconds by 1e9, microseconds by "
-                               "1e6");
+                               "1e6, or set stamps_unit (of `images`)");
   } else {
     inspection.warning(file, found + "if the times are in milliseconds, divide them by 1000");
   }
@@ -114,7 +128,7 @@ void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
 }  // namespace
 
 std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& column,
-                                    Inspection& inspection) {
+                                    Inspection& inspection, TimeUnit unit) {
   std::vector<TextLine> lines = readLines(file, inspection);
   std::optional<std::size_t> index;
   if (!column.empty()) {
@@ -125,7 +139,7 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
   std::optional<std::int64_t> previous;
   bool sound = true;
   for (const TextLine& line : lines) {
-    const std::optional<std::int64_t> ns = parseTime(file, line, index, inspection);
+    const std::optional<std::int64_t> ns = parseTime(file, line, index, unit, inspection);
     times.push_back(ns.value_or(0));
     if (ns && previous && *ns <= *previous) {
       const double back = static_cast<double>(*previous - *ns) * 1e-9;
@@ -137,6 +151,25 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
     sound = sound && ns;
   }
   if (sound) checkStep(file, times, inspection);
+  return times;
+}
+
+std::vector<std::int64_t> timesOfNames(const std::vector<fs::path>& files, TimeUnit unit,
+                                       Inspection& inspection) {
+  std::vector<std::int64_t> times;
+  for (const fs::path& file : files) {
+    const std::optional<std::int64_t> ns = parseSeconds(file.stem().string(), digitsOf(unit));
+    if (!ns) {
+      inspection.error(
+          file, "its name is no time in " + nameOf(unit) + "; name the file of times by stamps");
+    } else if (!times.empty() && *ns <= times.back()) {
+      inspection.error(file, "its name is no later time than that of the image before; rename it");
+    }
+    times.push_back(ns.value_or(0));
+  }
+  if (!inspection.hasErrors() && !files.empty()) {
+    checkStep(files.front().parent_path(), times, inspection);
+  }
   return times;
 }
 

@@ -53,6 +53,16 @@ TEST_CASE("sound images come as OpenCV reads them") {
     REQUIRE(image.isOk());
     CHECK(image.value().row(0)[0] == 0x80);
   }
+  SECTION("of 16 bits that use only 12 the upper 8 are taken") {
+    cv::imwrite(data.path("deep.png").string(), cv::Mat(48, 64, CV_16UC1, cv::Scalar(0x0abc)));
+    CHECK(readImageFile(data.path("deep.png"), false, kSize, 12).value().row(0)[0] == 0xab);
+    CHECK(readImageFile(data.path("deep.png"), false, kSize, 10).value().row(0)[0] == 255);
+    CHECK(readImageFile(data.path("deep.png"), false, kSize).value().row(0)[0] == 0x0a);
+    CHECK(readDepthFile(data.path("deep.png"), kSize).value()[7] == 0x0abc);
+    data.writeImage("flat.png", 64, 48);
+    CHECK_THAT(readDepthFile(data.path("flat.png"), kSize).status().message(),
+               Catch::Contains("is no depth image"));
+  }
   SECTION("padding after the end of a JPEG is harmless") {
     data.write("a.jpg", data.read("a.jpg") + std::string(16, '\0'));
     CHECK(failure(data, "a.jpg").empty());

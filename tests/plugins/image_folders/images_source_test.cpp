@@ -77,6 +77,48 @@ TEST_CASE("a pair with numbers: the centre of the image is the default centre") 
   CHECK(rig.baseline == 0.2);
 }
 
+TEST_CASE("a raw pair with the calibration of another program") {
+  const DataFolder data;
+  const std::string camera =
+      "image_width: 64\nimage_height: 48\ncamera_matrix: {rows: 3, cols: 3, data: [50, 0, 31, 0, "
+      "50, "
+      "23, 0, 0, 1]}\ndistortion_coefficients: [-0.1, 0, 0, 0, 0]\n";
+  data.write("left.yaml", camera);
+  data.write("right.yml", camera + "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT: [-0.2, 0, 0]\n");
+  Opened pair(data, pairWith({{"calibration", std::string("left.yaml")},
+                              {"calibration_right", std::string("right.yml")}}));
+  CHECK(pair.message.empty());
+  RawRig rig;
+  REQUIRE(pair.source.rawRig(rig).isOk());
+  REQUIRE(rig.cameras.size() == 2);
+  CHECK(rig.cameras[1].T_reference_camera.translation().x() == 0.2);
+  CHECK_FALSE(pair.info.rig.calibrated);
+  CHECK_FALSE(pair.info.rig.isStereo());
+  data.write("left.yaml", "nothing: here\n");
+  CHECK_THAT(Opened(data, pairWith({{"calibration", std::string("left.yaml")}})).message,
+             Catch::StartsWith("DATA/left.yaml: is no calibration of Kalibr"));
+}
+
+TEST_CASE("stamps in other units, and in the names of the images") {
+  const DataFolder data;
+  data.write("us.txt", "1403715273262142\n1403715273312143\n1403715273362142\n1403715273412143\n");
+  const auto stamps = [&](ParameterValues values) {
+    values["left"] = std::string("image_0");
+    const Opened opened(data, std::move(values));
+    INFO(opened.message);
+    REQUIRE(opened.frames.size() == 4);
+    return opened.frames[1].stamp_ns;
+  };
+  CHECK(stamps({{"stamps", std::string("us.txt")}, {"stamps_unit", std::string("us")}}) ==
+        1403715273312143000);
+  CHECK(stamps({{"stamps_in_names", true}, {"stamps_unit", std::string("ms")}}) == 1'000'000);
+  const Opened seconds(data, {{"left", std::string("image_0")}, {"stamps", std::string("us.txt")}});
+  CHECK_THAT(seconds.message, Catch::Contains("or set stamps_unit (of `images`) to ns or us"));
+  data.writeImage("image_0/later.png", 64, 48);
+  const Opened unnamed(data, {{"left", std::string("image_0")}, {"stamps_in_names", true}});
+  CHECK_THAT(unnamed.message, Catch::Contains("later.png: its name is no time in seconds"));
+}
+
 TEST_CASE("stamps from a file") {
   const DataFolder data;
   ParameterValues values = {{"left", std::string("image_0")},

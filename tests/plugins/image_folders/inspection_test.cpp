@@ -127,16 +127,16 @@ TEST_CASE("the description says what there is and what of it is used") {
   dataset.stamps_ns = uniformStamps(51, 9.7);
   dataset.rig.width = 1226;
   dataset.rig.height = 370;
-  CHECK(describe(dataset, 51) ==
+  CHECK(descriptionOf(dataset, 51) ==
         "folders, 51 images of one camera of 1226x370 px at 9.7 Hz, uncalibrated, no truth");
   dataset.stamps_ns = uniformStamps(51, 0.0096);
-  CHECK(describe(dataset, 51) ==
+  CHECK(descriptionOf(dataset, 51) ==
         "folders, 51 images of one camera of 1226x370 px at 0.0096 Hz, uncalibrated, no truth");
   dataset.stamps_ns = uniformStamps(51, 9.7);
   dataset.rig.calibrated = true;
   dataset.rig.baseline = 0.53716;
   dataset.T_world_left.resize(51);
-  CHECK(describe(dataset, 20) ==
+  CHECK(descriptionOf(dataset, 20) ==
         "folders, 20 from 51 stereo pairs of 1226x370 px at 9.7 Hz, baseline 0.5372 m, with truth");
 }
 

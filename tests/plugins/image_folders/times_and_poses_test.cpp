@@ -68,7 +68,8 @@ TEST_CASE("times that no run can have") {
   CHECK(timesFailure("0.1\nabc\n") == "DATA/f.txt:2: 'abc' is no time in seconds; correct it");
   CHECK(timesFailure("0.1\nnan\n") == "DATA/f.txt:2: 'nan' is no time in seconds; correct it");
   CHECK(timesFailure("0.1 0.2\n") ==
-        "DATA/f.txt:1: has 2 columns; write one time in seconds a line");
+        "DATA/f.txt:1: has 2 columns; write one time a line, or set "
+        "stamps_column");
   CHECK(timesFailure("# nothing\n") == "DATA/f.txt: is empty; restore it");
   SECTION("a bad line still counts, so that counts are not reported too") {
     Reading reading("0.1\nabc\n0.2\n");
@@ -85,7 +86,7 @@ TEST_CASE("times that are not in seconds are told by their steps") {
   };
   const std::string apart =
       " s apart (median); times are in seconds: divide nanoseconds by 1e9, "
-      "microseconds by 1e6";
+      "microseconds by 1e6, or set stamps_unit (of `images`)";
   CHECK(timesFailure(drive(0, 1e8, 40)) == "DATA/f.txt: has images 100000000.0" + apart);
   CHECK(timesFailure(drive(7e8, 1e5, 40)) == "DATA/f.txt: has images 100000.0" + apart);
   CHECK(timesFailure(drive(0, 33333.3, 2)) == "DATA/f.txt: has images 33333.3" + apart);

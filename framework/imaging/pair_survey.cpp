@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "imaging/pair_survey.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "imaging/stereo_check.hpp"
+
+namespace tolman::imaging {
+namespace {
+
+// As of the checks of a run (stereo_check.cpp, chosen on kitti_clips/06).
+constexpr std::size_t kFewestMatches = 20;
+constexpr double kRowsApart = 1.2;       // px
+constexpr double kShareExchanged = 0.6;  // of the matches
+constexpr double kWidelyApart = 3;       // px, that 10 % of the matches are beyond
+
+GrayHalf mirrorImage(GrayHalf image) {
+  for (int r = 0; r < image.height; ++r) {
+    const auto begin = image.pixels.begin() + std::ptrdiff_t{r} * image.width;
+    std::reverse(begin, begin + image.width);
+  }
+  return image;
+}
+
+int countOf(double share, int all) { return static_cast<int>(std::lround(share * all)); }
+
+double shareOf(std::vector<double> values, double share) {
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+}  // namespace
+
+void PairSurvey::add(const Frame& frame) {
+  if (frame.left.empty() || frame.right.empty()) return;
+  ++pairs_;
+  const GrayHalf left = grayHalf(frame.left);
+  const GrayHalf right = grayHalf(frame.right);
+  const StereoMeasure measure = measureStereo(left, right);
+  rows_.insert(rows_.end(), measure.rows.begin(), measure.rows.end());
+  exchanged_ += countOf(measure.share_exchanged, measure.matched);
+  const StereoMeasure mirrored = measureStereo(left, mirrorImage(right));
+  mirrored_ += mirrored.matched;
+  mirrored_exchanged_ += countOf(mirrored.share_exchanged, mirrored.matched);
+}
+
+std::vector<Finding> PairSurvey::findings() const {
+  using Severity = Finding::Severity;
+  const auto matches = static_cast<int>(rows_.size());
+  if (mirrored_ >= static_cast<int>(kFewestMatches) && mirrored_ > 3 * matches) {
+    // If it is the left image, mirroring the right one makes a mirrored pair: sides exchanged.
+    const bool left = mirrored_exchanged_ > kShareExchanged * mirrored_;
+    return {{Severity::Error, "pairs",
+             fmt::format("the {} image is mirrored; mirror it back (left to right), and calibrate "
+                         "the camera again",
+                         left ? "left" : "right")}};
+  }
+  if (rows_.size() < kFewestMatches) return {};
+  const double low = shareOf(rows_, 0.5);
+  std::vector<double> apart = rows_;
+  for (double& row : apart) row = std::abs(row);
+  const double most = shareOf(apart, 0.9);
+  std::vector<Finding> found = {
+      {Severity::Note, "pairs",
+       fmt::format("{} corners matched in {} pairs: the right image is {:.1f} px {} (median); 90 % "
+                   "of the rows are within {:.1f} px",
+                   matches, pairs_, std::abs(low), low < 0 ? "high" : "low", most)}};
+  if (exchanged_ > kShareExchanged * matches) {
+    found.push_back({Severity::Error, "pairs",
+                     "left and right image are exchanged; exchange the two folders (or topics, or "
+                     "cameras of the calibration)"});
+  } else if (std::abs(low) > kRowsApart) {
+    found.push_back({Severity::Warning, "pairs",
+                     "the rows of left and right image are apart; give the calibration of the raw "
+                     "images, so that they are rectified, or calibrate again"});
+  } else if (most > kWidelyApart) {
+    found.push_back({Severity::Warning, "pairs",
+                     "the rows of left and right image differ from place to place; check that "
+                     "both are exposed at one time, that the calibration is of these cameras, and "
+                     "the model of the distortion"});
+  }
+  return found;
+}
+
+}  // namespace tolman::imaging

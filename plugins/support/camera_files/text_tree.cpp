@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text_tree.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace tolman::camera_files {
+namespace {
+
+constexpr std::string_view kSeparators = " \t\r\n,";
+
+void appendNumbers(const Node& node, std::vector<double>& numbers) {
+  for (const Node& child : node.children) appendNumbers(child, numbers);
+  std::string_view rest = node.text;
+  while (true) {
+    const std::size_t begin = rest.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) return;
+    rest.remove_prefix(begin);
+    std::string_view field = rest.substr(0, rest.find_first_of(kSeparators));
+    rest.remove_prefix(field.size());
+    if (field.starts_with('+')) field.remove_prefix(1);
+    double number = 0;
+    const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
+    const bool whole = failure == std::errc{} && end == field.data() + field.size();
+    if (!whole || !std::isfinite(number)) {
+      throw FileError(node.line, inQuotes(field) + " is no finite number; correct it");
+    }
+    numbers.push_back(number);
+  }
+}
+
+}  // namespace
+
+const Node* Node::find(std::initializer_list<std::string_view> names) const {
+  if (kind != Kind::Map) return nullptr;
+  const auto named = [&](const Node& child) {
+    return std::find(names.begin(), names.end(), child.key) != names.end();
+  };
+  const auto found = std::find_if(children.begin(), children.end(), named);
+  return found == children.end() ? nullptr : &*found;
+}
+
+std::vector<double> Node::numbers() const {
+  std::vector<double> numbers;
+  appendNumbers(*this, numbers);
+  return numbers;
+}
+
+double Node::number() const {
+  const std::vector<double> all = numbers();
+  if (all.size() != 1) throw FileError(line, inQuotes(key) + " must be one number");
+  return all.front();
+}
+
+std::string inQuotes(std::string_view text) {
+  constexpr std::size_t kMost = 24;
+  std::string quoted = "'";
+  for (const char c : text.substr(0, kMost)) quoted += c >= ' ' && c <= '~' ? c : '?';
+  return quoted + (text.size() > kMost ? "...'" : "'");
+}
+
+}  // namespace tolman::camera_files

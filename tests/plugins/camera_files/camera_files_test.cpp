@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Calibrations as other programs write them; those of OpenCV are written by OpenCV itself.
+#include "camera_files.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <opencv2/core.hpp>
+
+#include "support/data.hpp"
+
+using namespace tolman;
+using camera_files::readCameras;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Folder {
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder.path() / name) << text;
+    return folder.path() / name;
+  }
+  /// The refusal with the folder's own path taken away; empty for an accepted file.
+  std::string refusal(const std::string& text, camera_files::WantedCameras wanted = {},
+                      const char* name = "c.yaml") const {
+    const auto rig = readCameras({write(name, text)}, wanted);
+    const std::string message = rig.status().message();
+    const std::size_t at = message.find(folder.path().string());
+    return at == 0 ? message.substr(folder.path().string().size() + 1) : message;
+  }
+  test::TemporaryFolder folder;
+};
+
+RawRig rigOf(const std::vector<fs::path>& files, const camera_files::WantedCameras& wanted) {
+  const auto rig = readCameras(files, wanted);
+  INFO(rig.status().message());
+  REQUIRE(rig.isOk());
+  return rig.value();
+}
+
+const char* const kKalibr =
+    "cam0:\n  camera_model: omni\n  intrinsics: [1.5, 800, 801, 320.5, 240.5]\n"
+    "  distortion_model: radtan\n  distortion_coeffs: [-0.1, 0.02, 0.001, -0.002]\n"
+    "  resolution: [640, 480]\n"
+    "cam1:\n  camera_model: pinhole\n  intrinsics: [500, 501, 321, 241]\n"
+    "  distortion_model: equidistant\n  distortion_coeffs: [0.1, 0.2, 0.3, 0.4]\n"
+    "  resolution: [640, 480]\n"
+    "  T_cn_cnm1:\n  - [1, 0, 0, -0.12]\n  - [0, 1, 0, 0.01]\n  - [0, 0, 1, 0]\n"
+    "  - [0, 0, 0, 1]\n";
+
+const char* const kRos =
+    "image_width: 640\nimage_height: 480\ncamera_name: left\n"
+    "camera_matrix:\n  rows: 3\n  cols: 3\n  data: [430.1, 0, 320.2, 0, 430.3, 240.4, 0, 0, 1]\n"
+    "distortion_model: plumb_bob\n"
+    "distortion_coefficients:\n  rows: 1\n  cols: 5\n  data: [-0.3, 0.1, 0.001, 0.002, 0.05]\n"
+    "rectification_matrix:\n  rows: 3\n  cols: 3\n  data: [1, 0, 0, 0, 1, 0, 0, 0, 1]\n"
+    "projection_matrix:\n  rows: 3\n  cols: 4\n"
+    "  data: [400, 0, 310, FOURTH, 0, 400, 235, 0, 0, 0, 1, 0]\n";
+
+std::string ros(const std::string& fourth) {
+  std::string text = kRos;
+  return text.replace(text.find("FOURTH"), 6, fourth);
+}
+
+constexpr camera_files::WantedCameras kPair = {2, 640, 480};
+
+}  // namespace
+
+TEST_CASE("Kalibr's camera chain") {
+  const Folder folder;
+  const RawRig rig = rigOf({folder.write("camchain.yaml", kKalibr)}, kPair);
+  REQUIRE(rig.cameras.size() == 2);
+  const RawCamera& left = rig.cameras[0];
+  CHECK(left.model == LensModel::Omnidirectional);
+  CHECK(left.xi == 1.5);
+  CHECK(left.pinhole.fx == 800);
+  CHECK(left.distortion[3] == -0.002);
+  const RawCamera& right = rig.cameras[1];
+  CHECK(right.model == LensModel::Equidistant);
+  CHECK(right.pinhole.cy == 241);
+  CHECK(right.distortion[3] == 0.4);
+  CHECK(right.T_reference_camera.translation().isApprox(Eigen::Vector3d(0.12, -0.01, 0)));
+  CHECK_FALSE(rig.has_rectified);
+  CHECK(rigOf({folder.write("camchain.yaml", kKalibr)}, {1, 640, 480}).cameras.size() == 1);
+}
+
+TEST_CASE("ROS: a pair prescribes its rectified cameras, a single camera does not") {
+  const Folder folder;
+  const fs::path left = folder.write("left.yaml", ros("0"));
+  const RawRig rig = rigOf({left, folder.write("right.yaml", ros("-48.5"))}, kPair);
+  CHECK(rig.cameras[0].model == LensModel::RadialTangential);
+  CHECK(rig.cameras[0].distortion[4] == 0.05);
+  CHECK(rig.has_rectified);
+  CHECK(rig.rectified.pinhole.cx == 310);
+  CHECK(rig.rectified.baseline == 48.5 / 400);
+  CHECK(rig.rectified.width == 640);
+  CHECK_FALSE(rigOf({left}, {1, 640, 480}).has_rectified);
+  const auto exchanged = readCameras({folder.write("right.yaml", ros("-48.5")), left}, kPair);
+  CHECK_THAT(exchanged.status().message(), Catch::Contains("exchange the two"));
+}
+
+TEST_CASE("OpenCV: intrinsics and extrinsics of stereo_calib, as YAML and as XML") {
+  const Folder folder;
+  const char* const extension = GENERATE(".yml", ".xml");
+  const fs::path intrinsics = folder.folder.path() / (std::string("intrinsics") + extension);
+  const fs::path extrinsics = folder.folder.path() / (std::string("extrinsics") + extension);
+  const cv::Matx33d M(533.12345678901234, 0, 342.2, 0, 533.5, 234.6, 0, 0, 1);
+  const cv::Mat D =
+      (cv::Mat_<double>(1, 14) << -0.28, 0.04, 1e-3, -2e-4, 0.1, 0.2, 0.3, 0.4, 0, 0, 0, 0, 0, 0);
+  {
+    cv::FileStorage file(intrinsics.string(), cv::FileStorage::WRITE);
+    file << "M1" << cv::Mat(M) << "D1" << D << "M2" << cv::Mat(M) << "D2" << D.colRange(0, 5);
+  }
+  {
+    cv::FileStorage file(extrinsics.string(), cv::FileStorage::WRITE);
+    file << "R" << cv::Mat(cv::Matx33d::eye()) << "T" << cv::Mat(cv::Vec3d(-3.34, 0.05, -0.01));
+  }
+  const RawRig rig = rigOf({intrinsics, extrinsics}, kPair);
+  CHECK(rig.cameras[0].pinhole.fx == 533.12345678901234);
+  CHECK(rig.cameras[0].distortion[7] == 0.4);
+  CHECK(rig.cameras[0].width == 640);
+  CHECK(rig.cameras[1].distortion[4] == 0.1);
+  CHECK(rig.cameras[1].distortion[5] == 0);
+  CHECK(
+      rig.cameras[1].T_reference_camera.translation().isApprox(Eigen::Vector3d(3.34, -0.05, 0.01)));
+  const auto without = readCameras({intrinsics}, kPair);
+  CHECK_THAT(without.status().message(), Catch::Contains("says not where the right camera is"));
+}
+
+TEST_CASE("OpenCV: one camera as the sample program writes it") {
+  const Folder folder;
+  const std::string text =
+      "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\nfisheye_model: FISHEYE\n"
+      "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
+      "   data: [ 6.5e+02, 0., 3.2e+02, 0., 6.5e+02, 2.4e+02, 0., 0., 1. ]\n"
+      "distortion_coefficients: !!opencv-matrix\n   rows: 4\n   cols: 1\n   dt: d\n"
+      "   data: [ -0.4, 0.5, 0.001, 0.002 ]\n";
+  const auto with = [&](const std::string& fisheye) {
+    std::string changed = text;
+    changed.replace(changed.find("FISHEYE"), 7, fisheye);
+    return rigOf({folder.write("camera.yml", changed)}, {1, 640, 480}).cameras[0];
+  };
+  CHECK(with("0").model == LensModel::RadialTangential);
+  CHECK(with("0").distortion[1] == 0.5);
+  CHECK(with("1").model == LensModel::Equidistant);
+}
+
+TEST_CASE("what is missing or cannot be is named with file, line and remedy") {
+  const Folder folder;
+  CHECK(folder.refusal("a: 1\n") ==
+        "c.yaml: is no calibration of Kalibr (cam0), EuRoC (intrinsics), ROS or OpenCV "
+        "(camera_matrix; M1, D1, M2, D2, R, T); give one of these");
+  const std::string camera =
+      "camera_model: pinhole\nintrinsics: [400, 400, 320, 240]\n"
+      "distortion_model: MODEL\ndistortion_coefficients: [COEFFICIENTS]\nresolution: [640, 480]\n";
+  const auto refusal = [&](const std::string& model, const std::string& coefficients,
+                           camera_files::WantedCameras wanted = {1, 640, 480}) {
+    std::string text = camera;
+    text.replace(text.find("MODEL"), 5, model);
+    text.replace(text.find("COEFFICIENTS"), 12, coefficients);
+    return folder.refusal(text, wanted);
+  };
+  CHECK(refusal("radial-tangential", "1, 2, 3, 4").empty());
+  CHECK(refusal("fov", "1") ==
+        "c.yaml:3: the distortion model 'fov' is not known; calibrate with radtan, plumb_bob, "
+        "rational_polynomial or equidistant");
+  CHECK(refusal("equidistant", "1, 2, 3, 4, 5") ==
+        "c.yaml:4: 'distortion_coefficients' has 5 numbers; a fisheye has 4");
+  CHECK(refusal("radtan", "1, 2, x, 4") == "c.yaml:4: 'x' is no finite number; correct it");
+  CHECK(refusal("radtan", "1, 2, 3, 4", {1, 320, 240}) ==
+        "c.yaml:1: is the calibration of images of 640x480 px, but they have 320x240; give the "
+        "calibration of these images");
+  CHECK_THAT(refusal("radtan", "1, 2, 3, 4", kPair),
+             Catch::Contains("has 1 cameras instead of 2; name the file of the right camera too"));
+  CHECK(readCameras({folder.folder.path() / "none.yaml"}, kPair).status().message() ==
+        (folder.folder.path() / "none.yaml").string() +
+            ": is missing; restore it, or correct the path");
+}
+
+TEST_CASE("calibrations of raw cameras are told from KITTI's rectified ones") {
+  const Folder folder;
+  CHECK(camera_files::isRawCalibration(folder.write("a.yaml", "x")));
+  CHECK(camera_files::isRawCalibration(folder.write("a.txt", "calib_time: 9\nK_00: 1\n")));
+  CHECK_FALSE(camera_files::isRawCalibration(folder.write("calib.txt", "P0: 1 0 0\n")));
+}
+
+// The numbers below are copied from the files by hand.
+TEST_CASE("real calibrations of four data sets, to the last digit", "[data]") {
+  const auto euroc = test::dataOrSkip("euroc_v101");
+  const auto tumvi = test::dataOrSkip("tumvi_room1");
+  const auto kitti = test::dataOrSkip("kitti_raw_unrectified");
+  if (euroc) {
+    const RawRig rig =
+        rigOf({*euroc / "mav0/cam0/sensor.yaml", *euroc / "mav0/cam1/sensor.yaml"}, {2, 752, 480});
+    CHECK(rig.cameras[0].pinhole.fx == 458.654);
+    CHECK(rig.cameras[0].distortion[3] == 1.76187114e-05);
+    CHECK(rig.cameras[0].T_reference_camera(0, 1) == Approx(-0.999880929698).epsilon(1e-9));
+    CHECK(rig.cameras[0].T_reference_camera(2, 3) == 0.00981073058949);
+    const Eigen::Isometry3d T_left_right =
+        rig.cameras[0].T_reference_camera.inverse() * rig.cameras[1].T_reference_camera;
+    CHECK(T_left_right.translation().norm() == Approx(0.110).margin(5e-4));
+    CHECK(T_left_right.translation().x() > 0.1);
+  }
+  if (tumvi) {
+    const RawRig rig = rigOf({*tumvi / "camchain.yaml"}, {2, 1024, 1024});
+    CHECK(rig.cameras[0].model == LensModel::Equidistant);
+    CHECK(rig.cameras[0].pinhole.fx == 380.81042871360756);
+    CHECK(rig.cameras[1].distortion[3] == -0.002347858896562788);
+    CHECK(rig.cameras[1].T_reference_camera.translation().x() == Approx(0.1009).margin(5e-4));
+  }
+  if (kitti) {
+    const RawRig rig = rigOf({*kitti / "calib_cam_to_cam.txt"}, {2, 1392, 512});
+    CHECK(rig.cameras[1].pinhole.cy == 245.559);
+    CHECK(rig.cameras[1].distortion[4] == -5.314062e-02);
+    CHECK(rig.has_rectified);
+    CHECK(rig.rectified.width == 1242);
+    CHECK(rig.rectified.pinhole.fx == 721.5377);
+    CHECK(rig.rectified.baseline == Approx(387.5744 / 721.5377));
+    CHECK(rig.cameras[1].R_rectified_camera(0, 2) == Approx(2.331651e-02).epsilon(1e-5));
+  }
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A drive of KITTI's raw data, before and after rectification.
+#include "kitti_raw_source.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "data_folder.hpp"
+#include "dates.hpp"
+
+namespace tolman::image_folders {
+namespace {
+
+constexpr const char* kCalibration =
+    "calib_time: 09-Jan-2012 13:57:47\n"
+    "S_00: 80 60\nK_00: 50 0 40 0 50 30 0 0 1\nD_00: -0.1 0 0 0 0\n"
+    "R_00: 1 0 0 0 1 0 0 0 1\nT_00: 0 0 0\nS_rect_00: 64 48\n"
+    "R_rect_00: 1 0 0 0 1 0 0 0 1\nP_rect_00: 45 0 32 0 0 45 24 0 0 0 1 0\n"
+    "S_01: 80 60\nK_01: 50 0 40 0 50 30 0 0 1\nD_01: -0.1 0 0 0 0\n"
+    "R_01: 1 0 0 0 1 0 0 0 1\nT_01: -0.5 0 0\nS_rect_01: 64 48\n"
+    "R_rect_01: 1 0 0 0 1 0 0 0 1\nP_rect_01: 45 0 32 -22.5 0 45 24 0 0 0 1 0\n";
+
+void writeDrive(const DataFolder& data, int width, int height) {
+  for (const char* camera : {"day/drive/image_00", "day/drive/image_01"}) {
+    data.writeImage(std::string(camera) + "/data/0000000000.png", width, height);
+    data.writeImage(std::string(camera) + "/data/0000000001.png", width, height, 1);
+  }
+  data.write("day/calib_cam_to_cam.txt", kCalibration);
+  data.write("day/drive/image_00/timestamps.txt",
+             "2011-09-26 13:02:25.964389445\n2011-09-26 13:02:26.064389445\n");
+}
+
+std::string open(const DataFolder& data, KittiRawSource& source) {
+  return data.anonymous(configure(source, {{"path", data.path("day/drive").string()}}));
+}
+
+}  // namespace
+
+TEST_CASE("raw images come with raw cameras and prescribed rectified ones") {
+  const DataFolder data;
+  writeDrive(data, 80, 60);
+  KittiRawSource source;
+  REQUIRE(open(data, source).empty());
+  RawRig rig;
+  REQUIRE(source.rawRig(rig).isOk());
+  REQUIRE(rig.cameras.size() == 2);
+  CHECK(rig.has_rectified);
+  CHECK(rig.rectified.baseline == 0.5);
+  std::string failure;
+  const auto frames = readAll(source, failure);
+  REQUIRE(frames.size() == 2);
+  CHECK(frames[0].stamp_ns == 1317042145964389445);  // date -u -d '2011-09-26 13:02:25' +%s
+}
+
+TEST_CASE("images of the rectified size are rectified already") {
+  const DataFolder data;
+  writeDrive(data, 64, 48);
+  KittiRawSource source;
+  REQUIRE(open(data, source).empty());
+  RawRig rig;
+  REQUIRE(source.rawRig(rig).isOk());
+  CHECK(rig.cameras.empty());
+  SourceInfo info;
+  REQUIRE(source.info(info).isOk());
+  CHECK(info.rig.calibrated);
+  CHECK(info.rig.pinhole.fx == 45);
+  CHECK(info.rig.isStereo());
+}
+
+TEST_CASE("other sizes, missing times and broken dates are named") {
+  const DataFolder data;
+  writeDrive(data, 100, 60);
+  KittiRawSource source;
+  CHECK_THAT(open(data, source), Catch::StartsWith("DATA/day/calib_cam_to_cam.txt: is of images "
+                                                   "of another size"));
+  writeDrive(data, 80, 60);
+  data.write("day/calib_cam_to_cam.txt", std::string(kCalibration).substr(0, 150));
+  CHECK_THAT(open(data, source), Catch::StartsWith("DATA/day/calib_cam_to_cam.txt"));
+  writeDrive(data, 80, 60);
+  data.remove("day/drive/image_00/timestamps.txt");
+  CHECK_THAT(open(data, source), Catch::Contains("set rate to the frames a second"));
+  for (const char* date : {"2011-13-26 13:02:25.9", "2011-09-26", "2011-09-26 25:02:25",
+                           "2011-02-30 13:02:25", "2011-09-26 13:02:xx"}) {
+    data.write("dates.txt", std::string(date) + "\n");
+    Inspection inspection;
+    (void)readDates(data.path("dates.txt"), inspection);
+    CHECK(inspection.hasErrors());
+  }
+}
+
+}  // namespace tolman::image_folders
