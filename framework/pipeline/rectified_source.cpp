@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/rectified_source.hpp"
 
+#include "host/frame_images.hpp"
 #include "imaging/rectified_view.hpp"
 #include "pipeline/task_isolation.hpp"
 
@@ -35,7 +36,7 @@ Status RectifiedSource::prepare(CameraRig& rig) {
                                 "; give the calibration of these images");
   }
   const imaging::RectifiedView& chosen = view.value();
-  rig = chosen.rig;
+  rig = rig_ = chosen.rig;
   text_ = imaging::viewText(raw_, chosen);
   if (chosen.is_identity) return Status::ok();
   for (std::size_t i = 0; i < raw_.cameras.size(); ++i) {
@@ -53,7 +54,7 @@ Status RectifiedSource::next(Frame& frame) {
     frame.left = maps_.front().apply(frame.left);
     frame.right = maps_.size() == 2 ? maps_.back().apply(frame.right) : Image();
   });
-  return status;
+  return host::checkImages(frame, rig_);
 }
 
 }  // namespace tolman::pipeline

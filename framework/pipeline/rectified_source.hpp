@@ -36,6 +36,7 @@ class RectifiedSource : private host::SourceStage {
 
   config::RectificationSettings settings_;
   RawRig raw_;
+  CameraRig rig_;  ///< rectified
   std::string text_;
   std::vector<imaging::PixelMap> maps_;  ///< one a camera; none: images stay as they are
   bool left_alone_ = false;              ///< raw pairs are no pairs for the stages

@@ -27,7 +27,7 @@ TEST_CASE("the page leads from a raw pair of EuRoC to a map and to a KITTI folde
   const auto run_file = readJson(folder.path() / "mine_run/run.json");
   CHECK(run_file["source"]["raw_cameras"].size() == 2);
   CHECK(run_file["source"]["raw_cameras"][0]["pinhole.fx"] == 458.654);
-  CHECK(run_file["source"]["width"] < 752);
+  CHECK(run_file["source"]["width"] > 752);  // the corners of the distorted images reach far
   CHECK(run_file["counters"]["frames"] == 10);
   CHECK(run_file["counters"]["lost"] == 0);
   std::ifstream times(folder.path() / "mine_kitti/times.txt");

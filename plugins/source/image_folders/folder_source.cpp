@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "folder_source.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tolman::image_folders {
@@ -78,7 +79,7 @@ Status FolderSource::next(Frame& frame) {
   const bool damaged = status.code() == StatusCode::InvalidInput;
   if (!damaged || parameters_.on_corrupt == OnCorrupt::Stop) return status;
   frame.left = frame.right = {};
-  frame.sensors.clear();
+  if (!dataset_.depth.empty()) frame.sensors = {noDepth()};
   frame.defect = status.message();
   return Status::ok();
 }
@@ -97,18 +98,22 @@ Status FolderSource::readImages(std::size_t index, Frame& frame) const {
   return readDepth(index, frame);
 }
 
+/// Every frame has the array: 0 is what was not measured.
+NamedArray FolderSource::noDepth() const {
+  const ImageSize size = dataset_.size();
+  const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+  return {kDepth, {size.height, size.width}, std::vector<float>(pixels)};
+}
+
 Status FolderSource::readDepth(std::size_t index, Frame& frame) const {
   if (dataset_.depth.empty()) return Status::ok();
   const ImageSize size = dataset_.size();
   const auto values = readDepthFile(dataset_.depth[index], size);
   if (!values.isOk()) return values.status();
-  NamedArray& depth = frame.sensors.emplace_back();
-  depth.name = kDepth;
-  depth.shape = {size.height, size.width};
-  const double m_per_value = 1 / dataset_.depth_per_m;
-  for (const std::uint16_t value : values.value()) {
-    depth.values.push_back(static_cast<float>(value * m_per_value));
-  }
+  NamedArray& depth = frame.sensors.emplace_back(noDepth());
+  const double per_m = dataset_.depth_per_m;
+  std::transform(values.value().begin(), values.value().end(), depth.values.begin(),
+                 [&](std::uint16_t value) { return static_cast<float>(value / per_m); });
   return Status::ok();
 }
 

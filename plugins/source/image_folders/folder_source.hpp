@@ -65,6 +65,7 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
 
  private:
   Status readImages(std::size_t index, Frame& frame) const;
+  NamedArray noDepth() const;
   Status readDepth(std::size_t index, Frame& frame) const;
 
   FolderParameters parameters_;
