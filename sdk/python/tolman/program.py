@@ -3,7 +3,6 @@
 import os
 import pathlib
 import shutil
-import subprocess
 
 from tolman.results import Run
 
@@ -38,6 +37,8 @@ def _text(value):
 
 def run(config, set=None, out=None, plugin_path=()):  # noqa: A002: the word of the command line
     """Runs a configuration, with values in other words: run("demo", set={"cells.spacing": 3}). Gives its Run."""
+    import subprocess  # here, for it installs a handler of signals, which plugins must not
+
     command = [program(), "run", str(config)]
     for key, value in (set or {}).items():
         command += ["--set", f"{key}={_text(value)}"]
