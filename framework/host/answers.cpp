@@ -100,7 +100,7 @@ Status checkRejected(const MapGraph& graph) {
 Status checkCovariance(const Matrix6d& covariance, const char* field) {
   const double size = covariance.cwiseAbs().maxCoeff();
   if (size == 0) return Status::ok();
-  constexpr double kMost = 1e24;  // that of the farthest position in a record
+  constexpr double kMost = 1e36;  // its root still fits into a float
   if (size > kMost) return failed("'{}' is larger than {:g} m^2", field, kMost);
   // Shares of the largest element that rounding may cause: of the inverse of a badly conditioned
   // information matrix, and of a product with one that is singular.
@@ -123,7 +123,7 @@ Status checkRevisions(const std::vector<MotionRevision>& revisions, std::int64_t
                       std::int64_t newest) {
   for (const MotionRevision& revision : revisions) {
     if (revision.frame < oldest || revision.frame > newest) {
-      return failed("revised frame {}, which is not a past frame with a motion", revision.frame);
+      return failed("revised frame {}, which is not a past frame", revision.frame);
     }
     Status status = checkCovariance(revision.covariance, "revisions.covariance");
     if (!status.isOk()) return status;

@@ -93,7 +93,7 @@ Status OdometryStage::check(const std::vector<MotionRevision>& revisions,
     return Status::failed(
         fmt::format("revised frame {}, which was dropped before odometry", revision.frame));
   }
-  return checkRevisions(revisions, first_frame_ + 1, newest);
+  return checkRevisions(revisions, first_frame_, newest);
 }
 
 /// Converts frame numbers to those of the plugin and back.

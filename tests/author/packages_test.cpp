@@ -134,7 +134,7 @@ TEST_CASE("unpacked packages work from their folder") {
   CHECK(installed.out.ends_with("2\n"));
   checkUse(workshop, "installed");
   const Finished removed = workshop.shell(
-      "dpkg --root=\"$PWD/installed\" --force-depends -P tolman libtolman-sdk-dev\n"
+      "dpkg --root=\"$PWD/installed\" --force-depends -P python3-tolman tolman libtolman-sdk-dev\n"
       "find installed -path '*/usr/*' -type f");
   INFO(removed.out << removed.err);
   CHECK(removed.exit_code == 0);

@@ -42,12 +42,11 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
 
 }  // namespace
 
-/// A drive round a square, for motion_log.
+/// A drive round a circle, for motion_log.
 void writeMotionLog(const fs::path& folder) {
   std::ofstream log(folder / "odometry.g2o");
   for (int i = 0; i < 24; ++i) {
-    log << "EDGE_SE2 " << i << " " << i + 1 << " 1 0 " << (i % 6 == 5 ? 1.5707963 : 0)
-        << " 1 0 0 1 0 1\n";
+    log << "EDGE_SE2 " << i << " " << i + 1 << " 1 0 0.2617994 1 0 0 1 0 1\n";
   }
   std::ofstream(folder / "loop_candidates.g2o") << "EDGE_SE2 24 0 0 0 0 1 0 0 1 0 1\n";
 }

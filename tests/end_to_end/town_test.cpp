@@ -21,6 +21,7 @@ TEST_CASE("every shipped configuration is valid") {
   int count = 0;
   for (const auto& entry : fs::recursive_directory_iterator(kConfigs)) {
     if (entry.path().extension() != ".yaml") continue;
+    if (entry.path().parent_path().filename() == "experiments") continue;  // sweeps and their bases
     const Finished check = tolman::test::tolman({"check", entry.path().string()});
     INFO(entry.path() << "\n" << check.err);
     CHECK(check.exit_code == 0);

@@ -108,7 +108,7 @@ TEST_CASE(
       CHECK(motion.covariance(0, 0) >= 1);
     }
     for (const MotionRevision& revision : motion.revisions) CHECK(revision.frame != 3);
-    CHECK(motion.revisions.size() == (i == 4 ? 0U : i > 1 ? 1U : 0U));
+    CHECK(motion.revisions.size() == (i == 4 ? 0U : i > 0 ? 1U : 0U));
   }
   std::vector<MotionRevision> revisions;
   Impossible impossible;

@@ -83,7 +83,7 @@ struct LeapingOdometry : Odometry {
     motion.state = frame.frame == 0 ? TrackingState::Initialising : TrackingState::Tracking;
     motion.T_previous_current.translation().z() = frame.frame == 0 ? 0 : frame.frame == 3 ? 100 : 1;
     setPlanarVelocity(motion, frame.frame == 0 ? 0 : 0.1);
-    if (frame.frame > 1) motion.revisions.emplace_back().frame = frame.frame - 1;
+    if (frame.frame > 0) motion.revisions.emplace_back().frame = frame.frame - 1;
     return Status::ok();
   }
   Status finish(std::vector<MotionRevision>& revisions) override {

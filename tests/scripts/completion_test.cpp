@@ -95,7 +95,7 @@ void ready(Terminal& terminal, const std::string& setup) {
 TEST_CASE("bash completes commands, options and their values") {
   const Desk desk;
   CHECK(hasAll(bashOffers(desk, {""}), {"run", "check", "plugins", "help", "version"}));
-  CHECK(bashOffers(desk, {"r"}) == Words{"run", "report"});
+  CHECK(bashOffers(desk, {"r"}) == Words{"report", "rerun", "run"});
   CHECK(bashOffers(desk, {"plugins", "d"}) == Words{"describe", "doctor"});
   CHECK(bashOffers(desk, {"help", "plugins", "d"}) == Words{"describe", "doctor"});
   CHECK(bashOffers(desk, {"run", "--re"}) == Words{"--resume"});
@@ -120,7 +120,8 @@ TEST_CASE("bash completes configurations, files, folders and plugins") {
   CHECK(bashOffers(desk, {"eval", "truth.txt", "t"}) == Words{"truth.txt"});
   CHECK(bashOffers(desk, {"eval", "a", "b", ""}).empty());
   CHECK(bashOffers(desk, {"report", "a", "b", ""}) == Words{"drives"});  // as many as wanted
-  CHECK(bashOffers(desk, {"plugins", "doctor", ""}) == Words{"drives", "mine.so"});
+  CHECK(bashOffers(desk, {"plugins", "doctor", ""}) ==
+        Words{"drives", "mine.so", "mine.yaml", "truth.txt"});
   CHECK(hasAll(bashOffers(desk, {"plugins", "describe", ""}), {"kitti", "view_templates"}));
   CHECK(bashOffers(desk, {"dataset", "check", "--source", "to"}) == Words{"town"});
   CHECK(bashOffers(desk, {"run", "--viewer", "ki"}).empty());  // it is no observer
@@ -182,7 +183,7 @@ TEST_CASE("zsh completes the same, with texts") {
 TEST_CASE("fish completes the same") {
   if (!hasShell("fish")) return;
   const Desk desk;
-  CHECK(fishOffers(desk, "tolman r") == Words{"run", "report"});
+  CHECK(fishOffers(desk, "tolman r") == Words{"report", "rerun", "run"});
   CHECK(fishOffers(desk, "tolman help plugins d") == Words{"describe", "doctor"});
   CHECK(fishOffers(desk, "tolman run --re") == Words{"--resume"});
   CHECK(fishOffers(desk, "tolman eval --align se") == Words{"se2", "se3"});

@@ -79,8 +79,8 @@ TEST_CASE("every command and option has a text, and every value of a known kind 
     }
   });
   CHECK(kinds == std::set<std::string>{"", "choice", "command", "configuration", "directory",
-                                       "file", "library", "plugin", "plugin observer",
-                                       "plugin source", "setting"});
+                                       "file", "plugin", "plugin observer", "plugin source",
+                                       "setting"});
 }
 
 TEST_CASE("the tree is that of the help, without what is hidden there") {
