@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "conformance/layouts.hpp"
 #include "conformance/validation.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
@@ -23,6 +24,11 @@ std::vector<std::string> optionsFor(const std::string& id, const fs::path& seque
   if (id == "images") return {"--set", path(sequence / "image_0")};
   if (id == "video") return {"--set", path(sequence / "video.avi")};
   if (id == "ros_bag") return {"--set", path(sequence / "bag.mcap")};
+  if (id == "euroc") return {"--set", path(sequence.parent_path() / "euroc")};
+  if (id == "kitti_raw") return {"--set", path(sequence.parent_path() / "raw/drive")};
+  if (id == "tum") {
+    return {"--set", path(sequence.parent_path() / "tum"), "--set", "cx=80", "--set", "cy=30"};
+  }
   if (id == "motion_log") return {"--set", path(sequence)};
   if (id == "record") return {"--set", path(sequence.parent_path() / "recorded")};
   if (id == "town") {
@@ -104,6 +110,9 @@ TEST_CASE("our own plugins conform at level 3") {
   recordRun(folder.path());
   writeVideo(folder.path() / "sequence");
   writeBag(folder.path() / "sequence", 12);
+  writeEuroc(folder.path() / "sequence", folder.path() / "euroc");
+  writeTum(folder.path() / "sequence", folder.path() / "tum");
+  writeKittiRaw(folder.path() / "sequence", folder.path() / "raw");
   int plugins = 0;
   const nlohmann::json listed =
       nlohmann::json::parse(tolman::test::tolman({"plugins", "list", "--json"}).out);
