@@ -16,6 +16,7 @@
 #include "app/json_schema.hpp"
 #include "app/parameter_text.hpp"
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 #include "host/gate.hpp"
 #include "isolation/remote_plugin.hpp"
 #include "run/assembly.hpp"
@@ -26,11 +27,6 @@ namespace {
 using host::HostIdentity;
 using host::Manifest;
 using host::Refusal;
-
-/// Texts of plugins may be no UTF-8.
-std::string textOf(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-}
 
 void listJson(const host::Catalogue& catalogue) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -43,7 +39,7 @@ void listJson(const host::Catalogue& catalogue) {
                     {"file", m.file.string()},
                     {"refusal", refusal ? refusal->id : ""}});
   }
-  std::cout << textOf(json) << "\n";
+  std::cout << jsonText(json);
 }
 
 void list(Invocation& invocation) {
@@ -114,18 +110,18 @@ std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
 void describeJson(const std::vector<host::LoadedPlugin>& loaded) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
-  std::cout << textOf(loaded.size() == 1 ? json.front() : json) << "\n";
+  std::cout << jsonText(loaded.size() == 1 ? json.front() : json);
 }
 
 void describe(const Description& asked, Invocation& invocation) {
   if (asked.ids.empty()) {
     if (!asked.json_schema) throw CLI::RequiredError("id");
-    std::cout << textOf(fileSchema(openUsable(invocation))) << "\n";
+    std::cout << jsonText(fileSchema(openUsable(invocation)));
     return;
   }
   const auto loaded = openAll(asked.ids, invocation);
   if (asked.json_schema) {
-    std::cout << textOf(stageSchema(loaded)) << "\n";
+    std::cout << jsonText(stageSchema(loaded));
     return;
   }
   if (invocation.json) return describeJson(loaded);

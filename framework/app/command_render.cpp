@@ -14,6 +14,7 @@
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
+#include "config/scalars.hpp"
 #include "dataset/rendering.hpp"
 #include "pipeline/drive.hpp"
 #include "record/atomic_file.hpp"
@@ -192,7 +193,7 @@ run::SystemOptions systemOf(const ImportCommand& import, const record::FileDescr
   run::SystemOptions options;
   options.config = "/proc/self/fd/" + std::to_string(memory.number());
   options.plugin_paths = invocation.plugin_paths;
-  options.overrides = {"source.path=" + import.path};
+  options.overrides = {"source.path=" + config::writeText(import.path)};
   for (const std::string& value : import.overrides) options.overrides.push_back("source." + value);
   return options;
 }

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "app/terminal_output.hpp"
 #include "record/run_directory.hpp"
 #include "run/run.hpp"
 #include "run/terminal.hpp"
@@ -84,7 +85,7 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
   const auto changes = changesIn(record::RunDirectory::readRunFile(before),
                                  record::RunDirectory::readRunFile(after));
   if (invocation.json) {
-    std::cout << Json{{"same", same}, {"files", files}, {"changes", changes}}.dump(2) << "\n";
+    std::cout << jsonText(Json{{"same", same}, {"files", files}, {"changes", changes}});
   } else if (!invocation.quiet) {
     for (const auto& [file, text] : files.items()) {
       std::cout << fmt::format("{:<20}{}\n", file, text.get<std::string>());

@@ -10,6 +10,7 @@
 #include "app/duration_text.hpp"
 #include "app/sweep_display.hpp"
 #include "app/system_options.hpp"
+#include "app/terminal_output.hpp"
 #include "experiment/job_files.hpp"
 #include "experiment/known_data.hpp"
 #include "experiment/point_run.hpp"
@@ -92,7 +93,7 @@ void printPlan(const experiment::Plan& plan, const Progress& progress, const Swe
                       {"state", enumName(experiment::outcomeOf(out / run.folder).state)},
                       {"answers_of", run.needs.empty() ? run.replays : run.needs}});
     }
-    std::cout << runs.dump(1) << "\n";
+    std::cout << jsonText(runs);
     return;
   }
   if (invocation.quiet) return;
@@ -234,7 +235,7 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
       failed += run::printable("  " + run.name + "\n    " + outcome.message) + "\n";
     }
     if (invocation.json) {
-      std::cout << list.dump(1) << "\n";
+      std::cout << jsonText(list);
       return;
     }
     for (const auto& [state, count] : counts) {

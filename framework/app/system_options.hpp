@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/program.hpp"
+#include "config/scalars.hpp"
 #include "run/checked_system.hpp"
 
 namespace tolman::app {
@@ -71,25 +72,11 @@ class SystemOptionsReader {
     options.quiet = invocation.quiet;
     if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
     if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
-    if (!continue_.empty()) options.overrides.push_back("continue=" + quoted(continue_));
+    if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));
     return options;
   }
 
  private:
-  /// As a YAML text that means exactly this.
-  static std::string quoted(const std::string& text) {
-    std::string yaml = "\"";
-    for (const char c : text) {
-      if (c == '\n') {
-        yaml += "\\n";
-        continue;
-      }
-      if (c == '"' || c == '\\') yaml += '\\';
-      yaml += c;
-    }
-    return yaml + "\"";
-  }
-
   /// A run goes on as it was begun.
   void refuseOthers() const {
     for (const char* other :

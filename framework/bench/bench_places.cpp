@@ -7,6 +7,7 @@
 #include <map>
 
 #include "bench/place_truth.hpp"
+#include "config/scalars.hpp"
 
 namespace tolman::bench {
 namespace {
@@ -143,7 +144,7 @@ class PlacesMeasurement {
     const std::string state =
         run::require(first.place().instance().save(), run::FailureKind::Configuration);
     run::SystemOptions system = system_;
-    system.overrides.push_back("source.path=" + options_.second);
+    system.overrides.push_back("source.path=" + config::writeText(options_.second));
     system.overrides.insert(system.overrides.end(), options_.query_overrides.begin(),
                             options_.query_overrides.end());
     run::Assembly second = open(system);

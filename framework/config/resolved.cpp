@@ -4,43 +4,16 @@
 
 #include <algorithm>
 
-#include "config/characters.hpp"
 #include "config/scalars.hpp"
 
 namespace tolman::config {
 namespace {
 
-bool isPlainWord(const std::string& text) {
-  const auto inner = [](char c) {
-    return isLetter(c) || isDigit(c) || c == '_' || c == '-' || c == '.' || c == '/';
-  };
-  if (text.empty() || !(isLetter(text.front()) || text.front() == '/')) return false;
-  return std::ranges::all_of(text, inner) && text != "null" && text != "Null" && text != "NULL";
-}
-
-std::string quoted(const std::string& text) {
-  static constexpr std::string_view kHex = "0123456789abcdef";
-  std::string out = "\"";
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (text.compare(i, 2, "${") == 0) out += '$';  // or it would name a variable
-    if (byte < 0x20 || byte == 0x7f) {
-      out += std::string("\\x") + kHex[byte >> 4U] + kHex[byte & 15U];
-      continue;
-    }
-    if (text[i] == '"' || text[i] == '\\') out += '\\';
-    out += text[i];
-  }
-  return out + '"';
-}
-
 struct Writer {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
   std::string operator()(double value) const { return writeReal(value); }
-  std::string operator()(const std::string& value) const {
-    return isPlainWord(value) ? value : quoted(value);
-  }
+  std::string operator()(const std::string& value) const { return writeText(value); }
   std::string operator()(const std::vector<double>& values) const {
     std::string list;
     for (const double value : values) list += (list.empty() ? "" : ", ") + writeReal(value);

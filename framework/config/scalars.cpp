@@ -14,6 +14,30 @@
 namespace tolman::config {
 namespace {
 
+bool isPlainWord(const std::string& text) {
+  const auto inner = [](char c) {
+    return isLetter(c) || isDigit(c) || c == '_' || c == '-' || c == '.' || c == '/';
+  };
+  if (text.empty() || !(isLetter(text.front()) || text.front() == '/')) return false;
+  return std::ranges::all_of(text, inner) && text != "null" && text != "Null" && text != "NULL";
+}
+
+std::string quoted(const std::string& text) {
+  static constexpr std::string_view kHex = "0123456789abcdef";
+  std::string out = "\"";
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (text.compare(i, 2, "${") == 0) out += '$';  // or it would name a variable
+    if (byte < 0x20 || byte == 0x7f) {
+      out += std::string("\\x") + kHex[byte >> 4U] + kHex[byte & 15U];
+      continue;
+    }
+    if (text[i] == '"' || text[i] == '\\') out += '\\';
+    out += text[i];
+  }
+  return out + '"';
+}
+
 /// 010 is eight in YAML 1.1, ten in YAML 1.2.
 bool hasLeadingZero(std::string_view text) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
@@ -94,5 +118,7 @@ std::string writeReal(double value) {
   }
   return text;
 }
+
+std::string writeText(const std::string& text) { return isPlainWord(text) ? text : quoted(text); }
 
 }  // namespace tolman::config

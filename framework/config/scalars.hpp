@@ -24,4 +24,7 @@ Result<bool> readBool(const std::string& text);
 /// The shortest text from which readReal() gives the same number.
 std::string writeReal(double value);
 
+/// A YAML scalar that is read as exactly this text, quoted where it must be.
+std::string writeText(const std::string& text);
+
 }  // namespace tolman::config

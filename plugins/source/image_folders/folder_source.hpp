@@ -12,18 +12,14 @@
 
 #include "image_dataset.hpp"
 #include "inspection.hpp"
+#include "on_corrupt.hpp"
 #include "tolman/extras.hpp"
 #include "tolman/frame_selection.hpp"
 #include "tolman/roles.hpp"
 
 namespace tolman::image_folders {
 
-enum class OnCorrupt : std::uint8_t {
-  Stop,  ///< next() fails
-  Skip,  ///< a frame without images, with `defect`
-};
-inline constexpr std::array<std::string_view, 2> kOnCorruptNames = {"stop", "skip"};
-constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCorruptNames; }
+using source_parameters::OnCorrupt;
 
 /// Parameters of all layouts.
 struct FolderParameters : FrameSelection {

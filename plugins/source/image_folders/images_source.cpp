@@ -46,10 +46,9 @@ Status checkCombination(const Parameters& p) {
 }
 
 void setRig(const Parameters& p, CameraRig& rig) {
-  if (p.fx == 0) return;
+  if (!p.isGiven()) return;
   rig.calibrated = true;
-  rig.pinhole = {p.fx, p.fy > 0 ? p.fy : p.fx, p.cx > 0 ? p.cx : (rig.width - 1) / 2.0,
-                 p.cy > 0 ? p.cy : (rig.height - 1) / 2.0};
+  rig.pinhole = p.pinhole(rig.width, rig.height);
   rig.baseline = p.baseline;
 }
 

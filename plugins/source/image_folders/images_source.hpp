@@ -6,23 +6,19 @@
 #include <tuple>
 
 #include "folder_source.hpp"
+#include "given_pinhole.hpp"
 #include "times_and_poses.hpp"
 
 namespace tolman::image_folders {
 
 class ImagesSource final : public FolderSource {
  public:
-  struct Parameters : FolderParameters {
+  struct Parameters : FolderParameters, source_parameters::GivenPinhole {
     std::string path;
     std::string left;
     std::string right;
     std::string calibration;
     std::string calibration_right;
-    double fx = 0;
-    double fy = 0;
-    double cx = 0;
-    double cy = 0;
-    double baseline = 0;
     double rate = 10;
     std::string stamps;
     std::string stamps_column;
@@ -45,38 +41,19 @@ class ImagesSource final : public FolderSource {
                        "OpenCV, ROS, EuRoC or KITTI raw. Empty: fx to baseline."),
               parameter("calibration_right", &Parameters::calibration_right)
                   .doc("Second file where calibration has one camera, or no poses (OpenCV's "
-                       "extrinsics)."),
-              parameter("fx", &Parameters::fx)
-                  .range(0, 1e6)
-                  .unit("px")
-                  .doc("Focal length; 0 for an uncalibrated camera."),
-              parameter("fy", &Parameters::fy)
-                  .range(0, 1e6)
-                  .unit("px")
-                  .doc("Vertical focal length; 0 for the same as fx."),
-              parameter("cx", &Parameters::cx)
-                  .range(0, 1e6)
-                  .unit("px")
-                  .doc("Principal point; 0 for the centre of the image."),
-              parameter("cy", &Parameters::cy)
-                  .range(0, 1e6)
-                  .unit("px")
-                  .doc("Principal point; 0 for the centre of the image."),
-              parameter("baseline", &Parameters::baseline)
-                  .range(0, 5)
-                  .unit("m")
-                  .doc("Distance of the right camera from the left one."),
-              parameter("rate", &Parameters::rate)
-                  .range(0.001, 1e6)
-                  .unit("Hz")
-                  .doc("Frame rate, where stamps names no file."),
-              parameter("stamps", &Parameters::stamps)
-                  .doc("File with the time of each image, one a line, or a table."),
-              parameter("stamps_column", &Parameters::stamps_column)
-                  .doc("Name of the table's column that holds the times."),
-              parameter("stamps_unit", &Parameters::stamps_unit).doc("Unit of the times."),
-              parameter("stamps_in_names", &Parameters::stamps_in_names)
-                  .doc("The names of the left images are their times.")),
+                       "extrinsics).")),
+          source_parameters::pinholeParameters<Parameters>(),
+          parameters(parameter("rate", &Parameters::rate)
+                         .range(0.001, 1e6)
+                         .unit("Hz")
+                         .doc("Frame rate, where stamps names no file."),
+                     parameter("stamps", &Parameters::stamps)
+                         .doc("File with the time of each image, one a line, or a table."),
+                     parameter("stamps_column", &Parameters::stamps_column)
+                         .doc("Name of the table's column that holds the times."),
+                     parameter("stamps_unit", &Parameters::stamps_unit).doc("Unit of the times."),
+                     parameter("stamps_in_names", &Parameters::stamps_in_names)
+                         .doc("The names of the left images are their times.")),
           folderParameters<Parameters>());
     }
   };

@@ -2,24 +2,19 @@
 // Parameters of the source `ros_bag`.
 #pragma once
 
-#include <array>
-#include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 
+#include "given_pinhole.hpp"
+#include "on_corrupt.hpp"
 #include "tolman/frame_selection.hpp"
 
 namespace tolman::ros_bag {
 
-enum class OnCorrupt : std::uint8_t {
-  Stop,  ///< a failure
-  Skip,  ///< what can be read is used; a damaged image is a frame without images, with `defect`
-};
-inline constexpr std::array<std::string_view, 2> kOnCorruptNames = {"stop", "skip"};
-constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCorruptNames; }
+using source_parameters::GivenPinhole;
+using source_parameters::OnCorrupt;
 
-struct BagParameters : FrameSelection {
+struct BagParameters : FrameSelection, GivenPinhole {
   std::string path;
   std::string left;
   std::string right;
@@ -32,11 +27,6 @@ struct BagParameters : FrameSelection {
   double tolerance = 0.005;
   bool colour = false;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
-  double fx = 0;
-  double fy = 0;
-  double cx = 0;
-  double cy = 0;
-  double baseline = 0;
 
   static constexpr auto declaration();
 };
@@ -77,27 +67,10 @@ constexpr auto BagParameters::declaration() {
           parameter("colour", &P::colour)
               .doc("Provide colour images; otherwise images are converted to grey."),
           parameter("on_corrupt", &P::on_corrupt)
-              .doc("Damaged bags and images: stop, or skip: use what can be read."),
-          parameter("fx", &P::fx)
-              .range(0, 1e6)
-              .unit("px")
-              .doc("Focal length of rectified images, in place of CameraInfo; 0: by CameraInfo."),
-          parameter("fy", &P::fy)
-              .range(0, 1e6)
-              .unit("px")
-              .doc("Vertical focal length; 0 for the same as fx."),
-          parameter("cx", &P::cx)
-              .range(0, 1e6)
-              .unit("px")
-              .doc("Principal point; 0 for the centre of the image."),
-          parameter("cy", &P::cy)
-              .range(0, 1e6)
-              .unit("px")
-              .doc("Principal point; 0 for the centre of the image."),
-          parameter("baseline", &P::baseline)
-              .range(0, 5)
-              .unit("m")
-              .doc("Distance of the right camera from the left one, with fx.")),
+              .doc("Damaged bags and images: stop, or skip: use what can be read.")),
+      source_parameters::pinholeParameters<P>(
+          "Focal length of rectified images, in place of CameraInfo; 0: by CameraInfo.",
+          "Distance of the right camera from the left one, with fx."),
       selectionParameters<P>());
 }
 

@@ -125,10 +125,9 @@ Status BagSource::makeRig() {
   rig_.width = size_.width;
   rig_.height = size_.height;
   const bool pair = chosen_.right != nullptr;
-  if (p.fx > 0) {
+  if (p.isGiven()) {
     rig_.calibrated = true;
-    rig_.pinhole = {p.fx, p.fy > 0 ? p.fy : p.fx, p.cx > 0 ? p.cx : (rig_.width - 1) / 2.0,
-                    p.cy > 0 ? p.cy : (rig_.height - 1) / 2.0};
+    rig_.pinhole = p.pinhole(rig_.width, rig_.height);
     rig_.baseline = pair ? p.baseline : 0;
     const bool inside = rig_.pinhole.cx < rig_.width && rig_.pinhole.cy < rig_.height;
     if (!inside) return Status::invalidParameter("cx, cy is outside of the image; correct it");

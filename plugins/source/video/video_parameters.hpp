@@ -2,25 +2,20 @@
 // Parameters of the source `video`.
 #pragma once
 
-#include <array>
-#include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 
+#include "given_pinhole.hpp"
+#include "on_corrupt.hpp"
 #include "picture_layout.hpp"
 #include "tolman/frame_selection.hpp"
 
 namespace tolman::video {
 
-enum class OnCorrupt : std::uint8_t {
-  Stop,  ///< next() fails
-  Skip,  ///< a frame without images, with `defect`
-};
-inline constexpr std::array<std::string_view, 2> kOnCorruptNames = {"stop", "skip"};
-constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCorruptNames; }
+using source_parameters::GivenPinhole;
+using source_parameters::OnCorrupt;
 
-struct VideoParameters : FrameSelection {
+struct VideoParameters : FrameSelection, GivenPinhole {
   std::string path;
   PictureLayout layout = PictureLayout::Mono;
   bool colour = false;
@@ -28,39 +23,9 @@ struct VideoParameters : FrameSelection {
   double rate = 0;
   std::int64_t width = 0;
   std::int64_t height = 0;
-  double fx = 0;
-  double fy = 0;
-  double cx = 0;
-  double cy = 0;
-  double baseline = 0;
 
   static constexpr auto declaration();
 };
-
-/// The calibration, by the same names as those of the source `images`.
-constexpr auto calibrationParameters() {
-  using P = VideoParameters;
-  return parameters(parameter("fx", &P::fx)
-                        .range(0, 1e6)
-                        .unit("px")
-                        .doc("Focal length; 0 for an uncalibrated camera."),
-                    parameter("fy", &P::fy)
-                        .range(0, 1e6)
-                        .unit("px")
-                        .doc("Vertical focal length; 0 for the same as fx."),
-                    parameter("cx", &P::cx)
-                        .range(0, 1e6)
-                        .unit("px")
-                        .doc("Principal point; 0 for the centre of the image."),
-                    parameter("cy", &P::cy)
-                        .range(0, 1e6)
-                        .unit("px")
-                        .doc("Principal point; 0 for the centre of the image."),
-                    parameter("baseline", &P::baseline)
-                        .range(0, 5)
-                        .unit("m")
-                        .doc("Distance of the right camera from the left one."));
-}
 
 constexpr auto VideoParameters::declaration() {
   using P = VideoParameters;
@@ -89,7 +54,7 @@ constexpr auto VideoParameters::declaration() {
                      .range(0, 1e5)
                      .unit("px")
                      .doc("Height that a camera is asked for; 0 for its own.")),
-      calibrationParameters(), selectionParameters<P>());
+      source_parameters::pinholeParameters<P>(), selectionParameters<P>());
 }
 
 }  // namespace tolman::video

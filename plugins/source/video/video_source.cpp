@@ -19,7 +19,7 @@ Result<std::unique_ptr<Capture>> asCapture(Result<std::unique_ptr<T>> opened) {
 /// Contradictions between parameters.
 Status checkCombination(const VideoParameters& p, PathKind kind) {
   const bool stereo = p.layout != PictureLayout::Mono;
-  if (stereo && (p.fx == 0 || p.baseline == 0)) {
+  if (stereo && (!p.isGiven() || p.baseline == 0)) {
     return Status::invalidParameter("two cameras need a calibration; give fx and baseline");
   }
   if (!stereo && p.baseline > 0) {
@@ -78,10 +78,9 @@ Status VideoSource::makeRig(PictureSize picture) {
   rig_ = {};
   rig_.width = size.value().width;
   rig_.height = size.value().height;
-  if (p.fx == 0) return Status::ok();
+  if (!p.isGiven()) return Status::ok();
   rig_.calibrated = true;
-  rig_.pinhole = {p.fx, p.fy > 0 ? p.fy : p.fx, p.cx > 0 ? p.cx : (rig_.width - 1) / 2.0,
-                  p.cy > 0 ? p.cy : (rig_.height - 1) / 2.0};
+  rig_.pinhole = p.pinhole(rig_.width, rig_.height);
   rig_.baseline = p.baseline;
   if (rig_.pinhole.cx < rig_.width && rig_.pinhole.cy < rig_.height) return Status::ok();
   return Status::invalidParameter("the principal point cx, cy is outside of the " +

@@ -9,7 +9,7 @@ namespace tolman::ros_bag {
 
 TEST_CASE("Zstandard frames are unpacked whole or not at all") {
   std::string text;
-  for (int i = 0; i < 50'000; ++i) text += static_cast<char>(i * i % 251);
+  for (int i = 0; i < 50'000; ++i) text += static_cast<char>(i % 251 * (i % 241) % 239);
   const std::string packed = test::packedByZstd(text);
   CHECK(isZstd(asBytes(packed)));
   CHECK_FALSE(isZstd(asBytes(text)));
