@@ -114,6 +114,7 @@ class ChainBench {
       run::require(status, run::FailureKind::Dataset);
       durations_ns.push_back(duration_ns);
       pass.seconds += static_cast<double>(duration_ns) * kSecondsPerNs;
+      pass.rectifying_s += static_cast<double>(assembly.source().rectifyingNs()) * kSecondsPerNs;
       ++pass.frames;
       options_.progress.frame();
     }

@@ -12,7 +12,6 @@
 namespace tolman::imaging {
 namespace {
 
-constexpr int kParts = 128;      // of a pixel
 constexpr int kRowsAtOnce = 32;  // of a task
 
 template <class Work>
@@ -23,15 +22,25 @@ void forRows(int rows, const Work& work) {
                     });
 }
 
+/// The pixel before a place; the rest in parts goes to `share`.
+std::uint16_t split(double at, int size, std::uint8_t& share) {
+  const int parts = static_cast<int>(std::lround(at * kParts));
+  const int whole = std::min(parts / kParts, size - 2);
+  share = static_cast<std::uint8_t>(parts - whole * kParts);
+  return static_cast<std::uint16_t>(whole);
+}
+
 }  // namespace
 
 PixelMap::PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
-                   const CameraRig& rectified)
+                   const CameraRig& rectified, Speed speed)
     : raw_width_(raw.width),
       raw_height_(raw.height),
       width_(rectified.width),
       height_(rectified.height),
       places_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {
+  const bool grouped = speed == Speed::Fastest && hasGroupInstructions();
+  if (grouped) groups_.resize(firstGroup(height_));
   const Lens lens(raw);
   const Eigen::Matrix3d R_raw_rectified = R_rectified_raw.transpose();
   forRows(height_, [&](int r) {
@@ -39,37 +48,17 @@ PixelMap::PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
     for (int c = 0; c < width_; ++c, ++place) {
       const auto pixel = lens.pixelOf(R_raw_rectified * rectified.pinhole.ray({c, r}));
       if (!pixel) continue;
-      const auto split = [](double at, int size, std::uint8_t& share) {
-        const int parts = static_cast<int>(std::lround(at * kParts));
-        const int whole = std::min(parts / kParts, size - 2);
-        share = static_cast<std::uint8_t>(parts - whole * kParts);
-        return static_cast<std::uint16_t>(whole);
-      };
       place->x = split(pixel->x(), raw_width_, place->right);
       place->y = split(pixel->y(), raw_height_, place->below);
     }
+    if (grouped) groupPlaces(placesOf(r), raw_width_, groups_.data() + firstGroup(r));
   });
-  black_ = std::ranges::count(places_, kNowhere, &Place::right);
+  black_ = std::ranges::count(places_, Place::kNowhere, &Place::right);
 }
 
-template <int Channels>
-void PixelMap::fillRow(const Image& raw, int row, std::uint8_t* out) const {
-  const Place* place = places_.data() + std::ptrdiff_t{row} * width_;
-  const std::uint8_t* const data = raw.data();
-  const std::ptrdiff_t stride = raw.stride();
-  for (const Place* const end = place + width_; place != end; ++place, out += Channels) {
-    if (place->right == kNowhere) continue;
-    const std::uint8_t* above = data + place->y * stride + place->x * Channels;
-    const std::uint8_t* below = above + stride;
-    const int w_right = place->right;
-    const int w_left = kParts - w_right;
-    for (int k = 0; k < Channels; ++k) {
-      const int upper = above[k] * w_left + above[k + Channels] * w_right;
-      const int lower = below[k] * w_left + below[k + Channels] * w_right;
-      const int sum = upper * (kParts - place->below) + lower * place->below;
-      out[k] = static_cast<std::uint8_t>((sum + kParts * kParts / 2) / (kParts * kParts));
-    }
-  }
+std::span<const Place> PixelMap::placesOf(int row) const {
+  const auto width = static_cast<std::size_t>(width_);
+  return std::span(places_).subspan(static_cast<std::size_t>(row) * width, width);
 }
 
 Image PixelMap::apply(const Image& raw) const {
@@ -77,11 +66,8 @@ Image PixelMap::apply(const Image& raw) const {
   return Image::create(width_, height_, raw.format(), [&](std::uint8_t* pixels) {
     const std::ptrdiff_t stride = std::ptrdiff_t{width_} * bytesPerPixel(raw.format());
     forRows(height_, [&](int r) {
-      if (raw.format() == PixelFormat::Gray8) {
-        fillRow<1>(raw, r, pixels + r * stride);
-      } else {
-        fillRow<3>(raw, r, pixels + r * stride);
-      }
+      const PixelGroup* groups = groups_.empty() ? nullptr : groups_.data() + firstGroup(r);
+      interpolateRow(raw, placesOf(r), groups, pixels + r * stride);
     });
   });
 }

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "imaging/pixel_groups.hpp"
 #include "tolman/camera.hpp"
 #include "tolman/image.hpp"
 
@@ -13,33 +15,31 @@ namespace tolman::imaging {
 
 class PixelMap {
  public:
-  PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
-           const CameraRig& rectified);
+  enum class Speed : std::uint8_t { Portable, Fastest };
 
-  /// Bilinear, in steps of 1/128 px; black where the raw image shows nothing. Parallel in rows: the
-  /// same bytes for any number of threads. An image of another size than the map's stays empty.
+  PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw, const CameraRig& rectified,
+           Speed speed = Speed::Fastest);
+
+  /// Bilinear, in steps of 1/64 px; black where the raw image shows nothing. Parallel in rows: the
+  /// same bytes for any number of threads and any processor. An image of another size than the
+  /// map's stays empty.
   Image apply(const Image& raw) const;
 
   /// Pixels that the raw image does not show.
   std::int64_t blackPixels() const { return black_; }
 
  private:
-  struct Place {
-    std::uint16_t x = 0;  ///< the pixel above and left of the place
-    std::uint16_t y = 0;
-    std::uint8_t right = kNowhere;  ///< share of the pixels to the right, in 1/128
-    std::uint8_t below = 0;
-  };
-  static constexpr std::uint8_t kNowhere = 255;
-
-  template <int Channels>
-  void fillRow(const Image& raw, int row, std::uint8_t* out) const;
+  std::span<const Place> placesOf(int row) const;
+  std::size_t firstGroup(int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_ / 8);
+  }
 
   int raw_width_;
   int raw_height_;
   int width_;
   int height_;
-  std::vector<Place> places_;  ///< row by row
+  std::vector<Place> places_;       ///< row by row
+  std::vector<PixelGroup> groups_;  ///< the same in groups, or none
   std::int64_t black_ = 0;
 };
 

@@ -30,6 +30,8 @@ class RectifiedSource : private host::SourceStage {
   const RawRig& rawRig() const { return raw_; }
   /// What is done to the images, after info(); empty for nothing.
   const std::string& text() const { return text_; }
+  /// What rectifying the last frame took; 0 where nothing is done.
+  std::int64_t rectifyingNs() const { return rectifying_ns_; }
 
  private:
   Status prepare(CameraRig& rig);
@@ -39,7 +41,8 @@ class RectifiedSource : private host::SourceStage {
   CameraRig rig_;  ///< rectified
   std::string text_;
   std::vector<imaging::PixelMap> maps_;  ///< one a camera; none: images stay as they are
-  bool left_alone_ = false;              ///< raw pairs are no pairs for the stages
+  std::int64_t rectifying_ns_ = 0;
+  bool left_alone_ = false;  ///< raw pairs are no pairs for the stages
 };
 
 }  // namespace tolman::pipeline

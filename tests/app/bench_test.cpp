@@ -121,6 +121,20 @@ TEST_CASE("bench prints a small table") {
   CHECK(contains(finished.err, "frame 12 of 12 (100 %)"));  // the progress of each pass
 }
 
+TEST_CASE("bench says what rectifying raw images costs beside decoding them", "[data]") {
+  const auto recording = dataOrSkip("euroc_v101");
+  if (!recording) return;
+  const Track track;
+  const std::string before = track.bench({"--repeat", "1"}).out;
+  CHECK_FALSE(contains(before, "rectifying"));
+  std::ofstream(track.config) << "source: {plugin: euroc, path: " << *recording << "}\n";
+  CHECK(contains(track.bench({"--repeat", "1"}).out, "\nrectifying / reading and decoding: "));
+  const auto json = track.json({"--repeat", "1"});
+  const double ratio = json["source_passes"][0]["rectifying_over_decoding"];
+  CHECK(ratio > 0);
+  CHECK(ratio < 100);
+}
+
 TEST_CASE("bench of a configuration that is wrong ends as a run would") {
   const Track track;
   const Finished wrong = track.bench({"--set", "map.plugin=atlas"});
