@@ -5,8 +5,10 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "config/named_value.hpp"
 #include "experiment/comparison_figure.hpp"
 #include "experiment/comparison_text.hpp"
+#include "experiment/run_pivot.hpp"
 #include "record/atomic_file.hpp"
 #include "report/raster.hpp"
 
@@ -19,31 +21,59 @@ struct CompareCommand {
   experiment::ComparisonOptions options;
   std::string format = "markdown";
   std::string out;
-  std::string figure;
+  std::vector<std::string> figures;
+  std::string kind = "auto";
+  experiment::PivotOptions pivot;
+  std::vector<std::string> heads;
 };
 
-std::string tableOf(const experiment::Comparison& comparison, const std::string& format) {
-  if (format == "latex") return experiment::latexOf(comparison);
-  return format == "csv" ? experiment::csvOf(comparison) : experiment::markdownOf(comparison);
+template <class Table>
+std::string textOf(const Table& table, const std::string& format) {
+  if (format == "latex") return experiment::latexOf(table);
+  return format == "csv" ? experiment::csvOf(table) : experiment::markdownOf(table);
+}
+
+/// "a=b" as a pair; `option` for the message.
+std::pair<std::string, std::string> pairOf(const std::string& text, const char* option) {
+  const auto equals = text.find('=');
+  if (equals != std::string::npos) return {text.substr(0, equals), text.substr(equals + 1)};
+  throw Ended{ExitCode::Usage, std::string("write ") + option};
+}
+
+std::string bytesOf(const std::string& svg, const std::string& file) {
+  if (file.ends_with(".png")) return valueOrEnd(report::pngOf(svg, 4));
+  return file.ends_with(".pdf") ? valueOrEnd(report::pdfOf(svg)) : svg;
+}
+
+std::string comparisonText(CompareCommand& command, const std::vector<experiment::RunRow>& rows,
+                           std::vector<std::filesystem::path>& written) {
+  if (!command.pivot.columns.empty()) {
+    command.pivot.by = command.options.by;
+    command.pivot.only = command.options.only;
+    if (command.pivot.cell.empty()) command.pivot.cell = "{" + command.options.metric + ":.3g}";
+    for (const std::string& head : command.heads) {
+      command.pivot.heads.push_back(pairOf(head, "--head LABEL=CELL"));
+    }
+    return textOf(valueOrEnd(experiment::pivotOf(rows, command.pivot)), command.format);
+  }
+  const auto comparison = valueOrEnd(experiment::compareRuns(rows, command.options));
+  const auto kind = config::valueNamed<experiment::FigureKind>(command.kind);
+  for (const std::string& file : command.figures) {
+    const std::string svg = valueOrEnd(experiment::comparisonFigure(comparison, *kind));
+    requireOrEnd(record::writeAtomically(file, bytesOf(svg, file)));
+    written.emplace_back(file);
+  }
+  return textOf(comparison, command.format);
 }
 
 void compare(CompareCommand& command, const Invocation& invocation) {
   for (const std::string& only : command.only) {
-    const auto equals = only.find('=');
-    if (equals == std::string::npos) throw Ended{ExitCode::Usage, "write --only FACTOR=LABEL"};
-    command.options.only.emplace_back(only.substr(0, equals), only.substr(equals + 1));
+    command.options.only.push_back(pairOf(only, "--only FACTOR=LABEL"));
   }
   const auto rows = valueOrEnd(experiment::readRunRows({command.runs.begin(), command.runs.end()}));
   if (rows.empty()) throw Ended{ExitCode::Dataset, "no run is done"};
-  const auto comparison = valueOrEnd(experiment::compareRuns(rows, command.options));
   std::vector<std::filesystem::path> written;
-  if (!command.figure.empty()) {
-    std::string picture = experiment::comparisonFigure(comparison);
-    if (command.figure.ends_with(".png")) picture = valueOrEnd(report::pngOf(picture, 4));
-    requireOrEnd(record::writeAtomically(command.figure, picture));
-    written.emplace_back(command.figure);
-  }
-  const std::string table = tableOf(comparison, command.format);
+  const std::string table = comparisonText(command, rows, written);
   if (command.out.empty()) {
     std::cout << table;
     return;
@@ -53,13 +83,48 @@ void compare(CompareCommand& command, const Invocation& invocation) {
   printFiles(written, invocation);
 }
 
+void addPivotOptions(CLI::App& command, CompareCommand& options) {
+  command
+      .add_option("--columns", options.pivot.columns,
+                  "A column for each level of this factor, instead of statistics")
+      ->type_name("FACTOR")
+      ->check(notEmpty);
+  command
+      .add_option("--cell", options.pivot.cell,
+                  "Text of the cells with metrics in braces: '{map.ate.rmse_m:.2f}'")
+      ->type_name("TEXT");
+  command
+      .add_option(
+          "--head", options.heads,
+          "A row before the others, with another cell, of the runs of the first (repeatable)")
+      ->type_name("LABEL=TEXT")
+      ->allow_extra_args(false);
+}
+
+void addFigureOptions(CLI::App& command, CompareCommand& options) {
+  command
+      .add_option("--figure", options.figures, "Figure to write, .svg, .pdf or .png (repeatable)")
+      ->type_name("FILE")
+      ->allow_extra_args(false)
+      ->check(notEmpty);
+  command
+      .add_option("--kind", options.kind,
+                  "Of the figure: line over numbers, box of names (auto); success curve; position "
+                  "error over distance; maps over the true path")
+      ->type_name("auto|line|box|success|distance|maps")
+      ->check(CLI::IsMember(std::vector<std::string>(experiment::kFigureKindNames.begin(),
+                                                     experiment::kFigureKindNames.end())));
+}
+
 }  // namespace
 
 void addCompareCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("compare", "Tables and figures of a metric over the runs of a sweep");
   auto options = std::make_shared<CompareCommand>();
-  command->add_option("runs", options->runs, "Folder of a sweep, or run directories")
+  command
+      ->add_option("runs", options->runs,
+                   "Folder of a sweep, run directories, or tables of `sweep collect` (.csv)")
       ->type_name("RUN")
       ->required();
   command
@@ -83,9 +148,8 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", options->out, "File for the table (default: standard output)")
       ->type_name("FILE")
       ->check(notEmpty);
-  command->add_option("--figure", options->figure, "Figure to write, .svg or .png")
-      ->type_name("FILE")
-      ->check(notEmpty);
+  addPivotOptions(*command, *options);
+  addFigureOptions(*command, *options);
   command->callback([options, &invocation] { compare(*options, invocation); });
 }
 

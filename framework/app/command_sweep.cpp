@@ -175,6 +175,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   const record::FileDescriptor lock = record::lockFolder(out);
   if (!lock.isOpen()) throw Ended{ExitCode::Record, out.string() + ": another sweep works here"};
   for (const PlannedRun& run : progress.todo) requireOrEnd(experiment::freeze(out, run));
+  requireOrEnd(experiment::writePlanOrder(out, plan.runs));
   requireOrEnd(experiment::writeKnownData(out, plan.data));
   if (command.write.empty()) return runJobs(command, progress, out, invocation);
   const std::string program = fs::read_symlink("/proc/self/exe", error).string();
@@ -250,14 +251,19 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
       sweep.add_subcommand("collect", "Factors and metrics of the runs that are done, as CSV");
   auto folder = std::make_shared<std::string>();
   auto out = std::make_shared<std::string>();
+  auto metrics = std::make_shared<std::vector<std::string>>();
   command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
+  command
+      ->add_option("--metric", *metrics, "Only this key of metrics.json (repeatable; default: all)")
+      ->type_name("KEY")
+      ->allow_extra_args(false);
   command->add_option("--out", *out, "File (default: results.csv in the sweep)")
       ->type_name("FILE")
       ->check(notEmpty);
-  command->callback([folder, out, &invocation] {
+  command->callback([folder, out, metrics, &invocation] {
     const auto rows = valueOrEnd(experiment::readRunRows({*folder}));
     const fs::path file = out->empty() ? fs::path(*folder) / "results.csv" : fs::path(*out);
-    requireOrEnd(record::writeAtomically(file, experiment::csvOf(rows)));
+    requireOrEnd(record::writeAtomically(file, experiment::csvOf(rows, *metrics)));
     printFiles({file}, invocation);
   });
 }

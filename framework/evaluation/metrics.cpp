@@ -180,6 +180,8 @@ Json toJson(const Metrics& metrics) {
           {"loop_links", metrics.counts.loop_links},
           {"rejected_loop_links", metrics.counts.rejected_loop_links},
           {"loop_decisions", metrics.counts.loop_decisions},
+          {"loops", metrics.loops ? toJson(*metrics.loops) : Json()},
+          {"truth_sha256", metrics.truth_sha256.empty() ? Json() : Json(metrics.truth_sha256)},
           {"parts", metrics.parts},
           {"sessions", sessionsJson(metrics)},
           {"cells", metrics.cells ? toJson(*metrics.cells) : Json()},

@@ -13,6 +13,7 @@
 #include "evaluation/cell_figures.hpp"
 #include "evaluation/errors.hpp"
 #include "evaluation/kitti_segments.hpp"
+#include "evaluation/loop_figures.hpp"
 #include "evaluation/motion_consistency.hpp"
 #include "tolman/records.hpp"
 
@@ -73,6 +74,8 @@ struct Metrics {
   std::int64_t frames = 0;
   std::int64_t templates = 0;
   MapCounts counts;
+  std::optional<LoopFigures> loops;  ///< none without truth
+  std::string truth_sha256;          ///< of the true poses; empty without truth
   std::map<std::string, StageTiming> timing;
   std::int64_t parts = 0;  ///< connected parts of the map
   std::vector<SessionFigures> sessions;

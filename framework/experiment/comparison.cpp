@@ -57,14 +57,22 @@ class Comparer {
     if (status.isOk()) status = chooseMetric();
     if (status.isOk()) status = refuseMixtures();
     if (!status.isOk()) return status;
+    std::set<std::string> truths;
+    for (const RunRow& row : rows_) truths.insert(row.truth);
+    comparison_.truths = truths.size();
+    comparison_.alignment = rows_.front().alignment;
     warnOfEqualResults();
     fillLevels();
     return std::move(comparison_);
   }
 
  private:
+  struct Measured {
+    double value = 0;
+    std::filesystem::path directory;
+  };
   using Values =
-      std::map<std::string, std::map<std::string, double>>;  ///< by sequence, by the rest
+      std::map<std::string, std::map<std::string, Measured>>;  ///< by sequence, by the rest
 
   /// Factors and rows.
   Status choose() {
@@ -218,16 +226,20 @@ class Comparer {
     for (const RunRow& row : rows_) {
       const std::string level = levelOf(row);
       if (!values.contains(level)) order.push_back(level);
-      values[level][row.label("sequence")][restOf(row)] = row.metrics.at(comparison_.metric);
+      values[level][row.label("sequence")][restOf(row)] = {row.metrics.at(comparison_.metric),
+                                                           row.directory};
     }
     sort(order);
     comparison_.baseline = values.contains(options_.baseline) ? options_.baseline : order.front();
     for (const std::string& label : order) {
-      Level level{label, {}, {}, {}, {}};
+      Level level{label, {}, {}, {}, {}, {}};
       std::vector<std::vector<double>> groups;
       for (const auto& [sequence, runs] : values[label]) {
         auto& group = groups.emplace_back();
-        for (const auto& [rest, value] : runs) group.push_back(value);
+        for (const auto& [rest, run] : runs) {
+          group.push_back(run.value);
+          level.directories.push_back(run.directory);
+        }
         level.values.insert(level.values.end(), group.begin(), group.end());
       }
       level.summary = summaryOf(level.values);
@@ -266,9 +278,9 @@ class Comparer {
       const auto same = baseline.find(sequence);
       if (same == baseline.end()) continue;
       std::vector<double> group;
-      for (const auto& [rest, value] : runs) {
+      for (const auto& [rest, run] : runs) {
         const auto other = same->second.find(rest);
-        if (other != same->second.end()) group.push_back(value - other->second);
+        if (other != same->second.end()) group.push_back(run.value - other->second.value);
       }
       if (group.empty()) continue;
       paired.pairs += group.size();

@@ -3,6 +3,7 @@
 // first level.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,8 @@ struct PairedDifference {
 
 struct Level {
   std::string label;
-  std::vector<double> values;  ///< of all runs
+  std::vector<double> values;                      ///< of all runs
+  std::vector<std::filesystem::path> directories;  ///< of the same runs
   Summary summary;
   std::optional<Interval> interval;            ///< of the mean, as in PairedDifference
   std::optional<PairedDifference> difference;  ///< to the baseline; none for the baseline
@@ -43,6 +45,8 @@ struct Comparison {
   std::vector<std::string> by;
   std::string baseline;
   std::vector<Level> levels;
+  std::string alignment;           ///< of all runs
+  std::size_t truths = 0;          ///< different true paths
   std::vector<std::string> notes;  ///< what the reader must know
 };
 

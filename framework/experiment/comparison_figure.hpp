@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A comparison as a figure for a column of a paper.
+// Figures of a comparison, as wide as a column of a paper, in colours that colour-blind readers can
+// tell apart (Okabe and Ito 2008).
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "experiment/comparison.hpp"
 
 namespace tolman::experiment {
 
-/// SVG. Where the first factor has numbers, the metric over it: mean with its interval as a band,
-/// one line for each level of the other factors. Otherwise a box for each level (quartiles, median,
-/// the whole range) over its runs as dots.
-std::string comparisonFigure(const Comparison& comparison);
+enum class FigureKind : std::uint8_t {
+  Auto,     ///< Line where the first factor is a number, else Box
+  Line,     ///< mean over the first factor with its interval as a band, a line for each of the rest
+  Box,      ///< quartiles, whiskers to all values, and a dot for each run
+  Success,  ///< share of the runs whose metric is at most a limit, over that limit
+  Distance,  ///< position error over the driven path: mean of the runs, quartiles as a band
+  Maps,      ///< the true path, and of each level the map of the median run
+};
+inline constexpr std::array<std::string_view, 6> kFigureKindNames = {"auto",    "line",     "box",
+                                                                     "success", "distance", "maps"};
+constexpr std::span<const std::string_view> enumNames(FigureKind) { return kFigureKindNames; }
+
+/// SVG. Distance and Maps open the records of the runs, and are of one true path: InvalidParameter
+/// for several, as for lines over labels that are no numbers.
+Result<std::string> comparisonFigure(const Comparison& comparison,
+                                     FigureKind kind = FigureKind::Auto);
 
 }  // namespace tolman::experiment

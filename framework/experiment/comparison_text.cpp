@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "experiment/text_table.hpp"
+
 namespace tolman::experiment {
 namespace {
 
@@ -58,29 +60,16 @@ std::string explanation(const Comparison& comparison) {
   return text;
 }
 
-std::string latexText(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string_view("_%&#$").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
-  return out;
+TextTable tableOf(const Comparison& comparison) {
+  TextTable table{heading(comparison), {}};
+  for (const Level& level : comparison.levels) table.rows.push_back(rowOf(level));
+  return table;
 }
 
 }  // namespace
 
 std::string markdownOf(const Comparison& comparison) {
-  std::string text;
-  const auto add = [&](const Row& row) {
-    for (const std::string& cell : row) text += "| " + cell + " ";
-    text += "|\n";
-  };
-  const Row head = heading(comparison);
-  add(head);
-  for (std::size_t i = 0; i < head.size(); ++i) text += i == 0 ? "|---" : "|---:";
-  text += "|\n";
-  for (const Level& level : comparison.levels) add(rowOf(level));
-  text += "\n" + explanation(comparison) + "\n";
+  std::string text = markdownOf(tableOf(comparison)) + "\n" + explanation(comparison) + "\n";
   for (const std::string& note : comparison.notes) text += "\n" + note + "\n";
   return text;
 }
@@ -88,16 +77,7 @@ std::string markdownOf(const Comparison& comparison) {
 std::string latexOf(const Comparison& comparison) {
   std::string text;
   for (const std::string& note : comparison.notes) text += "% " + note + "\n";
-  text += "\\begin{tabular}{lrrrrrrrrr}\n\\toprule\n";
-  const auto add = [&](const Row& row) {
-    std::string line;
-    for (const std::string& cell : row) line += (line.empty() ? "" : " & ") + latexText(cell);
-    text += line + " \\\\\n";
-  };
-  add(heading(comparison));
-  text += "\\midrule\n";
-  for (const Level& level : comparison.levels) add(rowOf(level));
-  return text + "\\bottomrule\n\\end{tabular}\n% " + explanation(comparison) + "\n";
+  return text + latexOf(tableOf(comparison)) + "% " + explanation(comparison) + "\n";
 }
 
 std::string csvOf(const Comparison& comparison) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "config/named_value.hpp"
 #include "record/atomic_file.hpp"
@@ -100,8 +102,26 @@ std::vector<PlannedRun> readPoints(const fs::path& sweep) {
     auto run = readPoint(entry.path());
     if (run.isOk()) runs.push_back(std::move(run).value());
   }
-  std::ranges::sort(runs, {}, &PlannedRun::folder);
+  std::map<std::string, std::size_t> order;
+  for (const std::string& folder : planOrder(sweep)) order.try_emplace(folder, order.size());
+  std::ranges::sort(runs, {}, [&](const PlannedRun& run) {
+    const auto at = order.find(run.folder);
+    return std::pair(at == order.end() ? order.size() : at->second, run.folder);
+  });
   return runs;
+}
+
+Status writePlanOrder(const fs::path& sweep, const std::vector<PlannedRun>& runs) {
+  std::string text;
+  for (const PlannedRun& run : runs) text += run.folder + "\n";
+  return record::writeAtomically(sweep / "points.txt", text, record::Sync::No);
+}
+
+std::vector<std::string> planOrder(const fs::path& sweep) {
+  std::vector<std::string> folders;
+  std::ifstream stream(sweep / "points.txt", std::ios::binary);
+  for (std::string line; std::getline(stream, line);) folders.push_back(line);
+  return folders;
 }
 
 PointOutcome outcomeOf(const fs::path& folder) {

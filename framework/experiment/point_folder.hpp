@@ -36,8 +36,13 @@ Status freeze(const std::filesystem::path& sweep, const PlannedRun& run);
 
 /// A frozen run, without its configuration.
 Result<PlannedRun> readPoint(const std::filesystem::path& folder);
-/// All of a sweep's folder, by name.
+/// All of a sweep's folder: those of the last plan in its order, then the others by name.
 std::vector<PlannedRun> readPoints(const std::filesystem::path& sweep);
+
+/// Which runs the file of the sweep has now, in its order: points.txt.
+Status writePlanOrder(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs);
+/// Folders of the last plan; empty where there is no points.txt.
+std::vector<std::string> planOrder(const std::filesystem::path& sweep);
 
 PointOutcome outcomeOf(const std::filesystem::path& folder);
 Status writeOutcome(const std::filesystem::path& folder, const PointOutcome& outcome);

@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <bit>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "config/loader.hpp"
+#include "config/scalars.hpp"
 #include "experiment/point_folder.hpp"
+#include "experiment/text_table.hpp"
 #include "record/digest.hpp"
-#include "record/run_reader.hpp"
-#include "record/sha256.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -25,22 +27,14 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
   if (json.is_number()) numbers[path] = json.get<double>();
   if (!json.is_structured()) return;
   for (const auto& [key, value] : json.items()) {
-    if (path.empty() && (key == "timing" || key == "sessions")) continue;
+    if (path.empty() && key == "sessions") continue;
     flatten(value, path.empty() ? key : path + "." + key, numbers);
   }
 }
 
-std::string truthDigest(const fs::path& directory) {
-  const auto reader = record::RunReader::open(directory);
-  if (!reader.isOk()) return "";
-  const auto truth = reader.value()->truth();
-  if (!truth.isOk() || truth.value().empty()) return "";
-  record::Sha256 sha;
-  for (const auto& pose : truth.value()) {
-    sha.add(std::as_bytes(std::span(&pose.frame, 1)));
-    sha.add(std::as_bytes(std::span(pose.T_world_camera.matrix().data(), 16)));
-  }
-  return sha.digest();
+/// Differs from run to run of the same configuration.
+bool isTime(const std::string& metric) {
+  return metric.starts_with("timing.") || metric.starts_with("finish_s.");
 }
 
 Result<RunRow> readRun(const fs::path& directory) {
@@ -55,8 +49,13 @@ Result<RunRow> readRun(const fs::path& directory) {
         ": is missing or damaged; is this a run that has ended, or a sweep?");
   }
   flatten(metrics, "", row.metrics);
+  const Json run = record::RunDirectory::readRunFile(directory);
+  if (run.is_object() && run.contains("finish_s")) {
+    flatten(run["finish_s"], "finish_s", row.metrics);
+  }
   row.alignment = metrics.value("alignment", "");
-  row.truth = truthDigest(directory);
+  const auto truth = metrics.find("truth_sha256");
+  if (truth != metrics.end() && truth->is_string()) row.truth = truth->get<std::string>();
   const auto digest = record::fileDigest(directory / "results.sha256");
   if (digest.isOk()) row.results = digest.value();
   return row;
@@ -92,6 +91,57 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
   }
 }
 
+/// As csvOf() writes them: the factors stand between the name and the alignment.
+Result<std::vector<RunRow>> readCsv(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const auto lines = csvRows({std::istreambuf_iterator<char>(stream), {}});
+  const auto bad = [&] {
+    return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`");
+  };
+  if (lines.empty()) return bad();
+  const auto begin = std::ranges::find(lines.front(), "alignment");
+  const auto factors = static_cast<std::size_t>(begin - lines.front().begin());
+  if (factors < 1 || factors + 3 > lines.front().size()) return bad();
+  std::vector<RunRow> rows;
+  for (std::size_t i = 1; i < lines.size(); ++i) {
+    const auto& fields = lines[i];
+    if (fields.size() != lines.front().size()) return bad();
+    RunRow& row = rows.emplace_back();
+    row.name = fields[0];
+    row.directory = file;
+    for (std::size_t k = 1; k < factors; ++k) row.factors.push_back({lines[0][k], fields[k]});
+    row.alignment = fields[factors];
+    row.truth = fields[factors + 1];
+    row.results = fields[factors + 2];
+    for (std::size_t k = factors + 3; k < fields.size(); ++k) {
+      if (fields[k].empty()) continue;
+      const auto number = config::readReal(fields[k]);
+      if (!number.isOk()) return bad();
+      row.metrics[lines[0][k]] = number.value();
+    }
+  }
+  return rows;
+}
+
+/// Those of its last plan that are done.
+Result<std::vector<RunRow>> readSweep(const fs::path& folder) {
+  std::vector<RunRow> rows;
+  const auto order = planOrder(folder);
+  for (const PlannedRun& point : readPoints(folder)) {
+    const bool planned = order.empty() || std::ranges::find(order, point.folder) != order.end();
+    if (point.is_front_end || !planned) continue;
+    const PointOutcome outcome = outcomeOf(folder / point.folder);
+    if (outcome.state != PointState::Done) continue;
+    auto row = readRun(folder / point.folder / "run");
+    if (!row.isOk()) return row.status();
+    row.value().name = point.name;
+    row.value().factors = point.factors;
+    row.value().metrics["exit_code"] = outcome.exit_code;
+    rows.push_back(std::move(row).value());
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string RunRow::label(const std::string& factor) const {
@@ -103,23 +153,15 @@ Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
   std::vector<RunRow> rows;
   std::vector<std::size_t> alone;
   for (const fs::path& folder : folders) {
-    const auto points = readPoints(folder);
-    for (const PlannedRun& point : points) {
-      if (point.is_front_end) continue;
-      const PointOutcome outcome = outcomeOf(folder / point.folder);
-      if (outcome.state != PointState::Done) continue;
-      auto row = readRun(folder / point.folder / "run");
+    auto own = folder.extension() == ".csv" ? readCsv(folder) : readSweep(folder);
+    if (!own.isOk()) return own.status();
+    if (own.value().empty() && readPoints(folder).empty()) {
+      auto row = readRun(folder);
       if (!row.isOk()) return row.status();
-      row.value().name = point.name;
-      row.value().factors = point.factors;
-      row.value().metrics["exit_code"] = outcome.exit_code;
+      alone.push_back(rows.size());
       rows.push_back(std::move(row).value());
     }
-    if (!points.empty()) continue;
-    auto row = readRun(folder);
-    if (!row.isOk()) return row.status();
-    alone.push_back(rows.size());
-    rows.push_back(std::move(row).value());
+    std::ranges::move(own.value(), std::back_inserter(rows));
   }
   std::vector<RunRow*> others;
   for (const std::size_t i : alone) others.push_back(&rows[i]);
@@ -127,34 +169,31 @@ Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
   return rows;
 }
 
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return field + '"';
-}
-
-std::string csvOf(const std::vector<RunRow>& rows) {
+std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted) {
   std::vector<std::string> factors;
   std::set<std::string> metrics;
   for (const RunRow& row : rows) {
     for (const Factor& factor : row.factors) {
       if (std::ranges::find(factors, factor.name) == factors.end()) factors.push_back(factor.name);
     }
-    for (const auto& [name, value] : row.metrics) metrics.insert(name);
+    for (const auto& [name, value] : row.metrics) {
+      const bool is_wanted =
+          wanted.empty() ? !isTime(name) : std::ranges::find(wanted, name) != wanted.end();
+      if (is_wanted) metrics.insert(name);
+    }
   }
   std::string text = "name";
   for (const std::string& factor : factors) text += "," + csvField(factor);
-  text += ",alignment,results_sha256";
+  text += ",alignment,truth_sha256,results_sha256";
   for (const std::string& metric : metrics) text += "," + csvField(metric);
   text += "\n";
   for (const RunRow& row : rows) {
     text += csvField(row.name);
     for (const std::string& factor : factors) text += "," + csvField(row.label(factor));
-    text += "," + row.alignment + "," + row.results;
+    text += "," + row.alignment + "," + row.truth + "," + row.results;
     for (const std::string& metric : metrics) {
       const auto value = row.metrics.find(metric);
-      text += value == row.metrics.end() ? "," : fmt::format(",{:.17g}", value->second);
+      text += value == row.metrics.end() ? "," : "," + config::writeReal(value->second);
     }
     text += "\n";
   }

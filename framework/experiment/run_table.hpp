@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs as rows: factors, and all numbers of metrics.json.
+// Runs as rows: factors, and all numbers of metrics.json, and finish_s of run.json.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct RunRow {
   std::string name;
   std::filesystem::path directory;  ///< of the run
   std::vector<Factor> factors;
-  std::map<std::string, double> metrics;  ///< "map.ate.rmse_m"; without times
+  std::map<std::string, double> metrics;  ///< "map.ate.rmse_m"
   std::string alignment;
   std::string truth;    ///< digest of the true poses of the frames; empty without truth
   std::string results;  ///< digest of results.sha256
@@ -25,14 +25,13 @@ struct RunRow {
   std::string label(const std::string& factor) const;
 };
 
-/// Of sweeps all runs that are done, without front ends, and of others the run. The factors of runs
-/// outside a sweep are the keys in which their configurations differ.
+/// Of sweeps all runs of the last plan that are done, without front ends, of others the run, and of files .csv the
+/// runs that csvOf() wrote. The factors of runs outside a sweep are the keys in which their
+/// configurations differ.
 Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
 
-/// One line a run: name, factors, metrics, digest of the results.
-std::string csvOf(const std::vector<RunRow>& rows);
-
-/// A text as one field of CSV.
-std::string csvField(const std::string& text);
+/// One line a run: name, factors, alignment, digests of truth and results, metrics: all but
+/// times, or those that are wanted.
+std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});
 
 }  // namespace tolman::experiment

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/raster.hpp"
 
+#include <cairo-pdf.h>
 #include <librsvg/rsvg.h>
 
 #include <cmath>
@@ -20,10 +21,13 @@ struct Release {
 template <class T>
 using Owned = std::unique_ptr<T, Release>;
 
+Status failure(const char* reason) {
+  return Status::failed(std::string("a figure cannot be drawn: ") + reason);
+}
+
 Status failure(GError* error) {
   const Owned<GError> owned(error);
-  return Status::failed(std::string("a figure cannot be drawn as PNG: ") +
-                        (owned ? owned->message : "unknown reason"));
+  return failure(owned ? owned->message : "unknown reason");
 }
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned size) {
@@ -38,31 +42,65 @@ std::string encoded(cairo_surface_t* surface) {
   return bytes;
 }
 
+struct Drawing {
+  Owned<RsvgHandle> handle;
+  double width = 0;  ///< units of the SVG
+  double height = 0;
+};
+
+/// Failed for text that is no SVG, and where a side with `zoom` pixels per unit is too large.
+Result<Drawing> drawingOf(const std::string& svg, double zoom) {
+  GError* error = nullptr;
+  const auto* data = reinterpret_cast<const guint8*>(svg.data());
+  Drawing drawing{Owned<RsvgHandle>(rsvg_handle_new_from_data(data, svg.size(), &error))};
+  if (!drawing.handle) return failure(error);
+  const bool sized = rsvg_handle_get_intrinsic_size_in_pixels(drawing.handle.get(), &drawing.width,
+                                                              &drawing.height) != 0;
+  const auto fits = [&](double side) { return zoom * side >= 1 && zoom * side <= kLargestSide; };
+  if (!sized || !fits(drawing.width) || !fits(drawing.height)) {
+    return failure("its size is unfit");
+  }
+  return drawing;
+}
+
+Status draw(const Drawing& drawing, cairo_surface_t* surface, double zoom) {
+  GError* error = nullptr;
+  const Owned<cairo_t> context(cairo_create(surface));
+  cairo_scale(context.get(), zoom, zoom);
+  const RsvgRectangle whole{0, 0, drawing.width, drawing.height};
+  if (rsvg_handle_render_document(drawing.handle.get(), context.get(), &whole, &error) == 0) {
+    return failure(error);
+  }
+  return Status::ok();
+}
+
 }  // namespace
 
 Result<std::string> pngOf(const std::string& svg, double zoom) {
-  GError* error = nullptr;
-  const auto* data = reinterpret_cast<const guint8*>(svg.data());
-  const Owned<RsvgHandle> handle(rsvg_handle_new_from_data(data, svg.size(), &error));
-  if (!handle) return failure(error);
-  double width = 0;
-  double height = 0;
-  const bool sized = rsvg_handle_get_intrinsic_size_in_pixels(handle.get(), &width, &height) != 0;
-  if (!sized || !(zoom * width >= 1 && zoom * width <= kLargestSide) ||
-      !(zoom * height >= 1 && zoom * height <= kLargestSide)) {
-    return Status::failed("a figure cannot be drawn as PNG: its size is unfit");
-  }
-  const Owned<cairo_surface_t> surface(
-      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(zoom * width)),
-                                 static_cast<int>(std::lround(zoom * height))));
-  const Owned<cairo_t> context(cairo_create(surface.get()));
-  cairo_scale(context.get(), zoom, zoom);
-  const RsvgRectangle whole{0, 0, width, height};
-  if (rsvg_handle_render_document(handle.get(), context.get(), &whole, &error) == 0) {
-    return failure(error);
-  }
+  const auto drawing = drawingOf(svg, zoom);
+  if (!drawing.isOk()) return drawing.status();
+  const auto pixels = [&](double side) { return static_cast<int>(std::lround(zoom * side)); };
+  const Owned<cairo_surface_t> surface(cairo_image_surface_create(
+      CAIRO_FORMAT_RGB24, pixels(drawing.value().width), pixels(drawing.value().height)));
+  if (Status drawn = draw(drawing.value(), surface.get(), zoom); !drawn.isOk()) return drawn;
   std::string bytes = encoded(surface.get());
   if (bytes.empty()) return Status::failed("a figure cannot be written as PNG");
+  return bytes;
+}
+
+Result<std::string> pdfOf(const std::string& svg, double points) {
+  const auto drawing = drawingOf(svg, points);
+  if (!drawing.isOk()) return drawing.status();
+  std::string bytes;
+  const Owned<cairo_surface_t> surface(cairo_pdf_surface_create_for_stream(
+      append, &bytes, points * drawing.value().width, points * drawing.value().height));
+  // A date that is no date is left out of the file.
+  cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
+  if (Status drawn = draw(drawing.value(), surface.get(), points); !drawn.isOk()) return drawn;
+  cairo_surface_finish(surface.get());
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) {
+    return failure(cairo_status_to_string(cairo_surface_status(surface.get())));
+  }
   return bytes;
 }
 

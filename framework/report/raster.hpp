@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Figures and pixels as PNG, with librsvg and cairo.
+// Figures and pixels as PNG, figures as PDF, with librsvg and cairo.
 #pragma once
 
 #include <string>
@@ -12,6 +12,10 @@ namespace tolman::report {
 /// The bytes of a PNG file with `zoom` pixels per unit of the SVG. Failed for text that is no SVG,
 /// and for pictures that are too large.
 Result<std::string> pngOf(const std::string& svg, double zoom = 2);
+
+/// The bytes of a PDF file of one page, with `points` (1/72 inch) per unit of the SVG: lines and
+/// text, no pixels. It has no date, so that the same figure gives the same bytes.
+Result<std::string> pdfOf(const std::string& svg, double points = 0.7);
 
 /// A picture within an SVG: "data:image/png;base64,...".
 std::string pngUrl(Pixels pixels);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "evaluation/cell_scoring.hpp"
 #include "record/graph_parts.hpp"
 #include "record/rows.hpp"
+#include "record/sha256.hpp"
 
 namespace tolman::report {
 namespace {
@@ -108,6 +110,16 @@ void countDropped(evaluation::TrajectoryMetrics& metrics, const evaluation::Traj
   metrics.scores->coverage *= processed / given;
 }
 
+std::string digestOf(const evaluation::Trajectory& truth) {
+  if (truth.empty()) return "";
+  record::Sha256 sha;
+  for (const auto& pose : truth) {
+    sha.add(std::as_bytes(std::span(&pose.frame, 1)));
+    sha.add(std::as_bytes(std::span(pose.T_world_camera.matrix().data(), 16)));
+  }
+  return sha.digest();
+}
+
 /// Of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
@@ -132,6 +144,11 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   metrics.frames = totals.frames;
   metrics.templates = totals.templates;
   metrics.counts = evaluation::countsOf(run.graph, totals.loop_decisions);
+  metrics.truth_sha256 = digestOf(truth);
+  if (!truth.empty()) {
+    metrics.loops =
+        evaluation::loopFigures(run.graph, must(reader.records<PlaceObservation>()), truth);
+  }
   const auto timing = must(reader.timing());
   for (const auto& [stage, durations] : timing) {
     metrics.timing[stage] = evaluation::stageTiming(durations);

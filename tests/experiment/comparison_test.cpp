@@ -144,12 +144,25 @@ TEST_CASE("tables as Markdown, LaTeX and CSV") {
 }
 
 TEST_CASE("numbers give a line with a band, names give boxes") {
-  const std::string line = comparisonFigure(compareRuns(rows(), {}).value());
+  const std::string line = comparisonFigure(compareRuns(rows(), {}).value()).value();
   CHECK(line.find("<polyline") != std::string::npos);
   CHECK(line.find("map.ate.rmse_m") != std::string::npos);
   std::vector<RunRow> named = rows();
   for (RunRow& r : named) r.factors[0].label = r.factors[0].label == "75" ? "paper" : "full";
-  const std::string boxes = comparisonFigure(compareRuns(named, {}).value());
-  CHECK(boxes.find(">paper<") != std::string::npos);
-  CHECK(boxes.find("<circle") != std::string::npos);
+  const Comparison boxes = compareRuns(named, {}).value();
+  CHECK(comparisonFigure(boxes).value().find(">paper<") != std::string::npos);
+  CHECK(comparisonFigure(boxes).value().find("<circle") != std::string::npos);
+  CHECK(comparisonFigure(boxes, FigureKind::Line).status().code() == StatusCode::InvalidParameter);
+  // Several true paths.
+  CHECK(comparisonFigure(boxes, FigureKind::Maps).status().message().find("--only sequence") !=
+        std::string::npos);
+}
+
+TEST_CASE("a success curve steps from no run to all") {
+  // Errors of 75: 11, 12, 13, 25, 30, 35; at 13 half of the runs are within.
+  const std::string figure =
+      comparisonFigure(compareRuns(rows(), {}).value(), FigureKind::Success).value();
+  CHECK(figure.find("runs within (%)") != std::string::npos);
+  CHECK(figure.find("limit of map.ate.rmse_m") != std::string::npos);
+  CHECK(figure.find(">150<") != std::string::npos);  // the legend
 }

@@ -5,61 +5,13 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <map>
 #include <thread>
 
-#include "end_to_end/process.hpp"
 #include "experiment/motion_folder.hpp"
-#include "support/data.hpp"
-#include "support/paths.hpp"
+#include "experiment/study.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-using Words = std::vector<std::string>;
-
-struct Study {
-  TemporaryFolder folder;
-
-  Study() {
-    writeMotionFolder(folder.path() / "a");
-    writeMotionFolder(folder.path() / "b", -0.003);
-    writeMotionConfig(folder.path(), folder.path() / "a");
-    write("seeds: 3\n");
-  }
-  /// Two periods and two sequences with noise.
-  void write(const std::string& more) const {
-    std::ofstream(file()) << "base: motion.yaml\n"
-                             "set: {odometry.noise_distance: 0.02, odometry.noise_heading: 0.002}\n"
-                             "grid: {cells.period: [100, 150]}\n"
-                             "sequences: {a: a, b: b}\n"
-                          << more;
-  }
-  std::string file() const { return (folder.path() / "study.yaml").string(); }
-  fs::path out(const std::string& name = "out") const { return folder.path() / name; }
-  Words words(const Words& options = {}, const std::string& name = "out") const {
-    Words words = {"sweep", file(), "--out", out(name).string()};
-    words.insert(words.end(), options.begin(), options.end());
-    return words;
-  }
-  Finished sweep(const Words& options = {}, const std::string& name = "out") const {
-    return tolman::test::tolman(words(options, name));
-  }
-  /// Digests of the results by the name of the run.
-  std::map<std::string, std::string> results(const std::string& name = "out") const {
-    std::map<std::string, std::string> digests;
-    for (const auto& entry : fs::directory_iterator(out(name))) {
-      if (!fs::exists(entry.path() / "run/results.sha256")) continue;
-      digests[readJson(entry.path() / "point.json")["name"]] =
-          readText(entry.path() / "run/results.sha256");
-    }
-    return digests;
-  }
-};
-
-}  // namespace
 
 TEST_CASE("a sweep runs all points once, and what is added later") {
   const Study study;
@@ -171,6 +123,13 @@ TEST_CASE("data that change after planning are told; planning again makes new ru
   CHECK(contains(again.out, "done      6\n"));
   CHECK(contains(again.out, "6 runs in the folder are not in the file"));
   CHECK(study.results().size() == 12);
+  // The six runs on the earlier data stay, and are not compared.
+  const auto csv = (study.folder.path() / "now.csv").string();
+  CHECK(tolman::test::tolman({"sweep", "collect", study.out().string(), "--out", csv}).exit_code ==
+        0);
+  const std::string rows = readText(csv);
+  CHECK(std::ranges::count(rows, '\n') == 1 + 12);
+  CHECK(rows.find("\n\"period=100,sequence=a,seed=1\"") < rows.find("period=100,sequence=b"));
 }
 
 TEST_CASE("a front end is run once, and its noise follows the seed") {
@@ -210,7 +169,7 @@ TEST_CASE("results are collected and compared") {
   const std::string out = study.out().string();
   REQUIRE(tolman::test::tolman({"sweep", "collect", out}).exit_code == 0);
   const std::string csv = readText(study.out() / "results.csv");
-  CHECK(csv.starts_with("name,cells.period,sequence,seed,alignment,results_sha256,"));
+  CHECK(csv.starts_with("name,cells.period,sequence,seed,alignment,truth_sha256,results_sha256,"));
   CHECK(std::ranges::count(csv, '\n') == 13);
   const std::string figure = (study.folder.path() / "figure.svg").string();
   const Finished table = tolman::test::tolman({"compare", out, "--figure", figure});

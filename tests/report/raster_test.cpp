@@ -67,3 +67,16 @@ TEST_CASE("what is no picture, or too large a one, is an error") {
   CHECK_FALSE(pngOf(Svg(1e9, 10).take()).isOk());
   CHECK_FALSE(pngOf(Svg(0, 0).take()).isOk());
 }
+
+TEST_CASE("a figure as PDF: one page of its size, the same bytes each time") {
+  Svg svg(360, 270);
+  svg.text({20, 20}, "error (m)");
+  const auto pdf = pdfOf(svg.take());
+  REQUIRE(pdf.isOk());
+  CHECK(pdf.value().starts_with("%PDF-"));
+  CHECK(pdf.value().find("MediaBox [ 0 0 252 189 ]") != std::string::npos);  // 88.9 mm wide
+  CHECK(pdf.value().find("/Subtype /Image") == std::string::npos);
+  CHECK(pdf.value().find("CreationDate") == std::string::npos);
+  CHECK(pdfOf(svg.take()).value() == pdf.value());
+  CHECK_FALSE(pdfOf("").isOk());
+}

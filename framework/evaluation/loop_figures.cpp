@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/loop_figures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace tolman::evaluation {
+namespace {
+
+constexpr double kSamePlace = 10;  // m
+constexpr double kNearLoop = 5.5;  // m of driven path
+
+/// True position and driven path at each frame.
+class TruePlaces {
+ public:
+  explicit TruePlaces(const Trajectory& truth) : driven_(distances(truth)) {
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      places_[truth[i].frame] = {truth[i].T_world_camera.translation(), driven_[i]};
+    }
+  }
+  /// Nothing where one of the frames has no true pose.
+  std::optional<bool> same(std::int64_t a, std::int64_t b) const {
+    const auto first = places_.find(a);
+    const auto second = places_.find(b);
+    if (first == places_.end() || second == places_.end()) return std::nullopt;
+    return (first->second.position - second->second.position).norm() <= kSamePlace;
+  }
+  double driven(std::int64_t frame) const { return places_.at(frame).driven; }
+
+ private:
+  struct Place {
+    Eigen::Vector3d position;
+    double driven = 0;  ///< m
+  };
+  std::vector<double> driven_;
+  std::map<std::int64_t, Place> places_;
+};
+
+/// Counts links; the result has the driven path at each true loop.
+std::vector<double> countLinks(const MapGraph& graph, const TruePlaces& truth,
+                               LoopFigures& figures) {
+  std::vector<double> closed;
+  const auto frameOf = [&](std::int64_t experience) {
+    return graph.experiences.at(static_cast<std::size_t>(experience)).frame;
+  };
+  for (const Link& link : graph.links) {
+    if (link.kind != LinkKind::Loop) continue;
+    const auto same = truth.same(frameOf(link.from), frameOf(link.to));
+    if (same && !graph.isRejected(link)) ++(*same ? figures.true_links : figures.false_links);
+    const std::int64_t visited = std::min(frameOf(link.from), frameOf(link.to));
+    if (truth.same(link.frame, visited).value_or(false)) closed.push_back(truth.driven(link.frame));
+  }
+  return closed;
+}
+
+void countViews(const std::vector<PlaceObservation>& places, const TruePlaces& truth,
+                const std::vector<double>& closed, LoopFigures& figures) {
+  std::map<std::int64_t, std::int64_t> learned;  // frame, by template
+  for (const PlaceObservation& place : places) {
+    if (place.recognition == Recognition::Novel)
+      learned.try_emplace(place.template_id, place.frame);
+    const auto old = learned.find(place.template_id);
+    if (place.recognition != Recognition::Familiar || old == learned.end()) continue;
+    const auto same = truth.same(place.frame, old->second);
+    if (!same) continue;
+    ++(*same ? figures.true_views : figures.false_views);
+    const bool is_closed = *same && std::ranges::any_of(closed, [&](double at) {
+      return std::abs(truth.driven(place.frame) - at) <= kNearLoop;
+    });
+    if (is_closed) ++figures.true_views_closed;
+  }
+}
+
+}  // namespace
+
+LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
+                        const Trajectory& truth) {
+  const TruePlaces true_places(truth);
+  LoopFigures figures;
+  const std::vector<double> closed = countLinks(graph, true_places, figures);
+  countViews(places, true_places, closed, figures);
+  return figures;
+}
+
+nlohmann::ordered_json toJson(const LoopFigures& figures) {
+  return {{"true_links", figures.true_links},
+          {"false_links", figures.false_links},
+          {"true_views", figures.true_views},
+          {"false_views", figures.false_views},
+          {"true_views_closed", figures.true_views_closed}};
+}
+
+}  // namespace tolman::evaluation

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Loop links and recognised views, judged by the true places of both ends.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "evaluation/trajectory.hpp"
+#include "tolman/records.hpp"
+
+namespace tolman::evaluation {
+
+/// Both ends must have a true pose; what has none is not counted.
+struct LoopFigures {
+  std::int64_t true_links = 0;   ///< loop links of the final graph between ends at most 10 m apart
+  std::int64_t false_links = 0;  ///< those between ends that are further apart
+  std::int64_t true_views = 0;   ///< familiar views, at most 10 m from where the view was learned
+  std::int64_t false_views = 0;
+  /// Of the true views, how many have the end of a true loop link, also a rejected one, at most
+  /// 5.5 m of driven path away: one loop spacing and half a metre.
+  std::int64_t true_views_closed = 0;
+};
+
+LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
+                        const Trajectory& truth);
+
+nlohmann::ordered_json toJson(const LoopFigures& figures);
+
+}  // namespace tolman::evaluation

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/path_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "config/named_value.hpp"
+#include "evaluation/alignment.hpp"
+#include "evaluation/errors.hpp"
+#include "record/run_reader.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+constexpr std::size_t kParts = 100;  // of the path
+
+/// The map brought into the frame of the truth.
+Result<evaluation::Matches> alignedMap(const std::filesystem::path& directory,
+                                       const std::string& alignment) {
+  const auto reader = record::RunReader::open(directory);
+  if (!reader.isOk()) return reader.status();
+  const auto truth = reader.value()->truth();
+  const auto& map = reader.value()->map();
+  if (!truth.isOk()) return truth.status();
+  if (!map.isOk()) return map.status();
+  const auto matches = evaluation::associateByFrame(truth.value(), map.value());
+  if (!matches.isOk()) return matches.status();
+  const auto kind = config::valueNamed<evaluation::Alignment>(alignment);
+  const auto similarity =
+      evaluation::align(matches.value(), kind.value_or(evaluation::Alignment::Se3));
+  if (!similarity.isOk()) return similarity.status();
+  return evaluation::aligned(matches.value(), similarity.value());
+}
+
+/// Mean error in each part of the path; that of the part before where no frame lies in it.
+std::vector<double> errorsByPart(const evaluation::Matches& matches, bool planar) {
+  const auto driven = evaluation::distances(matches.truth);
+  const auto errors = evaluation::positionErrors(matches, planar);
+  std::vector<double> sums(kParts, 0);
+  std::vector<double> counts(kParts, 0);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double share = driven[i] / std::max(driven.back(), 1e-9);
+    const auto part = std::min(kParts - 1, static_cast<std::size_t>(share * kParts));
+    sums[part] += errors[i];
+    counts[part] += 1;
+  }
+  for (std::size_t i = 0; i < kParts; ++i) {
+    sums[i] = counts[i] > 0 ? sums[i] / counts[i] : i > 0 ? sums[i - 1] : 0;
+  }
+  return sums;
+}
+
+Result<Line> errorLine(const Level& level, const std::string& alignment) {
+  std::vector<std::vector<double>> parts(kParts);  // errors of the runs
+  double length = 0;
+  for (const auto& directory : level.directories) {
+    const auto matches = alignedMap(directory, alignment);
+    if (!matches.isOk()) return matches.status();
+    length = evaluation::pathLength(matches.value().truth);
+    const auto errors = errorsByPart(matches.value(), alignment == "se2");
+    for (std::size_t i = 0; i < kParts; ++i) parts[i].push_back(errors[i]);
+  }
+  Line line{level.label, {}};
+  for (std::size_t i = 0; i < kParts; ++i) {
+    std::ranges::sort(parts[i]);
+    const double mean = summaryOf(parts[i]).mean;
+    const double x = length * (static_cast<double>(i) + 0.5) / kParts;
+    line.points.push_back({x, mean, {quantile(parts[i], 0.25), quantile(parts[i], 0.75)}});
+  }
+  return line;
+}
+
+Line lineOf(std::string name, const evaluation::Trajectory& trajectory) {
+  Line line{std::move(name), {}};
+  for (const auto& pose : trajectory) {
+    const auto& at = pose.T_world_camera.translation();
+    line.points.push_back({at.x(), at.z(), {}});
+  }
+  return line;
+}
+
+const std::filesystem::path& medianRun(const Level& level) {
+  std::vector<std::size_t> order(level.values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return level.values[i]; });
+  return level.directories[order[(order.size() - 1) / 2]];
+}
+
+}  // namespace
+
+Result<std::vector<Line>> errorLines(const Comparison& comparison) {
+  std::vector<Line> lines;
+  for (const Level& level : comparison.levels) {
+    auto line = errorLine(level, comparison.alignment);
+    if (!line.isOk()) return line.status();
+    lines.push_back(std::move(line).value());
+  }
+  return lines;
+}
+
+Result<std::vector<Line>> mapLines(const Comparison& comparison) {
+  std::vector<Line> lines;
+  for (const Level& level : comparison.levels) {
+    const auto matches = alignedMap(medianRun(level), comparison.alignment);
+    if (!matches.isOk()) return matches.status();
+    if (lines.empty()) lines.push_back(lineOf("truth", matches.value().truth));
+    lines.push_back(lineOf(level.label, matches.value().estimate));
+  }
+  return lines;
+}
+
+}  // namespace tolman::experiment

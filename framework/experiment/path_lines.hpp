@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Errors along the path, and maps, from the records of the runs of a comparison.
+#pragma once
+
+#include <vector>
+
+#include "experiment/comparison.hpp"
+#include "experiment/line_figure.hpp"
+
+namespace tolman::experiment {
+
+/// Of each level the position error over the driven path in 100 parts: mean of its runs, and
+/// quartiles as a band where it has several. InvalidInput for records that cannot be read.
+Result<std::vector<Line>> errorLines(const Comparison& comparison);
+
+/// The true path, x right and y forward in m, then of each level the map of the median run.
+Result<std::vector<Line>> mapLines(const Comparison& comparison);
+
+}  // namespace tolman::experiment

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/run_pivot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "config/nearest_name.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+using Runs = std::vector<const RunRow*>;
+
+/// Text, then a metric; the last part has no metric.
+struct CellPart {
+  std::string text;
+  std::string metric;
+  std::string format;  ///< "{:.2f}"
+};
+
+Result<std::vector<CellPart>> partsOf(const std::string& cell) {
+  std::vector<CellPart> parts(1);
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    if (cell[i] != '{') {
+      parts.back().text += cell[i];
+      continue;
+    }
+    const auto end = cell.find('}', i);
+    if (end == std::string::npos) return Status::invalidParameter("'" + cell + "': '}' is missing");
+    const std::string field = cell.substr(i + 1, end - i - 1);
+    const auto colon = std::min(field.find(':'), field.size());
+    parts.back().metric = field.substr(0, colon);
+    parts.back().format = "{" + field.substr(colon) + "}";
+    parts.emplace_back();
+    i = end;
+  }
+  return parts;
+}
+
+std::optional<double> meanOf(const Runs& runs, const std::string& metric) {
+  double sum = 0;
+  for (const RunRow* run : runs) {
+    const auto found = run->metrics.find(metric);
+    if (found == run->metrics.end()) return std::nullopt;
+    sum += found->second;
+  }
+  return sum / static_cast<double>(runs.size());
+}
+
+/// A metric that a run does not have gives a dash.
+std::string filled(const std::vector<CellPart>& parts, const Runs& runs) {
+  std::string text;
+  for (const CellPart& part : parts) {
+    text += part.text;
+    if (part.metric.empty()) continue;
+    const auto mean = meanOf(runs, part.metric);
+    text += mean ? fmt::format(fmt::runtime(part.format), *mean) : "-";
+  }
+  return text;
+}
+
+Status oneKind(const Runs& runs) {
+  for (const RunRow* run : runs) {
+    for (const Factor& factor : run->factors) {
+      if (factor.name == "seed" || runs.front()->label(factor.name) == factor.label) continue;
+      return Status::invalidInput("'" + runs.front()->name + "' and '" + run->name +
+                                  "' would be one cell; name '" + factor.name +
+                                  "' with --by or --only");
+    }
+  }
+  return Status::ok();
+}
+
+/// Levels in the order in which they come first.
+struct Levels {
+  std::vector<std::string> labels;
+  void add(const std::string& label) {
+    if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  }
+};
+
+class Pivot {
+ public:
+  Pivot(const std::vector<RunRow>& rows, const PivotOptions& options) : options_(options) {
+    for (const RunRow& row : rows) {
+      const bool wanted = std::ranges::all_of(
+          options.only, [&](const auto& only) { return row.label(only.first) == only.second; });
+      if (wanted) runs_.push_back(&row);
+    }
+  }
+
+  Result<TextTable> table() {
+    Status status = chooseFactors();
+    for (const RunRow* run : runs_) {
+      columns_.add(run->label(options_.columns));
+      levels_.add(levelOf(*run));
+      cells_[{levelOf(*run), run->label(options_.columns)}].push_back(run);
+    }
+    std::string heading;
+    for (const std::string& factor : by_) heading += (heading.empty() ? "" : ", ") + factor;
+    table_.heading = {heading};
+    table_.heading.insert(table_.heading.end(), columns_.labels.begin(), columns_.labels.end());
+    for (const auto& [label, cell] : options_.heads) {
+      if (status.isOk()) status = addRow(label, levels_.labels.front(), cell);
+    }
+    for (const std::string& level : levels_.labels) {
+      if (status.isOk()) status = addRow(level, level, options_.cell);
+    }
+    if (!status.isOk()) return status;
+    return std::move(table_);
+  }
+
+ private:
+  Status chooseFactors() {
+    if (runs_.empty()) return Status::invalidParameter("no run is left to compare");
+    std::vector<std::string> names;
+    for (const Factor& factor : runs_.front()->factors) names.push_back(factor.name);
+    std::vector<std::string> wanted = options_.by;
+    wanted.push_back(options_.columns);
+    for (const std::string& name : wanted) {
+      if (std::ranges::find(names, name) != names.end()) continue;
+      return Status::invalidParameter("no factor '" + name + "'" + config::didYouMean(name, names) +
+                                      "; factors: " + config::listed(names));
+    }
+    by_ = options_.by;
+    for (const std::string& name : names) {
+      if (options_.by.empty() && name != "seed" && name != options_.columns) by_.push_back(name);
+    }
+    return Status::ok();
+  }
+
+  Status requireKnown(const std::vector<CellPart>& parts) const {
+    for (const CellPart& part : parts) {
+      if (part.metric.empty()) continue;
+      const bool known = std::ranges::any_of(
+          runs_, [&](const RunRow* run) { return run->metrics.contains(part.metric); });
+      if (!known) return Status::invalidParameter("no run has the metric '" + part.metric + "'");
+      try {
+        (void)fmt::format(fmt::runtime(part.format), 0.0);
+      } catch (const fmt::format_error& error) {
+        return Status::invalidParameter("'" + part.format + "': " + error.what());
+      }
+    }
+    return Status::ok();
+  }
+
+  std::string levelOf(const RunRow& run) const {
+    std::string level;
+    for (const std::string& factor : by_) level += (level.empty() ? "" : ", ") + run.label(factor);
+    return level;
+  }
+
+  Status addRow(const std::string& label, const std::string& level, const std::string& cell) {
+    const auto parts = partsOf(cell);
+    if (!parts.isOk()) return parts.status();
+    if (Status status = requireKnown(parts.value()); !status.isOk()) return status;
+    std::vector<std::string>& row = table_.rows.emplace_back(1, label);
+    for (const std::string& column : columns_.labels) {
+      std::string& text = row.emplace_back();
+      const auto found = cells_.find({level, column});
+      if (found == cells_.end()) continue;
+      if (Status status = oneKind(found->second); !status.isOk()) return status;
+      text = filled(parts.value(), found->second);
+    }
+    return Status::ok();
+  }
+
+  const PivotOptions& options_;
+  std::vector<std::string> by_;
+  Runs runs_;
+  Levels columns_;
+  Levels levels_;
+  std::map<std::pair<std::string, std::string>, Runs> cells_;  ///< by row and column
+  TextTable table_;
+};
+
+}  // namespace
+
+Result<TextTable> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options) {
+  return Pivot(rows, options).table();
+}
+
+}  // namespace tolman::experiment

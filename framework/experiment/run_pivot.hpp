@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables of metrics with the levels of one factor as columns, such as one column a sequence.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "experiment/run_table.hpp"
+#include "experiment/text_table.hpp"
+
+namespace tolman::experiment {
+
+struct PivotOptions {
+  std::vector<std::string> by;  ///< factors of the rows; empty: all but the columns' and seed
+  std::string columns;          ///< factor of the columns
+  /// Text of a cell, with metrics and their formats in braces: "{map.ate.rmse_m:.2f} m".
+  std::string cell;
+  std::vector<std::pair<std::string, std::string>> heads;  ///< label, cell: of the first row's runs
+  std::vector<std::pair<std::string, std::string>> only;   ///< factor and label
+};
+
+/// A cell of several runs has the means of their metrics. InvalidParameter for unknown names and
+/// formats; InvalidInput where the runs of one cell differ in more than the seed.
+Result<TextTable> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options);
+
+}  // namespace tolman::experiment

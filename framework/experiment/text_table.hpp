@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A table of text as Markdown, LaTeX (booktabs) or CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace tolman::experiment {
+
+struct TextTable {
+  std::vector<std::string> heading;
+  std::vector<std::vector<std::string>> rows;  ///< as long as the heading
+};
+
+/// The first column is left-aligned, the others right.
+std::string markdownOf(const TextTable& table);
+std::string latexOf(const TextTable& table);
+std::string csvOf(const TextTable& table);
+
+/// A text as one field of CSV.
+std::string csvField(const std::string& text);
+/// Rows and fields of a CSV file; quoted fields may hold commas, quotes and line breaks.
+std::vector<std::vector<std::string>> csvRows(const std::string& text);
+
+}  // namespace tolman::experiment

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tables with a column for each level of a factor, and the text of tables.
+#include "experiment/run_pivot.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "support/data.hpp"
+
+using namespace tolman;
+using namespace tolman::experiment;
+
+namespace {
+
+RunRow row(const std::string& model, const std::string& sequence, int seed, double error) {
+  RunRow row;
+  row.factors = {{"model", model}, {"sequence", sequence}, {"seed", std::to_string(seed)}};
+  row.name = model + "/" + sequence + "/" + std::to_string(seed);
+  row.metrics = {{"map.ate.rmse_m", error}, {"loops.true_links", 10 * error}};
+  row.alignment = "se2";
+  row.truth = "t" + sequence;
+  row.results = "r" + std::to_string(seed);
+  return row;
+}
+
+std::vector<RunRow> rows() {
+  return {row("a", "00", 1, 1), row("a", "00", 2, 2),    row("a", "05", 1, 4),
+          row("a", "05", 2, 4), row("b, c", "00", 1, 8), row("b, c", "00", 2, 8)};
+}
+
+PivotOptions options() {
+  PivotOptions options;
+  options.columns = "sequence";
+  options.cell = "{map.ate.rmse_m:.2f} ({loops.true_links:.0f})";
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("cells have the means over seeds, and stay empty without runs") {
+  PivotOptions asked = options();
+  asked.heads = {{"loops", "{loops.true_links:.1f}"}};
+  const auto table = pivotOf(rows(), asked);
+  REQUIRE(table.isOk());
+  CHECK(table.value().heading == std::vector<std::string>{"model", "00", "05"});
+  CHECK(table.value().rows == std::vector<std::vector<std::string>>{{"loops", "15.0", "40.0"},
+                                                                    {"a", "1.50 (15)", "4.00 (40)"},
+                                                                    {"b, c", "8.00 (80)", ""}});
+  CHECK(csvOf(table.value()) ==
+        "model,00,05\nloops,15.0,40.0\na,1.50 (15),4.00 (40)\n\"b, c\",8.00 (80),\n");
+  CHECK(markdownOf(table.value()).starts_with("| model | 00 | 05 |\n|---|---:|---:|\n"));
+  CHECK(latexOf(table.value()).find("a & 1.50 (15) & 4.00 (40) \\\\\n") != std::string::npos);
+}
+
+TEST_CASE("what is no table is refused") {
+  const auto message = [](const PivotOptions& asked) {
+    const auto table = pivotOf(rows(), asked);
+    return table.isOk() ? std::string("none") : table.status().message();
+  };
+  PivotOptions asked = options();
+  asked.columns = "sequenc";
+  CHECK(message(asked).find("did you mean 'sequence'") != std::string::npos);
+  asked = options();
+  asked.cell = "{map.ate.rmse:.2f}";
+  CHECK(message(asked) == "no run has the metric 'map.ate.rmse'");
+  asked.cell = "{map.ate.rmse_m:.2q}";
+  CHECK(message(asked).starts_with("'{:.2q}': "));
+  asked.cell = "{map.ate.rmse_m";
+  CHECK(message(asked).find("'}' is missing") != std::string::npos);
+  asked = options();
+  asked.by = {"seed"};
+  CHECK(message(asked).find("would be one cell; name 'model'") != std::string::npos);
+  asked.only = {{"model", "none"}};
+  CHECK(message(asked) == "no run is left to compare");
+}
+
+TEST_CASE("a table of runs is read as it was written") {
+  const test::TemporaryFolder folder;
+  std::vector<RunRow> written = rows();
+  written[0].metrics["map.ate.rmse_m"] = 0.1 + 0.2;
+  const auto file = folder.path() / "runs.csv";
+  std::ofstream(file) << csvOf(written);
+  const auto read = readRunRows({file});
+  REQUIRE(read.isOk());
+  REQUIRE(read.value().size() == written.size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    CHECK(read.value()[i].name == written[i].name);
+    CHECK(read.value()[i].metrics == written[i].metrics);  // to the last bit
+    CHECK(read.value()[i].label("model") == written[i].label("model"));
+    CHECK(read.value()[i].truth == written[i].truth);
+    CHECK(read.value()[i].results == written[i].results);
+  }
+  CHECK(csvOf(written, {"loops.true_links"}).find("rmse") == std::string::npos);
+  std::ofstream(file) << "name,model\na,b\n";
+  CHECK(readRunRows({file}).status().message().find("no table of") != std::string::npos);
+}
+
+TEST_CASE("quoted fields of CSV") {
+  const std::string field = "a \"b\", c\nd";
+  CHECK(csvRows(csvField(field) + ",x\n\n") ==
+        std::vector<std::vector<std::string>>{{field, "x"}, {""}});
+}
