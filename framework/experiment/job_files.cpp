@@ -87,15 +87,27 @@ class JobFiles {
         text += fmt::format("    \"{}\": \"{}\",\n", run.folder, answers);
       }
     }
+    // A run that fails has ended too: those that could take its answers have a front end of their
+    // own.
     text += fmt::format(
-        "}}\n\nrule all:\n    input: [f\"{{HERE}}/{{run}}/outcome.json\" for run in TAKES]\n\n"
+        "}}\n\nrule all:\n    input: [f\"{{HERE}}/{{run}}/ended\" for run in TAKES]\n"
+        "    params: here=HERE\n"
+        "    shell: r\"\"\"test -z \"$(find {{params.here:q}} -maxdepth 2 -name outcome.json "
+        "-exec grep -l '\"state\": \"failed\"' {{{{}}}} +)\" "
+        "|| {{{{ echo 'some runs have failed: tolman sweep status' >&2; exit 1; }}}}\"\"\"\n\n"
         "rule point:\n"
-        "    input: lambda w: [f\"{{HERE}}/{{TAKES[w.run]}}/outcome.json\"] if TAKES[w.run] else "
-        "[]\n"
-        "    output: HERE + \"/{{run}}/outcome.json\"\n"
+        "    input: lambda w: [f\"{{HERE}}/{{TAKES[w.run]}}/ended\"] if TAKES[w.run] else []\n"
+        "    output: touch(HERE + \"/{{run}}/ended\")\n"
         "    params: folder=lambda w: f\"{{HERE}}/{{w.run}}\"\n"
-        "    shell: r\"\"\"{} {{params.folder:q}}\"\"\"\n",
+        "    shell: r\"\"\"{} {{params.folder:q}} || test -e "
+        "{{params.folder:q}}/outcome.json\"\"\"\n",
         command_);
+    for (const auto* list : {&first_, &second_}) {
+      for (const PlannedRun& run : *list) {
+        std::error_code ignored;
+        fs::remove(sweep_ / run.folder / "ended", ignored);  // of an earlier attempt
+      }
+    }
     write("Snakefile", text);
   }
 

@@ -25,9 +25,9 @@ struct RunRow {
   std::string label(const std::string& factor) const;
 };
 
-/// Of sweeps all runs of the last plan that are done, without front ends, of others the run, and of files .csv the
-/// runs that csvOf() wrote. The factors of runs outside a sweep are the keys in which their
-/// configurations differ.
+/// Of sweeps all runs of the last plan that are done, without front ends, of others the run, and of
+/// files .csv the runs that csvOf() wrote. The factors of runs outside a sweep are the keys in
+/// which their configurations differ.
 Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
 
 /// One line a run: name, factors, alignment, digests of truth and results, metrics: all but
