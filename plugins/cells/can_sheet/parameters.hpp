@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The parameters of the attractor sheets. Those of the network are the paper's; those of views and
+// experiences were chosen on recorded motion, see README.md.
+#pragma once
+
+#include <tuple>
+
+#include "tolman/parameters.hpp"
+
+namespace tolman::can_sheet {
+
+struct CanSheetParameters {
+  double period = 100;
+  int modules = 3;
+  double ratio = 1.42;
+  double orientation = 0.13;
+  int units = 40;
+  double intensity = 0.3;
+  double width = 0.24;
+  double inhibition = 0.05;
+  double stabilisation = 0.8;
+  double injection = 0.05;
+  double view_spacing = 1;
+  double agreement = 0.1;
+  double experience_spacing = 5;
+  double experience_turn = 0.5;
+  double loop_minimum_travel = 30;
+  double loop_spacing = 5;
+
+ private:
+  static constexpr auto network() {
+    using P = CanSheetParameters;
+    return parameters(
+        parameter("period", &P::period)
+            .range(1e-3, 1e6)
+            .unit("m")
+            .doc(
+                "Distance of neighbouring fields in the smallest module: the inverse of its gain."),
+        parameter("modules", &P::modules).range(1, 6).doc("Number of grid modules."),
+        parameter("ratio", &P::ratio)
+            .range(1, 10)
+            .doc("Period of a module relative to that of the next smaller one."),
+        parameter("orientation", &P::orientation)
+            .range(-4, 4)
+            .unit("rad")
+            .doc("Direction of an axis of the grids from the heading at the start; 7.5 degrees in "
+                 "the rat."),
+        parameter("units", &P::units)
+            .range(8, 48)
+            .unit("cells")
+            .doc("Along each of the two axes of a module; the time of a step grows with its fourth "
+                 "power."),
+        parameter("intensity", &P::intensity)
+            .range(0.05, 10)
+            .doc("I of the weights, for 90 units a module; divided among more."),
+        parameter("width", &P::width)
+            .range(0.05, 0.5)
+            .unit("periods")
+            .doc("Sigma of the weights, which sets the size of fields."),
+        parameter("inhibition", &P::inhibition)
+            .range(0, 10)
+            .doc("T of the weights, for 90 units a module; divided among more."),
+        parameter("stabilisation", &P::stabilisation)
+            .range(0.1, 1)
+            .doc("Tau: share of the normalised activity in the next one."));
+  }
+
+  static constexpr auto decisions() {
+    using P = CanSheetParameters;
+    return parameters(
+        parameter("injection", &P::injection)
+            .range(0, 10)
+            .doc("What a familiar view adds at its place, as a share of the activity; 0: views "
+                 "close loops only where they agree."),
+        parameter("view_spacing", &P::view_spacing)
+            .range(0, 1e6)
+            .unit("m")
+            .doc("Shortest way between two views that inject."),
+        parameter("agreement", &P::agreement)
+            .range(0.001, 0.5)
+            .unit("periods")
+            .doc("A familiar view whose place is nearer than this in all modules closes a loop."),
+        parameter("experience_spacing", &P::experience_spacing)
+            .range(0, 1e6)
+            .unit("m")
+            .doc("A new experience is made at this distance from the last one made."),
+        parameter("experience_turn", &P::experience_turn)
+            .range(0, 4)
+            .unit("rad")
+            .doc("A new experience is made after this turn since the last one made."),
+        parameter("loop_minimum_travel", &P::loop_minimum_travel)
+            .range(0, 1e9)
+            .unit("m")
+            .doc("Views of templates made within this travelled distance are ignored."),
+        parameter("loop_spacing", &P::loop_spacing)
+            .range(0, 1e9)
+            .unit("m")
+            .doc("Shortest way between two loop links."));
+  }
+
+ public:
+  static constexpr auto declaration() { return std::tuple_cat(network(), decisions()); }
+};
+
+}  // namespace tolman::can_sheet
