@@ -272,7 +272,7 @@ void writeCalls(const fs::path& folder) {
   writeCall(folder, "configure", Role::Map, Call::Configure,
             isolation::ContextMessage{parameters, smallRun().source.rig, 1, "map", false, true});
   writeCall(folder, "load", Role::Map, Call::Load,
-            isolation::LoadMessage{"/plugins/map.so", "map", 100, 2});
+            isolation::LoadMessage{"/plugins/map.so", "map", "", 100, 2});
 }
 
 /// A shared library that is nothing but a header, a manifest and their sections.

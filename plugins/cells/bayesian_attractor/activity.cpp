@@ -61,12 +61,26 @@ std::vector<double> axisActivity(double phase, double variance, double period) {
   return rates;
 }
 
-std::string moduleName(int module) {
-  return module == 0 ? "grid" : "grid" + std::to_string(module + 1);
+std::string moduleName(const std::string& code, int module) {
+  return module == 0 ? code : code + std::to_string(module + 1);
+}
+
+NamedArray heightActivity(const std::vector<WeightedBump>& bumps, int module, double period) {
+  NamedArray array{
+      moduleName("height", module) + ".activity", {kSheetUnits}, std::vector<float>(kSheetUnits)};
+  for (const auto& [bump, share] : bumps) {
+    if (share < kLeastShare) continue;
+    auto value = array.values.begin();
+    for (const double rate :
+         axisActivity(bump->centre.heights(module), bump->height_variance, period)) {
+      *value++ += static_cast<float>(share * rate);
+    }
+  }
+  return array;
 }
 
 NamedArray sheetActivity(const std::vector<WeightedBump>& bumps, int module, double period) {
-  NamedArray array{moduleName(module) + ".activity",
+  NamedArray array{moduleName("grid", module) + ".activity",
                    {kSheetUnits, kSheetUnits},
                    std::vector<float>(kSheetUnits * kSheetUnits)};
   for (const auto& [bump, share] : bumps) {
@@ -111,6 +125,18 @@ ArrayAxis components(std::vector<std::string> labels) {
   return {"component", "", 0, 1, 0, std::move(labels)};
 }
 
+void describeHeights(const HeightCode& height, std::vector<ArrayInfo>& arrays) {
+  for (int module = 0; module < height.modules(); ++module) {
+    const double period = height.period(module);
+    arrays.push_back({moduleName("height", module) + ".activity",
+                      ArrayKind::Activity,
+                      "",
+                      "rates of the vertical units of one module, 1 at the most",
+                      "",
+                      {{"height", "m", 0, period / kSheetUnits, period, {}}}});
+  }
+}
+
 }  // namespace
 
 void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays) {
@@ -120,12 +146,21 @@ void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays) {
   for (int module = 0; module < grid.modules(); ++module) {
     arrays.push_back(sheetActivity(bumps, module, grid.period(module)));
   }
+  const HeightCode& height = network.code().height();
+  for (int module = 0; module < height.modules(); ++module) {
+    arrays.push_back(heightActivity(bumps, module, height.period(module)));
+  }
   arrays.push_back(hypotheses(network, bumps));
   const Bump& integrator = network.state().integrator;
   const Eigen::Vector3f pose = decoded(network, integrator).cast<float>();
   const Eigen::Vector3f sigma = integrator.covariance.diagonal().cwiseSqrt().cast<float>();
   arrays.push_back({"position.decoded", {3}, {pose.x(), pose.y(), pose.z()}});
   arrays.push_back({"position.sigma", {3}, {sigma.x(), sigma.y(), sigma.z()}});
+  if (height.modules() == 0) return;
+  const double metres = network.code().climb(network.code().origin(), integrator.centre);
+  const double height_sigma = std::sqrt(integrator.height_variance);
+  arrays.push_back(
+      {"height.decoded", {2}, {static_cast<float>(metres), static_cast<float>(height_sigma)}});
 }
 
 void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) {
@@ -141,13 +176,14 @@ void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) 
     const auto axis = [&](const char* name) {
       return ArrayAxis{name, "m", 0, period / kSheetUnits, period, {}};
     };
-    arrays.push_back({moduleName(module) + ".activity",
+    arrays.push_back({moduleName("grid", module) + ".activity",
                       ArrayKind::Activity,
                       "",
                       "rates of the grid units of one module, 1 at the most",
                       "",
                       {axis("y"), axis("x")}});
   }
+  describeHeights(network.code().height(), arrays);
   arrays.push_back({"hypotheses",
                     ArrayKind::Bump,
                     "",
@@ -168,6 +204,14 @@ void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays) 
                     "standard deviations of the integrator since the last calibration",
                     "",
                     {components({"x", "y", "heading"})}});
+  if (network.code().height().modules() == 0) return;
+  arrays.push_back({"height.decoded",
+                    ArrayKind::Values,
+                    "m",
+                    "height of the integrator above the origin, and its standard deviation since "
+                    "the last calibration",
+                    "",
+                    {components({"height", "sigma"})}});
 }
 
 }  // namespace tolman::bayesian_attractor

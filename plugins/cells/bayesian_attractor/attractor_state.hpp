@@ -3,14 +3,16 @@
 #pragma once
 
 #include <map>
+#include <vector>
 
 #include "bump_network.hpp"
 #include "experience_log.hpp"
+#include "level_step.hpp"
 #include "waiting_loops.hpp"
 
 namespace tolman::bayesian_attractor {
 
-/// What one view template was linked to when it was made.
+/// What one view template was linked to: when it was made, or when it was seen on another storey.
 struct ViewLink {
   LearnedPattern learned;
   double travel = 0;            ///< m, when it was learned
@@ -23,8 +25,11 @@ struct AttractorState {
   BumpNetwork network;
   ExperienceLog log;
   WaitingLoops waiting;
-  std::map<std::int64_t, ViewLink> links = {};  ///< by template
-  bool initialising = true;                     ///< odometry had no motion yet
+  /// By template; one link a storey, those learned later after the others.
+  std::map<std::int64_t, std::vector<ViewLink>> links = {};
+  /// Unit vector in the axes of the camera now, by odometry alone.
+  Eigen::Vector3d up = kLevelUp;
+  bool initialising = true;  ///< odometry had no motion yet
 };
 
 }  // namespace tolman::bayesian_attractor

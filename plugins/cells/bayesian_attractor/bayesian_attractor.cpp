@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bayesian_attractor.hpp"
 
+#include <limits>
+
 #include "activity.hpp"
 #include "saved_state.hpp"
 
@@ -10,11 +12,11 @@ namespace {
 
 constexpr double kNovelSpacing = 1;  // m, between experiences that novel views create
 
-/// Diagonal covariance of (x, y, heading) on the plane; correlations are dropped. x is the camera's
-/// z, y its -x, heading turns about -y.
-Eigen::Matrix3d planarVariance(const Matrix6d& covariance) {
-  return Eigen::Vector3d(covariance(2, 2), covariance(0, 0), covariance(4, 4)).asDiagonal();
-}
+/// Steepness of roads, rise over distance: how far the height of a view without measured pose may
+/// be from that of its template.
+constexpr double kSlope = 0.1;
+/// Most storeys that one view is linked to; the oldest link gives way.
+constexpr std::size_t kMostStoreys = 32;
 
 }  // namespace
 
@@ -28,12 +30,12 @@ Status BayesianAttractor::configure(const Context& context) {
 AttractorState BayesianAttractor::freshState() const {
   const Parameters& p = parameters_;
   const NetworkSettings network = {
-      p.period,     p.modules,   p.phase_sigma,       p.drift_position, p.drift_heading,
-      p.drift_tail, p.prior,     p.prior_views,       p.injection,      p.agreement,
-      p.inhibition, p.threshold, p.experience_spacing};
+      p.period,        p.modules,      p.phase_sigma, p.height_period, p.drift_position,
+      p.drift_heading, p.drift_height, p.drift_tail,  p.prior,         p.prior_views,
+      p.injection,     p.agreement,    p.inhibition,  p.threshold,     p.experience_spacing};
   const ExperienceSettings experiences = {p.experience_spacing, p.experience_turn, kNovelSpacing,
                                           p.loop_minimum_travel, p.loop_spacing};
-  return {BumpNetwork(network), ExperienceLog(experiences), WaitingLoops(p.loop_spacing), {}, true};
+  return {BumpNetwork(network), ExperienceLog(experiences), WaitingLoops(p.loop_spacing)};
 }
 
 Status BayesianAttractor::reset() {
@@ -51,22 +53,23 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   decision.stamp_ns = motion.stamp_ns;
   decision.template_id = seen ? observation.template_id : -1;
   integrate(motion);
-  const auto link = state_->links.find(observation.template_id);
-  const bool known = seen && link != state_->links.end();
-  const Recalibration calibrated = known ? perceive(observation, motion.frame) : Recalibration{};
+  const bool known = seen && state_->links.contains(observation.template_id);
+  const auto [calibrated, link] = known ? perceive(observation, motion.frame) : Perception{};
   if (calibrated.joined_part >= 0) {
-    for (auto& [id, other] : state_->links) state_->network.rejoin(calibrated, other.learned);
+    for (auto& [id, storeys] : state_->links) {
+      for (ViewLink& other : storeys) state_->network.rejoin(calibrated, other.learned);
+    }
   }
   if (calibrated.won) {
     decision.earlier = state_->waiting.of(calibrated.bump, state_->network.state().travel);
   }
-  if (calibrated.won && state_->log.allowsLoopTo(link->second.experience)) {
-    closeLoop(observation, link->second, calibrated.share, decision);
+  if (calibrated.won && state_->log.allowsLoopTo(link->experience)) {
+    closeLoop(observation, *link, calibrated.share, decision);
   } else if (state_->log.wantsNew(seen && !known)) {
     decision.action = Action::CreateExperience;
     state_->log.create();
   }
-  if (seen && !known) learn(observation.template_id);
+  if (seen && !known) learn(observation.template_id, Eigen::Isometry3d::Identity());
   decision.experience = state_->log.current();
   decision.heading = state_->network.state().integrator.centre.heading;
   if (decision.action != Action::CloseLoop) {
@@ -82,9 +85,18 @@ void BayesianAttractor::integrate(const Motion& motion) {
     state_->log.startPart();
   }
   state_->initialising = initialising;
-  state_->network.integrate(toPlanar(motion.T_previous_current), planarVariance(motion.covariance));
+  const LevelStep moved = levelled(motion.T_previous_current, motion.covariance, state_->up);
+  state_->up = moved.up;
+  state_->network.integrate(moved.plane, moved.covariance, moved.climb);
   state_->waiting.keep(state_->network.state().calibration);
   state_->log.advance(motion.T_previous_current);
+}
+
+LevelStep BayesianAttractor::levelled(const Eigen::Isometry3d& T_from_to,
+                                      const Matrix6d& covariance,
+                                      const Eigen::Vector3d& up_from) const {
+  return parameters_.height_period > 0 ? levelStep(T_from_to, covariance, up_from)
+                                       : planarStep(T_from_to, covariance);
 }
 
 /// Pose of the camera relative to the template. A view without measured pose is at the template,
@@ -93,23 +105,55 @@ BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& 
   if (view.has_relative_pose) return {view.T_template_current, view.covariance};
   Vector6d sigma = Vector6d::Constant(parameters_.view_sigma_heading);
   sigma.head<3>().setConstant(parameters_.view_sigma_position);
+  sigma[1] *= kSlope;
   return {fromPlanar({0, 0, view.relative_yaw}), sigma.cwiseAbs2().asDiagonal()};
 }
 
-Recalibration BayesianAttractor::perceive(const PlaceObservation& view, std::int64_t frame) {
-  const ViewLink& link = state_->links.at(view.template_id);
-  const double travel = state_->network.state().travel;
+/// From the template to the camera, which knows where up is.
+LevelStep BayesianAttractor::offsetOf(const SeenPose& seen) const {
+  return levelled(seen.T_template_current, seen.covariance,
+                  seen.T_template_current.linear() * state_->up);
+}
+
+/// The link on the storey that the robot is most likely on; null where it is on none of them.
+const ViewLink* BayesianAttractor::nearestStorey(std::int64_t template_id,
+                                                 const Climb& climb) const {
+  const ViewLink* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ViewLink& link : state_->links.at(template_id)) {
+    const double misfit = state_->network.heightMisfit(link.learned, climb);
+    if (misfit >= least) continue;
+    least = misfit;
+    nearest = &link;
+  }
+  return nearest;
+}
+
+/// A view that is known from other storeys only is linked to this one as well.
+BayesianAttractor::Perception BayesianAttractor::perceive(const PlaceObservation& view,
+                                                          std::int64_t frame) {
   if (view.recognition != Recognition::Familiar) return {};
-  if (link.learned.part == state_->network.state().part &&
-      travel - link.travel < parameters_.loop_minimum_travel)
-    return {};
   const SeenPose seen = seenPose(view);
-  const Recalibration fed = state_->network.inject(link.learned, toPlanar(seen.T_template_current),
-                                                   planarVariance(seen.covariance));
+  const ViewLink* link = nearestStorey(view.template_id, offsetOf(seen).climb);
+  if (link == nullptr) {
+    learn(view.template_id, seen.T_template_current);
+    return {};
+  }
+  const NetworkState& network = state_->network.state();
+  const bool recent = link->learned.part == network.part &&
+                      network.travel - link->travel < parameters_.loop_minimum_travel;
+  return recent ? Perception{} : Perception{feed(seen, *link, frame), link};
+}
+
+Recalibration BayesianAttractor::feed(const SeenPose& seen, const ViewLink& link,
+                                      std::int64_t frame) {
+  const LevelStep offset = offsetOf(seen);
+  const Recalibration fed =
+      state_->network.inject(link.learned, offset.plane, offset.covariance, offset.climb);
   if (fed.bump < 0 || fed.won || !state_->log.allowsLoopTo(link.experience)) return fed;
   state_->waiting.add(
       {fed.bump,
-       travel,
+       state_->network.state().travel,
        {frame, link.experience, normalised(link.T_experience_template * seen.T_template_current),
         seen.covariance}});
   return fed;
@@ -127,9 +171,18 @@ void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& 
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
 }
 
-void BayesianAttractor::learn(std::int64_t template_id) {
-  state_->links[template_id] = {state_->network.present(), state_->network.state().travel,
-                                state_->log.current(), state_->log.fromCurrent()};
+/// `T_template_current`: identity for a new view.
+void BayesianAttractor::learn(std::int64_t template_id,
+                              const Eigen::Isometry3d& T_template_current) {
+  const Eigen::Isometry3d T_current_template = T_template_current.inverse();
+  const LevelStep back = levelled(T_current_template, Matrix6d::Zero(), state_->up);
+  const BumpNetwork& network = state_->network;
+  LearnedPattern learned = network.present();
+  learned.pattern = network.code().displaced(learned.pattern, back.plane, back.climb.metres);
+  std::vector<ViewLink>& storeys = state_->links[template_id];
+  if (storeys.size() >= kMostStoreys) storeys.erase(storeys.begin());
+  storeys.push_back({learned, network.state().travel, state_->log.current(),
+                     normalised(state_->log.fromCurrent() * T_current_template)});
 }
 
 Status BayesianAttractor::save(std::ostream& stream) const { return saveState(*state_, stream); }

@@ -34,15 +34,25 @@ class BayesianAttractor final : public Cells,
  private:
   AttractorState freshState() const;
   void integrate(const Motion& motion);
+  LevelStep levelled(const Eigen::Isometry3d& T_from_to, const Matrix6d& covariance,
+                     const Eigen::Vector3d& up_from) const;
   struct SeenPose {
     Eigen::Isometry3d T_template_current;
     Matrix6d covariance;
   };
   SeenPose seenPose(const PlaceObservation& view) const;
-  Recalibration perceive(const PlaceObservation& view, std::int64_t frame);
+  const ViewLink* nearestStorey(std::int64_t template_id, const Climb& climb) const;
+  /// The link that a view fed, and what came of it.
+  struct Perception {
+    Recalibration calibrated;
+    const ViewLink* link = nullptr;
+  };
+  Perception perceive(const PlaceObservation& view, std::int64_t frame);
+  LevelStep offsetOf(const SeenPose& seen) const;
+  Recalibration feed(const SeenPose& seen, const ViewLink& link, std::int64_t frame);
   void closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
                  Decision& decision);
-  void learn(std::int64_t template_id);
+  void learn(std::int64_t template_id, const Eigen::Isometry3d& T_template_current);
 
   Parameters parameters_;
   std::optional<AttractorState> state_;  ///< empty before configure()

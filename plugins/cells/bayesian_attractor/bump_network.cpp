@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tolman::bayesian_attractor {
@@ -12,6 +13,8 @@ namespace {
 
 /// 99 % of chi-square with three degrees of freedom: a view within it agrees with a bump.
 constexpr double kAgrees = 11.345;
+/// Heights agree within three standard deviations.
+constexpr double kSameStorey = 9;
 /// m around the path that count as explored, and the smallest explored area, m^2.
 constexpr double kMargin = 20;
 constexpr double kLeastArea = 1e4;
@@ -33,6 +36,11 @@ double logStudent(const Eigen::Vector3d& difference, const Eigen::Matrix3d& cova
          (nu + 3) / 2 * std::log1p(squaredMahalanobis(difference, covariance) / nu);
 }
 
+/// 0 without vertical modules, whose heights are all the same.
+double squaredClimb(double climb, double variance) {
+  return variance > 0 ? climb * climb / variance : 0;
+}
+
 /// The symmetric matrix with the absolute eigenvalues.
 Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spectrum(symmetric);
@@ -44,20 +52,25 @@ Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric) {
 
 BumpNetwork::BumpNetwork(const NetworkSettings& settings)
     : settings_(settings),
-      code_(GridCode(settings.period, settings.modules, settings.phase_sigma)) {
+      code_(GridCode(settings.period, settings.modules, settings.phase_sigma),
+            HeightCode(settings.height_period, settings.height_period > 0 ? settings.modules : 0,
+                       settings.phase_sigma)) {
   state_.integrator.centre = code_.origin();
   state_.anchor = state_.integrator;
 }
 
-void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed) {
+void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed,
+                            const Climb& climb) {
   const double length = std::hypot(step.x, step.y);
   const double along = settings_.drift_position * settings_.drift_position * length;
   const double turn = settings_.drift_heading * settings_.drift_heading * length;
   Eigen::Matrix3d noise = claimed;
   noise.diagonal() += Eigen::Vector3d(along, along, turn);
-  code_.move(state_.integrator, step, noise);
+  const double drift = settings_.drift_height * settings_.drift_height * length;
+  const Climb rise = {climb.metres, climb.variance + drift};
+  code_.move(state_.integrator, step, noise, rise);
   for (CalibrationBump& c : state_.calibration) {
-    code_.move(c.bump, step, noise);
+    code_.move(c.bump, step, noise, rise);
     c.energy -= settings_.inhibition * length;
   }
   state_.travel += length;
@@ -83,6 +96,7 @@ void BumpNetwork::startPart() {
   state_.part = state_.parts++;
   ++state_.stretch;
   state_.integrator.covariance.setZero();
+  state_.integrator.height_variance = 0;
   state_.anchor = state_.integrator;
   state_.calibration.clear();
   // How many views are right has been counted at another place.
@@ -90,7 +104,8 @@ void BumpNetwork::startPart() {
 }
 
 LearnedPattern BumpNetwork::present() const {
-  return {state_.integrator.centre, state_.part, state_.stretch, total()};
+  return {state_.integrator.centre, state_.part, state_.stretch, total(),
+          state_.integrator.height_variance + state_.anchor.height_variance};
 }
 
 /// Covariance of the integrator from the origin of its part.
@@ -129,23 +144,45 @@ Eigen::Matrix3d BumpNetwork::uncertainty(const LearnedPattern& link) const {
          absolute(link.covariance - carriedTo(link.pattern, state_.anchor));
 }
 
-/// Log-likelihood ratio of a view that no bump agrees with: right against look-alike.
-double BumpNetwork::founding(const LearnedPattern& link, const FiringPattern& seen,
-                             const Eigen::Matrix3d& covariance) const {
-  // Path integration says nothing; that the place is a known one at all has the same prior again.
-  if (link.part != state_.part) return std::log(settings_.prior);
-  const Eigen::Vector3d difference = code_.difference(state_.integrator.centre, seen);
-  return logStudent(difference, uncertainty(link) + covariance, settings_.tail) - lookAlike();
+/// The same of the height.
+double BumpNetwork::heightUncertainty(const LearnedPattern& link) const {
+  const double anchor = state_.anchor.height_variance;
+  const double here = state_.integrator.height_variance;
+  if (link.stretch == state_.stretch) return std::abs(here + anchor - link.height_variance);
+  return here + std::abs(link.height_variance - anchor);
 }
 
-CalibrationBump* BumpNetwork::agreeing(const FiringPattern& seen, const Eigen::Matrix3d& covariance,
-                                       std::int64_t part, double& log_density) {
+double BumpNetwork::heightMisfit(const LearnedPattern& link, const Climb& climb) const {
+  if (code_.height().modules() == 0 || link.part != state_.part) return 0;
+  const double off = code_.climb(state_.integrator.centre, link.pattern) + climb.metres;
+  const double variance = heightUncertainty(link) + climb.variance + code_.height().readout();
+  const double misfit = off * off / variance;
+  return misfit > kSameStorey ? std::numeric_limits<double>::infinity() : misfit;
+}
+
+/// Log-likelihood ratio of a view that no bump agrees with: right against look-alike. Of the height
+/// only what speaks against it counts.
+double BumpNetwork::founding(const LearnedPattern& link, const Bump& seen) const {
+  // Path integration says nothing; that the place is a known one at all has the same prior again.
+  if (link.part != state_.part) return std::log(settings_.prior);
+  const Bump& here = state_.integrator;
+  const Eigen::Vector3d difference = code_.difference(here.centre, seen.centre);
+  const double ratio =
+      logStudent(difference, uncertainty(link) + seen.covariance, settings_.tail) - lookAlike();
+  return ratio - 0.5 * squaredClimb(code_.climb(here.centre, seen.centre),
+                                    heightUncertainty(link) + seen.height_variance);
+}
+
+CalibrationBump* BumpNetwork::agreeing(const Bump& seen, std::int64_t part, double& log_density) {
   CalibrationBump* best = nullptr;
   for (CalibrationBump& c : state_.calibration) {
     if (c.part != part) continue;
-    const Eigen::Vector3d difference = code_.difference(c.bump.centre, seen);
-    const Eigen::Matrix3d sum = c.bump.covariance + covariance;
+    const Eigen::Vector3d difference = code_.difference(c.bump.centre, seen.centre);
+    const Eigen::Matrix3d sum = c.bump.covariance + seen.covariance;
     if (squaredMahalanobis(difference, sum) > kAgrees) continue;
+    if (squaredClimb(code_.climb(c.bump.centre, seen.centre),
+                     c.bump.height_variance + seen.height_variance) > kSameStorey)
+      continue;
     const double density = logGaussian(difference, sum);
     if (best != nullptr && density <= log_density) continue;
     best = &c;
@@ -155,21 +192,22 @@ CalibrationBump* BumpNetwork::agreeing(const FiringPattern& seen, const Eigen::M
 }
 
 Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& offset,
-                                  const Eigen::Matrix3d& measured) {
-  const FiringPattern seen = code_.displaced(link.pattern, offset);
-  const Eigen::Matrix3d covariance = turned(measured, seen.heading) + code_.readout();
+                                  const Eigen::Matrix3d& measured, const Climb& climb) {
+  Bump seen = {code_.displaced(link.pattern, offset, climb.metres)};
+  seen.covariance = turned(measured, seen.centre.heading) + code_.readout();
+  seen.height_variance = climb.variance + code_.height().readout();
   ++state_.views;
   double log_density = 0;
-  CalibrationBump* bump = agreeing(seen, covariance, link.part, log_density);
+  CalibrationBump* bump = agreeing(seen, link.part, log_density);
   if (bump != nullptr) {
     const double fresh = std::min(1.0, (state_.travel - bump->fed_at) / settings_.view_spacing);
     const double ratio = settings_.injection * (log_density - lookAlike());
     bump->energy += fresh * std::min(ratio, settings_.agreement);
-    code_.fuse(bump->bump, seen, covariance);
+    code_.fuse(bump->bump, seen.centre, seen.covariance, seen.height_variance);
   } else {
     const double odds = std::log(prior() / (1 - prior()));
-    const double energy = odds + settings_.injection * founding(link, seen, covariance);
-    bump = found({state_.bumps, {seen, covariance}, energy, link.part, 0, 0});
+    const double energy = odds + settings_.injection * founding(link, seen);
+    bump = found({state_.bumps, seen, energy, link.part, 0, 0});
     if (bump == nullptr) return {};
     ++state_.bumps;
   }
@@ -193,10 +231,11 @@ Recalibration BumpNetwork::adopt(const CalibrationBump& winner, const LearnedPat
   calibrated.to = winner.bump.centre;
   calibrated.views = winner.views;
   calibrated.origin = link.covariance;
+  calibrated.origin_height = link.height_variance;
   if (winner.part != state_.part) calibrated.joined_part = state_.part;
   state_.part = winner.part;
   state_.integrator = winner.bump;
-  state_.anchor = {link.pattern, link.covariance};
+  state_.anchor = {link.pattern, link.covariance, link.height_variance};
   ++state_.stretch;
   state_.right += winner.views;
   state_.calibration.clear();
@@ -205,8 +244,10 @@ Recalibration BumpNetwork::adopt(const CalibrationBump& winner, const LearnedPat
 
 void BumpNetwork::rejoin(const Recalibration& calibrated, LearnedPattern& link) const {
   if (link.part != calibrated.joined_part) return;
-  link.pattern = code_.displaced(calibrated.to, code_.between(calibrated.from, link.pattern));
+  link.pattern = code_.displaced(calibrated.to, code_.between(calibrated.from, link.pattern),
+                                 code_.climb(calibrated.from, link.pattern));
   link.covariance += calibrated.origin;
+  link.height_variance += calibrated.origin_height;
   link.part = calibrated.part;
 }
 

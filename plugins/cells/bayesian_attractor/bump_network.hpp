@@ -24,8 +24,10 @@ struct NetworkSettings {
   double period = 150;            ///< m, of the smallest grid module
   int modules = 4;                ///< grid modules
   double phase_sigma = 0.005;     ///< periods
+  double height_period = 0;       ///< m, of the smallest vertical module; 0: a plane
   double drift_position = 0.06;   ///< m / sqrt(m)
   double drift_heading = 0.0012;  ///< rad / sqrt(m)
+  double drift_height = 0.03;     ///< m / sqrt(m)
   double tail = 4;                ///< degrees of freedom of Student's t
   double prior = 0.05;            ///< share of familiar views that are right, before any was seen
   double prior_views = 100;       ///< views that weigh as much as this expectation
@@ -42,6 +44,7 @@ struct LearnedPattern {
   std::int64_t part = 0;     ///< of the world: parts are not joined with each other
   std::int64_t stretch = 0;  ///< of the path: from one won calibration to the next
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< from the origin of its part
+  double height_variance = 0;                            ///< m^2, likewise
 };
 
 /// A hypothesis.
@@ -81,6 +84,7 @@ struct Recalibration {
   FiringPattern from, to;                            ///< as `from` moves to `to`
   std::int64_t part = 0;                             ///< the part they are of then
   Eigen::Matrix3d origin = Eigen::Matrix3d::Zero();  ///< covariance to add to theirs
+  double origin_height = 0;                          ///< m^2, variance to add to theirs
 };
 
 class BumpNetwork {
@@ -88,12 +92,15 @@ class BumpNetwork {
   explicit BumpNetwork(const NetworkSettings& settings);
 
   /// `claimed`: covariance of the step by odometry, in the robot's axes.
-  void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed);
+  void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed, const Climb& climb = {});
   /// The robot has been carried to an unknown place.
   void startPart();
   /// A familiar view that puts the robot at `offset` from where it was learned.
   Recalibration inject(const LearnedPattern& link, const PlanarPose& offset,
-                       const Eigen::Matrix3d& covariance);
+                       const Eigen::Matrix3d& covariance, const Climb& climb = {});
+  /// How far above or below path integration such a view would put the robot: squared, in standard
+  /// deviations of height. Infinite beyond three of them, which is another storey.
+  double heightMisfit(const LearnedPattern& link, const Climb& climb) const;
   LearnedPattern present() const;
   /// Moves a learned pattern of a part that has been joined with another.
   void rejoin(const Recalibration& calibrated, LearnedPattern& link) const;
@@ -106,13 +113,12 @@ class BumpNetwork {
  private:
   double prior() const;
   double lookAlike() const;
-  double founding(const LearnedPattern& link, const FiringPattern& seen,
-                  const Eigen::Matrix3d& covariance) const;
+  double founding(const LearnedPattern& link, const Bump& seen) const;
   Eigen::Matrix3d total() const;
   Eigen::Matrix3d carriedTo(const FiringPattern& there, const Bump& bump) const;
   Eigen::Matrix3d uncertainty(const LearnedPattern& link) const;
-  CalibrationBump* agreeing(const FiringPattern& seen, const Eigen::Matrix3d& covariance,
-                            std::int64_t part, double& log_density);
+  double heightUncertainty(const LearnedPattern& link) const;
+  CalibrationBump* agreeing(const Bump& seen, std::int64_t part, double& log_density);
   Recalibration adopt(const CalibrationBump& winner, const LearnedPattern& link);
   CalibrationBump* found(const CalibrationBump& bump);
 

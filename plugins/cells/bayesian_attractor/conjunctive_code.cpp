@@ -14,9 +14,10 @@ Eigen::Vector2d turned(double x, double y, double angle) {
 
 }  // namespace
 
-FiringPattern ConjunctiveCode::displaced(const FiringPattern& pattern,
-                                         const PlanarPose& step) const {
+FiringPattern ConjunctiveCode::displaced(const FiringPattern& pattern, const PlanarPose& step,
+                                         double climb) const {
   FiringPattern there = pattern;
+  height_.move(there.heights, climb);
   grid_.move(there.phases, turned(step.x, step.y, pattern.heading));
   there.heading = wrapPeriod(pattern.heading + step.theta, kTurn);
   return there;
@@ -35,21 +36,32 @@ PlanarPose ConjunctiveCode::between(const FiringPattern& from, const FiringPatte
   return {own.x(), own.y(), way.z()};
 }
 
-void ConjunctiveCode::move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise) const {
+double ConjunctiveCode::climb(const FiringPattern& from, const FiringPattern& to) const {
+  return height_.difference(from.heights, to.heights);
+}
+
+void ConjunctiveCode::move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
+                           const Climb& climb) const {
   const double heading = bump.centre.heading;
   const Eigen::Matrix3d J = carried(turned(step.x, step.y, heading));
   bump.covariance = J * bump.covariance * J.transpose() + turned(noise, heading);
-  bump.centre = displaced(bump.centre, step);
+  bump.centre = displaced(bump.centre, step, climb.metres);
+  bump.height_variance += climb.variance;
 }
 
-void ConjunctiveCode::fuse(Bump& bump, const FiringPattern& seen,
-                           const Eigen::Matrix3d& covariance) const {
+void ConjunctiveCode::fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance,
+                           double height_variance) const {
   const Eigen::Matrix3d sum = bump.covariance + covariance;
   const Eigen::Matrix3d gain = bump.covariance * sum.inverse();
   const Eigen::Vector3d correction = gain * difference(bump.centre, seen);
   grid_.move(bump.centre.phases, correction.head<2>());
   bump.centre.heading = wrapPeriod(bump.centre.heading + correction.z(), kTurn);
   bump.covariance = gain * covariance;
+  const double height_sum = bump.height_variance + height_variance;
+  if (height_sum <= 0) return;
+  const double height_gain = bump.height_variance / height_sum;
+  height_.move(bump.centre.heights, height_gain * climb(bump.centre, seen));
+  bump.height_variance = height_gain * height_variance;
 }
 
 Eigen::Matrix3d ConjunctiveCode::readout() const {

@@ -2,15 +2,17 @@
 // Firing patterns of the conjunctive population (head direction by position, as in entorhinal
 // layers III and V), and Gaussian bumps over them.
 //
-// A pattern is a heading on the ring and a phase on the torus of each grid module. A bump is a
-// Gaussian around a pattern, with covariance of (x m, y m, heading rad) in the axes of heading 0;
-// in heading it is the von Mises distribution of the same precision.
+// A pattern is a heading on the ring, a phase on the torus of each grid module, and a phase of each
+// vertical module. A bump is a Gaussian around a pattern, with covariance of (x m, y m, heading
+// rad) in the axes of heading 0, and a variance of height; in heading it is the von Mises
+// distribution of the same precision.
 #pragma once
 
 #include <Eigen/Core>
 #include <numbers>
 
 #include "grid_code.hpp"
+#include "height_code.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::bayesian_attractor {
@@ -20,37 +22,48 @@ inline constexpr double kTurn = 2 * std::numbers::pi;  // rad
 struct FiringPattern {
   double heading = 0;  ///< rad in [0, 2 pi)
   Phases phases;
+  Residues heights;
 };
 
 struct Bump {
   FiringPattern centre;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double height_variance = 0;  ///< m^2
 };
 
 class ConjunctiveCode {
  public:
-  explicit ConjunctiveCode(const GridCode& grid) : grid_(grid) {}
+  /// Without vertical modules the code is that of a plane.
+  explicit ConjunctiveCode(const GridCode& grid, const HeightCode& height = {1, 0, 1})
+      : grid_(grid), height_(height) {}
 
   const GridCode& grid() const { return grid_; }
+  const HeightCode& height() const { return height_; }
   /// Covariance with which ring and modules read a pattern.
   Eigen::Matrix3d readout() const;
-  FiringPattern origin() const { return {0, grid_.origin()}; }
+  FiringPattern origin() const { return {0, grid_.origin(), height_.origin()}; }
 
-  /// `pattern` after a step that is given in the robot's own axes.
-  FiringPattern displaced(const FiringPattern& pattern, const PlanarPose& step) const;
+  /// `pattern` after a step that is given in the robot's own axes, and a climb in m.
+  FiringPattern displaced(const FiringPattern& pattern, const PlanarPose& step,
+                          double climb = 0) const;
   /// (x, y, heading) from one pattern to another in the axes of heading 0, as the modules read it.
   Eigen::Vector3d difference(const FiringPattern& from, const FiringPattern& to) const;
   /// The pose of `to` in the axes of `from`.
   PlanarPose between(const FiringPattern& from, const FiringPattern& to) const;
+  /// m upwards from one pattern to another, as the vertical modules read it.
+  double climb(const FiringPattern& from, const FiringPattern& to) const;
 
   /// Path integration: the bump moves, an error of heading leans on position, noise widens it.
   /// `noise`: covariance of the step in the robot's own axes.
-  void move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise) const;
+  void move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
+            const Climb& climb = {}) const;
   /// Product of two Gaussians: precisions add (the paper's equation of injection, in matrices).
-  void fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance) const;
+  void fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance,
+            double height_variance = 0) const;
 
  private:
   GridCode grid_;
+  HeightCode height_;
 };
 
 /// `covariance` of (x, y, heading) seen from axes that are turned by -`angle`.

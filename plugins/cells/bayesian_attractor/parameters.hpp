@@ -12,8 +12,10 @@ struct AttractorParameters {
   double period = 150;
   int modules = 4;
   double phase_sigma = 0.005;
+  double height_period = 0;
   double drift_position = 0.06;
   double drift_heading = 0.0012;
+  double drift_height = 0.03;
   double drift_tail = 4;
   double view_sigma_position = 3;
   double view_sigma_heading = 0.2;
@@ -43,6 +45,12 @@ struct AttractorParameters {
             .range(1e-5, 0.2)
             .unit("periods")
             .doc("Standard deviation with which a phase is read, of ring and grid modules."),
+        parameter("height_period", &P::height_period)
+            .range(0, 1e6)
+            .unit("m")
+            .doc("Period of the smallest vertical module, so that storeys that look alike are "
+                 "different places (20 for buildings); 0: a plane, without height, pitch and "
+                 "roll."),
         parameter("drift_position", &P::drift_position)
             .range(0, 100)
             .unit("m/m^0.5")
@@ -51,6 +59,11 @@ struct AttractorParameters {
             .range(0, 3)
             .unit("rad/m^0.5")
             .doc("Widens bumps in heading, beside the covariance that odometry reports."),
+        parameter("drift_height", &P::drift_height)
+            .range(0, 100)
+            .unit("m/m^0.5")
+            .doc("Widens bumps in height, beside the covariance that odometry reports; only with "
+                 "height_period."),
         parameter("drift_tail", &P::drift_tail)
             .range(1, 1e6)
             .doc("Degrees of freedom of the Student's t distribution of drift; large: Gaussian."));

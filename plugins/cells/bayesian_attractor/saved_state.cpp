@@ -11,7 +11,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 5;
+constexpr std::uint64_t kStateVersion = 6;
 
 /// Writes what it is called with.
 class Saver {
@@ -68,12 +68,14 @@ template <class Archive, class Pattern>
 void pattern(Archive& archive, Pattern& pattern) {
   archive(pattern.heading);
   numbers(archive, pattern.phases);
+  numbers(archive, pattern.heights);
 }
 
 template <class Archive, class Bump>
 void bump(Archive& archive, Bump& bump) {
   pattern(archive, bump.centre);
   numbers(archive, bump.covariance);
+  archive(bump.height_variance);
 }
 
 template <class Archive, class State>
@@ -106,6 +108,7 @@ void link(Archive& archive, Link& link) {
   archive(link.learned.part);
   archive(link.learned.stretch);
   numbers(archive, link.learned.covariance);
+  archive(link.learned.height_variance);
   archive(link.travel);
   archive(link.experience);
   numbers(archive, link.T_experience_template.matrix());
@@ -158,22 +161,29 @@ bool isPattern(const FiringPattern& pattern) {
   return pattern.heading >= 0 && pattern.heading <= kTurn;
 }
 
-bool isBump(const Bump& bump) { return isPattern(bump.centre) && isCovariance(bump.covariance); }
+bool isUp(const Eigen::Vector3d& up) { return std::abs(up.norm() - 1) < 1e-6; }
+
+bool isBump(const Bump& bump) {
+  return isPattern(bump.centre) && isCovariance(bump.covariance) && bump.height_variance >= 0;
+}
+
+bool isSoundLink(const ViewLink& link) {
+  return isPattern(link.learned.pattern) && isCovariance(link.learned.covariance) &&
+         link.learned.height_variance >= 0 && isPose(link.T_experience_template);
+}
 
 /// Poses are poses, covariances are covariances.
 bool hasSoundValues(const AttractorState& state) {
   const NetworkState& network = state.network.state();
   const ExperienceLog::State log = state.log.state();
   return isBump(network.integrator) && isBump(network.anchor) && isPose(log.T_experience_current) &&
-         isPose(log.T_made_current) &&
+         isPose(log.T_made_current) && isUp(state.up) &&
          std::ranges::all_of(network.calibration, isBump, &CalibrationBump::bump) &&
          std::ranges::all_of(
              state.waiting.list(),
              [](const WaitingLoop& waiting) { return isPose(waiting.loop.T_experience_camera); }) &&
          std::ranges::all_of(state.links, [](const auto& entry) {
-           const ViewLink& link = entry.second;
-           return isPattern(link.learned.pattern) && isCovariance(link.learned.covariance) &&
-                  isPose(link.T_experience_template);
+           return std::ranges::all_of(entry.second, isSoundLink);
          });
 }
 
@@ -183,8 +193,8 @@ bool isSound(const AttractorState& state) {
   const auto known = static_cast<std::int64_t>(log.travel_when_left.size());
   const auto exists = [&](std::int64_t id) { return id >= 0 && id < known; };
   if (!(log.current == -1 && known == 0) && !exists(log.current)) return false;
-  for (const auto& [id, link] : state.links) {
-    if (id < 0 || !exists(link.experience)) return false;
+  for (const auto& [id, storeys] : state.links) {
+    if (id < 0 || !std::ranges::all_of(storeys, exists, &ViewLink::experience)) return false;
   }
   for (const WaitingLoop& waiting : state.waiting.list()) {
     if (waiting.loop.frame < 0 || !exists(waiting.loop.experience)) return false;
@@ -194,21 +204,45 @@ bool isSound(const AttractorState& state) {
          network.views >= 0;
 }
 
+void saveLinks(Saver& saver, const AttractorState& state) {
+  counted(saver, state.links.size());
+  for (const auto& [id, storeys] : state.links) {
+    saver(id);
+    counted(saver, storeys.size());
+    for (const ViewLink& linked : storeys) link(saver, linked);
+  }
+}
+
+void loadLinks(Loader& loader, AttractorState& state, const Bump& fresh) {
+  const std::int64_t count = counted(loader, 0);
+  for (std::int64_t i = 0; i < count && goesOn(loader); ++i) {
+    std::vector<ViewLink>& storeys = state.links[loader.reader.get<std::int64_t>()];
+    const std::int64_t known = counted(loader, 0);
+    for (std::int64_t storey = 0; storey < known && goesOn(loader); ++storey) {
+      link(loader, storeys.emplace_back(ViewLink{.learned = {.pattern = fresh.centre}}));
+    }
+  }
+}
+
+/// 0: without vertical modules.
+double heightPeriod(const AttractorState& state) {
+  const HeightCode& height = state.network.code().height();
+  return height.modules() > 0 ? height.period(0) : 0;
+}
+
 }  // namespace
 
 Status saveState(const AttractorState& state, std::ostream& stream) {
   Saver saver;
   saver(state.network.code().grid().period(0));
   saver(std::int64_t{state.network.code().grid().modules()});
+  saver(heightPeriod(state));
   network(saver, state.network.state(), {});
-  counted(saver, state.links.size());
-  for (const auto& [id, linked] : state.links) {
-    saver(id);
-    link(saver, linked);
-  }
+  saveLinks(saver, state);
   const ExperienceLog::State log = state.log.state();
   experiences(saver, log);
   waitingLoops(saver, state.waiting.list());
+  numbers(saver, state.up);
   saver(state.initialising);
   return saver.writer.write(stream, kMagic, kStateVersion);
 }
@@ -219,25 +253,22 @@ Status loadState(std::istream& stream, AttractorState& state) {
   Loader loader(opened.value());
   const GridCode& grid = state.network.code().grid();
   if (loader.reader.get<double>() != grid.period(0) ||
-      loader.reader.get<std::int64_t>() != grid.modules()) {
+      loader.reader.get<std::int64_t>() != grid.modules() ||
+      loader.reader.get<double>() != heightPeriod(state)) {
     return Status::invalidInput("the saved cells have another period or number of modules");
   }
   const Bump fresh{state.network.code().origin()};
   NetworkState loaded = state.network.state();
   network(loader, loaded, fresh);
   state.network.restore(loaded);
-  const std::int64_t count = counted(loader, 0);
-  for (std::int64_t i = 0; i < count && goesOn(loader); ++i) {
-    ViewLink& linked = state.links[loader.reader.get<std::int64_t>()];
-    linked.learned.pattern = fresh.centre;
-    link(loader, linked);
-  }
+  loadLinks(loader, state, fresh);
   ExperienceLog::State log;
   experiences(loader, log);
   state.log.restore(log);
   std::vector<WaitingLoop> waiting;
   waitingLoops(loader, waiting);
   state.waiting.restore(std::move(waiting));
+  numbers(loader, state.up);
   loader(state.initialising);
   if (!loader.reader.complete()) {
     return Status::invalidInput("the saved state is damaged: wrong length");

@@ -29,7 +29,7 @@ std::string payload() {
 }
 
 Status load(BayesianAttractor& plugin, const std::string& payload) {
-  return tolman::test::loadPayload(plugin, "TLMBAYES", 5, payload);
+  return tolman::test::loadPayload(plugin, "TLMBAYES", 6, payload);
 }
 
 /// Goes on for a lap; what it answers is checked as the host checks it.
@@ -77,8 +77,8 @@ TEST_CASE("counts beyond the payload end with it, also where it ends within a nu
 TEST_CASE("covariances and poses that are none are refused") {
   const std::string sound = payload();
   const std::size_t modules = 4;     // of the default parameters
-  constexpr std::size_t kFirst = 2;  // words: period, modules
-  const std::size_t covariance = kFirst + 1 + 2 * modules;
+  constexpr std::size_t kFirst = 3;  // words: period, modules, period of heights
+  const std::size_t covariance = kFirst + 1 + 3 * modules;
   for (const double wrong : {-1.0, 1e300}) {
     std::string bytes = sound;
     std::memcpy(bytes.data() + 8 * covariance, &wrong, sizeof wrong);

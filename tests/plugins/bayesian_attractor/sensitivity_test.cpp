@@ -124,6 +124,8 @@ TEST_CASE("each parameter changes decisions on two real sequences at least", "[d
     }
   }
   for (const ParameterInfo& info : schemaOf<AttractorParameters>()) {
+    // These drives were recorded on a plane; storeys_test has what heights change.
+    if (info.name == "height_period" || info.name == "drift_height") continue;
     std::set<std::string> changed;
     for (const ParameterValue& value : alternatives(info)) {
       for (const Drive& drive : all) {

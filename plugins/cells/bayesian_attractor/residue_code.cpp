@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "residue_code.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace tolman::bayesian_attractor {
+namespace {
+
+/// Ratio of neighbouring modules' periods in the rat (Stensola et al. 2012).
+constexpr double kRatio = 1.42;
+/// Displacements are searched up to this many of the largest period.
+constexpr int kRange = 50;
+/// Squared error, per degree of freedom, up to which phases agree: three standard deviations.
+constexpr double kAgreement = 9;
+
+/// Shortest way round one period.
+Residues shortest(const Residues& difference, const Residues& periods) {
+  return difference - periods * (difference / periods).round();
+}
+
+}  // namespace
+
+ResidueCode::ResidueCode(double period, int modules, double phase_sigma)
+    : periods_(modules), weights_(modules) {
+  for (int i = 0; i < modules; ++i) periods_(i) = period * std::pow(kRatio, i);
+  weights_ = (phase_sigma * periods_).square().inverse();
+  sigma_ = 1 / std::sqrt(weights_.sum());
+}
+
+/// Tries the displacements that fit the largest period, the shortest first.
+double ResidueCode::displacement(const Residues& differences) const {
+  const Residues residues = shortest(differences, periods_);
+  const Eigen::Index last = residues.size() - 1;
+  const double away = residues(last) < 0 ? 1 : -1;  // the second shortest has the other sign
+  double best = residues(last);
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= 2 * kRange; ++i) {
+    const int turns = i % 2 == 1 ? (i + 1) / 2 : -i / 2;
+    const double coarse = residues(last) + away * turns * periods_(last);
+    const Residues rest = shortest(residues - coarse, periods_);
+    const double correction = (weights_ * rest).sum() / weights_.sum();
+    const double misfit = (weights_ * (rest - correction).square()).sum();
+    if (misfit >= least) continue;
+    least = misfit;
+    best = coarse + correction;
+    if (misfit <= kAgreement * static_cast<double>(last)) break;
+  }
+  return best;
+}
+
+}  // namespace tolman::bayesian_attractor
