@@ -27,23 +27,24 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   printFiles(written, invocation);
 }
 
-/// The package `tolman` of Python writes the file; its words and its failure become this command's.
-void exportNwb(const std::string& run, const std::string& out, Invocation& invocation) {
+/// The package `tolman` of Python writes run.nwb or run.npz (`kind`); its words and its failure
+/// become this command's.
+void exportByPython(const std::string& kind, const std::string& run, const std::string& out,
+                    const char* needs, Invocation& invocation) {
   std::error_code ignored;
   const auto prefix =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   const std::string folders =
       (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
-  std::vector<std::string> command = {
-      "/usr/bin/env", "PYTHONPATH=" + folders, "/usr/bin/python3", "-m", "tolman.nwb", run};
-  if (!out.empty()) command.push_back((std::filesystem::path(out) / "run.nwb").string());
+  std::vector<std::string> command = {"/usr/bin/env", "PYTHONPATH=" + folders, "/usr/bin/python3",
+                                      "-m",           "tolman." + kind,        run};
+  if (!out.empty()) command.push_back((std::filesystem::path(out) / ("run." + kind)).string());
   isolation::ChildProcess python(command, {});
   const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
   if (end.signal == 0 && end.exit_code == 0) return;
   invocation.exit_code =
-      printFailure(ExitCode::Record,
-                   "no NWB file was written; it needs python3-tolman and python3-h5py (Python " +
-                       end.text() + ")");
+      printFailure(ExitCode::Record, "no run." + kind + " was written; it needs " + needs +
+                                         " (Python " + end.text() + ")");
 }
 
 }  // namespace
@@ -61,14 +62,22 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       ->check(notEmpty);
   auto nwb = std::make_shared<bool>(false);
   command->add_flag("--nwb", *nwb, "Also run.nwb: Neurodata Without Borders, with seeded spikes");
+  auto npz = std::make_shared<bool>(false);
+  command->add_flag("--npz", *npz,
+                    "Also run.npz: tables, trajectories, arrays and rate maps for NumPy");
   auto session = std::make_shared<std::int64_t>(-1);
   command
       ->add_option("--session", *session,
                    "Session whose trajectories to write, from 0 (default: the run's own)")
       ->check(CLI::NonNegativeNumber);
-  command->callback([run, out, session, nwb, &invocation] {
+  command->callback([run, out, session, nwb, npz, &invocation] {
     exportFiles(*run, *out, *session, invocation);
-    if (*nwb) exportNwb(*run, *out, invocation);
+    if (*nwb) {
+      exportByPython("nwb", *run, *out, "python3-tolman and python3-h5py", invocation);
+    }
+    if (*npz) {
+      exportByPython("npz", *run, *out, "python3-tolman and python3-numpy", invocation);
+    }
   });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");

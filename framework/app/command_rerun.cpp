@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -53,15 +54,20 @@ std::vector<std::string> changesIn(const Json& before, const Json& after) {
       changes.push_back(fmt::format("{} {}: {} -> {}", key, name, old[name].dump(), value.dump()));
     }
   }
-  for (const char* list : {"plugins", "data"}) {
-    const char* name = list == std::string_view("data") ? "path" : "id";
-    for (const Json& now : part(after, list)) {
-      for (const Json& old : part(before, list)) {
-        if (old.value(name, "") != now.value(name, "")) continue;
-        if (old.value("sha256", "") == now.value("sha256", "")) continue;
-        changes.push_back(fmt::format("{}: {} has other contents", list, now.value(name, "")));
+  for (const Json& now : part(after, "plugins")) {
+    for (const Json& old : part(before, "plugins")) {
+      if (old.value("id", "") == now.value("id", "") &&
+          old.value("sha256", "") != now.value("sha256", "")) {
+        changes.push_back("plugins: " + now.value("id", "") + " has other contents");
       }
     }
+  }
+  // In the order in which the configuration names them: they may lie elsewhere now.
+  const Json old_data = part(before, "data");
+  const Json new_data = part(after, "data");
+  for (std::size_t i = 0; i < std::min(old_data.size(), new_data.size()); ++i) {
+    if (old_data[i].value("sha256", "") == new_data[i].value("sha256", "")) continue;
+    changes.push_back("data: " + new_data[i].value("path", "") + " has other contents");
   }
   return changes;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <thread>
@@ -15,6 +16,8 @@
 #include "experiment/known_data.hpp"
 #include "experiment/point_run.hpp"
 #include "experiment/run_table.hpp"
+#include "experiment/sweep_archive.hpp"
+#include "isolation/child_process.hpp"
 #include "record/atomic_file.hpp"
 #include "run/terminal.hpp"
 
@@ -268,6 +271,37 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
   });
 }
 
+void addArchive(CLI::App& sweep, Invocation& invocation) {
+  CLI::App* command = sweep.add_subcommand(
+      "archive", "Configurations, digests, results and commands, to run it again elsewhere");
+  auto folder = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>();
+  command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
+  command->add_option("--out", *out, "Archive to write (default: SWEEP.tar.gz)")
+      ->type_name("FILE")
+      ->check(notEmpty);
+  command->callback([folder, out, &invocation] {
+    fs::path from = fs::absolute(*folder).lexically_normal();
+    if (!from.has_filename()) from = from.parent_path();
+    const fs::path file = fs::absolute(out->empty() ? from.string() + ".tar.gz" : *out);
+    const fs::path files = file.string() + ".files";
+    const fs::path name = from.filename();
+    std::error_code ignored;
+    fs::remove_all(files, ignored);
+    requireOrEnd(experiment::writeSweepArchive(from, files / name));
+    isolation::ChildProcess tar(
+        {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",
+         files.string(), "-czf", file.string(), name.string()},
+        {});
+    const isolation::ProcessEnd end = tar.end(std::chrono::hours(24));
+    fs::remove_all(files, ignored);
+    if (end.signal != 0 || end.exit_code != 0) {
+      throw Ended{ExitCode::Record, file.string() + ": not written (tar " + end.text() + ")"};
+    }
+    printFiles({file}, invocation);
+  });
+}
+
 }  // namespace
 
 void addSweepCommand(CLI::App& app, Invocation& invocation) {
@@ -289,6 +323,7 @@ void addSweepCommand(CLI::App& app, Invocation& invocation) {
       ->check(CLI::IsMember({"slurm", "parallel", "snakemake"}));
   addStatus(*command, invocation);
   addCollect(*command, invocation);
+  addArchive(*command, invocation);
   addPoint(*command, invocation);
   command->callback([command, options, &invocation] {
     if (!command->get_subcommands().empty()) return;  // the subcommand did the work

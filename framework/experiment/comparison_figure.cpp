@@ -29,7 +29,7 @@ std::vector<Line> linesOf(const Comparison& comparison) {
   std::vector<Line> sorted;
   for (auto& [name, points] : lines) {
     std::ranges::sort(points, {}, &LinePoint::x);
-    sorted.push_back({name, std::move(points)});
+    sorted.push_back({name, std::move(points), nullptr});
   }
   return sorted;
 }
@@ -46,7 +46,7 @@ std::vector<Line> successLines(const Comparison& comparison) {
   for (const Level& level : comparison.levels) {
     std::vector<double> sorted = level.values;
     std::ranges::sort(sorted);
-    Line line{level.label, {{0, 0, {}}}};
+    Line line{level.label, {{0, 0, {}}}, nullptr};
     for (const double value : sorted) {
       const double before = line.points.back().y;
       line.points.push_back({value, before, {}});

@@ -17,6 +17,10 @@ constexpr std::array kPale = {"#cfe3f1", "#f6dccb", "#cbeadf", "#f9e9c8", "#f3df
 constexpr double kLegendLine = 14;  // px
 constexpr double kLetter = 6;       // px, of the legend
 
+const char* colourOf(const std::vector<Line>& lines, std::size_t i) {
+  return lines[i].colour != nullptr ? lines[i].colour : lineColour(i);
+}
+
 /// Names in as many lines as they need, from the upper border.
 class Legend {
  public:
@@ -35,7 +39,7 @@ class Legend {
   void draw(Svg& svg, const std::vector<Line>& lines) const {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const Eigen::Vector2d& at = places_[i];
-      svg.line(at - Eigen::Vector2d(0, 4), at + Eigen::Vector2d(16, -4), lineColour(i), 3);
+      svg.line(at - Eigen::Vector2d(0, 4), at + Eigen::Vector2d(16, -4), colourOf(lines, i), 3);
       svg.text(at + Eigen::Vector2d(20, 0), lines[i].name, {report::TextAnchor::Start, 11});
     }
   }
@@ -73,6 +77,16 @@ void draw(Svg& svg, Axes& axes, const Line& line, const char* colour, bool dots)
     if (dots) svg.circle(axes.at(point.x, point.y), 3, colour);
   }
   axes.polyline(xs, ys, colour, dots ? 2 : 1.5);
+  // The borders of the band, for another one may lie over it.
+  std::vector<double> lows;
+  std::vector<double> highs;
+  for (const LinePoint& point : line.points) {
+    if (point.band.low == point.band.high) return;
+    lows.push_back(point.band.low);
+    highs.push_back(point.band.high);
+  }
+  axes.polyline(xs, lows, colour, 0.6);
+  axes.polyline(xs, highs, colour, 0.6);
 }
 
 }  // namespace
@@ -108,7 +122,7 @@ std::string lineFigure(const LineFigure& figure) {
     band(svg, axes, figure.lines[i].points, kPale[i % kPale.size()]);
   }
   for (std::size_t i = 0; i < figure.lines.size(); ++i) {
-    draw(svg, axes, figure.lines[i], lineColour(i), figure.dots);
+    draw(svg, axes, figure.lines[i], colourOf(figure.lines, i), figure.dots);
   }
   if (several) legend.draw(svg, figure.lines);
   return svg.take();

@@ -20,6 +20,7 @@ struct LinePoint {
 struct Line {
   std::string name;
   std::vector<LinePoint> points;
+  const char* colour = nullptr;  ///< null: by its place among the lines
 };
 
 /// Size of all figures, px; 360 px are 88.9 mm, the column of a paper.

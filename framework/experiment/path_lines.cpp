@@ -61,7 +61,7 @@ Result<Line> errorLine(const Level& level, const std::string& alignment) {
     const auto errors = errorsByPart(matches.value(), alignment == "se2");
     for (std::size_t i = 0; i < kParts; ++i) parts[i].push_back(errors[i]);
   }
-  Line line{level.label, {}};
+  Line line{level.label, {}, nullptr};
   for (std::size_t i = 0; i < kParts; ++i) {
     std::ranges::sort(parts[i]);
     const double mean = summaryOf(parts[i]).mean;
@@ -72,7 +72,7 @@ Result<Line> errorLine(const Level& level, const std::string& alignment) {
 }
 
 Line lineOf(std::string name, const evaluation::Trajectory& trajectory) {
-  Line line{std::move(name), {}};
+  Line line{std::move(name), {}, nullptr};
   for (const auto& pose : trajectory) {
     const auto& at = pose.T_world_camera.translation();
     line.points.push_back({at.x(), at.z(), {}});
@@ -104,8 +104,10 @@ Result<std::vector<Line>> mapLines(const Comparison& comparison) {
   for (const Level& level : comparison.levels) {
     const auto matches = alignedMap(medianRun(level), comparison.alignment);
     if (!matches.isOk()) return matches.status();
-    if (lines.empty()) lines.push_back(lineOf("truth", matches.value().truth));
     lines.push_back(lineOf(level.label, matches.value().estimate));
+    if (lines.size() < comparison.levels.size()) continue;
+    lines.push_back(lineOf("truth", matches.value().truth));
+    lines.back().colour = report::kGrey;
   }
   return lines;
 }

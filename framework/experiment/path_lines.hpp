@@ -13,7 +13,7 @@ namespace tolman::experiment {
 /// quartiles as a band where it has several. InvalidInput for records that cannot be read.
 Result<std::vector<Line>> errorLines(const Comparison& comparison);
 
-/// The true path, x right and y forward in m, then of each level the map of the median run.
+/// Of each level the map of the median run, x right and y forward in m, then the true path.
 Result<std::vector<Line>> mapLines(const Comparison& comparison);
 
 }  // namespace tolman::experiment

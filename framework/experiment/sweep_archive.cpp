@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/sweep_archive.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+#include <map>
+
+#include "experiment/point_folder.hpp"
+#include "experiment/run_table.hpp"
+#include "record/atomic_file.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Where it is a whole value or the begin of a path.
+void replacePath(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
+    const char after = at + from.size() < text.size() ? text[at + from.size()] : '\n';
+    const bool whole = std::string_view("\n\"'/, ]}").find(after) != std::string_view::npos;
+    if (whole) text.replace(at, from.size(), to);
+    at += whole ? to.size() : from.size();
+  }
+}
+
+class Archive {
+ public:
+  Archive(const fs::path& sweep, fs::path folder)
+      : sweep_(fs::absolute(sweep).lexically_normal()), folder_(std::move(folder)) {
+    if (!sweep_.has_filename()) sweep_ = sweep_.parent_path();
+  }
+
+  Status write() {
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error) return Status::failed(folder_.string() + ": " + error.message());
+    if (!fs::is_empty(folder_, error)) return Status::failed(folder_.string() + ": is not empty");
+    const auto rows = readRunRows({sweep_});
+    if (!rows.isOk()) return rows.status();
+    if (rows.value().empty()) return Status::invalidInput(sweep_.string() + ": no run is done");
+    add("results.csv", csvOf(rows.value()));
+    for (const PlannedRun& run : readPoints(sweep_)) {
+      if (outcomeOf(sweep_ / run.folder).state == PointState::Done) addRun(run);
+    }
+    add("rerun.sh", script());
+    add("data.txt", data_);
+    return status_;
+  }
+
+ private:
+  void add(const fs::path& name, const std::string& text) {
+    std::error_code ignored;
+    fs::create_directories((folder_ / name).parent_path(), ignored);
+    if (status_.isOk()) status_ = record::writeAtomically(folder_ / name, text);
+  }
+
+  void addRun(const PlannedRun& run) {
+    const fs::path from = sweep_ / run.folder;
+    const fs::path to = fs::path("runs") / run.folder;
+    std::string config = textOf(from / "config.yaml");
+    // The run of a front end that it replays is made anew as well.
+    if (!run.needs.empty()) {
+      replacePath(config, (sweep_ / run.needs / "run").string(), "${AGAIN}/" + run.needs);
+    }
+    for (const record::DataDigest& data : run.inputs.data) {
+      replacePath(config, data.path, "${" + variable(data) + ":-" + data.path + "}");
+    }
+    add(to / "config.resolved.yaml", config);
+    add(to / "point.json", textOf(from / "point.json"));
+    for (const char* name : {"run.json", "metrics.json", "results.sha256"}) {
+      add(to / name, textOf(from / "run" / name));
+    }
+    (run.is_front_end ? fronts_ : runs_) += run.folder + "\n";
+  }
+
+  const std::string& variable(const record::DataDigest& data) {
+    const auto [found, is_new] = variables_.try_emplace(data.path);
+    if (is_new) {
+      found->second = fmt::format("DATA_{}", variables_.size());
+      data_ += fmt::format("{}\t{}\t{}\n", found->second, data.path,
+                           data.sha256.empty() ? data.stamp : data.sha256);
+    }
+    return found->second;
+  }
+
+  std::string script() const {
+    return "#!/bin/sh\n"
+           "# Runs all runs of the archive again and compares the results, byte for byte. data.txt "
+           "lists the variables\n"
+           "# for data that lie elsewhere now:\n"
+           "#   TOLMAN=/usr/bin/tolman DATA_1=/data/00 sh rerun.sh\n"
+           "# The new runs go to $AGAIN. The exit code is 0 where all results are the same.\n"
+           "cd \"$(dirname \"$0\")\" || exit 1\n"
+           "TOLMAN=${TOLMAN:-tolman}\nAGAIN=${AGAIN:-$PWD/again}\nexport AGAIN\ndiffer=0\n"
+           "mkdir -p \"$AGAIN\"\nwhile read -r run; do\n"
+           "  if \"$TOLMAN\" --quiet rerun \"runs/$run\" --force --out \"$AGAIN/$run\" --verify "
+           "</dev/null; then\n"
+           "    echo \"same     $run\"\n  else\n    differ=1\n    echo \"differs  $run\"\n  fi\n"
+           "done <<RUNS\n" +
+           fronts_ + runs_ + "RUNS\nexit $differ\n";
+  }
+
+  fs::path sweep_;
+  fs::path folder_;
+  std::map<std::string, std::string> variables_;  ///< by path
+  std::string data_;
+  std::string fronts_;
+  std::string runs_;
+  Status status_;
+};
+
+}  // namespace
+
+Status writeSweepArchive(const fs::path& sweep, const fs::path& folder) {
+  return Archive(sweep, folder).write();
+}
+
+}  // namespace tolman::experiment

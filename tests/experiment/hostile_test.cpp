@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Sweeps when things go wrong: what went wrong is told, concerns one run, and nothing is lost.
+#include <sys/mount.h>
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "experiment/motion_folder.hpp"
+#include "experiment/study.hpp"
+#include "support/paths.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+TEST_CASE("a plugin that crashes in one run of ten concerns that run only") {
+  const Study study;
+  study.writeAll(
+      "set: {odometry: {plugin: crashes_when_fast}}\n"
+      "grid: {odometry.speed: [1, 2, 3, 4, 5, 6, 7, 8, 9, 45]}\n");
+  const Words path = {"--plugin-path", inBuild("tests/fixtures/plugins/process_faults")};
+  Words command = path;
+  for (const std::string& word : study.words({"--jobs", "2"})) command.push_back(word);
+  const Finished first = tolman::test::tolman(command);
+  INFO(first.out << first.err);
+  CHECK(first.exit_code == 7);
+  CHECK(contains(first.err, "speed=45"));
+  CHECK(contains(first.err, "signal 6"));
+  CHECK(study.results().size() == 9);
+  const std::string status = study.status();
+  CHECK(contains(status, "done         9\nfailed       1\n"));
+  CHECK(contains(status, "the process was ended by signal 6"));
+  const auto before = study.results();
+  command.emplace_back("--retry");
+  CHECK(tolman::test::tolman(command).exit_code == 7);  // it dies again, the others are not run
+  CHECK(study.results() == before);
+}
+
+TEST_CASE("data that change between two runs: later runs refuse, earlier results stay") {
+  const Study study;
+  REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
+  const fs::path first = study.point("period=100,sequence=a,seed=1");
+  REQUIRE(tolman::test::tolman({"--quiet", "sweep", "point", first.string()}).exit_code == 0);
+  const auto before = study.results();
+  writeMotionFolder(study.folder.path() / "a", 0.004);
+  const Finished second = tolman::test::tolman(
+      {"--quiet", "sweep", "point", study.point("period=100,sequence=a,seed=2").string()});
+  CHECK(second.exit_code == 5);
+  CHECK(contains(second.err, "has changed since the run was planned"));
+  CHECK(study.results() == before);
+  CHECK(contains(study.status(), "planned      10\ndone         1\nfailed       1\n"));
+}
+
+TEST_CASE("a full disk: told, and with room the sweep goes on to the same results") {
+  const Study study;
+  REQUIRE(study.sweep({}, "whole").exit_code == 0);
+  fs::create_directories(study.out());
+  if (::mount("none", study.out().c_str(), "tmpfs", 0, "size=3m") != 0) {
+    WARN("SKIPPED: a small file system needs root");
+    return;
+  }
+  const Finished full = study.sweep({"--jobs", "2"});
+  INFO(full.out << full.err);
+  const bool larger = ::mount("none", study.out().c_str(), "tmpfs", MS_REMOUNT, "size=200m") == 0;
+  const std::string status = study.status();
+  const Finished rest = study.sweep({"--retry"});
+  const auto results = study.results();
+  ::umount(study.out().c_str());
+  CHECK(full.exit_code != 0);
+  CHECK(larger);
+  INFO(status);
+  INFO(rest.out << rest.err);
+  CHECK(rest.exit_code == 0);
+  CHECK(results == study.results("whole"));
+}
