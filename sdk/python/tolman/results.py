@@ -13,7 +13,7 @@ import sqlite3
 
 import numpy as np
 
-from tolman import cells, records
+from tolman import cells, records, spatial
 
 _TYPES = {"INTEGER": np.int64, "REAL": np.float64}
 
@@ -159,6 +159,53 @@ class Run:
         array = self.array(name)
         _, _, heading, rates = self._walk(array)
         return cells.tuning(heading, rates, array.values.shape[1:], bins)
+
+    def scores(self, name, bin_m=None, shuffles=100, units=64, seed=1):
+        """A table with a row for each measured unit: spatial.GridScores, information, fields, stability, and chance.
+
+        `units` at the most are measured, evenly spaced. Chance is the 95th percentile of `shuffles` units whose rates are
+        shifted in time by a tenth of the run or more, in columns that end with _chance.
+        """
+        array = self.array(name)
+        x, y, _, rates = self._walk(array)
+        if len(x) < 20:
+            raise ValueError(f"{self.path}: fewer than 20 frames have a pose and '{name}'")
+        chosen = np.unique(np.linspace(0, rates.shape[1] - 1, min(units, rates.shape[1])).astype(int))
+        rng, rows = np.random.default_rng(seed), [_unit_scores(x, y, rates[:, i], bin_m) for i in chosen]
+        least = max(1, len(x) // 10)
+        shifted = [_unit_scores(x, y, np.roll(rates[:, rng.choice(chosen)], rng.integers(least, len(x) - least + 1)), bin_m)
+                   for _ in range(shuffles)]
+        names = list(rows[0])
+        chance = [_percentile([row[key] for row in shifted], 95) for key in _WITH_CHANCE] if shifted else []
+        columns = ["unit", *names, *(f"{key}_chance" for key in _WITH_CHANCE[:len(chance)])]
+        return _table(columns, ["INTEGER"] + ["REAL"] * (len(columns) - 1),
+                      [(int(i), *row.values(), *chance) for i, row in zip(chosen, rows)])
+
+
+_WITH_CHANCE = ("sargolini", "langston", "square", "information_bits", "stability")
+
+
+def _percentile(values, share):
+    known = [value for value in values if np.isfinite(value)]
+    return float(np.percentile(known, share)) if known else float("nan")
+
+
+def _unit_scores(x, y, rates, bin_m):
+    """Of one unit, as spatial.py measures it."""
+    maps = cells.rate_maps(x, y, rates[:, None], (1,), bin_m)
+    bin_m = maps.x_m[1] - maps.x_m[0]
+    grid, sizes = spatial.grid_scores(maps.values[0]), spatial.fields(maps.values[0])
+    halves = []
+    for part in (slice(0, len(x) // 2), slice(len(x) // 2, None)):  # in the bins of the whole run
+        row, column = (np.clip(np.searchsorted(edges, values[part], "right") - 1, 0, len(edges) - 2)
+                       for edges, values in ((maps.x_m, x), (maps.y_m, y)))
+        sums, visits = np.zeros(maps.visits.shape), np.zeros(maps.visits.shape)
+        np.add.at(sums, (row, column), rates[part])
+        np.add.at(visits, (row, column), 1)
+        halves.append(np.where(visits > 0, sums / np.maximum(visits, 1), np.nan))
+    return {"sargolini": grid.sargolini, "langston": grid.langston, "square": grid.square, "spacing_m": grid.spacing * bin_m,
+            "information_bits": spatial.spatial_information(maps.values[0], maps.visits), "fields": float(len(sizes)),
+            "field_m2": float(np.median(sizes)) * bin_m**2 if sizes else float("nan"), "stability": spatial.correlation(*halves)}
 
 
 def _poses(table, prefix, where=""):
