@@ -19,6 +19,7 @@ constexpr std::array kExamples = {
             "continue a saved map"},
     Example{"tolman help run", "the options of a command"},
     Example{"tolman check configs/kitti.yaml --explain", "every value and where it comes from"},
+    Example{"tolman init ~/recording --out mine.yaml", "a configuration for your own recording"},
     Example{"tolman plugins list", "what is installed"},
     Example{"tolman plugins describe bayesian_attractor", "parameters of a plugin"},
     Example{"tolman plugins doctor build/mine.so", "why is a library not loaded?"},

@@ -137,6 +137,7 @@ int runProgram(int argc, const char* const* argv) {
   app.fallthrough();
   addRunCommand(app, invocation);
   addCheckCommand(app, invocation);
+  addInitCommand(app, invocation);
   addPluginsCommand(app, invocation);
   addDatasetCommand(app, invocation);
   addBenchCommand(app, invocation);
@@ -150,6 +151,7 @@ int runProgram(int argc, const char* const* argv) {
   addRerunCommand(app, invocation);
   addWordCommands(app);
   addStageCommand(app);
+  addProbeCommand(app, invocation);
   addExamples(app, "tolman");
   int code = parse(app, wordsOf(argc, argv));
   if (code == 0) code = static_cast<int>(invocation.exit_code);

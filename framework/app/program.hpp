@@ -69,6 +69,8 @@ void addCheckCommand(CLI::App& app, Invocation& invocation);
 void addPluginsCommand(CLI::App& app, Invocation& invocation);
 void addPluginsNewCommand(CLI::App& plugins, Invocation& invocation);  // below `plugins`
 void addValidateCommand(CLI::App& plugins, Invocation& invocation);    // below `plugins`
+void addInitCommand(CLI::App& app, Invocation& invocation);
+void addProbeCommand(CLI::App& app, Invocation& invocation);  // internal
 void addDatasetCommand(CLI::App& app, Invocation& invocation);
 void addRenderCommand(CLI::App& dataset, Invocation& invocation);  // below `dataset`
 void addImportCommand(CLI::App& dataset, Invocation& invocation);  // likewise

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman init: looks at a recording and writes a configuration for it.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+
+#include "app/init_text.hpp"
+#include "app/system_options.hpp"
+#include "record/atomic_file.hpp"
+
+namespace tolman::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InitOptions {
+  std::string recording;
+  std::string out;
+  CarriedBy carrier = CarriedBy::Unknown;
+  std::vector<std::string> values;
+  bool replace = false;
+};
+
+/// Of "name=value".
+SourceValues splitValues(const std::vector<std::string>& texts) {
+  SourceValues values;
+  for (const std::string& text : texts) {
+    const std::size_t at = text.find('=');
+    if (at == std::string::npos || at == 0) {
+      throw Ended{ExitCode::Usage, "--set " + text + ": write it as NAME=VALUE"};
+    }
+    values.emplace_back(text.substr(0, at), text.substr(at + 1));
+  }
+  return values;
+}
+
+std::string unreadText(const std::string& recording, const RecordingSearch& search) {
+  std::string text = recording + ": no source reads it";
+  for (const std::string& reason : search.reasons) text += "\n  " + reason;
+  return text + "\nParameters are given by --set NAME=VALUE; see docs/your-camera.md";
+}
+
+std::string shippedText(const std::string& name) {
+  std::ifstream file(configFile("configs/init/" + name));
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (text.str().empty()) {
+    throw Ended{ExitCode::Configuration,
+                "configs/init/" + name + " is not there; install the program again"};
+  }
+  return text.str();
+}
+
+ExitCode init(const InitOptions& options, const Invocation& invocation) {
+  std::error_code error;
+  const fs::path recording = fs::canonical(options.recording, error);
+  if (error) return printFailure(ExitCode::Dataset, options.recording + ": " + error.message());
+  if (!options.out.empty() && !options.replace && fs::exists(options.out, error)) {
+    return printFailure(ExitCode::Record,
+                        options.out + " exists; choose another --out, or replace it by --force");
+  }
+  const RecordingSearch search =
+      searchRecording(recording, splitValues(options.values), invocation);
+  if (!search.best) {
+    return printFailure(ExitCode::Dataset, unreadText(options.recording, search));
+  }
+  const Probe& best = *search.best;
+  const CarriedBy used =
+      options.carrier == CarriedBy::Unknown ? guessCarrier(best) : options.carrier;
+  const std::string text =
+      initText(recording, search, options.carrier, shippedText(stagesFile(best, used)));
+  if (options.out.empty()) {
+    std::cout << text;
+    return ExitCode::Ok;
+  }
+  requireOrEnd(record::writeAtomically(options.out, text));
+  printFiles({options.out}, invocation);
+  return ExitCode::Ok;
+}
+
+}  // namespace
+
+void addInitCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("init", "Look at a recording, and write a configuration for it");
+  auto options = std::make_shared<InitOptions>();
+  command->add_option("recording", options->recording, "Folder or file of the recording, or camera")
+      ->type_name("RECORDING")
+      ->required();
+  command->add_option("--out", options->out, "File to write (default: standard output)")
+      ->type_name("FILE")
+      ->check(notEmpty);
+  const std::map<std::string, CarriedBy> carriers = {
+      {"car", CarriedBy::Car}, {"hand", CarriedBy::Hand}, {"toy", CarriedBy::Toy}};
+  command
+      ->add_option("--motion", options->carrier,
+                   "What carries the camera: car, hand or toy (default: a guess)")
+      ->type_name("MOTION")
+      ->transform(CLI::Transformer(carriers))
+      ->check(CLI::IsMember({"1", "2", "3"}).description(""));
+  command->add_option("--set", options->values, "Parameter of the source: --set a=b (repeatable)")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  command->add_flag("--force", options->replace, "Replace the file");
+  command->callback([options, &invocation] { invocation.exit_code = init(*options, invocation); });
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds the source that reads a recording, and the files beside it that the source can use.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/source_probe.hpp"
+
+namespace tolman::app {
+
+struct RecordingSearch {
+  std::optional<Probe> best;
+  std::vector<std::string> others;   ///< sources that read it too, with less of it
+  std::vector<std::string> reasons;  ///< "SOURCE: why it does not read the recording"
+  bool rate_assumed = false;
+};
+
+/// Tries every source that has a parameter `path`, and, where a source declares them, `rate`,
+/// `left` and `right`, `calibration`, `stamps` with `stamps_column` and `stamps_unit`, and
+/// `stamps_in_names` with what lies in the folder. `given`: further parameters, for every source.
+RecordingSearch searchRecording(const std::filesystem::path& recording, const SourceValues& given,
+                                const Invocation& invocation);
+
+}  // namespace tolman::app

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Also the internal command `tolman probe-source`, which runs in that process.
+#include "app/source_probe.hpp"
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/terminal_output.hpp"
+#include "isolation/child_process.hpp"
+#include "record/atomic_file.hpp"
+#include "run/assembly.hpp"
+
+namespace tolman::app {
+namespace {
+
+constexpr std::chrono::seconds kProbeDeadline{20};
+constexpr int kProbedFrames = 10;
+
+/// Reads the first frames as a run would, and prints one line of JSON.
+void probeSource(const std::string& config, const Invocation& invocation) {
+  run::RunLog log(true);
+  const run::SteadyClock clock;
+  const run::Interrupts interrupts;
+  run::SystemOptions options;
+  options.config = config;
+  options.plugin_paths = invocation.plugin_paths;
+  run::Assembly assembly(run::require(run::checkSystem(options, run::Scope::Source)), log, clock,
+                         interrupts);
+  std::int64_t first_ns = 0;
+  std::int64_t last_ns = 0;
+  int frames = 0;
+  for (; frames < kProbedFrames; ++frames) {
+    Frame frame;
+    const Status status = assembly.source().next(frame);
+    if (status.code() == StatusCode::EndOfStream) break;
+    run::require(status, run::FailureKind::Dataset);
+    if (frames == 0) first_ns = frame.stamp_ns;
+    last_ns = frame.stamp_ns;
+  }
+  if (frames == 0) throw run::Failed({run::FailureKind::Dataset, "there is no frame"});
+  const SourceInfo& info = assembly.sourceInfo();
+  const double seconds = static_cast<double>(last_ns - first_ns) * 1e-9;
+  const nlohmann::ordered_json json = {{"description", info.description},
+                                       {"width", info.rig.width},
+                                       {"height", info.rig.height},
+                                       {"calibrated", info.rig.calibrated},
+                                       {"baseline", info.rig.baseline},
+                                       {"has_truth", info.has_truth},
+                                       {"rate", seconds > 0 ? (frames - 1) / seconds : 0}};
+  std::cout << "\n" << json.dump() << "\n" << std::flush;
+}
+
+std::string contentOf(int descriptor) {
+  std::string text(static_cast<std::size_t>(std::max<off_t>(::lseek(descriptor, 0, SEEK_END), 0)),
+                   '\0');
+  const ssize_t read = ::pread(descriptor, text.data(), text.size(), 0);
+  text.resize(static_cast<std::size_t>(std::max<ssize_t>(read, 0)));
+  return text;
+}
+
+std::string lastLine(std::string text) {
+  while (text.ends_with('\n')) text.pop_back();
+  return text.substr(text.rfind('\n') + 1);  // npos + 1 is 0
+}
+
+/// The last line; libraries may have printed others before.
+std::optional<Probe> readProbe(const std::string& output) {
+  const std::size_t begin = output.rfind("\n{");
+  if (begin == std::string::npos) return std::nullopt;
+  const auto json = nlohmann::json::parse(output.substr(begin + 1), nullptr, false);
+  if (!json.is_object()) return std::nullopt;
+  Probe probe;
+  probe.description = json.value("description", "");
+  probe.width = json.value("width", 0);
+  probe.height = json.value("height", 0);
+  probe.calibrated = json.value("calibrated", false);
+  probe.baseline = json.value("baseline", 0.0);
+  probe.has_truth = json.value("has_truth", false);
+  probe.rate = json.value("rate", 0.0);
+  return probe;
+}
+
+}  // namespace
+
+std::string sourceSection(const std::string& plugin, const SourceValues& values) {
+  std::string text = "source:\n  plugin: " + plugin + "\n";
+  for (const auto& [name, value] : values) text += "  " + name + ": " + value + "\n";
+  return text;
+}
+
+Result<Probe> probe(const std::string& plugin, const SourceValues& values,
+                    const Invocation& invocation) {
+  const record::FileDescriptor config(::memfd_create("probe.yaml", 0));
+  const record::FileDescriptor output(::memfd_create("probe.out", MFD_CLOEXEC));
+  const std::string yaml = sourceSection(plugin, values);
+  if (::write(config.number(), yaml.data(), yaml.size()) != static_cast<ssize_t>(yaml.size())) {
+    throw Ended{ExitCode::Record, "no memory for the configuration of a source"};
+  }
+  std::vector<std::string> command = {"/proc/self/exe"};
+  for (const std::string& path : invocation.plugin_paths) {
+    command.insert(command.end(), {"--plugin-path", path});
+  }
+  command.insert(command.end(),
+                 {"probe-source", "/proc/self/fd/" + std::to_string(config.number())});
+  isolation::ChildProcess child(command, {config.number()}, output.number());
+  const isolation::ProcessEnd end = child.end(kProbeDeadline);
+  const std::string printed = contentOf(output.number());
+  // "source (ID), configure: ..." is said by the source itself, other messages by the host.
+  const std::string said = lastLine(printed);
+  const std::string prefix = "source (" + plugin + "), ";
+  if (end.signal == 0 && end.exit_code != 0 && said.starts_with(prefix)) {
+    return Status::invalidInput(said.substr(prefix.size()));
+  }
+  auto found = end.signal == 0 && end.exit_code == 0 ? readProbe(printed) : std::nullopt;
+  if (!found) return Status::unsupported(end.text());
+  found->plugin = plugin;
+  found->values = values;
+  return std::move(*found);
+}
+
+void addProbeCommand(CLI::App& app, Invocation& invocation) {
+  CLI::App* command =
+      app.add_subcommand("probe-source", "Reads the first frames of a source (internal)")
+          ->group("");
+  auto config = std::make_shared<std::string>();
+  command->add_option("config", *config)->required();
+  command->callback([config, &invocation] { probeSource(*config, invocation); });
+}
+
+}  // namespace tolman::app

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// tolman init: what it writes for recordings, and that it runs.
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "end_to_end/tiny_kitti.hpp"
+#include "support/data.hpp"
+#include "support/paths.hpp"
+
+using namespace tolman::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Written {
+  TemporaryFolder folder;
+  fs::path file = folder.path() / "mine.yaml";
+  Finished finished;
+  std::string text;
+
+  explicit Written(const fs::path& recording, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> words = {"init", recording.string(), "--out", file.string()};
+    words.insert(words.end(), more.begin(), more.end());
+    finished = tolman::test::tolman(words);
+    text = readText(file);
+  }
+
+  /// It is sound, and tracks its first frames.
+  void run(int frames) const {
+    INFO(text << finished.err);
+    REQUIRE(finished.exit_code == 0);
+    REQUIRE(tolman::test::tolman({"check", file.string()}).exit_code == 0);
+    const fs::path out = folder.path() / "run";
+    std::vector<std::string> words = {"run", file.string(), "--out", out.string(), "-q"};
+    const std::string last = "source.last=" + std::to_string(frames - 1);
+    words.insert(words.end(), {"--set", last});
+    const Finished ran = tolman::test::tolman(words);
+    INFO(ran.err);
+    REQUIRE(ran.exit_code == 0);
+    const auto counters = readJson(out / "run.json")["counters"];
+    CHECK(counters["frames"] == frames);
+    CHECK(counters["lost"] == 0);
+  }
+};
+
+struct Expected {
+  const char* recording;
+  int frames;
+  std::vector<std::string> parts;
+};
+
+std::vector<Expected> expectedOfData() {
+  return {
+      {"kitti_clips/06", 20, {"plugin: kitti\n", "direct_sparse_stereo", "'car' is guessed"}},
+      {"kitti_clips/01", 20, {"plugin: kitti\n", "direct_sparse_stereo"}},
+      {"kitti_clips/raw_0001", 20, {"plugin: kitti\n", "no truth", "the true path"}},
+      {"kitti_clips/00_left", 20, {"direct_sparse_mono", "arbitrary units"}},
+      {"kitti_clips/03_left", 20, {"direct_sparse_mono", "'car' is guessed"}},
+      {"kitti_motion/00", 20, {"plugin: motion_log\n", "motion_replay"}},
+      {"laps_office", 20, {"plugin: images\n", "stamps: frames.csv", "time_s", "scanline"}},
+      {"places_two_laps", 20, {"plugin: images\n", "rate: 10\n", "frame rate: 10 Hz are assumed"}},
+      {"places_gardens/day_left", 20, {"plugin: images\n", "frame rate: 10 Hz are assumed"}},
+      {"places_gardens/night_right", 20, {"plugin: images\n", "scanline"}},
+      {"euroc_v101", 10, {"plugin: euroc\n", "direct_sparse_stereo", "'hand' is guessed"}},
+      {"tumvi_room1", 4, {"plugin: euroc\n", "equidistant", "'hand' is guessed"}},
+      {"tum_fr1_xyz", 10, {"plugin: tum\n", "direct_sparse_mono", "'hand' is guessed"}},
+      {"kitti_raw_unrectified", 6, {"plugin: kitti_raw\n", "rate: 10\n", "10 Hz are assumed"}},
+  };
+}
+
+}  // namespace
+
+TEST_CASE("init writes a configuration for each data set, which runs", "[data]") {
+  for (const Expected& expected : expectedOfData()) {
+    const auto recording = dataOrSkip(expected.recording);
+    if (!recording) continue;
+    INFO(expected.recording);
+    const Written written(*recording);
+    for (const std::string& part : expected.parts) {
+      INFO(part);
+      CHECK(contains(written.text, part));
+    }
+    written.run(expected.frames);
+  }
+}
+
+TEST_CASE("init finds a pair of folders, a calibration and times in names", "[data]") {
+  const auto euroc = dataOrSkip("euroc_v101");
+  const auto tumvi = dataOrSkip("tumvi_room1");
+  if (!euroc || !tumvi) return;
+  const TemporaryFolder folder;
+  const fs::path rig = folder.path() / "rig";
+  fs::create_directories(rig);
+  fs::create_directory_symlink(*tumvi / "cam0/images", rig / "camera_left");
+  fs::create_directory_symlink(*tumvi / "cam1/images", rig / "camera_right");
+  fs::copy(*tumvi / "camchain.yaml", rig / "camchain.yaml");
+  const Written written(rig);
+  CHECK(contains(written.text, "plugin: images\n"));
+  CHECK(contains(written.text, "left: camera_left\n  right: camera_right\n"));
+  CHECK(contains(written.text, "calibration: camchain.yaml\n"));
+  CHECK(contains(written.text, "stamps_in_names: true\n  stamps_unit: ns\n"));
+  CHECK_FALSE(contains(written.text, "frame rate"));
+  written.run(4);
+}
+
+TEST_CASE("init says why no source reads a recording, and takes parameters", "[data]") {
+  const auto bag = dataOrSkip("ros2_bags/test_bag_mcap");
+  if (!bag) return;
+  const Written refused(*bag);
+  CHECK(refused.finished.exit_code == 5);
+  CHECK(contains(refused.finished.err, "no source reads it\n"));
+  CHECK(contains(refused.finished.err, "\n  ros_bag: "));
+  CHECK(contains(refused.finished.err, "several cameras; set left to one of: "));
+  CHECK_FALSE(fs::exists(refused.file));
+  const Written written(*bag, {"--set", "left=/test/sensor_msgs/image"});
+  CHECK(written.finished.exit_code == 5);  // its images are too short, which is another reason
+  CHECK(contains(written.finished.err, "has 30 bytes of pixels instead of 921600"));
+  const Written skipped(*bag,
+                        {"--set", "left=/test/sensor_msgs/image", "--set", "on_corrupt=skip"});
+  INFO(skipped.finished.err);
+  CHECK(skipped.finished.exit_code == 0);
+  CHECK(contains(skipped.text, "left: /test/sensor_msgs/image\n  on_corrupt: skip\n"));
+}
+
+TEST_CASE("init takes what carries the camera, keeps a file, and prints without one") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 3);
+  const std::string recording = (folder.path() / "sequence").string();
+  const Written toy(recording, {"--motion", "toy"});
+  REQUIRE(toy.finished.exit_code == 0);
+  CHECK(contains(toy.text, "loop_minimum_travel: 1.5\n"));
+  CHECK_FALSE(contains(toy.text, "is guessed"));
+  const Finished again = tolman::test::tolman({"init", recording, "--out", toy.file.string()});
+  CHECK(again.exit_code == 8);
+  CHECK(contains(again.err, "exists; choose another --out"));
+  CHECK(readText(toy.file) == toy.text);
+  CHECK(
+      tolman::test::tolman({"init", recording, "--out", toy.file.string(), "--force"}).exit_code ==
+      0);
+  const Finished printed = tolman::test::tolman({"init", recording});
+  CHECK(printed.out == readText(toy.file));
+  CHECK(tolman::test::tolman({"init", recording, "--motion", "ship"}).exit_code == 2);
+  CHECK(tolman::test::tolman({"init", recording, "--set", "left"}).exit_code == 2);
+  const Finished nothing = tolman::test::tolman({"init", (folder.path() / "no").string()});
+  CHECK(nothing.exit_code == 5);
+  CHECK(contains(nothing.err, "No such file"));
+}
