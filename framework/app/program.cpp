@@ -137,8 +137,8 @@ int runProgram(int argc, const char* const* argv) {
   app.fallthrough();
   addRunCommand(app, invocation);
   addCheckCommand(app, invocation);
-  addInitCommand(app, invocation);
   addPluginsCommand(app, invocation);
+  addInitCommand(app, invocation);
   addDatasetCommand(app, invocation);
   addBenchCommand(app, invocation);
   addEvalCommand(app, invocation);
