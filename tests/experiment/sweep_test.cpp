@@ -183,6 +183,33 @@ TEST_CASE("results are collected and compared") {
         std::string::npos);
 }
 
+TEST_CASE("figures from the records: error over distance, and maps over the true path") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const auto draw = [&](const std::string& kind, const std::string& name, const Words& more) {
+    Words words = {"compare", study.out().string(), "--kind",
+                   kind,      "--figure",           (study.folder.path() / name).string()};
+    words.insert(words.end(), more.begin(), more.end());
+    return tolman::test::tolman(words);
+  };
+  const Words of_a = {"--only", "sequence=a"};
+  REQUIRE(draw("distance", "d.svg", of_a).exit_code == 0);
+  const std::string distance = readText(study.folder.path() / "d.svg");
+  CHECK(contains(distance, "driven path (m)"));
+  CHECK(contains(distance, ">200<"));  // of 400 m
+  REQUIRE(draw("maps", "m.svg", of_a).exit_code == 0);
+  const std::string maps = readText(study.folder.path() / "m.svg");
+  for (const char* name : {">truth<", ">100<", ">150<"}) CHECK(contains(maps, name));
+  REQUIRE(draw("box", "b.pdf", of_a).exit_code == 0);
+  CHECK(readText(study.folder.path() / "b.pdf").starts_with("%PDF-"));
+  // The table needs none of the records.
+  for (const auto& entry : fs::directory_iterator(study.out())) {
+    if (entry.is_directory()) fs::remove(entry.path() / "run/run.sqlite");
+  }
+  CHECK(tolman::test::tolman({"compare", study.out().string()}).exit_code == 0);
+  CHECK(draw("maps", "x.svg", of_a).exit_code != 0);
+}
+
 TEST_CASE("ten thousand points are planned") {
   const Study study;
   std::ofstream(study.file())
