@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman init: what it writes for recordings, and that it runs.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
@@ -101,6 +105,27 @@ TEST_CASE("init finds a pair of folders, a calibration and times in names", "[da
   CHECK(contains(written.text, "stamps_in_names: true\n  stamps_unit: ns\n"));
   CHECK_FALSE(contains(written.text, "frame rate"));
   written.run(4);
+}
+
+TEST_CASE("init writes a configuration for a video, which runs", "[data]") {
+  const auto clip = dataOrSkip("kitti_clips/03_left");
+  if (!clip) return;
+  const TemporaryFolder folder;
+  const std::string video = (folder.path() / "street.avi").string();
+  cv::VideoWriter writer;
+  for (int i = 0; i < 20; ++i) {
+    const cv::Mat image = cv::imread((*clip / fmt::format("image_0/{:06}.jpg", i)).string());
+    REQUIRE_FALSE(image.empty());
+    if (i == 0) writer.open(video, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10, image.size());
+    writer.write(image);
+  }
+  writer.release();
+  const Written written(video);
+  CHECK(contains(written.text, "name: street\n"));
+  CHECK(contains(written.text, "plugin: video\n"));
+  CHECK(contains(written.text, "plugin: scanline\n"));
+  CHECK_FALSE(contains(written.text, "frame rate"));  // a video has its own
+  written.run(20);
 }
 
 TEST_CASE("init says why no source reads a recording, and takes parameters", "[data]") {

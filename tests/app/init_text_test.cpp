@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What tolman init writes about a recording, without reading one.
+#include "app/init_text.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace tolman::app;
+using Catch::Contains;
+
+namespace {
+
+Probe pairOf(double baseline) {
+  Probe probe;
+  probe.plugin = "boxes";
+  probe.values = {{"path", "/data/boxes"}};
+  probe.description = "20 pairs of boxes";
+  probe.width = 640;
+  probe.height = 480;
+  probe.calibrated = true;
+  probe.baseline = baseline;
+  return probe;
+}
+
+Probe singleOf(int width, int height) {
+  Probe probe = pairOf(0);
+  probe.width = width;
+  probe.height = height;
+  return probe;
+}
+
+std::string textOf(const Probe& probe, CarriedBy told = CarriedBy::Unknown,
+                   const std::string& recording = "/data/boxes") {
+  RecordingSearch search;
+  search.best = probe;
+  search.others = {"crates"};
+  return initText(recording, search, told, "odometry: {plugin: x}\n");
+}
+
+}  // namespace
+
+TEST_CASE("what carries a camera is guessed by its baseline, or by the shape of its images") {
+  CHECK(guessCarrier(pairOf(0.54)) == CarriedBy::Car);
+  CHECK(guessCarrier(pairOf(0.11)) == CarriedBy::Hand);
+  CHECK(guessCarrier(singleOf(1241, 376)) == CarriedBy::Car);
+  CHECK(guessCarrier(singleOf(640, 480)) == CarriedBy::Hand);
+}
+
+TEST_CASE("the stages fit to the cameras") {
+  CHECK(stagesFile(pairOf(0.1), CarriedBy::Toy) == "toy_stereo.yaml");
+  CHECK(stagesFile(singleOf(640, 480), CarriedBy::Hand) == "hand_mono.yaml");
+  Probe uncalibrated = singleOf(640, 480);
+  uncalibrated.calibrated = false;
+  CHECK(stagesFile(uncalibrated, CarriedBy::Car) == "uncalibrated.yaml");
+  CHECK(stagesFile(singleOf(0, 0), CarriedBy::Car) == "motion.yaml");
+}
+
+TEST_CASE("calibrated pairs go before single cameras, and those before uncalibrated ones") {
+  Probe uncalibrated = singleOf(640, 480);
+  uncalibrated.calibrated = false;
+  CHECK(pairOf(0.1).rank() > singleOf(640, 480).rank());
+  CHECK(singleOf(640, 480).rank() > uncalibrated.rank());
+  Probe motion = uncalibrated;
+  motion.width = 0;
+  CHECK(uncalibrated.rank() > motion.rank());
+}
+
+TEST_CASE("the text has the source, the stages, and what is not known") {
+  const std::string guessed = textOf(pairOf(0.11));
+  CHECK_THAT(guessed, Contains("# 20 pairs of boxes\n# Not known:\n"));
+  CHECK_THAT(guessed, Contains("'hand' is guessed, from the baseline"));
+  CHECK_THAT(guessed, Contains("the true path"));
+  CHECK_THAT(guessed, Contains("# Read also by the source crates.\n"));
+  CHECK_THAT(guessed, Contains("name: boxes\n\nsource:\n  plugin: boxes\n  path: /data/boxes\n"));
+  CHECK_THAT(guessed, Catch::EndsWith("\nodometry: {plugin: x}\n"));
+  Probe known = pairOf(0.11);
+  known.has_truth = true;
+  CHECK_THAT(textOf(known, CarriedBy::Car), !Contains("Not known"));
+  CHECK_THAT(textOf(singleOf(640, 480)), Contains("arbitrary units"));
+}
+
+TEST_CASE("a camera is read in real time") {
+  CHECK_THAT(textOf(pairOf(0.11), CarriedBy::Hand, "/dev/null"),
+             Contains("\npipeline:\n  mode: realtime "));
+  CHECK_THAT(textOf(pairOf(0.11), CarriedBy::Hand, "/"), !Contains("pipeline"));
+}
