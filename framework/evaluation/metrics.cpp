@@ -98,6 +98,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   scores.rpe_metre = relativeErrorOverDistance(pairs);
   scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));
   scores.scale = similarity.value().scale;
+  metrics.path_length_m *= scores.scale;
   scores.coverage = pairs.coverage();
   return metrics;
 }

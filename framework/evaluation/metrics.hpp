@@ -30,7 +30,7 @@ struct Scores {
 };
 
 struct TrajectoryMetrics {
-  double path_length_m = 0;
+  double path_length_m = 0;  ///< of the aligned estimate; without scores in its own units
   std::size_t poses = 0;
   std::size_t matched = 0;
   std::optional<Scores> scores;

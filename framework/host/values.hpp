@@ -26,12 +26,15 @@ inline constexpr const char* kTooLarge =
 inline constexpr const char* kTooFar = "'{}' is farther than a record takes (1e12 m)";
 inline constexpr const char* kNoRotation =
     "the rotation of '{}' is not orthonormal; use normalised()";
+inline constexpr const char* kNoPose =
+    "the last row of '{}' is not 0 0 0 1; the translation is the last column";
 
 template <class T>
 concept MatrixValue = std::is_base_of_v<Eigen::DenseBase<T>, T>;
 
 inline const char* wrongIn(const Eigen::Isometry3d& T) {
   if (!T.matrix().allFinite()) return kIllegal;
+  if (T.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1)) return kNoPose;
   if (!config::isRotation(T.linear())) return kNoRotation;
   return config::isNear(T.translation()) ? nullptr : kTooFar;
 }

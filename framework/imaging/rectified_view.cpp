@@ -17,6 +17,7 @@ constexpr int kLeastSide = 32;  // px of a rectified image
 constexpr double kMostPixels = 100e6;
 constexpr double kLeastShare = 0.25;     // of a raw side that a view shows, unless it is asked for
 constexpr double kLeastBaseline = 1e-3;  // m
+constexpr double kMostBaseline = 5;      // m
 constexpr double kMostTurned = 45;       // deg between the optical axes and the rectified one
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -56,6 +57,12 @@ Result<Turned> turnPair(const RawCamera& left, const RawCamera& right) {
     return Status::invalidInput(
         "both cameras are at one place; give their poses (Kalibr: T_cn_cnm1, EuRoC: T_BS, "
         "OpenCV: R and T), or use one camera");
+  }
+  if (baseline.norm() > kMostBaseline) {
+    return Status::invalidInput(fmt::format(
+        "the cameras are {:.4g} m apart, more than 5 m; poses of cameras are in metres, "
+        "not in mm or cm",
+        baseline.norm()));
   }
   const Eigen::Vector3d x = baseline.normalized();
   if (x.x() < -std::cos(kMostTurned * kDegree)) {

@@ -25,7 +25,11 @@ std::optional<std::string> CheckedOdometry::admit(Frame& frame) {
 /// An odometry that follows something else than the world may be sure of itself.
 Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& impossible) {
   const Status status = odometry_.track(frame, motion);
-  if (!status.isOk()) return status;
+  if (!status.isOk()) {
+    remember(predictedMotion(frame, last_));
+    predicted_.add(last_);
+    return status;
+  }
   answered_.push_back({motion.frame, motion.dt, motion.scale_known});
   impossible.motion = motion_check_.check(motion).value_or("");
   if (!impossible.motion.empty()) {
@@ -35,15 +39,22 @@ Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& im
     motion = std::move(predicted);
   }
   filter(motion.revisions, impossible.revision);
+  predicted_.takeOut(motion);
+  for (MotionRevision& revision : motion.revisions) predicted_.takeOut(revision);
+  remember(motion);
+  return status;
+}
+
+void CheckedOdometry::remember(const Motion& motion) {
   last_ = motion;
   last_.revisions.clear();
   last_.points.resize(Eigen::NoChange, 0);
-  return status;
 }
 
 Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions, Impossible& impossible) {
   const Status status = odometry_.finish(revisions);
   filter(revisions, impossible.revision);
+  for (MotionRevision& revision : revisions) predicted_.takeOut(revision);
   return status;
 }
 

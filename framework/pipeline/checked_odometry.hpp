@@ -11,6 +11,7 @@
 #include "host/stages.hpp"
 #include "imaging/frame_check.hpp"
 #include "pipeline/motion_check.hpp"
+#include "pipeline/predicted_way.hpp"
 
 namespace tolman::pipeline {
 
@@ -44,6 +45,7 @@ class CheckedOdometry {
     double dt = 0;  ///< s
     bool scale_known = true;
   };
+  void remember(const Motion& motion);
   void filter(std::vector<MotionRevision>& revisions, std::string& impossible) const;
   std::optional<std::string> reasonAgainst(const MotionRevision& revision) const;
 
@@ -51,6 +53,7 @@ class CheckedOdometry {
   bool check_images_;
   imaging::FrameCheck frame_check_;
   MotionCheck motion_check_;
+  PredictedWay predicted_;
   Motion last_;
   std::deque<Answered> answered_;    ///< of all frames so far, in order
   std::set<std::int64_t> replaced_;  ///< frames with an impossible motion

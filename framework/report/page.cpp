@@ -129,7 +129,7 @@ std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
   return fmt::format(
       "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td></tr>\n",
-      name, m.path_length_m * scores.scale, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
+      name, m.path_length_m, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
       metres(scores.ate_m.median), metres(scores.ate_m.max), drift(scores.kitti.t_rel_percent),
       drift(scores.kitti.r_rel_deg_per_100m),
       number(m.scores.has_value(), 100 * scores.coverage, 1));

@@ -98,6 +98,7 @@ TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
   const auto scaled = scoreTrajectory(truth, test::moved(truth, Eigen::Isometry3d::Identity(), 0.5),
                                       Alignment::Sim3);
   CHECK(scaled.scores->scale == Approx(2));
+  CHECK(scaled.path_length_m == Approx(pathLength(truth)));
   // Relative errors are measured with the scale applied.
   CHECK(scaled.scores->rpe_frame.translation_m.max < 1e-9);
 }

@@ -43,6 +43,15 @@ TEST_CASE("numbers and positions have a limit") {
         "'T_previous_current' is farther than a record takes (1e12 m)");
 }
 
+TEST_CASE("a pose that was transposed is none") {
+  CHECK(message([](Motion& m) {
+          m.T_previous_current.translation().z() = 1;
+          m.T_previous_current.matrix().transposeInPlace();
+        }) == "the last row of 'T_previous_current' is not 0 0 0 1; the translation is the last "
+              "column");
+  CHECK(message([](Motion& m) { m.T_previous_current(3, 3) = 2; }).starts_with("the last row"));
+}
+
 TEST_CASE("the rotation of a pose is one, up to single precision") {
   const std::string wrong =
       "the rotation of 'T_previous_current' is not orthonormal; use normalised()";
