@@ -11,6 +11,7 @@
 #include "conformance/report_text.hpp"
 #include "conformance/run_check.hpp"
 #include "host/manifest.hpp"
+#include "host/scratch_folder.hpp"
 #include "isolation/remote_plugin.hpp"
 #include "run/checked_system.hpp"
 
@@ -68,6 +69,9 @@ ExitCode exitCode(const ConformanceReport& report) {
 }
 
 void validate(KitOptions options, Invocation& invocation) {
+  if (host::ScratchFolder("tolman-validate").path().empty()) {
+    throw run::Failed({run::FailureKind::Record, host::kNoScratchFolder});
+  }
   const auto print = [&](const conformance::CheckResult& result) {
     const bool fault = result.severity() >= CheckSeverity::Warning;
     if (!invocation.json && (fault || !invocation.quiet)) {

@@ -90,6 +90,9 @@ class ChainBench {
     run::Assembly assembly(run::require(run::checkSystem(system_, scope)), log_, clock_,
                            cancellation_);
     const host::ScratchFolder scratch("tolman-bench");
+    if (scratch.path().empty()) {
+      throw run::Failed({run::FailureKind::Record, host::kNoScratchFolder});
+    }
     assembly.openArtefacts(scratch.path());
     bench_.name = assembly.system().config.general.name;
     bench_.source = assembly.sourceInfo().description;

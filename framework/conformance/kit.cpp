@@ -29,7 +29,7 @@ class CheckProcess {
 
   CheckResult run() {
     const host::ScratchFolder scratch("tolman-validate");
-    if (scratch.path().empty()) throw std::runtime_error("no temporary folder");
+    if (scratch.path().empty()) throw std::runtime_error(host::kNoScratchFolder);
     const auto begin = std::chrono::steady_clock::now();
     const auto command = [&](int descriptor) {
       std::vector<std::string> words = options_.program;

@@ -10,12 +10,17 @@
 
 namespace tolman::host {
 
+inline constexpr const char* kNoScratchFolder =
+    "no temporary folder can be made; set TMPDIR to a folder that exists and can be written";
+
 class ScratchFolder {
  public:
   /// `name` is the prefix of the folder's name.
   explicit ScratchFolder(const std::string& name) {
-    std::string pattern = (std::filesystem::temp_directory_path() / (name + "-XXXXXX")).string();
-    if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+    std::string pattern = (folder / (name + "-XXXXXX")).string();
+    if (!error && ::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -23,7 +28,7 @@ class ScratchFolder {
   }
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
-  /// Empty when it could not be created.
+  /// Empty when it could not be created, see kNoScratchFolder.
   const std::filesystem::path& path() const { return path_; }
 
  private:

@@ -60,7 +60,14 @@ std::vector<Finding> PairSurvey::findings() const {
                          "the camera again",
                          left ? "left" : "right")}};
   }
-  if (rows_.size() < kFewestMatches) return {};
+  if (pairs_ == 0) return {};
+  if (rows_.size() < kFewestMatches) {
+    return {{Severity::Warning, "pairs",
+             fmt::format("only {} corners matched in {} pairs, too few to judge them; if they are "
+                         "not dark or blurred: are left and right image exchanged, taken at other "
+                         "times, or is the calibration of other cameras?",
+                         matches, pairs_)}};
+  }
   const double low = shareOf(rows_, 0.5);
   std::vector<double> apart = rows_;
   for (double& row : apart) row = std::abs(row);

@@ -283,6 +283,9 @@ void Chain::publishTrajectory() {
 }
 
 void Chain::finish() {
+  // An odometry that starts again and finds no motion until the end is lost, whatever it calls it.
+  const bool starting = last_motion_.state == TrackingState::Initialising;
+  if (starting && counters_.tracked() > 0) counters_.lost_at_end = true;
   if (counters_.dropped > 0) {
     listener_.onEvent(
         {-1, LogLevel::Warning, "pipeline",

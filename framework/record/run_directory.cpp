@@ -5,9 +5,12 @@
 #include <fmt/chrono.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <ctime>
 #include <fstream>
+#include <system_error>
 
 #include "record/export.hpp"
 
@@ -81,6 +84,10 @@ Result<RunDirectory> RunDirectory::reopen(const fs::path& path) {
 
 Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string& remedy) {
   FileDescriptor descriptor = lockFolder(path);
+  if (!descriptor.isOpen() && ::access(path.c_str(), R_OK | W_OK | X_OK) != 0) {
+    return Status::failed(path.string() + ": " + std::generic_category().message(errno) +
+                          "; look at its permissions and at the umask");
+  }
   if (!descriptor.isOpen()) {
     return Status::failed(path.string() + ": another run is writing here; " + remedy);
   }

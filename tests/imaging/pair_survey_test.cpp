@@ -78,14 +78,18 @@ TEST_CASE("rows that differ from place to place are a warning") {
   CHECK(found[1].severity == Finding::Severity::Warning);
 }
 
-TEST_CASE("without texture or without a second image nothing is said") {
+TEST_CASE("without a second image nothing is said, without texture that nothing could be") {
   PairSurvey survey;
   Frame frame;
   frame.left = test::gray(320, 200, [](int, int) { return 90; });
   survey.add(frame);
   CHECK(survey.pairs() == 0);
+  CHECK(survey.findings().empty());
   frame.right = frame.left;
   survey.add(frame);
   CHECK(survey.pairs() == 1);
-  CHECK(survey.findings().empty());
+  const std::vector<Finding> found = survey.findings();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].severity == Finding::Severity::Warning);
+  CHECK(found[0].message.starts_with("only 0 corners matched in 1 pairs"));
 }

@@ -2,9 +2,12 @@
 #include "video_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <optional>
+#include <span>
 
 #include "libav_error.hpp"
 
@@ -47,6 +50,13 @@ std::string rounded(double value) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", value);
   return text.data();
+}
+
+/// Whether a picture of a Motion JPEG ends with the marker EOI: FFmpeg makes up what is missing.
+bool hasJpegEnd(const AVPacket& packet) {
+  constexpr std::array<std::uint8_t, 2> kEnd = {0xff, 0xd9};
+  const std::span<const std::uint8_t> bytes(packet.data, static_cast<std::size_t>(packet.size));
+  return !std::ranges::find_end(bytes, kEnd).empty();
 }
 
 }  // namespace
@@ -185,7 +195,8 @@ Status VideoFile::feed() {
                : Status::failed(path_.string() + ": the decoder fails: " + libavError(ended));
   }
   if (packet_->stream_index != stream_->index) return Status::ok();
-  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0;
+  cut_ = (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0 ||
+         (stream_->codecpar->codec_id == AV_CODEC_ID_MJPEG && !hasJpegEnd(*packet_));
   if (cut_) damage_ = "its data are not complete";
   if (packet_->pts != AV_NOPTS_VALUE) end_ = std::max(end_, packet_->pts + packet_->duration);
   const int sent = avcodec_send_packet(decoder_, packet_);

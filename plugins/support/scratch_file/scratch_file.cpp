@@ -28,7 +28,8 @@ int unnamedFile() {
 
 Status failure(int code) {
   const std::string reason = code == 0 ? "it is too short" : std::generic_category().message(code);
-  return Status::failed(reason + "; is the folder for temporary files (TMPDIR) full?");
+  return Status::failed(reason +
+                        "; does the folder for temporary files (TMPDIR) exist, and is it full?");
 }
 
 /// Calls `transfer(done)` until `size` bytes are done; it returns as read() and write() do.

@@ -113,6 +113,26 @@ TEST_CASE("a picture that is damaged in the middle of a sound file") {
   CHECK(skipped.frames.size() >= 28);
 }
 
+TEST_CASE("a picture of a Motion JPEG that has lost its second half") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "video.avi";
+  writeNoise(file, "MJPG");
+  std::string bytes = test::readFile(file);
+  std::size_t chunk = 0;  // of the last picture but ten
+  for (int i = 0; i < 20; ++i) chunk = bytes.find("00dc", chunk + 4);
+  const std::size_t next = bytes.find("00dc", chunk + 4);
+  REQUIRE(next != std::string::npos);
+  const std::size_t half = (chunk + next) / 2;
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(half),
+            bytes.begin() + static_cast<std::ptrdiff_t>(next), '\0');
+  std::ofstream(file, std::ios::binary) << bytes;
+  CHECK_THAT(Played(file).message, Catch::Contains("picture 19 is damaged"));
+  const Played skipped(file, {{"on_corrupt", std::string("skip")}});
+  REQUIRE(skipped.frames.size() == 30);
+  CHECK(skipped.frames[19].left.empty());
+  CHECK_FALSE(skipped.frames[20].left.empty());
+}
+
 TEST_CASE("raw streams say no times, and none are invented") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "video.m2v";
