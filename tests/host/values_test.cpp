@@ -47,8 +47,9 @@ TEST_CASE("a pose that was transposed is none") {
   CHECK(message([](Motion& m) {
           m.T_previous_current.translation().z() = 1;
           m.T_previous_current.matrix().transposeInPlace();
-        }) == "the last row of 'T_previous_current' is not 0 0 0 1; the translation is the last "
-              "column");
+        }) ==
+        "the last row of 'T_previous_current' is not 0 0 0 1; the translation is the last "
+        "column");
   CHECK(message([](Motion& m) { m.T_previous_current(3, 3) = 2; }).starts_with("the last row"));
 }
 
