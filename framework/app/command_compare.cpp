@@ -92,12 +92,12 @@ void addPivotOptions(CLI::App& command, CompareCommand& options) {
   command
       .add_option("--cell", options.pivot.cell,
                   "Text of the cells with metrics in braces: '{map.ate.rmse_m:.2f}'")
-      ->type_name("TEXT");
+      ->type_name("FORMAT");
   command
       .add_option(
           "--head", options.heads,
           "A row before the others, with another cell, of the runs of the first (repeatable)")
-      ->type_name("LABEL=TEXT")
+      ->type_name("LABEL=FORMAT")
       ->allow_extra_args(false);
 }
 
