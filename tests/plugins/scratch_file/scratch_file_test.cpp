@@ -52,12 +52,13 @@ TEST_CASE("reading behind the end of a scratch file, or before it exists, is an 
   CHECK_FALSE(file.read(0, read).isOk());
   REQUIRE(file.write(0, pattern(10, 1)).isOk());
   CHECK(file.read(0, read).message() ==
-        "it is too short; is the folder for temporary files (TMPDIR) full?");
+        "it is too short; does the folder for temporary files (TMPDIR) exist, and is it full?");
 }
 
 TEST_CASE("a folder for temporary files that does not exist is told") {
   const tolman::test::Environment set("TMPDIR", "/nowhere/at/all");
   ScratchFile file;
   CHECK(file.write(0, pattern(10, 1)).message() ==
-        "No such file or directory; is the folder for temporary files (TMPDIR) full?");
+        "No such file or directory; does the folder for temporary files (TMPDIR) exist, and is it "
+        "full?");
 }

@@ -58,7 +58,8 @@ Status loadBytes(LandmarkStore& store, const std::string& bytes, std::int64_t vi
 }
 
 constexpr const char* kRemedy =
-    "; is the folder for temporary files (TMPDIR) full? Set landmarks to 0 to do without";
+    "; does the folder for temporary files (TMPDIR) exist, and is it full? Set landmarks to 0 to "
+    "do without";
 
 }  // namespace
 

@@ -232,8 +232,8 @@ TEST_CASE("numbers at the end of a state that cannot be are refused") {
 TEST_CASE("a missing folder for temporary files is an error of its own, not damage") {
   const tolman::test::TemporaryFolder folder;
   const std::string wanted =
-      "landmarks cannot be stored: No such file or directory; is the folder for temporary files "
-      "(TMPDIR) full? Set landmarks to 0 to do without";
+      "landmarks cannot be stored: No such file or directory; does the folder for temporary files "
+      "(TMPDIR) exist, and is it full? Set landmarks to 0 to do without";
   const std::string state = streetState();
   const tolman::test::Environment set("TMPDIR", folder.path() / "absent");
   Tour loading(withLandmarks(), rig());
