@@ -259,10 +259,12 @@ void Chain::countGraph(const MapGraph& graph) {
 }
 
 void Chain::publish(const FrameRecords& records) {
-  if (!records.answered) return;
+  // Frames behind one that the listener refused may be in the flow already: a record has no gaps.
+  if (!records.answered || listener_failed_) return;
   Status status = listener_.onFrame(records.snapshot());
   if (status.isOk() && records.checkpoint) status = listener_.onCheckpoint(*records.checkpoint);
-  if (!status.isOk()) fail(Role::Observer, status);
+  listener_failed_ = !status.isOk();
+  if (listener_failed_) fail(Role::Observer, status);
 }
 
 /// When the map rejects a loop, frames attached through it move; so final poses are read from the

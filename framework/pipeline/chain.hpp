@@ -131,6 +131,7 @@ class Chain {
   MapUpdate last_map_;
   bool graph_has_changed_ = true;      // since it was last published
   std::int64_t next_graph_frame_ = 0;  // not published before
+  bool listener_failed_ = false;       // at a frame; publish() alone uses it
   std::size_t admitted_ = 0;
   std::atomic<int> place_backlog_ = 0;
 };
