@@ -34,13 +34,26 @@ void decodeAll(pipeline::RectifiedSource& source, Findings& findings) {
   SourceInfo info;
   Status status = source.info(info);
   std::int64_t frames = 0;
+  std::int64_t defects = 0;
+  std::string first_defect;
   while (status.isOk()) {
     Frame frame;
     status = source.next(frame);
-    if (status.isOk()) ++frames;
+    if (!status.isOk()) break;
+    if (!frame.defect.empty() && defects++ == 0) {
+      first_defect = fmt::format("frame {}: {}", frame.frame, frame.defect);
+    }
+    ++frames;
+  }
+  if (defects > 0) {
+    findings.push_back({Finding::Severity::Warning, "",
+                        fmt::format("{} of {} frames have no sound image, which a run passes by; "
+                                    "the first is {}",
+                                    defects, frames, first_defect)});
   }
   if (status.code() == StatusCode::EndOfStream) {
-    findings.push_back({Finding::Severity::Note, "", fmt::format("{} frames decode", frames)});
+    findings.push_back(
+        {Finding::Severity::Note, "", fmt::format("{} frames decode", frames - defects)});
   } else {
     findings.push_back({Finding::Severity::Error, "", status.message()});
   }

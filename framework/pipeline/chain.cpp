@@ -158,6 +158,8 @@ bool Chain::map(FrameRecords& records) {
     records.map.stamp_ns = records.frame.stamp_ns;
     records.map.T_experience_camera = last_map_.T_experience_camera * step;
     records.map.T_world_camera = last_map_.T_world_camera * step;
+  } else {
+    ++mapped_;
   }
   publishGraph(records);
   last_map_ = records.map;
@@ -238,6 +240,9 @@ void Chain::count(const FrameRecords& records) {
   const bool lost = records.motion.state == TrackingState::Lost;
   if (lost) ++counters_.lost;
   if (records.motion.state == TrackingState::Initialising) ++counters_.initialising;
+  const bool tracking = records.motion.state == TrackingState::Tracking;
+  const auto& motion = records.motion.T_previous_current.matrix();
+  if (tracking && motion == Eigen::Matrix4d::Identity()) ++counters_.unmoved;
   if (lost != counters_.lost_at_end) {
     listener_.onEvent({records.frame.frame, lost ? LogLevel::Warning : LogLevel::Info, "odometry",
                        lost ? "tracking lost; motion is predicted" : "tracking recovered"});
@@ -259,27 +264,32 @@ void Chain::countGraph(const MapGraph& graph) {
 }
 
 void Chain::publish(const FrameRecords& records) {
-  // Frames behind one that the listener refused may be in the flow already: a record has no gaps.
-  if (!records.answered || listener_failed_) return;
+  // Also after a failure of the listener: the map has seen the frames that were in the flow, and
+  // its graph and trajectory name them.
+  if (!records.answered) return;
   Status status = listener_.onFrame(records.snapshot());
   if (status.isOk() && records.checkpoint) status = listener_.onCheckpoint(*records.checkpoint);
-  listener_failed_ = !status.isOk();
-  if (listener_failed_) fail(Role::Observer, status);
+  if (!status.isOk()) fail(Role::Observer, status);
+}
+
+Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
+  for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
+    FramePose pose{frame, Eigen::Isometry3d::Identity()};
+    const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
+    if (status.isOk()) poses.push_back(pose);
+    const bool is_unseen = status.code() == StatusCode::InvalidParameter;  // dropped, for example
+    if (!status.isOk() && !(is_unseen && frame < last_map_.frame)) return status;
+  }
+  if (poses.size() >= mapped_) return Status::ok();
+  return Status::failed("poseOf() knows no pose of " + std::to_string(mapped_ - poses.size()) +
+                        " frames that update() took; the trajectories lack them");
 }
 
 /// When the map rejects a loop, frames attached through it move; so final poses are read from the
 /// map.
 void Chain::publishTrajectory() {
   std::vector<FramePose> poses;
-  for (std::int64_t frame = 0; frame <= last_map_.frame; ++frame) {
-    FramePose pose{frame, Eigen::Isometry3d::Identity()};
-    const Status status = stages_.map.poseOf(frame, pose.T_world_camera);
-    if (status.isOk()) poses.push_back(pose);
-    const bool is_unseen = status.code() == StatusCode::InvalidParameter;  // dropped, for example
-    if (status.isOk() || (is_unseen && frame < last_map_.frame)) continue;
-    (void)resolve(status, policies_.map, -1, Role::Map);
-    break;
-  }
+  (void)resolve(readTrajectory(poses), policies_.map, -1, Role::Map);
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);
 }

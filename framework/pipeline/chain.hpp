@@ -102,6 +102,7 @@ class Chain {
   void publishGraph(FrameRecords& records);
   void count(const FrameRecords& records);
   void countGraph(const MapGraph& graph);
+  Status readTrajectory(std::vector<FramePose>& poses) const;
   void publishTrajectory();
   /// Calls `work`, watched and with its time added to `times`.
   template <class Work>
@@ -131,7 +132,7 @@ class Chain {
   MapUpdate last_map_;
   bool graph_has_changed_ = true;      // since it was last published
   std::int64_t next_graph_frame_ = 0;  // not published before
-  bool listener_failed_ = false;       // at a frame; publish() alone uses it
+  std::size_t mapped_ = 0;             // frames that the map took
   std::size_t admitted_ = 0;
   std::atomic<int> place_backlog_ = 0;
 };

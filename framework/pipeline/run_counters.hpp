@@ -18,6 +18,11 @@ inline constexpr std::string_view kNeverBelieved =
     "no motion in the whole run: the limits of `checks` took them for impossible, see log.txt; "
     "correct checks, or the times or the rate of the source";
 
+inline constexpr std::string_view kStoodStill =
+    "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
+    "moved, "
+    "see `tolman dataset check`, and `tolman validate` for the plugin";
+
 /// Health of a run, to be read before any error figure.
 struct RunCounters {
   std::int64_t frames = 0;          ///< processed
@@ -27,6 +32,7 @@ struct RunCounters {
   std::int64_t defects = 0;         ///< frames without a sound image
   std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
   std::int64_t lost = 0;            ///< frames with odometry lost
+  std::int64_t unmoved = 0;         ///< tracked frames whose motion is exactly zero
   std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
   std::int64_t templates = 0;       ///< with those of earlier sessions
   std::int64_t experiences = 0;     ///< of the newest published graph, at the end the final one
@@ -45,6 +51,7 @@ struct RunCounters {
     visit("defects", self.defects);
     visit("initialising", self.initialising);
     visit("lost", self.lost);
+    visit("unmoved", self.unmoved);
     visit("place_left_out", self.place_left_out);
     visit("templates", self.templates);
     visit("experiences", self.experiences);
@@ -56,11 +63,12 @@ struct RunCounters {
 
   std::int64_t tracked() const { return frames - initialising - lost; }
   /// Whether no motion was found in the whole run.
-  bool neverTracked() const { return frames > 0 && tracked() == 0; }
+  bool neverTracked() const { return frames > 0 && tracked() == unmoved; }
   /// What to say of a run that never tracked: one frame shows no motion, however good it is.
   std::string_view neverTrackedText() const {
     if (frames == 1) return kOneFrame;
-    return 2 * impossible > frames ? kNeverBelieved : kNeverTracked;
+    if (2 * impossible > frames) return kNeverBelieved;
+    return unmoved > 0 ? kStoodStill : kNeverTracked;
   }
 };
 

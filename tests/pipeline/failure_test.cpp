@@ -106,5 +106,26 @@ TEST_CASE("a listener that fails (a full disk) stops the run with its own status
   REQUIRE(result.failure);
   CHECK(result.failure->role == Role::Observer);
   CHECK(result.failure->status.message() == "broken");
-  CHECK(system.diary.entries.size() == 5);
+  // Those that the map took meanwhile are told of, without a gap; new ones are not begun.
+  const std::size_t count = system.diary.entries.size();
+  CHECK(count >= 5);
+  CHECK(count < 15);
+  CHECK(system.diary.entries.back().frame == static_cast<std::int64_t>(count) - 1);
+}
+
+TEST_CASE("a map that does not know frames it took fails the run, or is told of") {
+  Hooks hooks;
+  hooks.pose_of = [](std::int64_t frame) {
+    return frame == 3 || frame == 4 ? Status::invalidParameter("not seen") : Status::ok();
+  };
+  ToySystem stopping(hooks);
+  const auto stopped = stopping.drive({}, 2);
+  REQUIRE(stopped.failure);
+  CHECK(stopped.failure->role == Role::Map);
+  CHECK(stopped.failure->status.message() ==
+        "poseOf() knows no pose of 2 frames that update() took; the trajectories lack them");
+  ToySystem skipping(hooks);
+  const auto policy = FailurePolicy::Skip;
+  CHECK_FALSE(skipping.drive({}, 2, {policy, policy, policy, policy}).failure);
+  CHECK(skipping.diary.events.back().message.find("no pose of 2 frames") != std::string::npos);
 }

@@ -32,6 +32,15 @@ TEST_CASE("a run with one motion has tracked, one without has not") {
   CHECK(counters(10, 10, 0).neverTracked());
 }
 
+TEST_CASE("motions that are all exactly zero are no motion, one that is not is one") {
+  RunCounters n = counters(10, 1, 2);
+  n.unmoved = 7;
+  CHECK(n.neverTracked());
+  CHECK(says(n, "exactly zero at each frame"));
+  n.unmoved = 6;
+  CHECK_FALSE(n.neverTracked());
+}
+
 TEST_CASE("the cause is named: one frame, limits of checks, or images") {
   CHECK(says(counters(1, 1, 0), "it has one frame"));
   CHECK(says(counters(10, 10, 0), "are the images rectified"));

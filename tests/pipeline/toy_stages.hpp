@@ -17,7 +17,7 @@ namespace tolman::test {
 /// What a test may change in the toys: called inside the stage, with the frame.
 struct Hooks {
   std::int64_t frames = 30;
-  std::function<Status(std::int64_t)> source, odometry, place, cells, map;
+  std::function<Status(std::int64_t)> source, odometry, place, cells, map, pose_of;
   bool place_needs_motion = false;
   std::function<void()> map_finish;
   bool keeps_state = false;        ///< place, cells and map are StateKeepers
@@ -60,6 +60,7 @@ struct ToyOdometry : Odometry {
     last_ns = frame.stamp_ns;
     state = 0.9 * state + static_cast<double>(frame.frame);
     motion.v = state;
+    if (frame.frame > 0) motion.T_previous_current.translation().z() = 1e-3;
     return Hooks::call(hooks.odometry, frame.frame);
   }
   Status finish(std::vector<MotionRevision>& revisions) override {
@@ -167,7 +168,9 @@ struct ToyMap : Map, ToyState<double> {
     update.experiences = experiences;
     return Hooks::call(hooks.map, motion.frame);
   }
-  Status poseOf(std::int64_t, Eigen::Isometry3d&) const override { return Status::ok(); }
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d&) const override {
+    return Hooks::call(hooks.pose_of, frame);
+  }
   Status graph(MapGraph& graph) const override {
     for (std::int64_t id = 0; id < experiences; ++id) graph.experiences.push_back({id, id});
     return Status::ok();

@@ -40,7 +40,7 @@ MotionReplay::Disturbance MotionReplay::draw(double distance) {
 
 /// The recorded motion; without noise and bias not a bit of it changes.
 Status MotionReplay::replay(const Frame& frame, Motion& motion) {
-  Status status = reader_.read(frame.frame, motion);
+  Status status = reader_.read(frame, motion);
   if (!status.isOk()) return status;
   const Parameters& p = parameters_;
   if (p.noise_distance == 0 && p.noise_heading == 0 && p.bias_distance == 0 &&

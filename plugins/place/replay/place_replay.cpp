@@ -153,7 +153,7 @@ bool PlaceReplay::reportFalseMatch(const Frame& frame, PlaceObservation& observa
 
 Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
                             PlaceObservation& observation) {
-  if (!parameters_.record.empty()) return reader_.read(frame.frame, observation);
+  if (!parameters_.record.empty()) return reader_.read(frame, observation);
   observation.frame = frame.frame;
   observation.stamp_ns = frame.stamp_ns;
   removeViewsOfOtherDrive(frame);

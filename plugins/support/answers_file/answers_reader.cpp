@@ -114,13 +114,30 @@ Status AnswersReader::read(std::int64_t frame, Frame& answer) {
   return decoder.complete() ? Status::ok() : damaged("is damaged");
 }
 
+/// Answers of another drive would be taken for this one's: frame numbers and times are often equal.
+Status AnswersReader::compare(std::string_view recorded, const Frame& frame) const {
+  AnswersDecoder decoder(recorded);
+  const auto then = decoder.next<Frame>();
+  if (!decoder.complete()) return damaged("is damaged");
+  const bool has_truth = then.has_truth && frame.has_truth;
+  if (then.stamp_ns == frame.stamp_ns && then.source_index == frame.source_index &&
+      (!has_truth || then.T_world_camera_truth.matrix() == frame.T_world_camera_truth.matrix())) {
+    return Status::ok();
+  }
+  return damaged("frame " + std::to_string(frame.frame) +
+                 " has another time, place in the data set or true pose than in this run; take " +
+                 "source, odometry and place of one record");
+}
+
 /// Those that were left out are read as well: one of them may have brought the points.
-Status AnswersReader::read(std::int64_t frame, Motion& answer) {
-  for (bool same = false; next_motion_ <= frame; ++next_motion_) {
+Status AnswersReader::read(const Frame& frame, Motion& answer) {
+  for (bool same = false; next_motion_ <= frame.frame; ++next_motion_) {
     Status status = readFrame(next_motion_);
     if (!status.isOk()) return status;
     AnswersDecoder texts(payload_);
-    (void)texts.text();
+    const std::string_view recorded = texts.text();
+    if (next_motion_ == frame.frame) status = compare(recorded, frame);
+    if (!status.isOk()) return status;
     AnswersDecoder decoder(texts.text());
     decoder.get(same);
     answer = decoder.next<Motion>();
@@ -128,14 +145,15 @@ Status AnswersReader::read(std::int64_t frame, Motion& answer) {
     if (answer.points.cols() > 0) points_ = answer.points;
     if (same) answer.points = points_;
   }
-  return answer.frame == frame ? Status::ok() : damaged("frames were asked for out of order");
+  return answer.frame == frame.frame ? Status::ok() : damaged("frames were asked for out of order");
 }
 
-Status AnswersReader::read(std::int64_t frame, PlaceObservation& answer) {
-  Status status = readFrame(frame);
+Status AnswersReader::read(const Frame& frame, PlaceObservation& answer) {
+  Status status = readFrame(frame.frame);
   if (!status.isOk()) return status;
   AnswersDecoder texts(payload_);
-  (void)texts.text();
+  status = compare(texts.text(), frame);
+  if (!status.isOk()) return status;
   (void)texts.text();
   AnswersDecoder decoder(texts.text());
   decoder.get(answer);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tolman/roles.hpp"
@@ -23,10 +24,11 @@ class AnswersReader {
   const std::vector<ArrayInfo>& sensors() const { return sensors_; }
   std::int64_t frames() const { return static_cast<std::int64_t>(blocks_.size()); }
 
-  // Frames must be asked for in ascending order, and can be left out.
+  // Frames must be asked for in ascending order, and can be left out. Motion and place are those of
+  // the given frame only if it is the one that the run had.
   Status read(std::int64_t frame, Frame& answer);
-  Status read(std::int64_t frame, Motion& answer);
-  Status read(std::int64_t frame, PlaceObservation& answer);
+  Status read(const Frame& frame, Motion& answer);
+  Status read(const Frame& frame, PlaceObservation& answer);
   /// Those after the last frame.
   Status read(std::vector<MotionRevision>& revisions);
 
@@ -40,6 +42,7 @@ class AnswersReader {
   Status readStart(const Block& block);
   Status readFrame(std::int64_t frame);
   Status readPayload(const Block& block);
+  Status compare(std::string_view recorded, const Frame& frame) const;
   Status damaged(const std::string& what) const;
 
   std::string file_;

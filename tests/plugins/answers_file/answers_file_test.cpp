@@ -91,8 +91,8 @@ TEST_CASE("all answers come back bit for bit, in order or with gaps") {
     Motion motion;
     PlaceObservation place;
     REQUIRE(reader.read(i, frame).isOk());
-    REQUIRE(reader.read(i, motion).isOk());
-    REQUIRE(reader.read(i, place).isOk());
+    REQUIRE(reader.read(frame, motion).isOk());
+    REQUIRE(reader.read(frame, place).isOk());
     CHECK(frame.T_world_camera_truth.matrix() == a.frame.T_world_camera_truth.matrix());
     CHECK(frame.stamp_ns == a.frame.stamp_ns);
     CHECK(frame.defect == a.frame.defect);
@@ -106,7 +106,39 @@ TEST_CASE("all answers come back bit for bit, in order or with gaps") {
   REQUIRE(reader.read(revisions).isOk());
   CHECK(revisions.size() == 1);
   Motion beyond;
-  CHECK(reader.read(7, beyond).code() == StatusCode::InvalidInput);
+  Frame after;
+  after.frame = 7;
+  CHECK(reader.read(after, beyond).code() == StatusCode::InvalidInput);
+}
+
+TEST_CASE("answers to other frames are refused, even where numbers and times are equal") {
+  const TemporaryFolder folder;
+  std::vector<Answers> all = randomAnswers(2);
+  for (Answers& answers : all) answers.frame.has_truth = true;
+  write(folder.path(), all, true);
+  AnswersReader reader;
+  REQUIRE(reader.open(folder.path().string()).isOk());
+  const auto refused = [&](Frame frame) {
+    Motion motion;
+    PlaceObservation place;
+    reader.rewind();
+    const Status status = reader.read(frame, motion);
+    CHECK(reader.read(frame, place).message() == status.message());
+    return status.message().find("take source, odometry and place of one record") !=
+           std::string::npos;
+  };
+  Frame frame = all[1].frame;
+  CHECK_FALSE(refused(frame));
+  Frame elsewhere = frame;
+  elsewhere.T_world_camera_truth.translation().x() += 1e-9;
+  CHECK(refused(elsewhere));
+  elsewhere.has_truth = false;  // a source without truth may be the same drive
+  CHECK_FALSE(refused(elsewhere));
+  ++frame.stamp_ns;
+  CHECK(refused(frame));
+  frame = all[1].frame;
+  ++frame.source_index;
+  CHECK(refused(frame));
 }
 
 TEST_CASE("a file without an end is no replay; reopened at a frame it is the same as before") {
@@ -150,7 +182,9 @@ TEST_CASE("no damaged byte is taken for an answer") {
     Status status = reader.open(broken.string());
     for (std::int64_t i = 0; i < 2 && status.isOk(); ++i) {
       Motion motion;
-      status = reader.read(i, motion);
+      Frame frame;
+      status = reader.read(i, frame);
+      if (status.isOk()) status = reader.read(frame, motion);
     }
     std::vector<MotionRevision> revisions;
     if (status.isOk()) status = reader.read(revisions);
