@@ -8,6 +8,7 @@
 #include "bump_network.hpp"
 #include "experience_log.hpp"
 #include "level_step.hpp"
+#include "upright.hpp"
 #include "waiting_loops.hpp"
 
 namespace tolman::bayesian_attractor {
@@ -27,8 +28,7 @@ struct AttractorState {
   WaitingLoops waiting;
   /// By template; one link a storey, those learned later after the others.
   std::map<std::int64_t, std::vector<ViewLink>> links = {};
-  /// Unit vector in the axes of the camera now, by odometry alone.
-  Eigen::Vector3d up = kLevelUp;
+  Upright upright = {};
   bool initialising = true;  ///< odometry had no motion yet
 };
 

@@ -85,8 +85,9 @@ void BayesianAttractor::integrate(const Motion& motion) {
     state_->log.startPart();
   }
   state_->initialising = initialising;
-  const LevelStep moved = levelled(motion.T_previous_current, motion.covariance, state_->up);
-  state_->up = moved.up;
+  const Eigen::Vector3d up_before = state_->upright.up();
+  state_->upright.add(motion.T_previous_current);
+  const LevelStep moved = levelled(motion.T_previous_current, motion.covariance, up_before);
   state_->network.integrate(moved.plane, moved.covariance, moved.climb);
   state_->waiting.keep(state_->network.state().calibration);
   state_->log.advance(motion.T_previous_current);
@@ -112,7 +113,7 @@ BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& 
 /// From the template to the camera, which knows where up is.
 LevelStep BayesianAttractor::offsetOf(const SeenPose& seen) const {
   return levelled(seen.T_template_current, seen.covariance,
-                  seen.T_template_current.linear() * state_->up);
+                  seen.T_template_current.linear() * state_->upright.up());
 }
 
 /// The link on the storey that the robot is most likely on; null where it is on none of them.
@@ -175,7 +176,7 @@ void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& 
 void BayesianAttractor::learn(std::int64_t template_id,
                               const Eigen::Isometry3d& T_template_current) {
   const Eigen::Isometry3d T_current_template = T_template_current.inverse();
-  const LevelStep back = levelled(T_current_template, Matrix6d::Zero(), state_->up);
+  const LevelStep back = levelled(T_current_template, Matrix6d::Zero(), state_->upright.up());
   const BumpNetwork& network = state_->network;
   LearnedPattern learned = network.present();
   learned.pattern = network.code().displaced(learned.pattern, back.plane, back.climb.metres);

@@ -11,7 +11,7 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 constexpr std::string_view kMagic = "TLMBAYES";
-constexpr std::uint64_t kStateVersion = 6;
+constexpr std::uint64_t kStateVersion = 7;
 
 /// Writes what it is called with.
 class Saver {
@@ -161,7 +161,14 @@ bool isPattern(const FiringPattern& pattern) {
   return pattern.heading >= 0 && pattern.heading <= kTurn;
 }
 
-bool isUp(const Eigen::Vector3d& up) { return std::abs(up.norm() - 1) < 1e-6; }
+bool isRotation(const Eigen::Matrix3d& R) {
+  return (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-6 && R.determinant() > 0;
+}
+
+bool isSoundUpright(const Upright& upright) {
+  return upright.path >= 0 && isCovariance(upright.turns) && isRotation(upright.R_first_camera) &&
+         isRotation(upright.R_turn_camera);
+}
 
 bool isBump(const Bump& bump) {
   return isPattern(bump.centre) && isCovariance(bump.covariance) && bump.height_variance >= 0;
@@ -177,7 +184,7 @@ bool hasSoundValues(const AttractorState& state) {
   const NetworkState& network = state.network.state();
   const ExperienceLog::State log = state.log.state();
   return isBump(network.integrator) && isBump(network.anchor) && isPose(log.T_experience_current) &&
-         isPose(log.T_made_current) && isUp(state.up) &&
+         isPose(log.T_made_current) && isSoundUpright(state.upright) &&
          std::ranges::all_of(network.calibration, isBump, &CalibrationBump::bump) &&
          std::ranges::all_of(
              state.waiting.list(),
@@ -224,6 +231,15 @@ void loadLinks(Loader& loader, AttractorState& state, const Bump& fresh) {
   }
 }
 
+template <class Archive, class State>
+void upright(Archive& archive, State& state) {
+  numbers(archive, state.forward);
+  archive(state.path);
+  for (auto* matrix : {&state.turns, &state.R_first_camera, &state.R_turn_camera}) {
+    numbers(archive, *matrix);
+  }
+}
+
 /// 0: without vertical modules.
 double heightPeriod(const AttractorState& state) {
   const HeightCode& height = state.network.code().height();
@@ -242,7 +258,7 @@ Status saveState(const AttractorState& state, std::ostream& stream) {
   const ExperienceLog::State log = state.log.state();
   experiences(saver, log);
   waitingLoops(saver, state.waiting.list());
-  numbers(saver, state.up);
+  upright(saver, state.upright);
   saver(state.initialising);
   return saver.writer.write(stream, kMagic, kStateVersion);
 }
@@ -268,7 +284,7 @@ Status loadState(std::istream& stream, AttractorState& state) {
   std::vector<WaitingLoop> waiting;
   waitingLoops(loader, waiting);
   state.waiting.restore(std::move(waiting));
-  numbers(loader, state.up);
+  upright(loader, state.upright);
   loader(state.initialising);
   if (!loader.reader.complete()) {
     return Status::invalidInput("the saved state is damaged: wrong length");

@@ -29,7 +29,7 @@ std::string payload() {
 }
 
 Status load(BayesianAttractor& plugin, const std::string& payload) {
-  return tolman::test::loadPayload(plugin, "TLMBAYES", 6, payload);
+  return tolman::test::loadPayload(plugin, "TLMBAYES", 7, payload);
 }
 
 /// Goes on for a lap; what it answers is checked as the host checks it.

@@ -112,8 +112,9 @@ PlaceObservation look(const Stop& stop, std::map<int, Eigen::Isometry3d>& templa
   return seen;
 }
 
+/// `mount`: rotation of the camera on the vehicle.
 Outcome decide(const std::vector<Stop>& stops, const ParameterValues& parameters,
-               std::uint64_t seed) {
+               std::uint64_t seed, const Eigen::Isometry3d& mount = Eigen::Isometry3d::Identity()) {
   BayesianAttractor plugin;
   REQUIRE(configure(plugin, parameters).isOk());
   RandomStream random(seed);
@@ -121,16 +122,19 @@ Outcome decide(const std::vector<Stop>& stops, const ParameterValues& parameters
   Judge judge(stops);
   for (std::size_t k = 0; k < stops.size(); ++k) {
     Motion motion = motionOf({}, static_cast<std::int64_t>(k));
-    motion.T_previous_current =
-        poseAt(stops[k > 0 ? k - 1 : 0]).inverse() * poseAt(stops[k]) * noise(random, 0.01, 3e-4);
+    motion.T_previous_current = mount.inverse() * poseAt(stops[k > 0 ? k - 1 : 0]).inverse() *
+                                poseAt(stops[k]) * mount * noise(random, 0.01, 3e-4);
     motion.covariance.diagonal() << 1e-4, 1e-4, 1e-4, 9e-8, 9e-8, 9e-8;
-    const Decision decision = step(plugin, motion, look(stops[k], templates, random));
+    PlaceObservation seen = look(stops[k], templates, random);
+    seen.T_template_current = mount.inverse() * seen.T_template_current * mount;
+    const Decision decision = step(plugin, motion, seen);
     if (decision.action == Action::CreateExperience) judge.made(k);
     for (const EarlierLoop& loop : decision.earlier) {
-      judge.closed(loop.frame, loop.experience, loop.T_experience_camera);
+      judge.closed(loop.frame, loop.experience, mount * loop.T_experience_camera * mount.inverse());
     }
     if (decision.action == Action::CloseLoop) {
-      judge.closed(decision.frame, decision.experience, decision.T_experience_current);
+      judge.closed(decision.frame, decision.experience,
+                   mount * decision.T_experience_current * mount.inverse());
     }
   }
   return judge.outcome;
@@ -142,9 +146,12 @@ const ParameterValues kSpace = {{"height_period", 20.0}};
 
 TEST_CASE("five storeys that look alike, up and down twice: no loop between them, each closed") {
   const std::vector<Stop> stops = drive(2, kStorey);
+  const double tilt = GENERATE(0.0, 40.0) * std::numbers::pi / 180;  // down and to the side
+  Vector6d mounted = Vector6d::Zero();
+  mounted.tail<3>() = Eigen::Vector3d(-tilt, 0, tilt / 4);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const Outcome outcome = decide(stops, kSpace, seed);
-    CAPTURE(seed, outcome.right, outcome.wrong);
+    const Outcome outcome = decide(stops, kSpace, seed, expSe3(mounted));
+    CAPTURE(tilt, seed, outcome.right, outcome.wrong);
     CHECK(outcome.wrong == 0);
     for (int round = kStoreys; round < static_cast<int>(stops.size()) / kSteps; ++round) {
       CAPTURE(round);
