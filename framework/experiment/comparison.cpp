@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -95,6 +96,9 @@ class Comparer {
       if (Status status = known(wanted, comparison_.by.emplace_back()); !status.isOk())
         return status;
     }
+    const auto varied = std::ranges::count_if(names, std::not_fn(isRepeated));
+    const bool is_alone = std::ranges::all_of(rows_, &RunRow::is_alone);
+    if (is_alone && varied > 1) return Status::ok();  // each run is a level: no factor tells them
     for (const std::string& name : names) {
       if (comparison_.by.empty() && !isRepeated(name)) comparison_.by.push_back(name);
     }
@@ -213,6 +217,7 @@ class Comparer {
   /// What a run of another level must have in common with it, beside the sequence.
   std::string restOf(const RunRow& row) const {
     std::string rest;
+    if (comparison_.by.empty()) return rest;
     for (const Factor& factor : row.factors) {
       const bool is_by = std::ranges::find(comparison_.by, factor.name) != comparison_.by.end();
       if (!is_by && factor.name != "sequence") rest += factor.name + "=" + factor.label + "\n";

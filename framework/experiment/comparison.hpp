@@ -15,7 +15,9 @@ namespace tolman::experiment {
 
 struct ComparisonOptions {
   std::string metric = "map.ate.rmse_m";  ///< a key of metrics.json, or its last parts
-  std::vector<std::string> by;            ///< factors; empty: the first that is not repeated
+  /// Factors; empty: the first that is not repeated, or each run for itself where those outside a
+  /// sweep differ in more than one.
+  std::vector<std::string> by;
   std::vector<std::pair<std::string, std::string>> only;  ///< factor and label
   std::string baseline;                                   ///< level; empty: the first
   bool mixed_coverage = false;                            ///< average runs whose coverage differs

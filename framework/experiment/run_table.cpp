@@ -10,12 +10,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "config/differences.hpp"
 #include "config/loader.hpp"
 #include "config/scalars.hpp"
 #include "experiment/point_folder.hpp"
 #include "experiment/text_table.hpp"
 #include "record/digest.hpp"
 #include "record/run_directory.hpp"
+#include "run/run_names.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -40,7 +42,6 @@ bool isTime(const std::string& metric) {
 Result<RunRow> readRun(const fs::path& directory) {
   RunRow row;
   row.directory = directory;
-  row.name = fs::absolute(directory).lexically_normal().filename().string();
   std::ifstream stream(directory / "metrics.json", std::ios::binary);
   const Json metrics = Json::parse(stream, nullptr, false);
   if (!metrics.is_object()) {
@@ -61,32 +62,21 @@ Result<RunRow> readRun(const fs::path& directory) {
   return row;
 }
 
-void leaves(const config::Node& node, const std::string& path,
-            std::map<std::string, std::string>& values) {
-  if (node.isScalar()) values[path] = node.text;
-  for (const config::Node& child : node.children) {
-    leaves(child, config::joinPath(path, child.key), values);
-  }
-}
-
 /// Keys of the configurations that are not the same in all runs become factors.
 void addConfigFactors(std::vector<RunRow*>& rows) {
-  std::vector<std::map<std::string, std::string>> configs;
-  std::map<std::string, std::set<std::string>> values;
+  std::vector<config::Node> trees;
   for (const RunRow* row : rows) {
-    const auto loaded = config::load(row->directory / "config.resolved.yaml", {},
-                                     [](const std::string&) { return std::nullopt; });
-    leaves(loaded.tree, "", configs.emplace_back());
-    for (const auto& [key, value] : configs.back()) values[key].insert(value);
+    trees.push_back(
+        config::load(row->directory / "config.resolved.yaml", {}, [](const std::string&) {
+          return std::nullopt;
+        }).tree);
   }
-  for (const auto& [key, different] : values) {
-    const bool everywhere = std::ranges::all_of(
-        configs, [&, &key = key](const auto& config) { return config.contains(key); });
-    if (different.size() < 2 && everywhere) continue;
-    if (key == "threads" || key == "name") continue;
+  std::vector<const config::Node*> pointers;
+  for (const config::Node& tree : trees) pointers.push_back(&tree);
+  for (const config::Difference& difference : config::differencesOf(pointers)) {
+    if (difference.key == "threads" || difference.key == "name") continue;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      const auto own = configs[i].find(key);
-      rows[i]->factors.push_back({key, own == configs[i].end() ? "-" : own->second});
+      rows[i]->factors.push_back({difference.key, difference.values[i]});
     }
   }
 }
@@ -164,7 +154,16 @@ Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
     std::ranges::move(own.value(), std::back_inserter(rows));
   }
   std::vector<RunRow*> others;
-  for (const std::size_t i : alone) others.push_back(&rows[i]);
+  std::vector<fs::path> paths;
+  for (const std::size_t i : alone) {
+    others.push_back(&rows[i]);
+    paths.push_back(rows[i].directory);
+  }
+  const auto names = run::distinctNames(paths);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    others[i]->name = names[i];
+    others[i]->is_alone = true;
+  }
   addConfigFactors(others);
   return rows;
 }

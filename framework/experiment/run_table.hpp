@@ -18,8 +18,9 @@ struct RunRow {
   std::vector<Factor> factors;
   std::map<std::string, double> metrics;  ///< "map.ate.rmse_m"
   std::string alignment;
-  std::string truth;    ///< digest of the true poses of the frames; empty without truth
-  std::string results;  ///< digest of results.sha256
+  std::string truth;      ///< digest of the true poses of the frames; empty without truth
+  std::string results;    ///< digest of results.sha256
+  bool is_alone = false;  ///< of no sweep; its name is one of distinctNames()
 
   /// Empty where the run has no such factor.
   std::string label(const std::string& factor) const;

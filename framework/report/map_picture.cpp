@@ -115,22 +115,42 @@ void drawMap(Svg& svg, const PlanView& view, const MapPicture& picture, const st
   axes.legend(entries(picture));
 }
 
-/// A panel for each picture, all with the same axes; several are lettered.
-std::string panels(const std::vector<MapPicture>& pictures, double long_side) {
-  const PlanView view(pictures);
-  const Eigen::Vector2d size = view.pixels(long_side);
-  const Eigen::Vector2d cell(std::max(kLeft + size.x() + kRight, kLeastWidth),
-                             kMapTop + size.y() + kBottom);
+/// Panels with the same axes; several are lettered.
+class Panels {
+ public:
+  Panels(const std::vector<MapPicture>& pictures, double long_side)
+      : pictures_(pictures), view_(pictures), size_(view_.pixels(long_side)) {}
+
+  /// Px.
+  Eigen::Vector2d cell() const {
+    return {std::max(kLeft + size_.x() + kRight, kLeastWidth), kMapTop + size_.y() + kBottom};
+  }
+  /// Panel i, whose cell begins there.
+  void draw(Svg& svg, std::size_t i, const Eigen::Vector2d& corner) const {
+    const std::string letter =
+        pictures_.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i % 26)) : "";
+    const Eigen::Vector2d from = corner + Eigen::Vector2d(kLeft, kMapTop);
+    const Eigen::Vector2d to = from + size_;
+    drawMap(svg, view_, pictures_[i], letter + pictures_[i].title,
+            frame(from.x(), from.y(), to.x(), to.y()));
+  }
+
+ private:
+  const std::vector<MapPicture>& pictures_;
+  PlanView view_;
+  Eigen::Vector2d size_;
+};
+
+std::string panelRows(const std::vector<MapPicture>& pictures, double long_side) {
+  const Panels panels(pictures, long_side);
+  const Eigen::Vector2d cell = panels.cell();
   const std::size_t columns = std::min(pictures.size(), kPanelsInARow);
   const std::size_t rows = (pictures.size() + kPanelsInARow - 1) / kPanelsInARow;
   Svg svg(cell.x() * static_cast<double>(columns), cell.y() * static_cast<double>(rows));
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    const double left = kLeft + cell.x() * static_cast<double>(i % kPanelsInARow);
-    const double top = kMapTop + cell.y() * static_cast<double>(i / kPanelsInARow);
-    const std::string letter =
-        pictures.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i % 26)) : "";
-    drawMap(svg, view, pictures[i], letter + pictures[i].title,
-            frame(left, top, left + size.x(), top + size.y()));
+    panels.draw(svg, i,
+                {cell.x() * static_cast<double>(i % kPanelsInARow),
+                 cell.y() * static_cast<double>(i / kPanelsInARow)});
   }
   return svg.take();
 }
@@ -150,10 +170,21 @@ MapPicture pictureOf(const RunData& run, std::string title) {
   return picture;
 }
 
-std::string svgText(const MapPicture& picture) { return panels({picture}, kLongSide); }
+std::string svgText(const MapPicture& picture) { return panelRows({picture}, kLongSide); }
 
 std::string comparisonText(const std::vector<MapPicture>& pictures) {
-  return panels(pictures, kPanelSide);
+  return panelRows(pictures, kPanelSide);
+}
+
+std::vector<std::string> mapTexts(const std::vector<MapPicture>& pictures) {
+  const Panels panels(pictures, kPanelSide);
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    Svg svg(panels.cell().x(), panels.cell().y());
+    panels.draw(svg, i, Eigen::Vector2d::Zero());
+    texts.push_back(svg.take());
+  }
+  return texts;
 }
 
 }  // namespace tolman::report

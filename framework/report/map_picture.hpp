@@ -30,4 +30,7 @@ std::string svgText(const MapPicture& picture);
 /// One panel per run, all with the same axes.
 std::string comparisonText(const std::vector<MapPicture>& pictures);
 
+/// The same panels as a picture each.
+std::vector<std::string> mapTexts(const std::vector<MapPicture>& pictures);
+
 }  // namespace tolman::report

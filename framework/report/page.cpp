@@ -11,6 +11,7 @@
 #include "report/figures.hpp"
 #include "report/map_picture.hpp"
 #include "report/neurons.hpp"
+#include "report/run_comparison.hpp"
 #include "report/svg.hpp"
 
 namespace tolman::report {
@@ -30,6 +31,12 @@ th:first-child, td:first-child { text-align: left; }
 .counts tbody { display: grid; grid-template-columns: repeat(auto-fill, minmax(12.5rem, 1fr)); column-gap: 2rem; }
 .counts, .counts tr { display: block; } .counts tr { display: flex; justify-content: space-between; border-bottom: 1px solid var(--line); }
 .counts td { border: 0; padding-right: 0; }
+.comparison { table-layout: fixed; width: min(100%, calc(13rem + 11rem * var(--runs))); min-width: calc(6rem + 4.5rem * var(--runs)); }
+.comparison thead th:first-child { width: max(6rem, 20%); }
+.comparison th, .comparison td { white-space: normal; overflow-wrap: anywhere; padding-right: .5rem; vertical-align: top; }
+.comparison thead th { text-align: right; } .comparison tbody th { font-weight: normal; } .settings { border-top: 2px solid var(--line); font-size: .85rem; }
+.maps { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(100%, 21rem), 1fr)); }
+.maps svg { display: block; width: 100%; height: auto; border-radius: 4px; }
 figure { margin: 1rem 0; } .drawing { overflow-x: auto; }
 .drawing svg { display: block; width: 100%; min-width: calc(.85 * var(--width)); height: auto; border-radius: 4px; }
 @media (min-width: 1000px) { .drawing svg { min-width: calc(.66 * var(--width)); } }
@@ -187,41 +194,10 @@ std::string healthTable(const Json& provenance, const evaluation::Metrics& metri
   return "<table class=\"counts\">" + rows + "</table>\n";
 }
 
-/// A counter of run.json; a dash for a killed run.
-std::string counterText(const RunPage& run, const char* name) {
-  const Json* counters = run.provenance.is_object() && run.provenance.contains("counters")
-                             ? &run.provenance["counters"]
-                             : nullptr;
-  return counters && counters->contains(name) ? (*counters)[name].dump() : "–";
-}
-
-/// Health and errors of several runs, one row each.
-std::string comparisonTable(const std::vector<RunPage>& runs) {
-  std::string text =
-      "<h1>Comparison</h1>\n<div class=\"wide\"><table><tr><th>run</th><th>frames</th><th>lost</th>"
-      "<th>dropped</th><th>loop links</th><th>map ATE rmse m</th><th>odometry ATE rmse m</th>"
-      "<th>t_rel %</th><th>tracked %</th></tr>\n";
-  for (const RunPage& run : runs) {
-    const evaluation::Metrics& m = run.data.metrics;
-    const auto rmse = [](const evaluation::TrajectoryMetrics& t) {
-      return t.scores ? fmt::format("{:.3f}", t.scores->ate_m.rmse) : "–";
-    };
-    const auto& odometry = m.odometry.scores;
-    const bool drift = odometry && odometry->kitti.segments > 0;
-    text += fmt::format(
-        "<tr><td>{}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td></tr>\n",
-        escaped(run.directory), run.killed ? " (killed)" : "", m.frames, counterText(run, "lost"),
-        counterText(run, "dropped"), m.counts.loop_links, rmse(m.map), rmse(m.odometry),
-        drift ? fmt::format("{:.3f}", odometry->kitti.t_rel_percent) : "–",
-        odometry ? fmt::format("{:.1f}", 100 * odometry->coverage) : "–");
-  }
-  return text + "</table></div>\n";
-}
-
-/// What tells one run from another: where it lies, and which plugins did the work.
-std::string subtitle(const RunPage& run) {
-  std::string text = run.directory;
+/// What tells one run from another: `other`, the name that is not its heading, and which plugins
+/// did the work.
+std::string subtitle(const RunPage& run, const std::string& other) {
+  std::string text = other;
   const auto plugins = run.provenance.find("plugins");
   if (!run.provenance.is_object() || plugins == run.provenance.end()) return text;
   for (const Json& plugin : *plugins) {
@@ -232,9 +208,10 @@ std::string subtitle(const RunPage& run) {
   return text;
 }
 
-std::string section(const RunPage& run) {
-  std::string text = fmt::format("<section>\n<h1>{}</h1>\n<p>{}</p>\n", escaped(run.data.name),
-                                 escaped(subtitle(run)));
+std::string section(const RunPage& run, const std::string& name) {
+  const std::string& other = name == run.directory ? run.data.name : run.directory;
+  std::string text = fmt::format("<section>\n<h1>{}</h1>\n<p>{}</p>\n", escaped(name),
+                                 escaped(subtitle(run, other)));
   if (run.killed) {
     text +=
         "<p><strong>This run was killed.</strong> The page shows what it had recorded; counters "
@@ -280,28 +257,27 @@ Result<RunPage> makePage(const std::filesystem::path& directory,
   return makePage(*opened.value(), std::move(data).value(), units);
 }
 
-std::string comparisonFigure(const std::vector<RunPage>& runs) {
-  if (runs.size() < 2) return "";
+std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs) {
   std::vector<MapPicture> pictures;
   for (const RunPage& run : runs) {
     const auto& scores = run.data.metrics.map.scores;
     const std::string error = scores ? fmt::format(", map rmse {:.2f} m", scores->ate_m.rmse) : "";
     pictures.push_back(pictureOf(run.data, run.directory + error));
   }
-  return comparisonText(pictures);
+  return pictures;
 }
 
-std::string html(const std::vector<RunPage>& runs, const std::string& comparison) {
+std::string comparisonFigure(const std::vector<RunPage>& runs) {
+  return runs.size() < 2 ? "" : comparisonText(comparedMaps(runs));
+}
+
+std::string html(const std::vector<RunPage>& runs) {
   std::string title;
-  std::string body;
-  if (!comparison.empty()) {
-    body = comparisonTable(runs) +
-           figureText("comparison", comparison, "The maps of all runs, with the same axes.");
-  }
-  body += "<main class=\"runs\">\n";
+  std::string body = comparisonTable(runs) + comparisonMaps(runs) + "<main class=\"runs\">\n";
   for (const RunPage& run : runs) {
-    title += (title.empty() ? "" : ", ") + run.data.name;
-    body += section(run);
+    const std::string& name = runs.size() > 1 ? run.directory : run.data.name;
+    title += (title.empty() ? "" : ", ") + name;
+    body += section(run, name);
   }
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"

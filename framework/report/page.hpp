@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "config/node.hpp"
 #include "report/drawn_units.hpp"
+#include "report/map_picture.hpp"
 #include "report/run_data.hpp"
 
 namespace tolman::report {
@@ -27,6 +29,7 @@ struct RunPage {
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml
   bool killed = false;                ///< the run did not end by itself
+  config::Node settings{};            ///< of `config`; only for the comparison of several runs
 };
 
 /// Draws every figure for which the record has data. `reader` must be of the run of `data`.
@@ -38,13 +41,13 @@ Result<RunPage> makePage(const std::filesystem::path& directory,
                          const config::EvaluationSettings& settings, const UnitChoice& units = {},
                          std::uint64_t seed = 1);
 
+/// The maps of runs, titled with their names and errors.
+std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs);
+
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);
 
-/// `comparison` is the result of comparisonFigure() for the same runs.
-std::string html(const std::vector<RunPage>& runs, const std::string& comparison);
-inline std::string html(const std::vector<RunPage>& runs) {
-  return html(runs, comparisonFigure(runs));
-}
+/// Several runs are compared first, then each has its part.
+std::string html(const std::vector<RunPage>& runs);
 
 }  // namespace tolman::report

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/report_files.hpp"
 
-#include <set>
 #include <string>
 #include <utility>
 
@@ -10,31 +9,30 @@
 #include "record/atomic_file.hpp"
 #include "report/page.hpp"
 #include "report/raster.hpp"
+#include "run/run_names.hpp"
 
 namespace tolman::run {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Configuration of the run; the defaults where it cannot be read.
-config::SystemConfig systemOf(const fs::path& run) {
-  const fs::path file = run / "config.resolved.yaml";
-  std::error_code ignored;
-  if (!fs::exists(file, ignored)) return {};
-  const config::Loaded loaded =
-      config::load(file.string(), {}, [](const std::string&) { return std::nullopt; });
+/// The defaults where there are problems.
+config::SystemConfig systemOf(const config::Loaded& loaded) {
   config::Problems problems = loaded.problems;
   config::SystemConfig system = config::parse(loaded, problems);
   return problems.empty() ? system : config::SystemConfig{};
 }
 
-/// Name of the run directory, also for "runs/demo/"; a number makes equal names unique.
-std::string folderOf(const fs::path& run, std::set<std::string>& taken) {
-  const fs::path path = fs::absolute(run).lexically_normal();
-  const std::string name = (path.has_filename() ? path : path.parent_path()).filename().string();
-  std::string unique = name;
-  for (int i = 2; !taken.insert(unique).second; ++i) unique = name + "-" + std::to_string(i);
-  return unique;
+/// The page of a run, evaluated by the settings of its configuration, or the default ones where it
+/// cannot be read.
+Result<report::RunPage> pageOf(const fs::path& run, const report::UnitChoice& units) {
+  const config::Loaded loaded = config::load(run / "config.resolved.yaml", {},
+                                             [](const std::string&) { return std::nullopt; });
+  const config::SystemConfig system = systemOf(loaded);
+  auto page = report::makePage(run, system.evaluation, units,
+                               static_cast<std::uint64_t>(system.general.seed));
+  if (page.isOk()) page.value().settings = loaded.tree;
+  return page;
 }
 
 /// Writes figures into one folder, and keeps the names of the files.
@@ -78,13 +76,11 @@ class FigureFolder {
 Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, const fs::path& folder,
                                           const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
-  std::set<std::string> taken;
-  for (const fs::path& run : runs) {  // all before the first file: one that fails leaves nothing
-    const config::SystemConfig system = systemOf(run);
-    const auto seed = static_cast<std::uint64_t>(system.general.seed);
-    auto page = report::makePage(run, system.evaluation, units, seed);
+  const std::vector<std::string> names = distinctNames(runs);
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // all before the first file
+    auto page = pageOf(runs[i], units);
     if (!page.isOk()) return page.status();
-    page.value().directory = folderOf(run, taken);
+    page.value().directory = names[i];
     pages.push_back(std::move(page).value());
   }
   std::vector<fs::path> written{folder / "report.html"};
@@ -100,7 +96,7 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, con
     const Status status = figures.add("comparison", comparison);
     if (!status.isOk()) return status;
   }
-  const Status status = record::writeAtomically(written.front(), report::html(pages, comparison));
+  const Status status = record::writeAtomically(written.front(), report::html(pages));
   if (!status.isOk()) return status;
   return written;
 }

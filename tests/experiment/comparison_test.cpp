@@ -166,3 +166,16 @@ TEST_CASE("a success curve steps from no run to all") {
   CHECK(figure.find("limit of map.ate.rmse_m") != std::string::npos);
   CHECK(figure.find(">150<") != std::string::npos);  // the legend
 }
+
+TEST_CASE("runs outside a sweep that differ in several keys are each a level, under their names") {
+  std::vector<RunRow> runs = {row("75", "a", 1, 10), row("150", "a", 1, 12)};
+  for (RunRow& run : runs) run.is_alone = true;
+  CHECK(compareRuns(runs, {}).value().by == std::vector<std::string>{"cells.period"});
+  runs[0].factors.push_back({"map.loss", "huber"});
+  runs[1].factors.push_back({"map.loss", "cauchy"});
+  const Comparison c = compareRuns(runs, {}).value();
+  REQUIRE(c.levels.size() == 2);
+  CHECK(c.levels[0].label == "75/a/1");
+  CHECK(c.levels[1].label == "150/a/1");
+  CHECK(c.levels[1].difference->mean == Approx(2));
+}

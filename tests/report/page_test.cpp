@@ -60,17 +60,19 @@ TEST_CASE("a killed run, without run.json and configuration, has a page too") {
   CHECK(contains(html({makePage(folder.path(), {}).value()}), "This run was killed."));
 }
 
-TEST_CASE("several runs stand side by side") {
+TEST_CASE("several runs stand side by side, under the names of their directories") {
   const test::TemporaryFolder one;
   const test::TemporaryFolder two;
   test::recordRichRun(one.path(), 5, "first");
   test::recordRichRun(two.path(), 6, "second");
   const std::string text =
       html({makePage(one.path(), {}).value(), makePage(two.path(), {}).value()});
-  CHECK(contains(text, "<title>Tolman: first, second</title>"));
-  CHECK(contains(text, "<h1>first</h1>"));
-  CHECK(contains(text, "<h1>second</h1>"));
-  CHECK(contains(text, "(a) " + one.path().filename().string() + ", map rmse"));
+  const std::string a = one.path().filename().string();
+  const std::string b = two.path().filename().string();
+  CHECK(contains(text, "<title>Tolman: " + a + ", " + b + "</title>"));
+  CHECK(contains(text, "<h1>" + a + "</h1>\n<p>first</p>"));
+  CHECK(contains(text, "<h1>" + b + "</h1>\n<p>second</p>"));
+  CHECK(contains(text, "(a) " + a + ", map rmse"));
   CHECK_FALSE(contains(html({makePage(one.path(), {}).value()}), "(a) "));
 }
 
@@ -101,7 +103,6 @@ TEST_CASE("health and errors come before the figures, and of several runs the co
   const test::TemporaryFolder two;
   test::recordRichRun(one.path(), 5, "first");
   test::recordRichRun(two.path(), 6, "second");
-  std::ofstream(one.path() / "run.json") << R"({"counters": {"lost": 3, "dropped": 2}})";
   const std::vector<RunPage> pages = {makePage(one.path(), {}).value(),
                                       makePage(two.path(), {}).value()};
   const std::string single = html({pages[0]});
@@ -109,10 +110,10 @@ TEST_CASE("health and errors come before the figures, and of several runs the co
   CHECK(single.find("<h2>Errors</h2>") < single.find("<figure"));
   CHECK_FALSE(contains(single, "<h1>Comparison</h1>"));
   const std::string both = html(pages);
+  CHECK(both.find("<body>\n<h1>Comparison</h1>") != std::string::npos);
   CHECK(both.find("<h1>Comparison</h1>") < both.find("<figure id=\"comparison\">"));
-  CHECK(both.find("<figure id=\"comparison\">") < both.find("<h1>first</h1>"));
-  const std::string name = one.path().filename().string();
-  CHECK(contains(both, "<tr><td>" + name + "</td><td>5</td><td>3</td><td>2</td><td>0</td><td>0.0"));
+  CHECK(both.find("<figure id=\"comparison\">") <
+        both.find("<h1>" + one.path().filename().string() + "</h1>"));
 }
 
 TEST_CASE("in the dark no part of a figure stays as on paper, and none is too small to read") {
