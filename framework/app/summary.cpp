@@ -36,6 +36,10 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
   text +=
       fmt::format("{:<10}ATE rmse {:.3f} m  (mean {:.3f}, median {:.3f}, min {:.3f}, max {:.3f})\n",
                   "", s.ate_m.rmse, s.ate_m.mean, s.ate_m.median, s.ate_m.min, s.ate_m.max);
+  if (s.vertical_m.count > 0) {
+    text += fmt::format("{:<10}horizontal rmse {:.3f} m, vertical rmse {:.3f} m\n", "",
+                        s.horizontal_m.rmse, s.vertical_m.rmse);
+  }
   if (s.kitti.segments > 0) {
     text += fmt::format("{:<10}drift {:.3f} %, {:.3f} deg/100 m  ({} segments, {} lengths)\n", "",
                         s.kitti.t_rel_percent, s.kitti.r_rel_deg_per_100m, s.kitti.segments,

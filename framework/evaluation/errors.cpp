@@ -52,19 +52,20 @@ Statistics statistics(std::vector<double> values) {
   return result;
 }
 
-std::vector<double> positionErrors(const Matches& aligned, bool planar) {
+std::vector<double> positionErrors(const Matches& aligned, Direction direction) {
   std::vector<double> values;
   for (std::size_t i = 0; i < aligned.size(); ++i) {
     Eigen::Vector3d error = aligned.estimate[i].T_world_camera.translation() -
                             aligned.truth[i].T_world_camera.translation();
-    if (planar) error.y() = 0;
+    if (direction == Direction::Horizontal) error.y() = 0;
+    if (direction == Direction::Vertical) error.x() = error.z() = 0;
     values.push_back(error.norm());
   }
   return values;
 }
 
-Statistics absoluteError(const Matches& aligned, bool planar) {
-  return statistics(positionErrors(aligned, planar));
+Statistics absoluteError(const Matches& aligned, Direction direction) {
+  return statistics(positionErrors(aligned, direction));
 }
 
 RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta) {

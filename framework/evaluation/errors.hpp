@@ -3,6 +3,7 @@
 // evaluation of RGB-D SLAM systems", IROS 2012).
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "evaluation/association.hpp"
@@ -21,11 +22,14 @@ struct Statistics {
 /// All 0 for no values.
 Statistics statistics(std::vector<double> values);
 
-/// Distances between matched positions, m. `planar` leaves height (camera y) out, for an estimate
-/// without height.
-std::vector<double> positionErrors(const Matches& aligned, bool planar = false);
+/// The parts of a distance. Vertical is along the y axis of the truth's world, which is that of the
+/// first camera in KITTI's files; horizontal is across it.
+enum class Direction : std::uint8_t { All, Horizontal, Vertical };
+
+/// Distances between matched positions, m.
+std::vector<double> positionErrors(const Matches& aligned, Direction direction = Direction::All);
 /// Statistics of positionErrors().
-Statistics absoluteError(const Matches& aligned, bool planar = false);
+Statistics absoluteError(const Matches& aligned, Direction direction = Direction::All);
 
 /// The error of motion over a step: |T_truth^-1 T_estimate| of matched motions.
 struct RelativeError {

@@ -93,7 +93,10 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   }
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
-  scores.ate_m = absoluteError(pairs, alignment == Alignment::Se2);
+  const bool planar = alignment == Alignment::Se2;
+  scores.horizontal_m = absoluteError(pairs, Direction::Horizontal);
+  scores.ate_m = planar ? scores.horizontal_m : absoluteError(pairs);
+  if (!planar) scores.vertical_m = absoluteError(pairs, Direction::Vertical);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);
   scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));
@@ -153,6 +156,8 @@ Json toJson(const TrajectoryMetrics& metrics) {
   const bool known = metrics.scores.has_value();
   const Scores scores = metrics.scores.value_or(Scores{});
   return {{"ate", statisticsJson(scores.ate_m, "m")},
+          {"ate_horizontal", statisticsJson(scores.horizontal_m, "m")},
+          {"ate_vertical", statisticsJson(scores.vertical_m, "m")},
           {"rpe",
            {{"frame", relativeJson(scores.rpe_frame, "m", "deg")},
             {"metre", relativeJson(scores.rpe_metre, "m_per_m", "deg_per_m")}}},

@@ -21,7 +21,9 @@ namespace tolman::evaluation {
 
 /// Errors of a trajectory against ground truth.
 struct Scores {
-  Statistics ate_m;
+  Statistics ate_m;         ///< of an estimate without height: horizontal
+  Statistics horizontal_m;  ///< horizontal part of the same
+  Statistics vertical_m;    ///< vertical part; count 0 where the estimate has no height
   RelativeError rpe_frame;  ///< over one frame
   RelativeError rpe_metre;  ///< per metre, over steps of 1 m
   SegmentErrors kitti;

@@ -36,7 +36,8 @@ Result<evaluation::Matches> alignedMap(const std::filesystem::path& directory,
 /// Mean error in each part of the path; that of the part before where no frame lies in it.
 std::vector<double> errorsByPart(const evaluation::Matches& matches, bool planar) {
   const auto driven = evaluation::distances(matches.truth);
-  const auto errors = evaluation::positionErrors(matches, planar);
+  const auto errors = evaluation::positionErrors(
+      matches, planar ? evaluation::Direction::Horizontal : evaluation::Direction::All);
   std::vector<double> sums(kParts, 0);
   std::vector<double> counts(kParts, 0);
   for (std::size_t i = 0; i < errors.size(); ++i) {

@@ -17,6 +17,9 @@ inline constexpr std::size_t kMostPanels = 40;
 /// Position error of odometry and map over time.
 std::string errorFigure(const RunData& run);
 
+/// Height of odometry, map and truth over the driven distance; empty where all stay level.
+std::string elevationFigure(const RunData& run);
+
 /// The paper's graph of the local view template over time: new ones along the upper bound,
 /// familiar ones below it.
 std::string templateFigure(const std::vector<PlaceObservation>& places);

@@ -95,6 +95,9 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
   addFigure(page, "map", "Experience map over odometry and truth, seen from above.",
             svgText(pictureOf(data, data.name)));
   addFigure(page, "error", "Distance to the truth at each frame.", errorFigure(data));
+  addFigure(page, "elevation",
+            "Height over the first camera, against its own vertical axis, along the path.",
+            elevationFigure(data));
   const auto places = reader.records<PlaceObservation>();
   if (!places.isOk()) return places.status();
   addFigure(page, "templates",
@@ -135,10 +138,11 @@ std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
   const auto drift = [&](double value) { return number(scores.kitti.segments > 0, value, 3); };
   return fmt::format(
       "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-      "<td>{}</td><td>{}</td></tr>\n",
+      "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
       name, m.path_length_m, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
-      metres(scores.ate_m.median), metres(scores.ate_m.max), drift(scores.kitti.t_rel_percent),
-      drift(scores.kitti.r_rel_deg_per_100m),
+      metres(scores.ate_m.median), metres(scores.ate_m.max), metres(scores.horizontal_m.rmse),
+      number(scores.vertical_m.count > 0, scores.vertical_m.rmse, 3),
+      drift(scores.kitti.t_rel_percent), drift(scores.kitti.r_rel_deg_per_100m),
       number(m.scores.has_value(), 100 * scores.coverage, 1));
 }
 
@@ -146,7 +150,8 @@ std::string errorTable(const evaluation::Metrics& metrics) {
   return fmt::format(
              "<div class=\"wide\"><table><tr><th>after {} alignment</th><th>path m</th><th>ATE "
              "rmse "
-             "m</th><th>mean</th><th>median</th><th>max</th><th title=\"KITTI drift: mean "
+             "m</th><th>mean</th><th>median</th><th>max</th><th>horizontal rmse m</th>"
+             "<th>vertical rmse m</th><th title=\"KITTI drift: mean "
              "translation error of sub-paths\">t_rel %</th><th title=\"KITTI drift: mean rotation "
              "error of sub-paths\">r_rel °/100 m</th>"
              "<th>tracked %</th></tr>\n",

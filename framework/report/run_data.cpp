@@ -183,7 +183,9 @@ ErrorSeries errorsOf(const evaluation::Trajectory& truth, const evaluation::Traj
     const auto stamp = pose.stamp_ns - estimate.front().stamp_ns;
     series.seconds.push_back(static_cast<double>(stamp) * 1e-9);
   }
-  series.metres = evaluation::positionErrors(aligned, alignment == Alignment::Se2);
+  series.metres = evaluation::positionErrors(aligned, alignment == Alignment::Se2
+                                                          ? evaluation::Direction::Horizontal
+                                                          : evaluation::Direction::All);
   return series;
 }
 

@@ -64,6 +64,11 @@ TEST_CASE("figures name their alignment, coverage and segments") {
         "odometry  path 60.10 m over 51 poses; matched 51; 50.0 % of the truth tracked\n"
         "          ATE rmse 0.123 m  (mean 0.000, median 0.000, min 0.000, max 0.000)\n"
         "          drift 1.500 %, 0.000 deg/100 m  (20 segments, short lengths)\n");
+  scored.scores->vertical_m.count = 51;
+  scored.scores->vertical_m.rmse = 0.04;
+  scored.scores->horizontal_m.rmse = 0.1167;
+  CHECK(app::trajectoryText("odometry", scored)
+            .find("horizontal rmse 0.117 m, vertical rmse 0.040 m\n") != std::string::npos);
 }
 
 TEST_CASE("without truth there are no error figures, and the reason is said") {

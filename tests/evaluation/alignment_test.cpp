@@ -74,8 +74,8 @@ TEST_CASE("SE(2) turns about the vertical and leaves height alone") {
   CHECK((found.R - T.linear()).norm() < 1e-9);
   CHECK((found.t - T.translation()).norm() < 1e-8);
   const Matches result = aligned(matches, found);
-  CHECK(absoluteError(result, true).max < 1e-8);
-  CHECK(absoluteError(result, false).min == Approx(5));
+  CHECK(absoluteError(result, Direction::Horizontal).max < 1e-8);
+  CHECK(absoluteError(result).min == Approx(5));
 }
 
 TEST_CASE("no alignment means none") {

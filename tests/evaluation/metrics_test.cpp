@@ -88,6 +88,23 @@ TEST_CASE("a path that is too short for segments says so") {
   CHECK(json["ate"]["rmse_m"].get<double>() < 1e-9);
 }
 
+TEST_CASE("the error is told apart by horizontal and vertical; both give the whole") {
+  RandomStream random(9);
+  const Trajectory truth = test::wanderingPath(50, random);
+  Trajectory estimate = truth;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    const double sign = i % 2 == 0 ? 1 : -1;
+    estimate[i].T_world_camera.translation() += sign * Eigen::Vector3d(3, 12, 4);
+  }
+  const Scores scores = *scoreTrajectory(truth, estimate, Alignment::None).scores;
+  CHECK(scores.ate_m.rmse == Approx(13));
+  CHECK(scores.horizontal_m.rmse == Approx(5));
+  CHECK(scores.vertical_m.rmse == Approx(12));
+  const auto json = toJson(scoreTrajectory(truth, estimate, Alignment::Se2));
+  CHECK(json["ate"] == json["ate_horizontal"]);
+  CHECK(json["ate_vertical"]["rmse_m"].is_null());
+}
+
 TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {
   RandomStream random(4);
   const Trajectory truth = test::wanderingPath(50, random);

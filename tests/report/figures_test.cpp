@@ -50,6 +50,30 @@ TEST_CASE("errors are those of the aligned frames") {
   CHECK(svg.find("map, rmse 0.005 m") != std::string::npos);
 }
 
+TEST_CASE(
+    "heights are drawn over the driven distance, in metres of the truth; level ones are not") {
+  RecordedRun sample;
+  CHECK(elevationFigure(sample.data).empty());
+  RunData climbing;
+  climbing.metrics.alignment = evaluation::Alignment::Sim3;
+  climbing.metres = 2;
+  for (int i = 0; i < 11; ++i) {
+    evaluation::TrajectoryPose pose;
+    pose.frame = i;
+    pose.T_world_camera.translation() = Eigen::Vector3d(0, -0.3 * i, 0.4 * i);
+    climbing.map.push_back(pose);
+    pose.T_world_camera.translation().y() = 0;
+    climbing.odometry.push_back(pose);
+  }
+  const std::string svg = elevationFigure(climbing);
+  CHECK(count(svg, "<polyline") == 2);
+  CHECK(svg.find(">6<") != std::string::npos);   // 10 steps of 0.3 units of 2 m
+  CHECK(svg.find(">10<") != std::string::npos);  // 10 steps of 0.5 units of 2 m
+  CHECK(svg.find("truth") == std::string::npos);
+  climbing.has_metres = false;
+  CHECK(elevationFigure(climbing).empty());
+}
+
 TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
   const RecordedRun sample;
   const auto places = sample.reader->records<PlaceObservation>().value();
@@ -130,6 +154,7 @@ TEST_CASE("times of stages are those recorded") {
 
 TEST_CASE("a run that has nothing of a kind has no figure of it") {
   CHECK(errorFigure({}).empty());
+  CHECK(elevationFigure({}).empty());
   CHECK(templateFigure({}).empty());
   CHECK(activityFigure({}, {}).empty());
   CHECK(arrayFigure({}).empty());
