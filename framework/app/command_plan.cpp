@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -48,29 +51,46 @@ struct End {
   std::optional<double> away_m;  ///< of a place: its distance from the experience
 };
 
-/// Right and forward, m.
-Eigen::Vector2d placeOf(std::int64_t experience, const MapGraph& graph) {
-  const Eigen::Vector3d p =
-      graph.experiences[static_cast<std::size_t>(experience)].T_world_experience.translation();
-  return {p.x(), p.z()};
+Eigen::Vector3d placeOf(std::int64_t experience, const MapGraph& graph) {
+  return planning::placeOf(graph.experiences[static_cast<std::size_t>(experience)]);
 }
 
-/// "17", or "12.5,-30": the experience nearest to metres right and forward.
-End endOf(const std::string& text, const MapGraph& graph) {
+/// "12.5,-30" or "12.5,-30,6"; nothing for what is no place. Without a height it is NaN.
+std::optional<Eigen::Vector3d> parsePlace(std::string_view text) {
+  Eigen::Vector3d place(0, 0, std::numeric_limits<double>::quiet_NaN());
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t comma = i < 2 ? text.find(',') : std::string_view::npos;
+    if (!parse(text.substr(0, comma), place[i]) || !(std::abs(place[i]) <= kFarthest)) return {};
+    if (comma == std::string_view::npos) return i > 0 ? std::optional(place) : std::nullopt;
+    text.remove_prefix(comma + 1);
+  }
+  return {};
+}
+
+/// Where the robot is, or was at the end of the run. A graph that is still growing may lack the
+/// newest experience.
+End endHere(const record::RunReader& reader, const MapGraph& graph) {
+  const auto newest = valueOrEnd(reader.newestExperience(), ExitCode::Dataset);
+  const auto last = static_cast<std::int64_t>(graph.experiences.size()) - 1;
+  return End{"here", std::min(newest, last), std::nullopt};
+}
+
+/// "here", "17", or a place: the experience nearest to it.
+End endOf(const std::string& text, const record::RunReader& reader, const MapGraph& graph) {
+  if (text == "here") return endHere(reader, graph);
   std::int64_t id = -1;
   if (parse(text, id)) return End{text, id, std::nullopt};
-  const std::size_t comma = text.find(',');
-  Eigen::Vector2d place;
-  const std::string_view all = text;
-  if (comma == std::string::npos || !parse(all.substr(0, comma), place.x()) ||
-      !parse(all.substr(comma + 1), place.y()) || !((place.array().abs() <= kFarthest).all())) {
-    throw Ended{ExitCode::Usage, "'" + text +
-                                     "' is not a place: give an experience (17) or metres right "
-                                     "and forward of the start (12.5,-30), at most 1e9"};
+  const std::optional<Eigen::Vector3d> place = parsePlace(text);
+  if (!place) {
+    throw Ended{ExitCode::Usage,
+                "'" + text +
+                    "' is not a place: give an experience (17), `here`, or metres right and "
+                    "forward of the start and, if you like, up (12.5,-30,6), at most 1e9"};
   }
-  id = planning::nearestExperience(firstPart(graph), place);
+  id = planning::nearestExperience(firstPart(graph), *place);
   if (id < 0) return End{text, id, std::nullopt};  // the search reports that it is not in the map
-  return End{text, id, (placeOf(id, graph) - place).norm()};
+  const int dimensions = std::isnan(place->z()) ? 2 : 3;
+  return End{text, id, (placeOf(id, graph) - *place).head(dimensions).norm()};
 }
 
 struct Plan {
@@ -88,10 +108,11 @@ nlohmann::ordered_json toJson(const End& end) {
 nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
   nlohmann::ordered_json legs = nlohmann::ordered_json::array();
   for (const planning::Leg& leg : plan.route.legs) {
-    const Eigen::Vector2d p = placeOf(leg.experience, graph);
+    const Eigen::Vector3d p = placeOf(leg.experience, graph);
     legs.push_back({{"experience", leg.experience},
                     {"right_m", p.x()},
                     {"forward_m", p.y()},
+                    {"up_m", p.z()},
                     {"seconds", leg.seconds},
                     {"metres", leg.metres}});
   }
@@ -103,12 +124,12 @@ nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
 }
 
 void print(const Plan& plan, const MapGraph& graph) {
-  std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m", "forward m",
-                           "time s", "path m");
+  std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m",
+                           "forward m", "up m", "time s", "path m");
   for (const planning::Leg& leg : plan.route.legs) {
-    const Eigen::Vector2d p = placeOf(leg.experience, graph);
-    std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", leg.experience, p.x(),
-                             p.y(), leg.seconds, leg.metres);
+    const Eigen::Vector3d p = placeOf(leg.experience, graph);
+    std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n",
+                             leg.experience, p.x(), p.y(), p.z(), leg.seconds, leg.metres);
   }
   std::cout << fmt::format("{} experience{}, {:.1f} m, {:.1f} s\n", plan.route.legs.size(),
                            plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(),
@@ -124,7 +145,7 @@ void print(const Plan& plan, const MapGraph& graph) {
 void run(const PlanOptions& options, const Invocation& invocation) {
   const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
   const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
-  Plan plan{endOf(options.from, graph), endOf(options.to, graph), {}};
+  Plan plan{endOf(options.from, *reader, graph), endOf(options.to, *reader, graph), {}};
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
@@ -141,7 +162,9 @@ void addPlanCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("plan", "The fastest route between two places of a map");
   auto options = std::make_shared<PlanOptions>();
   command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
-  command->add_option("--from", options->from, "Experience (17), or place in metres (12.5,-30)")
+  command
+      ->add_option("--from", options->from,
+                   "Experience (17), place in metres (12.5,-30), or `here`")
       ->type_name("PLACE")
       ->required();
   command->add_option("--to", options->to, "The same")->type_name("PLACE")->required();

@@ -93,10 +93,15 @@ Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std:
   return route;
 }
 
-std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector2d& position) {
+Eigen::Vector3d placeOf(const Experience& experience) {
+  const Eigen::Vector3d p = experience.T_world_experience.translation();
+  return {p.x(), p.z(), -p.y()};
+}
+
+std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector3d& place) {
+  const int dimensions = std::isnan(place.z()) ? 2 : 3;
   const auto distance = [&](const Experience& experience) {
-    const Eigen::Vector3d p = experience.T_world_experience.translation();
-    return (Eigen::Vector2d(p.x(), p.z()) - position).squaredNorm();
+    return (placeOf(experience) - place).head(dimensions).squaredNorm();
   };
   const auto nearest = std::min_element(
       graph.experiences.begin(), graph.experiences.end(),

@@ -29,7 +29,11 @@ struct PlannedRoute {
 /// experiences that do not exist, and where no route connects them.
 Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std::int64_t to);
 
-/// The experience nearest to a position in the plane (right, forward), m; -1 for an empty map.
-std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector2d& position);
+/// Right, forward and upwards of the start, m.
+Eigen::Vector3d placeOf(const Experience& experience);
+
+/// The experience nearest to a place; -1 for an empty map. Without a height (NaN), the nearest in
+/// the plane.
+std::int64_t nearestExperience(const MapGraph& graph, const Eigen::Vector3d& place);
 
 }  // namespace tolman::planning

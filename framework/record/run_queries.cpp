@@ -133,6 +133,14 @@ Result<std::int64_t> RunReader::nextFrame() const {
   });
 }
 
+Result<std::int64_t> RunReader::newestExperience() const {
+  return answered(name_, [&] {
+    return integerOf(database_,
+                     "SELECT coalesce((SELECT \"experience\" FROM \"map_update\" ORDER BY "
+                     "\"frame\" DESC LIMIT 1), -1)");
+  });
+}
+
 Result<evaluation::Trajectory> RunReader::truth() const {
   return answered(name_, [&] {
     evaluation::Trajectory poses;

@@ -53,6 +53,8 @@ class RunReader {
   Result<std::vector<RecordedSession>> sessions() const;
   /// One more than the last frame.
   Result<std::int64_t> nextFrame() const;
+  /// The experience of the newest recorded frame; -1 where none is recorded.
+  Result<std::int64_t> newestExperience() const;
   /// The motions with their last revisions, composed; each session starts with the identity.
   const Result<evaluation::Trajectory>& odometry() const;
   /// Poses in the finished map. For a killed run: the latest pose of the frame's experience,

@@ -248,11 +248,18 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
                  fmt::format("0,1000 is {:.1f} m from experience {}, the nearest\n",
                              plan["to"]["away_m"].get<double>(), end["experience"].get<int>())));
   CHECK_FALSE(contains(read.out, "\n0 is "));
+  const Finished here =
+      tolman::test::tolman({"plan", out.string(), "--from", "here", "--to", "0,0,0", "--json"});
+  REQUIRE(here.exit_code == 0);
+  const auto back = nlohmann::json::parse(here.out);
+  CHECK(back["from"]["experience"] == end["experience"]);
+  CHECK(back["to"]["experience"] == 0);
+  CHECK(back["legs"].back()["up_m"].get<double>() == Approx(0).margin(1e-9));
   const Finished nowhere =
       tolman::test::tolman({"plan", out.string(), "--from", "0", "--to", "somewhere"});
   CHECK(nowhere.exit_code == 2);
   CHECK(contains(nowhere.err, "'somewhere' is not a place"));
-  for (const char* far : {"1e300,1e300", "0,-1e10", "nan,0", "0,inf"}) {
+  for (const char* far : {"1e300,1e300", "0,-1e10", "nan,0", "0,inf", "1,2,3,4", "1,2,"}) {
     const Finished finished =
         tolman::test::tolman({"plan", out.string(), "--from", far, "--to", "0"});
     CHECK(finished.exit_code == 2);

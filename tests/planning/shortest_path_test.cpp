@@ -130,6 +130,20 @@ TEST_CASE("times agree with another algorithm on random maps") {
 
 TEST_CASE("a place is the experience nearest to it in the plane") {
   const MapGraph graph = graphOf(5);
-  CHECK(nearestExperience(graph, {3.4, -100}) == 3);
-  CHECK(nearestExperience({}, {0, 0}) == -1);
+  const double any = std::numeric_limits<double>::quiet_NaN();
+  CHECK(nearestExperience(graph, {3.4, -100, any}) == 3);
+  CHECK(nearestExperience({}, {0, 0, any}) == -1);
+}
+
+TEST_CASE("with a height it is the nearest in space, and a route leads over the ramp") {
+  MapGraph graph = graphOf(5);  // 0 to 4 along x, linked in a row; 4 lies over 0
+  graph.experiences[4].T_world_experience.translation() = Eigen::Vector3d(0, -3, 10);
+  const double any = std::numeric_limits<double>::quiet_NaN();
+  CHECK(nearestExperience(graph, {0, 10, any}) == 0);
+  CHECK(nearestExperience(graph, {0, 10, 2.5}) == 4);
+  CHECK(placeOf(graph.experiences[4]).isApprox(Eigen::Vector3d(0, 10, 3)));
+  for (std::int64_t i = 0; i < 4; ++i) connect(graph, i, i + 1, 1, 1);
+  const auto route = fastestRoute(graph, 0, 4);
+  REQUIRE(route.isOk());
+  CHECK(route.value().legs.size() == 5);  // no shaft
 }
