@@ -70,6 +70,7 @@ class Comparer {
  private:
   struct Measured {
     double value = 0;
+    std::string seed;
     std::filesystem::path directory;
   };
   using Values =
@@ -195,7 +196,7 @@ class Comparer {
     if (equal == 0 && own.size() < rows_.size()) {
       note(fmt::format(
           "Only {} of {} runs have results of their own, byte for byte: a factor changes "
-          "nothing. Intervals over its levels are too narrow; choose one with --only.",
+          "nothing.",
           own.size(), rows_.size()));
     }
     if (fewest_ < kFewestSeeds) {
@@ -225,6 +226,14 @@ class Comparer {
     return rest;
   }
 
+  /// Runs of one seed that differ in other factors share their chance: they count as one.
+  using SeedMeans = std::map<std::string, std::vector<double>>;
+  static std::vector<double> meansOf(const SeedMeans& runs) {
+    std::vector<double> means;
+    for (const auto& [seed, values] : runs) means.push_back(summaryOf(values).mean);
+    return means;
+  }
+
   void fillLevels() {
     std::vector<std::string> order;
     std::map<std::string, Values> values;
@@ -232,7 +241,7 @@ class Comparer {
       const std::string level = levelOf(row);
       if (!values.contains(level)) order.push_back(level);
       values[level][row.label("sequence")][restOf(row)] = {row.metrics.at(comparison_.metric),
-                                                           row.directory};
+                                                           row.label("seed"), row.directory};
     }
     sort(order);
     comparison_.baseline = values.contains(options_.baseline) ? options_.baseline : order.front();
@@ -240,12 +249,13 @@ class Comparer {
       Level level{label, {}, {}, {}, {}, {}};
       std::vector<std::vector<double>> groups;
       for (const auto& [sequence, runs] : values[label]) {
-        auto& group = groups.emplace_back();
+        SeedMeans means;
         for (const auto& [rest, run] : runs) {
-          group.push_back(run.value);
+          means[run.seed].push_back(run.value);
+          level.values.push_back(run.value);
           level.directories.push_back(run.directory);
         }
-        level.values.insert(level.values.end(), group.begin(), group.end());
+        groups.push_back(meansOf(means));
       }
       level.summary = summaryOf(level.values);
       if (fewest_ >= kFewestSeeds) level.interval = bootstrapMean(groups, options_.seed);
@@ -282,15 +292,16 @@ class Comparer {
     for (const auto& [sequence, runs] : level) {
       const auto same = baseline.find(sequence);
       if (same == baseline.end()) continue;
-      std::vector<double> group;
+      SeedMeans differences;
       for (const auto& [rest, run] : runs) {
         const auto other = same->second.find(rest);
-        if (other != same->second.end()) group.push_back(run.value - other->second.value);
+        if (other == same->second.end()) continue;
+        differences[run.seed].push_back(run.value - other->second.value);
+        ++paired.pairs;
       }
-      if (group.empty()) continue;
-      paired.pairs += group.size();
-      means.push_back(summaryOf(group).mean);
-      groups.push_back(std::move(group));
+      if (differences.empty()) continue;
+      groups.push_back(meansOf(differences));
+      means.push_back(summaryOf(groups.back()).mean);
     }
     if (groups.empty()) return paired;
     paired.mean = summaryOf(means).mean;

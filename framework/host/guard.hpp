@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <new>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,6 +46,8 @@ template <class Work>
 Status contained(Work&& work) noexcept {
   try {
     return std::forward<Work>(work)();
+  } catch (const std::bad_alloc&) {
+    return thrown("threw: std::bad_alloc", " (out of memory: `ulimit -v`, or that of the machine)");
   } catch (const std::exception& error) {
     return thrown("threw: ", error.what());
   } catch (...) {

@@ -73,6 +73,33 @@ TEST_CASE("one sequence: the test is over its seeds") {
   CHECK(difference->test->effect == -1);
 }
 
+TEST_CASE("levels of another factor are no further seeds: their mean counts once a seed") {
+  std::vector<RunRow> all;
+  for (const RunRow& r : rows()) {
+    for (const int level : {0, 1, 2, 3}) {  // hardly another result
+      RunRow more = r;
+      more.factors.push_back({"noise", std::to_string(level)});
+      more.results += std::to_string(level);
+      more.metrics["map.ate.rmse_m"] += 1e-4 * level;
+      all.push_back(more);
+    }
+  }
+  ComparisonOptions options;
+  options.by = {"cells.period"};
+  options.only = {{"sequence", "b"}};
+  const auto one = compareRuns(rows(), options).value().levels[1];
+  const auto many = compareRuns(all, options).value().levels[1];
+  CHECK(many.summary.n == 4 * one.summary.n);
+  CHECK(many.difference->test->n == 3);
+  CHECK(many.difference->test->p == one.difference->test->p);
+  CHECK(many.interval->low == Approx(one.interval->low).margin(1e-3));
+  CHECK(many.interval->high == Approx(one.interval->high).margin(1e-3));
+  options.only.clear();
+  const auto both = compareRuns(all, options).value().levels[1];
+  CHECK(both.interval->low ==
+        Approx(compareRuns(rows(), options).value().levels[1].interval->low).margin(1e-3));
+}
+
 TEST_CASE("below three seeds there are no intervals") {
   std::vector<RunRow> few = rows();
   std::erase_if(few, [](const RunRow& r) { return r.label("seed") == "3"; });

@@ -35,7 +35,8 @@ TEST_CASE("what is thrown is told, of any type") {
   const std::string site = "odometry (mine), track, frame 12: threw";
   CHECK(thrown(std::runtime_error("no memory left")) == site + ": no memory left");
   CHECK(thrown(ShortLived()) == site + ": " + ShortLived().text);
-  CHECK(thrown(std::bad_alloc()) == site + ": std::bad_alloc");
+  CHECK(thrown(std::bad_alloc()) ==
+        site + ": std::bad_alloc (out of memory: `ulimit -v`, or that of the machine)");
   CHECK(thrown(std::logic_error("")) == site + ": ");
   CHECK(thrown(3) == site + " something that is not a std::exception");
   CHECK(thrown("text") == site + " something that is not a std::exception");

@@ -147,8 +147,8 @@ TEST_CASE("a call that exceeds the deadline ends the process") {
 TEST_CASE("memory beyond the limit is reported") {
   if (std::string(TOLMAN_SANITIZER) != "none") return;  // sanitizers take more than any limit
   CHECK(messageOf("process_faults", "eat_memory", launch(60, 512)) ==
-        "stage (eat_memory), track, frame 3: threw: std::bad_alloc; isolation.memory_limit is 512 "
-        "MiB");
+        "stage (eat_memory), track, frame 3: threw: std::bad_alloc (out of memory: `ulimit -v`, or "
+        "that of the machine); isolation.memory_limit is 512 MiB");
 }
 
 TEST_CASE("without restart, later calls fail with the reason of the exit") {

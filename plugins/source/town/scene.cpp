@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstring>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -40,7 +41,10 @@ RTCScene newScene(RTCDevice device) {
 }  // namespace
 
 Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
-  if (!device_) throw std::runtime_error("Embree cannot start on this machine");
+  if (!device_ && rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU) {
+    throw std::runtime_error("Embree does not know this processor");
+  }
+  if (!device_) throw std::bad_alloc();  // or there is none for its threads
   scene_.reset(newScene(device_.get()));
   surfaces_ = std::move(world.surfaces);
   fixed_surfaces_ = std::move(world.fixed.surfaces);
@@ -60,8 +64,8 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
 void Scene::check(const char* what) const {
   const RTCError error = rtcGetDeviceError(device_.get());
   if (error == RTC_ERROR_NONE) return;
-  throw std::runtime_error(std::string("Embree: ") + what + " failed" +
-                           (error == RTC_ERROR_OUT_OF_MEMORY ? ", out of memory" : ""));
+  if (error == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+  throw std::runtime_error(std::string("Embree: ") + what + " failed");
 }
 
 void Scene::attachMesh(RTCScene scene, const Mesh& mesh) {
