@@ -77,6 +77,11 @@ RUNNING = {
     "text for a number": (program(step="answer.heading = 'north'"), "step().heading: should be a number, not str"),
     "fraction for an integer": (program(step="answer.experience = 0.5"), "step().experience: should be an integer"),
     "an integer too large": (program(step="answer.experience = 2**70"), "an integer of 64 bits"),
+    "complex numbers": (program(imports="import numpy", step="answer.covariance = 1j * numpy.eye(6)"),
+                        "step().covariance: should be an array of real numbers"),
+    "masked numbers": (
+        program(imports="import numpy", step="answer.covariance = numpy.ma.masked_equal(numpy.eye(6), 1)"),
+        "step().covariance: should be an array without masked values"),
     "wrong shape": (program(imports="import numpy", step="answer.covariance = numpy.zeros((3, 3))"),
                     "step().covariance: should be an array of shape (6, 6), not ndarray of shape (3, 3)"),
     "array of objects": (program(step="answer.covariance = [[object()] * 6] * 6"), "step().covariance"),

@@ -30,6 +30,18 @@ void refuse(const std::string& place, const std::string& expected, py::handle va
   throw WrongAnswer(place + ": should be " + expected + ", not " + given);
 }
 
+void refuseHidden(py::handle value, const std::string& place) {
+  const auto array = py::array::ensure(value);
+  if (!array) {
+    PyErr_Clear();
+    return;
+  }
+  if (array.dtype().kind() == 'c') refuse(place, "an array of real numbers", value);
+  const bool masked =
+      py::hasattr(value, "mask") && static_cast<bool>(py::bool_(value.attr("mask").attr("any")()));
+  if (masked) refuse(place, "an array without masked values", value);
+}
+
 py::object toPython(const Image& image) {
   if (image.empty()) return py::none();
   // The array keeps the pixels alive.
@@ -86,6 +98,7 @@ std::vector<NamedArray> arraysFrom(py::handle value, const std::string& place) {
     NamedArray& array = arrays.emplace_back();
     array.name = textFrom(name, place);
     const std::string here = place + "['" + array.name + "']";
+    refuseHidden(item, here);
     using Values = py::array_t<float, py::array::c_style | py::array::forcecast>;
     const Values values = Values::ensure(item);
     if (!values) {

@@ -94,8 +94,12 @@ py::object toPython(const std::vector<T>& values) {
 template <class T>
 void fromPython(py::handle value, T& member, const std::string& place);
 
+/// Refuses what a conversion to numbers would drop: imaginary parts, and masks.
+void refuseHidden(py::handle value, const std::string& place);
+
 template <Matrix M>
 void matrixFrom(py::handle value, M& matrix, const std::string& place) {
+  refuseHidden(value, place);
   using Array = py::array_t<typename M::Scalar, py::array::c_style | py::array::forcecast>;
   const Array array = Array::ensure(value);
   if (!array) PyErr_Clear();
