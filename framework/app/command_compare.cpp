@@ -25,6 +25,7 @@ struct CompareCommand {
   std::string kind = "auto";
   experiment::PivotOptions pivot;
   std::vector<std::string> heads;
+  std::vector<std::string> values;
 };
 
 template <class Table>
@@ -47,12 +48,15 @@ std::string bytesOf(const std::string& svg, const std::string& file) {
 
 std::string comparisonText(CompareCommand& command, const std::vector<experiment::RunRow>& rows,
                            std::vector<std::filesystem::path>& written) {
-  if (!command.pivot.columns.empty()) {
+  if (!command.pivot.columns.empty() || !command.values.empty()) {
     command.pivot.by = command.options.by;
     command.pivot.only = command.options.only;
     if (command.pivot.cell.empty()) command.pivot.cell = "{" + command.options.metric + ":.3g}";
     for (const std::string& head : command.heads) {
       command.pivot.heads.push_back(pairOf(head, "--head LABEL=CELL"));
+    }
+    for (const std::string& value : command.values) {
+      command.pivot.values.push_back(pairOf(value, "--value HEADING=CELL"));
     }
     return textOf(valueOrEnd(experiment::pivotOf(rows, command.pivot)), command.format);
   }
@@ -89,6 +93,17 @@ void addPivotOptions(CLI::App& command, CompareCommand& options) {
                   "A column for each level of this factor, instead of statistics")
       ->type_name("FACTOR")
       ->check(notEmpty);
+  command
+      .add_option("--value", options.values,
+                  "A column of these cells, instead of statistics (repeatable)")
+      ->type_name("HEADING=FORMAT")
+      ->allow_extra_args(false)
+      ->excludes("--columns");
+  command
+      .add_option("--over", options.pivot.over,
+                  "Cells of --columns and --value are means over this factor, and over seeds")
+      ->type_name("FACTOR")
+      ->allow_extra_args(false);
   command
       .add_option("--cell", options.pivot.cell,
                   "Text of the cells with metrics in braces: '{map.ate.rmse_m:.2f}'")

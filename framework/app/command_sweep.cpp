@@ -106,7 +106,7 @@ void printPlan(const experiment::Plan& plan, const Progress& progress, const Swe
   };
   line("sweep",
        fmt::format("{}: {} runs{}", plan.name, plan.runs.size() - static_cast<std::size_t>(fronts),
-                   fronts > 0 ? fmt::format(" on {} front ends", fronts) : ""));
+                   fronts > 0 ? fmt::format(", after {} that they need", fronts) : ""));
   line("folder", out.string());
   line("done", std::to_string(progress.done));
   if (progress.failed > 0) line("failed", fmt::format("{} (--retry)", progress.failed));

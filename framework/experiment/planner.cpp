@@ -70,7 +70,7 @@ class Planner {
     std::vector<PlannedRun> runs;
     std::map<std::string, std::string> names;  // by key
     for (const Point& point : points) {
-      const FrontRun* front = point.front_end ? &frontRun(*point.front_end) : nullptr;
+      const FrontRun* front = point.front_end ? &frontRun(sweep, *point.front_end) : nullptr;
       const config::Loaded& base = this->base(sweep, point, front);
       std::optional<PlannedRun> run = resolve(base, point, front);
       if (!run) continue;
@@ -132,27 +132,34 @@ class Planner {
     }
   }
 
-  const FrontRun& frontRun(const FrontEnd& front) {
-    const auto found = fronts_.find(front.label);
+  const FrontRun& frontRun(const SweepFile& sweep, const FrontEnd& front) {
+    const std::string name = (front.is_session ? "first-session-" : "front-end-") + front.label;
+    const auto found = fronts_.find(name);
     if (found != fronts_.end()) return found->second;
-    FrontRun& made = fronts_[front.label];
+    FrontRun& made = fronts_[name];
     config::Loaded base = load(*front.base);
+    if (front.is_session) apply(base.tree, sweep.settings);
     Node yes{Node::Kind::Scalar, "replay", front.base->origin, front.base->origin};
     yes.text = "true";
     (void)config::setValue(base.tree, "record.replay", yes);
-    const Point point{"front-end-" + front.label, {}, front.settings, nullptr};
+    const Point point{name, {}, front.settings, nullptr};
     if (auto run = resolve(base, point, nullptr)) made.run = std::move(*run);
     made.run.is_front_end = true;
     made.path = (options_.out / made.run.folder / "run").string();
     return made;
   }
 
-  /// The base with the settings of all points, and with the replay of a front end.
+  /// The base with the settings of all points, and with the replay of a front end or the map of a
+  /// first session.
   const config::Loaded& base(const SweepFile& sweep, const Point& point, const FrontRun* front) {
     const auto found = bases_.find(point.front_end.get());
     if (found != bases_.end()) return found->second;
     config::Loaded loaded = load(*sweep.base);
-    if (front != nullptr) {
+    if (front != nullptr && point.front_end->is_session) {
+      Node path{Node::Kind::Scalar, "continue", sweep.base->origin, sweep.base->origin};
+      path.text = front->path;
+      (void)config::setValue(loaded.tree, "continue", path);
+    } else if (front != nullptr) {
       const auto environment = [&](const std::string& name) {
         return name == "REPLAY_RUN" ? front->path : options_.environment(name);
       };
@@ -278,7 +285,7 @@ class Planner {
   host::Catalogue catalogue_;
   std::string host_;
   std::map<const FrontEnd*, config::Loaded> bases_;
-  std::map<std::string, FrontRun> fronts_;  ///< by label
+  std::map<std::string, FrontRun> fronts_;  ///< by name
   std::map<std::pair<std::string, Role>, Plugin> plugins_;
   std::map<std::string, std::string> digests_;  ///< of the files of plugins
   std::set<std::string> told_;

@@ -49,7 +49,7 @@ std::string configOf(const fs::path& folder, const PlannedRun& point,
   if (!point.needs.empty()) {
     const PointOutcome front = outcomeOf(sweep / point.needs);
     if (front.state != PointState::Done || !record::hasAnswers(sweep / point.needs / "run")) {
-      refuse(FailureKind::Dataset, "the front end " + point.needs + " has not been run: it is " +
+      refuse(FailureKind::Dataset, "the run " + point.needs + ", which this one needs, is " +
                                        std::string(enumName(front.state)));
     }
   }

@@ -62,13 +62,18 @@ std::string filled(const std::vector<CellPart>& parts, const Runs& runs) {
   return text;
 }
 
-Status oneKind(const Runs& runs) {
+bool isAveraged(const std::string& factor, const PivotOptions& options) {
+  return factor == "seed" || std::ranges::find(options.over, factor) != options.over.end();
+}
+
+Status oneKind(const Runs& runs, const PivotOptions& options) {
   for (const RunRow* run : runs) {
     for (const Factor& factor : run->factors) {
-      if (factor.name == "seed" || runs.front()->label(factor.name) == factor.label) continue;
+      if (isAveraged(factor.name, options) || runs.front()->label(factor.name) == factor.label)
+        continue;
       return Status::invalidInput("'" + runs.front()->name + "' and '" + run->name +
                                   "' would be one cell; name '" + factor.name +
-                                  "' with --by or --only");
+                                  "' with --by, --only or --over");
     }
   }
   return Status::ok();
@@ -99,9 +104,8 @@ class Pivot {
       levels_.add(levelOf(*run));
       cells_[{levelOf(*run), run->label(options_.columns)}].push_back(run);
     }
-    std::string heading;
-    for (const std::string& factor : by_) heading += (heading.empty() ? "" : ", ") + factor;
-    table_.heading = {heading};
+    if (!options_.values.empty()) return valueTable(status);
+    table_.heading = {heading()};
     table_.heading.insert(table_.heading.end(), columns_.labels.begin(), columns_.labels.end());
     for (const auto& [label, cell] : options_.heads) {
       if (status.isOk()) status = addRow(label, levels_.labels.front(), cell);
@@ -114,12 +118,35 @@ class Pivot {
   }
 
  private:
+  /// All runs of a level are one cell, which each column shows in its own way.
+  Result<TextTable> valueTable(Status status) {
+    table_.heading = {heading()};
+    for (const auto& [head, cell] : options_.values) table_.heading.push_back(head);
+    for (const std::string& level : levels_.labels) {
+      std::vector<std::string> row = {level};
+      for (const auto& [head, cell] : options_.values) {
+        if (!status.isOk()) return status;
+        status = addCell(row, cell, cells_.find({level, ""}));
+      }
+      table_.rows.push_back(std::move(row));
+    }
+    if (!status.isOk()) return status;
+    return std::move(table_);
+  }
+
+  std::string heading() const {
+    std::string text;
+    for (const std::string& factor : by_) text += (text.empty() ? "" : ", ") + factor;
+    return text;
+  }
+
   Status chooseFactors() {
     if (runs_.empty()) return Status::invalidParameter("no run is left to compare");
     std::vector<std::string> names;
     for (const Factor& factor : runs_.front()->factors) names.push_back(factor.name);
     std::vector<std::string> wanted = options_.by;
-    wanted.push_back(options_.columns);
+    wanted.insert(wanted.end(), options_.over.begin(), options_.over.end());
+    if (options_.values.empty()) wanted.push_back(options_.columns);
     for (const std::string& name : wanted) {
       if (std::ranges::find(names, name) != names.end()) continue;
       return Status::invalidParameter("no factor '" + name + "'" + config::didYouMean(name, names) +
@@ -127,7 +154,8 @@ class Pivot {
     }
     by_ = options_.by;
     for (const std::string& name : names) {
-      if (options_.by.empty() && name != "seed" && name != options_.columns) by_.push_back(name);
+      if (options_.by.empty() && !isAveraged(name, options_) && name != options_.columns)
+        by_.push_back(name);
     }
     return Status::ok();
   }
@@ -153,18 +181,28 @@ class Pivot {
     return level;
   }
 
+  using Cells = std::map<std::pair<std::string, std::string>, Runs>;  ///< by row and column
+
   Status addRow(const std::string& label, const std::string& level, const std::string& cell) {
+    std::vector<std::string>& row = table_.rows.emplace_back(1, label);
+    for (const std::string& column : columns_.labels) {
+      if (Status status = addCell(row, cell, cells_.find({level, column})); !status.isOk()) {
+        return status;
+      }
+    }
+    return Status::ok();
+  }
+
+  /// Empty where there are no such runs.
+  Status addCell(std::vector<std::string>& row, const std::string& cell,
+                 Cells::const_iterator runs) const {
     const auto parts = partsOf(cell);
     if (!parts.isOk()) return parts.status();
     if (Status status = requireKnown(parts.value()); !status.isOk()) return status;
-    std::vector<std::string>& row = table_.rows.emplace_back(1, label);
-    for (const std::string& column : columns_.labels) {
-      std::string& text = row.emplace_back();
-      const auto found = cells_.find({level, column});
-      if (found == cells_.end()) continue;
-      if (Status status = oneKind(found->second); !status.isOk()) return status;
-      text = filled(parts.value(), found->second);
-    }
+    row.emplace_back();
+    if (runs == cells_.end()) return Status::ok();
+    if (Status status = oneKind(runs->second, options_); !status.isOk()) return status;
+    row.back() = filled(parts.value(), runs->second);
     return Status::ok();
   }
 
@@ -173,7 +211,7 @@ class Pivot {
   Runs runs_;
   Levels columns_;
   Levels levels_;
-  std::map<std::pair<std::string, std::string>, Runs> cells_;  ///< by row and column
+  Cells cells_;
   TextTable table_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tables of metrics with the levels of one factor as columns, such as one column a sequence.
+// Tables of metrics with the levels of one factor as columns, such as one column a sequence, or
+// with a column for each of several metrics.
 #pragma once
 
 #include <string>
@@ -13,7 +14,9 @@ namespace tolman::experiment {
 
 struct PivotOptions {
   std::vector<std::string> by;  ///< factors of the rows; empty: all but the columns' and seed
-  std::string columns;          ///< factor of the columns
+  std::string columns;          ///< factor of the columns; empty: those of `values`
+  std::vector<std::pair<std::string, std::string>> values;  ///< heading and cell of each column
+  std::vector<std::string> over;  ///< factors beside the seed that a cell takes the mean over
   /// Text of a cell, with metrics and their formats in braces: "{map.ate.rmse_m:.2f} m".
   std::string cell;
   std::vector<std::pair<std::string, std::string>> heads;  ///< label, cell: of the first row's runs

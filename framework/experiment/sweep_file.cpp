@@ -138,7 +138,8 @@ class Reader {
       if (!list.isMap()) problem(list, list.key, "expects a map from labels to settings");
       for (const Node& item : list.children) {
         if (!item.isMap()) problem(item, item.key, "expects a map of settings");
-        add(axis, {{{list.key, item.key}}, settings(item, {}), nullptr}, item);
+        add(axis, {{{list.key, item.key}}, settings(item, {"first_session"}), firstSession(item)},
+            item);
       }
       add(std::move(axis), list, list.key);
     }
@@ -264,6 +265,14 @@ class Reader {
     front->base = pointerTo(base);
     if (node.isMap()) front->settings = settings(node, {"base"});
     return front;
+  }
+
+  /// first_session: {key: value}; none where the item has no such key.
+  std::shared_ptr<const FrontEnd> firstSession(const Node& item) {
+    const Node* first = map(item, "first_session");
+    if (first == nullptr) return nullptr;
+    return std::make_shared<const FrontEnd>(
+        FrontEnd{item.key, true, sweep_.base, settings(*first, {})});
   }
 
   /// A number N for 1 to N, or a list.

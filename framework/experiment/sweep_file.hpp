@@ -25,10 +25,13 @@ struct Factor {
   std::string label;
 };
 
-/// Source, odometry and place of a configuration of its own, run once; its answers are replayed.
+/// A run before points, made once: source, odometry and place of a configuration of its own, whose
+/// answers are replayed; or a first session, whose map is continued.
 struct FrontEnd {
   std::string label;
-  std::shared_ptr<const config::Node> base;  ///< file, or the name of a shipped configuration
+  bool is_session = false;
+  /// File, or the name of a shipped configuration; of a session that of the sweep, with its `set`.
+  std::shared_ptr<const config::Node> base;
   std::vector<Setting> settings;
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "record/views.hpp"
+
 namespace tolman::record {
 namespace {
 
@@ -81,6 +83,7 @@ Database createDatabase(const std::filesystem::path& file) {
   database.exec(kJournal);
   database.exec("BEGIN");
   for (const Table& table : schema()) database.exec(createSql(table));
+  for (const View& view : views()) database.exec(createSql(view));
   database.exec(
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
       "CREATE INDEX \"earlier_loop_announced\" ON \"earlier_loop\" (\"announced_at\");"

@@ -52,6 +52,26 @@ TEST_CASE("cells have the means over seeds, and stay empty without runs") {
   CHECK(latexOf(table.value()).find("a & 1.50 (15) & 4.00 (40) \\\\\n") != std::string::npos);
 }
 
+TEST_CASE("a column for each of several metrics") {
+  PivotOptions asked;
+  asked.by = {"model", "sequence"};
+  asked.values = {{"error, m", "{map.ate.rmse_m:.2f}"}, {"loops", "{loops.true_links:.0f} true"}};
+  const auto table = pivotOf(rows(), asked);
+  REQUIRE(table.isOk());
+  CHECK(table.value().heading == std::vector<std::string>{"model, sequence", "error, m", "loops"});
+  CHECK(table.value().rows ==
+        std::vector<std::vector<std::string>>{{"a, 00", "1.50", "15 true"},
+                                              {"a, 05", "4.00", "40 true"},
+                                              {"b, c, 00", "8.00", "80 true"}});
+  asked.by = {"model"};
+  CHECK_FALSE(pivotOf(rows(), asked).isOk());  // two sequences in one cell
+  asked.over = {"sequence"};
+  CHECK(pivotOf(rows(), asked).value().rows[0] == std::vector<std::string>{"a", "2.75", "28 true"});
+  asked.over.clear();
+  asked.by.clear();  // all factors but the seed
+  CHECK(pivotOf(rows(), asked).value().rows.size() == 3);
+}
+
 TEST_CASE("what is no table is refused") {
   const auto message = [](const PivotOptions& asked) {
     const auto table = pivotOf(rows(), asked);

@@ -142,7 +142,7 @@ TEST_CASE("a front end is run once, and its noise follows the seed") {
          "seeds: 3\n";
   const Finished planned = study.sweep({"--dry-run"});
   INFO(planned.err);
-  CHECK(contains(planned.out, "6 runs on 1 front ends"));
+  CHECK(contains(planned.out, "6 runs, after 1 that they need"));
   const Finished finished = study.sweep();
   INFO(finished.err);
   REQUIRE(finished.exit_code == 0);
@@ -150,6 +150,28 @@ TEST_CASE("a front end is run once, and its noise follows the seed") {
   CHECK(results.size() == 7);
   CHECK(results.at("period=100,sequence=a,seed=1") != results.at("period=100,sequence=a,seed=2"));
   CHECK(contains(study.sweep().out, "done      7\n"));  // the keys do not depend on the folder
+}
+
+TEST_CASE("points continue the map of a first session, which is run once") {
+  const Study study;
+  study.writeAll(
+      "set: {source.path: a, evaluation.sessions: joint, source.truth_origin: data}\n"
+      "list:\n"
+      "  way:\n"
+      "    one: {source.last: 59}\n"
+      "    two: {first_session: {source.last: 29}, source.first: 30, source.last: 59}\n"
+      "grid: {evaluation.alignment: [se2, se3]}\n");
+  CHECK(contains(study.sweep({"--dry-run"}).out, "4 runs, after 1 that they need"));
+  const Finished finished = study.sweep();
+  INFO(finished.out << finished.err);
+  REQUIRE(finished.exit_code == 0);
+  const auto sessions = [&](const std::string& run) {
+    return readJson(study.point(run) / "run/metrics.json")["sessions"].size();
+  };
+  CHECK(sessions("alignment=se2,way=one") == 1);
+  CHECK(sessions("alignment=se2,way=two") == 2);
+  CHECK(sessions("alignment=se3,way=two") == 2);
+  CHECK(contains(study.sweep().out, "done      5\n"));
 }
 
 TEST_CASE("lists of commands give the same results") {
