@@ -76,6 +76,10 @@ void compare(CompareCommand& command, const Invocation& invocation) {
   }
   const auto rows = valueOrEnd(experiment::readRunRows({command.runs.begin(), command.runs.end()}));
   if (rows.empty()) throw Ended{ExitCode::Dataset, "no run is done"};
+  for (const std::string& folder : command.runs) {
+    const std::string text = experiment::unfinishedText(folder);
+    if (!text.empty()) std::cerr << "warning: " + text + "\n";
+  }
   std::vector<std::filesystem::path> written;
   const std::string table = comparisonText(command, rows, written);
   if (command.out.empty()) {

@@ -85,17 +85,22 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
 Result<std::vector<RunRow>> readCsv(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const auto lines = csvRows({std::istreambuf_iterator<char>(stream), {}});
-  const auto bad = [&] {
-    return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`");
+  const auto bad = [&](const std::string& why) {
+    return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`: " + why);
   };
-  if (lines.empty()) return bad();
+  if (lines.empty()) return bad("it is empty");
   const auto begin = std::ranges::find(lines.front(), "alignment");
   const auto factors = static_cast<std::size_t>(begin - lines.front().begin());
-  if (factors < 1 || factors + 3 > lines.front().size()) return bad();
+  if (factors < 1 || factors + 3 > lines.front().size()) {
+    return bad("its first line has no alignment, truth and results after the factors");
+  }
   std::vector<RunRow> rows;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const auto& fields = lines[i];
-    if (fields.size() != lines.front().size()) return bad();
+    if (fields.size() != lines.front().size()) {
+      return bad(fmt::format("line {} has {} fields, the first {}", i + 1, fields.size(),
+                             lines.front().size()));
+    }
     RunRow& row = rows.emplace_back();
     row.name = fields[0];
     row.directory = file;
@@ -106,20 +111,30 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
     for (std::size_t k = factors + 3; k < fields.size(); ++k) {
       if (fields[k].empty()) continue;
       const auto number = config::readReal(fields[k]);
-      if (!number.isOk()) return bad();
+      if (!number.isOk()) {
+        return bad(fmt::format("line {}, {}: '{}' is no number", i + 1, lines[0][k], fields[k]));
+      }
       row.metrics[lines[0][k]] = number.value();
     }
   }
   return rows;
 }
 
-/// Those of its last plan that are done.
+/// The runs of its last plan, without front ends.
+std::vector<PlannedRun> plannedRuns(const fs::path& folder) {
+  std::vector<PlannedRun> points = readPoints(folder);
+  const auto order = planOrder(folder);
+  std::erase_if(points, [&](const PlannedRun& point) {
+    const bool planned = order.empty() || std::ranges::find(order, point.folder) != order.end();
+    return point.is_front_end || !planned;
+  });
+  return points;
+}
+
+/// Those that are done.
 Result<std::vector<RunRow>> readSweep(const fs::path& folder) {
   std::vector<RunRow> rows;
-  const auto order = planOrder(folder);
-  for (const PlannedRun& point : readPoints(folder)) {
-    const bool planned = order.empty() || std::ranges::find(order, point.folder) != order.end();
-    if (point.is_front_end || !planned) continue;
+  for (const PlannedRun& point : plannedRuns(folder)) {
     const PointOutcome outcome = outcomeOf(folder / point.folder);
     if (outcome.state != PointState::Done) continue;
     auto row = readRun(folder / point.folder / "run");
@@ -133,6 +148,23 @@ Result<std::vector<RunRow>> readSweep(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string unfinishedText(const fs::path& sweep) {
+  if (sweep.extension() == ".csv") return "";
+  const std::vector<PlannedRun> points = plannedRuns(sweep);
+  std::size_t failed = 0;
+  std::size_t waiting = 0;
+  for (const PlannedRun& point : points) {
+    const PointState state = outcomeOf(sweep / point.folder).state;
+    if (state == PointState::Failed) ++failed;
+    if (state != PointState::Failed && state != PointState::Done) ++waiting;
+  }
+  if (failed + waiting == 0) return "";
+  return fmt::format(
+      "{}: of {} runs {} failed and {} are not done, and are not in the table; see "
+      "`tolman sweep status {}`",
+      sweep.string(), points.size(), failed, waiting, sweep.string());
+}
 
 std::string RunRow::label(const std::string& factor) const {
   const auto found = std::ranges::find(factors, factor, &Factor::name);

@@ -31,6 +31,9 @@ struct RunRow {
 /// which their configurations differ.
 Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
 
+/// How many runs of a sweep failed or are not done; empty where all are, and for what is no sweep.
+std::string unfinishedText(const std::filesystem::path& sweep);
+
 /// One line a run: name, factors, alignment, digests of truth and results, metrics: all but
 /// times, or those that are wanted.
 std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});

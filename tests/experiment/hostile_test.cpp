@@ -29,6 +29,12 @@ TEST_CASE("a plugin that crashes in one run of ten concerns that run only") {
   const std::string status = study.status();
   CHECK(contains(status, "done         9\nfailed       1\n"));
   CHECK(contains(status, "the process was ended by signal 6"));
+  const Finished table =
+      tolman::test::tolman({"compare", study.out().string(), "--metric", "frames"});
+  CHECK(table.exit_code == 0);
+  CHECK(contains(table.err,
+                 "warning: " + study.out().string() +
+                     ": of 10 runs 1 failed and 0 are not done, and are not in the table"));
   const auto before = study.results();
   command.emplace_back("--retry");
   CHECK(tolman::test::tolman(command).exit_code == 7);  // it dies again, the others are not run

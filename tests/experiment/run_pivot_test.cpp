@@ -112,7 +112,13 @@ TEST_CASE("a table of runs is read as it was written") {
   }
   CHECK(csvOf(written, {"loops.true_links"}).find("rmse") == std::string::npos);
   std::ofstream(file) << "name,model\na,b\n";
-  CHECK(readRunRows({file}).status().message().find("no table of") != std::string::npos);
+  const auto refusal = [&] { return readRunRows({file}).status().message(); };
+  CHECK(
+      refusal().ends_with("its first line has no alignment, truth and results after the factors"));
+  std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2,t,r,1\na,b,se2,t,r,nan\n";
+  CHECK(refusal().ends_with("line 3, ate: 'nan' is no number"));
+  std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2\n";
+  CHECK(refusal().ends_with("line 2 has 3 fields, the first 6"));
 }
 
 TEST_CASE("quoted fields of CSV") {
