@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Turns rows and graph into the layers of the map.
-import { Box3, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry, Vector3 } from 'three';
+import { Box3, Color, Group, Mesh, MeshBasicMaterial, Shape, ShapeGeometry, Vector3 } from 'three';
 import { bestMotion, bestScale, firstDistance, kIdentity, moved, type PlanarMotion, type Track } from '../model/alignment';
 import type { Graph } from '../model/graph';
 import type { RowStore } from '../model/row_store';
 import type { PageState } from '../model/page_state';
 import type { Colours } from '../look/theme';
+import { hasStoreys, kStorey } from '../model/storeys';
 import { countBelow } from '../model/thinning';
 import type { ColumnName } from '../wire/records';
-import type { Resolution } from './line_material';
+import type { Fade, Resolution } from './line_material';
 import { DotLayer, SegmentLayer, toScene } from './map_layers';
 
 export const kLayers = ['links', 'loops', 'rejected', 'experiences', 'odometry', 'truth'] as const;
@@ -36,7 +37,8 @@ export class MapContent {
   private readonly links: SegmentLayer;
   private readonly loops: SegmentLayer;
   private readonly rejected: SegmentLayer;
-  private readonly dots = new DotLayer(4);
+  private readonly dots: DotLayer;
+  private readonly fade: Fade = { level: { value: 0 }, reach: { value: 0 }, paper: { value: new Color() } };
   private readonly fill = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private readonly rim = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private drawnRows = { rows: null as RowStore | null, count: 0 };
@@ -47,11 +49,12 @@ export class MapContent {
   private readonly linksOf = { links: [] as number[], loops: [] as number[], rejected: [] as number[] };
 
   constructor(resolution: Resolution) {
-    this.truth = new SegmentLayer(4.5, 1, resolution);
-    this.odometry = new SegmentLayer(1.4, 2, resolution);
-    this.links = new SegmentLayer(1.6, 3, resolution);
-    this.rejected = new SegmentLayer(1.2, 2, resolution);
-    this.loops = new SegmentLayer(3, 5, resolution);
+    this.truth = new SegmentLayer(4.5, 1, resolution, this.fade);
+    this.odometry = new SegmentLayer(1.4, 2, resolution, this.fade);
+    this.links = new SegmentLayer(1.6, 3, resolution, this.fade);
+    this.rejected = new SegmentLayer(1.2, 2, resolution, this.fade);
+    this.loops = new SegmentLayer(3, 5, resolution, this.fade);
+    this.dots = new DotLayer(4, this.fade);
     for (const layer of [this.truth, this.odometry, this.links, this.rejected, this.loops, this.dots]) {
       this.group.add(layer.object);
     }
@@ -83,6 +86,7 @@ export class MapContent {
     this.dots.setColour(colours.green);
     this.fill.color.set(colours.ink);
     this.rim.color.set(colours.panel);
+    this.fade.paper.value.set(colours.well);
   }
 
   setDotSize(size: number): void {
@@ -208,6 +212,7 @@ export class MapContent {
     }
     for (const name of kLinkLayers) this[name].cut(this.linksOf[name].length);
     this.dots.upload();
+    this.fade.reach.value = hasStoreys(graph, this.scale) ? kStorey * 0.6 : 0;
   }
 
   private placeRobot(rows: RowStore, row: number): void {
@@ -215,6 +220,7 @@ export class MapContent {
     this.robot.visible = Number.isFinite(x);
     if (!this.robot.visible) return;
     this.robot.position.set(...toScene(this.scale * x, this.scale * y, this.scale * z));
+    this.fade.level.value = this.robot.position.y;
     const heading = rows.value(row, 'decision.heading');
     this.robot.rotation.y = Number.isFinite(heading) ? heading : 0;
   }

@@ -3,7 +3,7 @@
 // layer, which needs no new buffers.
 import { BufferAttribute, BufferGeometry, CanvasTexture, Mesh, Points, PointsMaterial } from 'three';
 import { countBelow, SegmentThinner } from '../model/thinning';
-import { LineMaterial, type Resolution } from './line_material';
+import { LineMaterial, type Fade, type Resolution } from './line_material';
 
 const kFew = 800; // segments that need no thinning
 
@@ -20,8 +20,8 @@ export class SegmentLayer {
   private stale = true;
   private room = 64;
 
-  constructor(width: number, order: number, resolution: Resolution) {
-    this.object = new Mesh(rectangles(this.room), new LineMaterial(width, resolution));
+  constructor(width: number, order: number, resolution: Resolution, fade: Fade) {
+    this.object = new Mesh(rectangles(this.room), new LineMaterial(width, resolution, fade));
     this.object.frustumCulled = false;
     this.object.renderOrder = order;
   }
@@ -115,11 +115,12 @@ export class DotLayer {
   readonly object: Points<BufferGeometry, PointsMaterial>;
   private values = new Float32Array(3 * 64);
 
-  constructor(order: number) {
+  constructor(order: number, fade: Fade) {
     const material = new PointsMaterial({
       size: 6, sizeAttenuation: false, map: ringTexture(), transparent: true, depthTest: false,
       depthWrite: false,
     });
+    fadeDots(material, fade);
     this.object = new Points(new BufferGeometry(), material);
     this.object.frustumCulled = false;
     this.object.renderOrder = order;
@@ -162,6 +163,19 @@ export class DotLayer {
     this.object.geometry.dispose();
     this.object.geometry = geometry;
   }
+}
+
+/** As LineMaterial fades lines. */
+function fadeDots(material: PointsMaterial, fade: Fade): void {
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, fade);
+    shader.vertexShader = shader.vertexShader
+      .replace('void main() {', 'uniform float level;\nuniform float reach;\nvarying float away;\nvoid main() {\n' +
+        '  away = reach > 0.0 ? smoothstep(reach, 1.5 * reach, abs(position.y - level)) : 0.0;');
+    shader.fragmentShader = shader.fragmentShader
+      .replace('void main() {', 'varying float away;\nvoid main() {')
+      .replace('#include <color_fragment>', '#include <color_fragment>\n  diffuseColor.a *= 1.0 - 0.8 * away;');
+  };
 }
 
 /** A small white circle, coloured by the material. */
