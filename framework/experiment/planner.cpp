@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "config/overrides.hpp"
@@ -93,7 +94,8 @@ class Planner {
   };
   struct Plugin {
     host::LoadedPlugin loaded;
-    std::string refusal;  ///< empty: it can be used
+    std::string refusal;                         ///< empty: it can be used
+    std::map<std::string, std::string> digests;  ///< of its library, or program and files of that
   };
 
   /// Each problem once.
@@ -172,18 +174,43 @@ class Planner {
     return bases_.emplace(point.front_end.get(), std::move(loaded)).first->second;
   }
 
-  const Plugin& plugin(const std::string& id, Role role) {
-    const auto [found, is_new] = plugins_.try_emplace({id, role});
-    if (!is_new) return found->second;
+  /// Null where it is refused.
+  const Plugin* plugin(const config::StageConfig& stage, const config::SystemConfig& system,
+                       config::Problems& problems) {
+    host::Manifest manifest;
+    std::string refusal;
     try {
-      found->second.loaded = run::loadFrom(catalogue_, id, role);
-      const std::string file = found->second.loaded.manifest.file.string();
-      const auto digest = record::fileDigest(file);
-      digests_[file] = digest.isOk() ? digest.value() : "unreadable";
+      manifest = run::manifestOf(catalogue_, stage, system);
     } catch (const run::Failed& refused) {
-      found->second.refusal = refused.what();
+      refusal = refused.what();
     }
-    return found->second;
+    const auto [found, is_new] =
+        plugins_.try_emplace({stage.plugin, stage.role, manifest.program.string()});
+    Plugin& plugin = found->second;
+    if (is_new)
+      plugin = refusal.empty() ? opened(manifest, stage.role, system) : Plugin{{}, refusal, {}};
+    if (plugin.refusal.empty()) return &plugin;
+    problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", plugin.refusal,
+                        config::Problem::Kind::Plugin});
+    return nullptr;
+  }
+
+  static Plugin opened(const host::Manifest& manifest, Role role,
+                       const config::SystemConfig& system) {
+    Plugin plugin;
+    try {
+      plugin.loaded = run::describeFrom(manifest, role, system);
+    } catch (const run::Failed& refused) {
+      plugin.refusal = refused.what();
+    }
+    std::vector<std::string> files = plugin.loaded.manifest.program_files;
+    files.push_back(manifest.file.string());
+    if (!manifest.program.empty()) files.push_back(manifest.program.string());
+    for (const std::string& file : files) {
+      const auto digest = record::fileDigest(file);
+      plugin.digests[file] = digest.isOk() ? digest.value() : "unreadable";
+    }
+    return plugin;
   }
 
   const record::DataDigest* data(const std::string& path) {
@@ -211,17 +238,15 @@ class Planner {
     PlannedRun run;
     for (const config::StageConfig& stage : system.stages) {
       if (stage.plugin.empty()) continue;
-      const Plugin& plugin = this->plugin(stage.plugin, stage.role);
-      if (!plugin.refusal.empty()) {
-        problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", plugin.refusal,
-                            config::Problem::Kind::Plugin});
-        continue;
+      const Plugin* plugin = this->plugin(stage, system, problems);
+      if (plugin == nullptr) continue;
+      values[stage.instance] =
+          config::check(stage, plugin->loaded.schema, system.folders, problems);
+      schemas.push_back(&plugin->loaded.schema);
+      for (const auto& [file, digest] : plugin->digests) {
+        run.inputs.plugins[file] = digest;
+        if (stage.role < Role::Cells) run.front += "plugin " + digest + "\n";
       }
-      values[stage.instance] = config::check(stage, plugin.loaded.schema, system.folders, problems);
-      schemas.push_back(&plugin.loaded.schema);
-      const std::string file = plugin.loaded.manifest.file.string();
-      run.inputs.plugins[file] = digests_.at(file);
-      if (stage.role < Role::Cells) run.front += "plugin " + digests_.at(file) + "\n";
     }
     for (const config::Problem& problem : problems) tell(problem);
     if (!problems.empty() || !loaded.complete) return std::nullopt;
@@ -236,6 +261,7 @@ class Planner {
   void addData(PlannedRun& run, const std::vector<std::string>& paths, const FrontRun* front) {
     for (const std::string& path : paths) {
       if (front != nullptr && path == front->path) continue;  // front->run.key stands for it
+      if (run.inputs.plugins.contains(path)) continue;        // a program
       if (const record::DataDigest* digest = data(path)) run.inputs.data.push_back(*digest);
     }
   }
@@ -285,9 +311,8 @@ class Planner {
   host::Catalogue catalogue_;
   std::string host_;
   std::map<const FrontEnd*, config::Loaded> bases_;
-  std::map<std::string, FrontRun> fronts_;  ///< by name
-  std::map<std::pair<std::string, Role>, Plugin> plugins_;
-  std::map<std::string, std::string> digests_;  ///< of the files of plugins
+  std::map<std::string, FrontRun> fronts_;                                ///< by name
+  std::map<std::tuple<std::string, Role, std::string>, Plugin> plugins_;  ///< by id and program
   std::set<std::string> told_;
 };
 

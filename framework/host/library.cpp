@@ -104,6 +104,7 @@ OrRefusal<LoadedPlugin> openProgram(const boost::dll::shared_library& library,
   plugin.manifest.role = program.descriptor->role;
   plugin.manifest.version = program.version;
   plugin.manifest.summary = program.summary;
+  plugin.manifest.program_files = std::move(program.files);
   if (auto refusal = checkSchema(plugin.manifest, plugin.schema)) return *refusal;
   return plugin;
 }

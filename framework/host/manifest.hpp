@@ -29,6 +29,7 @@ struct Manifest {
   /// Of an interpreter (tolman/program.hpp), else empty: the suffix of the programs that it runs.
   std::string programs;
   std::filesystem::path program;  ///< absolute; the one that is meant. Its role is known when open
+  std::vector<std::string> program_files;  ///< that it reads beside; known when open
 
   bool hasExtra(std::string_view name) const {
     return std::find(extras.begin(), extras.end(), name) != extras.end();

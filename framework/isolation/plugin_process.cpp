@@ -114,7 +114,7 @@ class PluginProcess {
   }
 
   Status load(const LoadMessage& message, host::Refusal& refusal, Role& role, std::string& version,
-              std::string& summary, Schema& schema) {
+              std::string& summary, std::vector<std::string>& files, Schema& schema) {
     limitResources(message.memory_mib);
     if (message.threads > 0) {
       threads_.emplace(tbb::global_control::max_allowed_parallelism,
@@ -129,6 +129,7 @@ class PluginProcess {
     role = plugin_->manifest.role;
     version = plugin_->manifest.version;
     summary = plugin_->manifest.summary;
+    files = plugin_->manifest.program_files;
     schema = plugin_->schema;
     return Status::ok();
   }

@@ -63,7 +63,8 @@ std::optional<host::Refusal> RemotePlugin::load() {
   const Status status = process_->call(
       Call::Load, [&](Encoder& encoder) { encoder.put(message); },
       [&](Decoder& decoder) {
-        decoder.getAll(refusal, manifest_.role, manifest_.version, manifest_.summary, schema_);
+        decoder.getAll(refusal, manifest_.role, manifest_.version, manifest_.summary,
+                       manifest_.program_files, schema_);
         if (enumName(manifest_.role) == "invalid")
           throw MalformedMessage("a role that does not exist");
       });

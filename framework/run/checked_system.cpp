@@ -88,22 +88,26 @@ void requireRole(const host::Manifest& manifest, Role role) {
 }
 
 /// Throws Failed.
-Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
-            const config::SystemConfig& config, const SystemOptions& options) {
-  const bool is_program = catalogue.interpreter(stage.plugin) != nullptr;
-  if (!options.apart && !is_program && stage.isolation == config::Isolation::None) {
-    return {loadFrom(catalogue, stage.plugin, stage.role), nullptr};
-  }
+Opened openApart(const host::Manifest& manifest, Role role, const config::SystemConfig& config,
+                 const SystemOptions& options) {
   const isolation::LaunchOptions launch{options.stage_program, config.isolation.deadline,
                                         static_cast<std::uint64_t>(config.isolation.memory_limit),
                                         config.general.threads};
-  const auto manifest = is_program ? programOf(catalogue, stage, config)
-                                   : require(catalogue.find(stage.plugin, stage.role));
   auto remote = require(isolation::RemotePlugin::start(manifest, launch));
-  requireRole(remote->manifest(), stage.role);
-  Schema schema = is_program ? config::programSchema() : Schema();
+  requireRole(remote->manifest(), role);
+  Schema schema = manifest.program.empty() ? Schema() : config::programSchema();
   schema.insert(schema.end(), remote->schema().begin(), remote->schema().end());
   return {{remote->manifest(), nullptr, std::move(schema)}, remote};
+}
+
+/// Throws Failed.
+Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
+            const config::SystemConfig& config, const SystemOptions& options) {
+  const auto manifest = manifestOf(catalogue, stage, config);
+  if (options.apart || !manifest.program.empty() || stage.isolation != config::Isolation::None) {
+    return openApart(manifest, stage.role, config, options);
+  }
+  return {require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild())), nullptr};
 }
 
 /// Whether a plugin saves its state is known only of its object, which is therefore created here.
@@ -140,6 +144,18 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths) {
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role) {
   return require(
       host::loadPlugin(require(catalogue.find(id, role)), host::HostIdentity::ofThisBuild()));
+}
+
+host::Manifest manifestOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
+                          const config::SystemConfig& config) {
+  if (catalogue.interpreter(stage.plugin) != nullptr) return programOf(catalogue, stage, config);
+  return require(catalogue.find(stage.plugin, stage.role));
+}
+
+host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
+                                const config::SystemConfig& config) {
+  if (!manifest.program.empty()) return openApart(manifest, role, config, {}).plugin;
+  return require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild()));
 }
 
 bool hasChain(const SystemOptions& options) {

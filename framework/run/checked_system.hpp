@@ -40,6 +40,13 @@ host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
 /// Finds, gates and opens one plugin. Throws Failed.
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);
 
+/// The manifest of the plugin of a stage, or of the program that it runs. Throws Failed.
+host::Manifest manifestOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
+                          const config::SystemConfig& config);
+/// Opens it for its parameters and files; a program in a process that ends again. Throws Failed.
+host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
+                                const config::SystemConfig& config);
+
 struct CheckedSystem {
   config::SystemConfig config;
   config::StageValues values;

@@ -4,7 +4,7 @@ import json
 import sqlite3
 import unittest
 
-from support import Systems, tolman
+from support import Systems, tolman, write_octagon
 
 CELLS = '''
     import math
@@ -73,6 +73,50 @@ class ProgramsTest(Systems):
         self.assertEqual(len(self.rates("a")), 25)
         self.assertEqual(self.rates("a"), self.rates("b"))
         self.assertNotEqual(self.rates("a"), self.rates("c"))
+
+    def test_a_sweep_freezes_what_each_program_is_made_of(self):
+        self.write("gains.py", "DOUBLE = 2\n")
+        self.write("other.py", CELLS.replace("import math", "import math\n    import gains", 1))
+        (self.folder / "drive").mkdir()
+        write_octagon(self.folder / "drive")
+        self.config(source="{plugin: motion_log, path: drive}", cells=STAGE % "")
+        study = self.write("study.yaml", """\
+            base: system.yaml
+            list: {model: {mine: {cells: {plugin: python, file: mine.py}}, other: {cells: {plugin: python, file: other.py}}}}
+            """)
+
+        def keys():
+            ran = tolman("sweep", study, "--out", self.folder / "out")
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            points = [json.loads(file.read_text()) for file in (self.folder / "out").glob("*/point.json")]
+            return {name: {point["key"] for point in points if point["name"] == f"model={name}"} for name in ("mine", "other")}
+
+        first = keys()
+        self.assertEqual([len(of) for of in first.values()], [1, 1])
+        self.assertEqual(keys(), first)
+        self.write("gains.py", "DOUBLE = 3\n")  # what the other one imports
+        second = keys()
+        self.assertEqual((second["mine"], len(second["other"])), (first["mine"], 2))
+        self.write("mine.py", CELLS + "\n    # edited\n")
+        third = keys()
+        self.assertEqual((len(third["mine"]), third["other"]), (2, second["other"]))
+
+        frozen = next(file.parent for file in (self.folder / "out").glob("*/point.json")
+                      if json.loads(file.read_text())["name"] == "model=other")
+        (frozen / "outcome.json").unlink()
+        self.write("gains.py", "DOUBLE = 4\n")
+        refused = tolman("sweep", "point", frozen)
+        self.assertEqual(refused.returncode, 4, refused.stderr)
+        self.assertIn("gains.py has changed since the run was planned", refused.stderr)
+
+    def test_a_sweep_tells_programs_that_cannot_be_opened(self):
+        self.write("broken.py", "import nothing_of_this_name\n")
+        self.config(cells=STAGE % "")
+        study = self.write("study.yaml", "base: system.yaml\ngrid: {cells.file: [mine.py, broken.py, missing.py]}\n")
+        ran = tolman("sweep", study, "--out", self.folder / "out")
+        self.assertNotEqual(ran.returncode, 0)
+        for words in ("nothing_of_this_name", "missing.py: there is no such file"):
+            self.assertIn(words, ran.stderr)
 
     def test_wrong_configurations_are_refused_before_the_run(self):
         for words, expected in (("gian: 3", "gain"), ("gain: 11", "0 ... 10 Hz"), ("mode: silent", "plain"),

@@ -157,6 +157,7 @@ void import(const std::string& file, Program& program) {
   known.has_descriptions = about["describe"].cast<bool>();
   program.version = about["version"].cast<std::string>();
   program.summary = about["summary"].cast<std::string>();
+  for (const py::handle name : about["files"]) program.files.push_back(name.cast<std::string>());
   for (const py::handle declared : about["schema"]) {
     program.schema.push_back(parameterFrom(declared));
   }

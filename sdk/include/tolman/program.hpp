@@ -8,6 +8,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "tolman/plugin.hpp"
 
@@ -21,6 +22,8 @@ struct Program {
   std::string version;
   std::string summary;
   Schema schema;  ///< without `file`
+  /// Files beside the program that decide what it does, such as its imports. Absolute paths.
+  std::vector<std::string> files;
 };
 
 /// Opens the program of this absolute path, once in a process. A failure says where in the program

@@ -28,7 +28,20 @@ def open_program(file):
     if not summary:
         raise TypeError(f"class {cls.__name__} has no docstring; its first line is the summary of the plugin")
     return {"class": cls, "role": role, "version": str(cls.version), "summary": summary,
-            "schema": parameters.schema(cls), "arrays": _has(cls, "arrays"), "describe": _has(cls, "describe")}
+            "schema": parameters.schema(cls), "arrays": _has(cls, "arrays"), "describe": _has(cls, "describe"), "files": _files(path)}
+
+
+def _files(program):
+    """What it imported from its own folder and from this package. Libraries in a virtual environment are left out."""
+    own, package = program.resolve(), pathlib.Path(__file__).resolve().parent
+    names = {getattr(module, "__file__", None) for module in list(sys.modules.values())}
+    files = {pathlib.Path(name).resolve() for name in names if isinstance(name, str)}
+
+    def counts(file):
+        inside = own.parent in file.parents and "site-packages" not in file.relative_to(own.parent).parts
+        return file.is_file() and file != own and (inside or package in file.parents)
+
+    return sorted(str(file) for file in files if counts(file))
 
 
 def _has(cls, name):

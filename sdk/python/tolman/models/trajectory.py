@@ -19,6 +19,8 @@ class Trajectory(tolman.Source):
     rate: float = tolman.parameter(10, range=(0.1, 1000), unit="Hz", doc="Frames a second; positions are interpolated.")
     duration: float = tolman.parameter(600, range=(1, 1e5), unit="s", doc="Of the random walk.")
     side: float = tolman.parameter(1.5, range=(0.1, 1e5), unit="m", doc="Of the box of the random walk.")
+    rooms: int = tolman.parameter(1, range=(1, 8), doc="Such boxes, apart by their side, that the random walk visits one after the other, and then the first "
+                                  "again. It is carried there, to a random place, and motion tells nothing of that.")
     speed: float = tolman.parameter(0.2, range=(1e-3, 100), unit="m/s", doc="Mean speed of the random walk; it is Rayleigh distributed.")
     turning: float = tolman.parameter(2.0, range=(0, 5), unit="rad/s", doc="Standard deviation of the turning rate of the random walk.")
     view_every: int = tolman.parameter(10, range=(1, 100000), unit="frames", doc="Frames between two looks.")
@@ -30,6 +32,7 @@ class Trajectory(tolman.Source):
         t, x, y, heading = self._walk() if self.path.name == "" else self._read()
         if len(t) < 2 or not np.all(np.isfinite([*t, *x, *y])) or np.any(np.diff(t) <= 0):
             raise tolman.InvalidInput(f"{self.path}: needs two positions or more, numbers, in ascending time")
+        self.carried = [math.ceil(at * self.rate - 1e-6) for at in self._visits()] if self.path.name == "" else []  # frames
         self.time = np.arange(t[0], t[-1] + 1e-9, 1 / self.rate)
         x, y = np.interp(self.time, t, x), np.interp(self.time, t, y)
         if heading is None:  # of the motion; kept where the animal stands
@@ -42,14 +45,26 @@ class Trajectory(tolman.Source):
         self.poses = np.stack([x, y, heading], axis=1)
         self.sent, self.views = 0, []  # frames that made a view
 
+    def _visits(self):
+        """Times of the walk when another room begins."""
+        return [self.duration * visit / (self.rooms + 1) for visit in range(1, self.rooms + 1)] if self.rooms > 1 else []
+
     def _walk(self):
         """Ornstein-Uhlenbeck turning and speed; at a wall it slides and turns inward. The walk starts in the middle."""
+        times, positions, headings = self._walk_in_box()
+        visit = np.searchsorted(self._visits(), times + 1e-9, "right") % self.rooms
+        return times, positions[:, 0] + 2 * self.side * visit, positions[:, 1], np.unwrap(headings)
+
+    def _walk_in_box(self):
         step, count = 0.02, int(self.duration / 0.02) + 1
         at, angle, turning, vx = np.zeros(2), 0.0, 0.0, self.speed
         positions, headings, half = np.zeros((count, 2)), np.zeros(count), self.side / 2
         noise = self.rng.standard_normal((count, 2))
         goal = self.speed * np.sqrt(2 / math.pi) * np.hypot(*self.rng.standard_normal((2, count)))
+        moves = [math.ceil(when / step - 1e-6) for when in self._visits()]
         for i in range(count):
+            if i in moves:
+                at, angle = self.rng.uniform(-half, half, 2), float(self.rng.uniform(0, 2 * math.pi))
             positions[i], headings[i] = at, angle
             turning += -turning * step / 0.1 + self.turning * math.sqrt(2 * step / 0.1) * noise[i, 0]
             vx += (goal[i] - vx) * step / 0.5
@@ -58,7 +73,7 @@ class Trajectory(tolman.Source):
             if np.abs(at).max() == half:
                 inward = math.atan2(-at[1], -at[0])
                 turning = math.copysign(WALL_TURN, tolman.wrap_angle(inward - angle))
-        return step * np.arange(count), positions[:, 0], positions[:, 1], np.unwrap(headings)
+        return step * np.arange(count), positions, headings
 
     def _read(self):
         if not self.path.is_file():
@@ -102,7 +117,8 @@ class Trajectory(tolman.Source):
             return None
         k, self.sent = self.sent, self.sent + 1
         here, before = self.poses[k], self.poses[max(k - 1, 0)]
-        sensors = {"motion.planar": np.array(tolman.between(before, here)), "place.candidate": np.zeros((0, 4)),
+        moved = np.zeros(3) if k in self.carried else np.array(tolman.between(before, here))
+        sensors = {"motion.planar": moved, "place.candidate": np.zeros((0, 4)),
                    "place.looked": np.zeros(1), "motion.drive": np.ones(1)}
         if self.view_radius > 0 and k % self.view_every == 0:
             sensors["place.looked"] = np.ones(1)
