@@ -142,6 +142,19 @@ class TrajectoryTest(Systems):
             self.assertLess(math.dist(at[:2], truth[:2]), 1e-9)
         self.assertEqual(len(source.poses), 601)
 
+    def test_a_walk_through_rooms_is_carried_between_them(self):
+        source = load("trajectory")(duration=90, side=1.0, rooms=2)
+        frames = self.poses(source)
+        room = [round(tolman.to_planar(frame.T_world_camera_truth)[0] / 2) for frame in frames]
+        self.assertEqual(room, [0] * 300 + [1] * 300 + [0] * 301)
+        for k in (300, 600):
+            self.assertTrue(np.array_equal(frames[k].sensors["motion.planar"], np.zeros(3)))
+            self.assertGreater(math.dist(source.poses[k, :2] % 2, source.poses[k - 1, :2] % 2), 0.05)  # to another place
+        for frame in frames:
+            for to, x, y, _ in frame.sensors["place.candidate"]:
+                self.assertEqual(room[frame.frame], room[int(to)])
+        self.assertTrue(any(frame.frame >= 600 and len(frame.sensors["place.candidate"]) for frame in frames))
+
     def test_views_are_of_near_places(self):
         source = load("trajectory")(duration=600, view_radius=0.1, view_angle=3.2)
         seen = 0

@@ -5,6 +5,7 @@ import inspect
 import pathlib
 import sys
 import traceback
+import types
 
 import numpy as np
 
@@ -34,8 +35,8 @@ def open_program(file):
 def _files(program):
     """What it imported from its own folder and from this package. Libraries in a virtual environment are left out."""
     own, package = program.resolve(), pathlib.Path(__file__).resolve().parent
-    names = {getattr(module, "__file__", None) for module in list(sys.modules.values())}
-    files = {pathlib.Path(name).resolve() for name in names if isinstance(name, str)}
+    names = [vars(module).get("__file__") for module in list(sys.modules.values()) if isinstance(module, types.ModuleType)]
+    files = {pathlib.Path(name).resolve() for name in names if isinstance(name, str) and "\0" not in name}
 
     def counts(file):
         inside = own.parent in file.parents and "site-packages" not in file.relative_to(own.parent).parts
