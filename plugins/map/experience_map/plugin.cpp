@@ -4,5 +4,6 @@
 
 #include "experience_map.hpp"
 
-TOLMAN_PLUGIN(experience_map, tolman::experience_map::ExperienceMap, "0.1.0",
-              "Experience map of the paper, corrected by a robust planar pose graph.");
+TOLMAN_PLUGIN(
+    experience_map, tolman::experience_map::ExperienceMap, "0.1.0",
+    "Experience map of the paper, corrected by a robust pose graph, in the plane or in space.");
