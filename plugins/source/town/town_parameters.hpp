@@ -39,6 +39,9 @@ struct TownParameters : FrameSelection, CameraDisturbances, StreetLife {
   double scale = 1;
   bool mono = false;
   double camera_height = 1.65;
+  double camera_pitch = 0;
+  double camera_roll = 0;
+  bool flight = false;
   // The town.
   std::int64_t seed = 1;
   double aliasing = 0.15;
@@ -105,7 +108,20 @@ constexpr auto cameraParameters() {
       parameter("camera_height", &P::camera_height)
           .range(0.5, 4)
           .unit("m")
-          .doc("Height of the camera above the road."));
+          .doc("Height of the camera above the road; of a flight, at its first pose."),
+      parameter("camera_pitch", &P::camera_pitch)
+          .range(-60, 60)
+          .unit("deg")
+          .doc("How far the camera looks up from the poses of the route."),
+      parameter("camera_roll", &P::camera_roll)
+          .range(-60, 60)
+          .unit("deg")
+          .doc(
+              "How far the camera is turned to the right about its optical axis, from the poses of "
+              "the route."),
+      parameter("flight", &P::flight)
+          .doc("The route is a file of free poses: streets lie on level ground under them. Without "
+               "it they follow the heights of the poses."));
 }
 
 constexpr auto townParameters() {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "bridges.hpp"
 #include "car_park.hpp"
@@ -22,6 +23,20 @@ Result<CameraRoute> findRoute(const TownParameters& p) {
   const RouteOptions options = {p.rate, p.speed, p.camera_height};
   const bool is_file = p.route.find_first_of("/.") != std::string::npos;
   return is_file ? readRoute(p.route, options) : builtInRoute(p.route, options);
+}
+
+/// The same way on level ground, as high as the first pose, looking ahead.
+CameraRoute groundTrack(const CameraRoute& flown) {
+  CameraRoute track = flown;
+  for (Eigen::Isometry3d& pose : track.T_town_camera) {
+    const Eigen::Vector3d ahead = pose.linear().col(2);
+    const double azimuth = ahead.head<2>().norm() > 1e-6 ? std::atan2(ahead.x(), ahead.y()) : 0;
+    // Right, down and forward of the camera in the town, whose Z points upwards.
+    pose.linear() << std::cos(azimuth), 0, std::sin(azimuth), -std::sin(azimuth), 0,
+        std::cos(azimuth), 0, -1, 0;
+    pose.translation().z() = flown.T_town_camera.front().translation().z();
+  }
+  return track;
 }
 
 }  // namespace
@@ -62,7 +77,7 @@ Status TownSource::build() {
   const Parameters& p = parameters_;
   Result<CameraRoute> route = findRoute(p);
   if (!route.isOk()) return route.status();
-  route_ = std::move(route.value());
+  route_ = p.flight ? groundTrack(route.value()) : route.value();
   is_levelled_ = false;
   Result<FrameSequence> sequence = FrameSequence::make(p, route_.stamps_ns);
   if (!sequence.isOk()) return sequence.status();
@@ -85,6 +100,27 @@ Status TownSource::build() {
   if (!schedule.isOk()) return schedule.status();
   schedule_ = std::move(schedule.value());
   buildScene();
+  return placeCameras(p.flight ? route.value() : route_);
+}
+
+Status TownSource::placeCameras(const CameraRoute& flown) {
+  const Parameters& p = parameters_;
+  const auto turn = [](double degrees, const Eigen::Vector3d& axis) {
+    return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis);
+  };
+  const Eigen::Isometry3d T_route_camera(turn(p.camera_pitch, Eigen::Vector3d::UnitX()) *
+                                         turn(p.camera_roll, Eigen::Vector3d::UnitZ()));
+  const double ground = route_.T_town_camera.front().translation().z() - p.camera_height;
+  T_town_camera_.clear();
+  for (std::size_t i = 0; i < flown.T_town_camera.size(); ++i) {
+    T_town_camera_.push_back(flown.T_town_camera[i] * T_route_camera);
+    const double height = T_town_camera_[i].translation().z() - ground;
+    if (p.flight && height < 0.3) {
+      return Status::invalidInput(p.route + ": pose " + std::to_string(i) + " is " +
+                                  std::to_string(height) +
+                                  " m above the ground; give a larger camera_height");
+    }
+  }
   return Status::ok();
 }
 
@@ -139,7 +175,7 @@ Status TownSource::info(SourceInfo& info) {
 }
 
 Eigen::Isometry3d TownSource::poseAt(std::size_t index, double part) const {
-  const auto& poses = route_.T_town_camera;
+  const auto& poses = T_town_camera_;
   if (part == 0) return poses[index];
   const std::size_t from = std::min(index, poses.size() - 2);
   const Vector6d step = logSe3(poses[from].inverse() * poses[from + 1]);
@@ -212,7 +248,7 @@ Status TownSource::next(Frame& frame) {
   frame.stamp_ns = sequence_.stampNs(k);
   frame.source_index = static_cast<std::int64_t>(index);
   frame.has_truth = true;
-  frame.T_world_camera_truth = route_.T_town_camera.front().inverse() * route_.T_town_camera[index];
+  frame.T_world_camera_truth = T_town_camera_.front().inverse() * T_town_camera_[index];
   if (unit(hash(run_seed_, static_cast<std::uint32_t>(k), 403)) <
       static_cast<float>(parameters_.corrupt)) {
     frame.defect = "town: corrupt image, as the parameter corrupt demands";

@@ -34,6 +34,8 @@ class TownSource final : public Source, public ArrayDescriptions {
 
  private:
   Status build();
+  /// The cameras along `flown`, or along the route of the streets.
+  Status placeCameras(const CameraRoute& flown);
   Status setRig();
   void chooseFrames();
   /// Pose of the left camera between route poses `index` (part 0) and the next (part 1).
@@ -53,7 +55,8 @@ class TownSource final : public Source, public ArrayDescriptions {
   std::uint32_t run_seed_ = 0;
   Status ready_ = Status::failed("configure() was not called");
   CameraRig rig_;
-  CameraRoute route_;
+  CameraRoute route_;  ///< of a vehicle on the streets
+  std::vector<Eigen::Isometry3d> T_town_camera_;
   bool is_levelled_ = false;
   std::unique_ptr<StreetPlan> plan_;
   ConditionSchedule schedule_;
