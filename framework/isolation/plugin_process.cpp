@@ -7,7 +7,9 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <new>
 #include <optional>
+#include <system_error>
 #include <thread>
 
 #include "host/instance.hpp"
@@ -179,13 +181,26 @@ class PluginProcess {
   Handlers handlers_;
 };
 
+/// In a handler: what the process ends with.
+int exitCodeOfException() noexcept {
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return kNoMemoryExit;
+  } catch (const std::system_error& error) {
+    return error.code() == std::errc::not_enough_memory ? kNoMemoryExit : 70;
+  } catch (...) {
+    return 70;
+  }
+}
+
 }  // namespace
 
 void runPluginProcess(const std::vector<int>& descriptors, const ProcessServices& services) {
   try {
     PluginProcess(descriptors, services).run();
   } catch (...) {  // the host detects that this process ended
-    ::_exit(70);
+    ::_exit(exitCodeOfException());
   }
   ::_exit(0);
 }

@@ -13,6 +13,9 @@
 
 namespace tolman::isolation {
 
+/// What the process ends with where memory does not suffice to answer.
+inline constexpr int kNoMemoryExit = 71;
+
 /// Services of the plugin's context that other folders implement.
 struct ProcessServices {
   const Clock& clock;

@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "isolation/plugin_process.hpp"
+
 namespace tolman::isolation {
 namespace {
 
@@ -68,6 +70,13 @@ std::optional<host::Refusal> RemotePlugin::load() {
         if (enumName(manifest_.role) == "invalid")
           throw MalformedMessage("a role that does not exist");
       });
+  const std::string no_memory = "exited with code " + std::to_string(kNoMemoryExit);
+  if (!status.isOk() && status.message().find(no_memory) != std::string::npos) {
+    return host::Refusal{
+        "plugin/load-failed",
+        manifest_.file.string() + ": out of memory while the library was opened",
+        "the limits of this process are too low for it: see `ulimit -a`" + hintAt(launch_)};
+  }
   if (!status.isOk()) {
     const std::string remedy =
         "`tolman plugins validate FILE` shows more; static constructors of the library run when it "

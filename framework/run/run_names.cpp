@@ -10,10 +10,13 @@ namespace {
 namespace fs = std::filesystem;
 using Parts = std::vector<std::string>;
 
-/// Also of "runs/demo/".
+/// Also of "runs/demo/"; none of "".
 Parts partsOf(const fs::path& run) {
   Parts parts;
-  for (const fs::path& part : fs::absolute(run).lexically_normal().relative_path()) {
+  std::error_code error;
+  const fs::path whole = fs::absolute(run, error);
+  if (error) return parts;
+  for (const fs::path& part : whole.lexically_normal().relative_path()) {
     if (!part.empty()) parts.push_back(part.string());
   }
   return parts;

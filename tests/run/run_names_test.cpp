@@ -8,6 +8,7 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("runs have the names of their directories") {
   CHECK(distinctNames({"runs/demo"}) == Names{"demo"});
+  CHECK(distinctNames({"", "runs/demo"}) == Names{"", "demo"});  // refused where it is opened
   CHECK(distinctNames({"runs/demo/", "runs/other/."}) == Names{"demo", "other"});
 }
 
