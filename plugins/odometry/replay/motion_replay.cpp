@@ -35,7 +35,7 @@ MotionReplay::Disturbance MotionReplay::draw(double distance) {
   const double stretch = 1 + p.bias_distance + p.noise_distance * random_.normal();
   const double turn =
       p.bias_heading * distance + p.noise_heading * std::sqrt(distance) * random_.normal();
-  return {stretch, turn};
+  return {stretch, turn, p.bias_height * distance * stretch};
 }
 
 /// The recorded motion; without noise and bias not a bit of it changes.
@@ -44,7 +44,7 @@ Status MotionReplay::replay(const Frame& frame, Motion& motion) {
   if (!status.isOk()) return status;
   const Parameters& p = parameters_;
   if (p.noise_distance == 0 && p.noise_heading == 0 && p.bias_distance == 0 &&
-      p.bias_heading == 0) {
+      p.bias_heading == 0 && p.bias_height == 0) {
     return status;
   }
   disturbances_.resize(static_cast<std::size_t>(frame.frame) + 1);
@@ -64,6 +64,7 @@ void MotionReplay::disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_cur
   if (frame < 0 || frame >= static_cast<std::int64_t>(disturbances_.size())) return;
   const Disturbance& wrong = disturbances_[static_cast<std::size_t>(frame)];
   T_previous_current.translation() *= wrong.stretch;
+  T_previous_current.translation().y() += wrong.sink;
   T_previous_current.linear() *= fromPlanar({0, 0, wrong.turn}).linear();
 }
 
@@ -92,6 +93,7 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   if (!lost) last_step_ = step;
   motion.T_previous_current = fromPlanar(last_step_);
   const double distance = std::hypot(last_step_.x, last_step_.y);
+  motion.T_previous_current.translation().y() += parameters_.bias_height * distance;
   const double factor = lost ? 10 : 1;  // of the standard deviations
   const double along = factor * (parameters_.sigma_distance * distance + 1e-3);
   const double turn = factor * (parameters_.sigma_heading * std::sqrt(distance) + 1e-4);

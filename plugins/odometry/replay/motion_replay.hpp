@@ -20,6 +20,7 @@ struct MotionReplayParameters {
   double noise_heading = 0;
   double bias_distance = 0;
   double bias_heading = 0;
+  double bias_height = 0;
   double lost = 0;
   std::int64_t carried_at = -1;
 
@@ -51,6 +52,10 @@ struct MotionReplayParameters {
             .range(-1, 1)
             .unit("rad/m")
             .doc("Turn that is added per metre driven."),
+        parameter("bias_height", &P::bias_height)
+            .range(-1, 1)
+            .unit("m/m")
+            .doc("Height that is lost per metre driven, along the camera's vertical axis."),
         parameter("lost", &P::lost)
             .range(0, 1)
             .doc("Share of frames whose motion is not measured but predicted from the frame "
@@ -72,10 +77,12 @@ class MotionReplay final : public Odometry {
   Status finish(std::vector<MotionRevision>& revisions) override;
 
  private:
-  /// What noise and bias do to one motion: its length is multiplied, a turn (rad) added.
+  /// What noise and bias do to one motion: its length is multiplied, a turn (rad)
+  /// about the camera's vertical axis and a way along it (m, downwards) are added.
   struct Disturbance {
     double stretch = 1;
     double turn = 0;
+    double sink = 0;
   };
   Disturbance draw(double distance);
   Status replay(const Frame& frame, Motion& motion);

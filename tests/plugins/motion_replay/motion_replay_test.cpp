@@ -57,6 +57,7 @@ Spread spreadOf(const std::vector<Motion>& motions, const Value& value) {
 }
 
 double forward(const Motion& motion) { return toPlanar(motion.T_previous_current).x; }
+double sink(const Motion& motion) { return motion.T_previous_current.translation().y(); }
 double turn(const Motion& motion) { return toPlanar(motion.T_previous_current).theta; }
 
 }  // namespace
@@ -88,9 +89,11 @@ TEST_CASE("noise and bias have the sizes asked for") {
   CHECK(spreadOf(noisy, forward).mean == Approx(4).epsilon(0.01));
   CHECK(spreadOf(noisy, forward).deviation == Approx(0.4).epsilon(0.05));
   CHECK(spreadOf(noisy, turn).deviation == Approx(0.02).epsilon(0.05));  // root of 4 m
-  const auto biased = replay({{"bias_distance", 0.05}, {"bias_heading", 0.001}}, {4, 0, 0});
+  const auto biased =
+      replay({{"bias_distance", 0.05}, {"bias_heading", 0.001}, {"bias_height", 0.003}}, {4, 0, 0});
   CHECK(spreadOf(biased, forward).mean == Approx(4.2));
   CHECK(spreadOf(biased, turn).mean == Approx(0.004));
+  CHECK(spreadOf(biased, sink).mean == Approx(0.003 * 4.2));
 }
 
 TEST_CASE("lost frames are a share, say so, and are predicted with a wider covariance") {
