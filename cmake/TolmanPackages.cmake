@@ -1,5 +1,5 @@
-# Debian packages: tolman (program, plugins, configurations, pages), libtolman-sdk-dev and
-# python3-tolman.
+# Debian packages: tolman (program, plugins, configurations, pages), libtolman-sdk-dev,
+# python3-tolman, and, built where ROS 1 is, tolman-ros1.
 #   scripts/package, or of what is built: cpack --config build/CPackConfig.cmake
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -8,7 +8,13 @@ set(CPACK_PACKAGE_NAME tolman)
 set(CPACK_PACKAGE_CONTACT "Tolman maintainers <maintainers@tolman.example>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_COMPONENTS_ALL program sdk python)
+# Plugins that need ROS are in none of the others, so that these are the same wherever they are built.
+set(packages program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
+get_property(has_ros1 GLOBAL PROPERTY tolman_has_ros1)
+if(has_ros1)
+  list(APPEND packages ros1:tolman-ros1)
+endif()
+list(TRANSFORM packages REPLACE ":.*" "" OUTPUT_VARIABLE CPACK_COMPONENTS_ALL)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -22,7 +28,7 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 experience map, each a shared library, composed by one YAML file; every run is
 recorded. With a procedural town that needs no data set.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS libtolman-sdk-dev)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "libtolman-sdk-dev, python3-tolman, tolman-ros1")
 
 set(CPACK_DEBIAN_SDK_PACKAGE_NAME libtolman-sdk-dev)
 set(CPACK_DEBIAN_SDK_PACKAGE_SECTION libdevel)
@@ -43,13 +49,20 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "tolman (= ${PROJECT_VERSION}), python3 (>= 3.10), python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-h5py")
 
+set(CPACK_DEBIAN_ROS1_PACKAGE_NAME tolman-ros1)
+set(CPACK_COMPONENT_ROS1_DESCRIPTION
+    "This package has the source of live images and the publisher of pose and map,
+nodes of ROS 1. Bags need it not: the package tolman reads them without ROS.")
+set(CPACK_DEBIAN_ROS1_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_ROS1_PACKAGE_DEPENDS "tolman (= ${PROJECT_VERSION})")
+
 # Beside each other as in the repository, so that their links lead somewhere.
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program
         PATTERN site EXCLUDE)
 install(DIRECTORY sdk/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman/sdk
         COMPONENT program)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/tolman COMPONENT program)
-foreach(package program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
+foreach(package ${packages})
   string(REPLACE ":" ";" package ${package})
   list(POP_FRONT package component)
   install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package}
@@ -57,4 +70,5 @@ foreach(package program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
 endforeach()
 set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian/finish.cmake)
 set(CPACK_TOLMAN_SOURCE_DIR ${PROJECT_SOURCE_DIR}) # for that script
+set(CPACK_TOLMAN_PACKAGES ${packages})
 include(CPack)

@@ -1,5 +1,5 @@
-# Run by CPack when both packages are installed into their folders and not yet packed: Debian's
-# changelog, and what makes two packages of the same sources the same bytes. Times are those of the
+# Run by CPack when all packages are installed into their folders and not yet packed: Debian's
+# changelog, and what makes two builds of the same sources the same bytes. Times are those of the
 # newest dated release in docs/changelog.md.
 set(folder ${CPACK_TEMPORARY_DIRECTORY})
 file(STRINGS ${CPACK_TOLMAN_SOURCE_DIR}/docs/changelog.md releases
@@ -21,7 +21,7 @@ run(seconds date -d ${date} +%s)
 run(day date -d ${date} -R)
 set(ENV{SOURCE_DATE_EPOCH} ${seconds}) # CPack gives it to what it packs itself
 
-foreach(package program:tolman sdk:libtolman-sdk-dev python:python3-tolman)
+foreach(package ${CPACK_TOLMAN_PACKAGES})
   string(REPLACE ":" ";" package ${package})
   list(POP_FRONT package component)
   set(changelog ${folder}/${component}/usr/share/doc/${package}/changelog)

@@ -17,8 +17,8 @@
 namespace tolman::app {
 namespace {
 
-/// Refuses overrides that are no parameter of place recognition: the second pass must differ from
-/// the first in nothing else.
+/// Refuses overrides that are not parameters of place recognition: the second pass may differ from
+/// the first only in these.
 std::string isOfPlace(const std::string& override) {
   const bool is_parameter = override.starts_with("place.") && !override.starts_with("place.plugin");
   return is_parameter ? "" : "'" + override + "' is no parameter of place (place.NAME=VALUE)";
@@ -121,7 +121,7 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
 /// A figure of the curve that was measured, and of earlier ones.
 struct PlaceFigure {
   std::string file;                 ///< empty: no figure
-  std::vector<std::string> beside;  ///< what --json printed earlier
+  std::vector<std::string> beside;  ///< files with the output of earlier calls with --json
 
   void addOptions(CLI::App& command) {
     CLI::Option* figure = command
@@ -138,7 +138,7 @@ struct PlaceFigure {
         ->allow_extra_args(false)
         ->needs(figure);
   }
-  /// Before the measurement, which takes longer.
+  /// Call it before the measurement, so that a wrong file is reported before the long work.
   std::vector<bench::PlaceCurve> read() const {
     refuseOtherFile();
     std::vector<bench::PlaceCurve> curves;
@@ -147,7 +147,7 @@ struct PlaceFigure {
     }
     return curves;
   }
-  /// An earlier figure may be replaced, any other file not.
+  /// Refuses to overwrite any file but an earlier figure.
   void refuseOtherFile() const {
     std::error_code ignored;
     if (file.empty() || !std::filesystem::exists(file, ignored)) return;
@@ -197,7 +197,7 @@ void addBenchCommand(CLI::App& app, Invocation& invocation) {
   addPlacesCommand(*command, invocation);
   CLI::Option* config = command->get_option("config")->required(false);
   command->callback([command, config, reader, options, &invocation] {
-    if (!command->get_subcommands().empty()) return;  // the subcommand did the work
+    if (!command->get_subcommands().empty()) return;  // the subcommand has run already
     if (config->empty()) throw CLI::RequiredError("config");
     const auto run = [&](auto&&... arguments) {
       return bench::runBench(reader->read(invocation), arguments...);

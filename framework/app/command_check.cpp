@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman check: is a configuration sound? Needs no data.
+// tolman check: checks a configuration, without opening its data.
 #include <iostream>
 
 #include "app/system_options.hpp"

@@ -7,6 +7,7 @@
 #include "app/program.hpp"
 #include "config/named_value.hpp"
 #include "experiment/comparison_figure.hpp"
+#include "experiment/comparison_json.hpp"
 #include "experiment/comparison_text.hpp"
 #include "experiment/run_pivot.hpp"
 #include "record/atomic_file.hpp"
@@ -19,7 +20,7 @@ struct CompareCommand {
   std::vector<std::string> runs;
   std::vector<std::string> only;
   experiment::ComparisonOptions options;
-  std::string format = "markdown";
+  std::string format;  ///< empty: markdown, with --json json
   std::string out;
   std::vector<std::string> figures;
   std::string kind = "auto";
@@ -30,6 +31,7 @@ struct CompareCommand {
 
 template <class Table>
 std::string textOf(const Table& table, const std::string& format) {
+  if (format == "json") return experiment::jsonOf(table);
   if (format == "latex") return experiment::latexOf(table);
   return format == "csv" ? experiment::csvOf(table) : experiment::markdownOf(table);
 }
@@ -51,6 +53,7 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
   if (!command.pivot.columns.empty() || !command.values.empty()) {
     command.pivot.by = command.options.by;
     command.pivot.only = command.options.only;
+    command.pivot.mixed_coverage = command.options.mixed_coverage;
     if (command.pivot.cell.empty()) command.pivot.cell = "{" + command.options.metric + ":.3g}";
     for (const std::string& head : command.heads) {
       command.pivot.heads.push_back(pairOf(head, "--head LABEL=CELL"));
@@ -70,7 +73,24 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
   return textOf(comparison, command.format);
 }
 
+/// Refuses options that would have no effect.
+void refuseUnused(const CompareCommand& command) {
+  const bool has_cells = !command.pivot.columns.empty() || !command.values.empty();
+  if (has_cells && !command.figures.empty()) {
+    throw Ended{ExitCode::Usage, "--figure is drawn of statistics, not with --columns or --value"};
+  }
+  const bool cell_options = !command.pivot.cell.empty() || !command.heads.empty();
+  if (command.pivot.columns.empty() && cell_options) {
+    throw Ended{ExitCode::Usage, "--cell and --head are of tables with --columns"};
+  }
+  if (!has_cells && !command.pivot.over.empty()) {
+    throw Ended{ExitCode::Usage, "--over is of tables with --columns or --value"};
+  }
+}
+
 void compare(CompareCommand& command, const Invocation& invocation) {
+  refuseUnused(command);
+  if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {
     command.options.only.push_back(pairOf(only, "--only FACTOR=LABEL"));
   }
@@ -150,10 +170,15 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
       ->add_option("--metric", options->options.metric,
                    "Key of metrics.json, or its end (default: map.ate.rmse_m)")
       ->type_name("KEY");
-  command->add_option("--by", options->options.by, "Factor whose levels are compared (repeatable)")
+  command
+      ->add_option(
+          "--by", options->options.by,
+          "Factor whose levels are compared (repeatable; default: all but sequence and seed)")
       ->type_name("FACTOR")
       ->allow_extra_args(false);
-  command->add_option("--only", options->only, "Only runs with this label (repeatable)")
+  command
+      ->add_option("--only", options->only,
+                   "Only runs with this label (repeatable; labels of one factor are alternatives)")
       ->type_name("FACTOR=LABEL")
       ->allow_extra_args(false);
   command
@@ -161,9 +186,11 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("LABEL");
   command->add_flag("--mixed-coverage", options->options.mixed_coverage,
                     "Average runs that cover different shares of the truth");
-  command->add_option("--format", options->format, "Of the table (default: markdown)")
-      ->type_name("markdown|latex|csv")
-      ->check(CLI::IsMember({"markdown", "latex", "csv"}));
+  command
+      ->add_option("--format", options->format,
+                   "Of the table (default: markdown, with --json json)")
+      ->type_name("markdown|latex|csv|json")
+      ->check(CLI::IsMember({"markdown", "latex", "csv", "json"}));
   command->add_option("--out", options->out, "File for the table (default: standard output)")
       ->type_name("FILE")
       ->check(notEmpty);

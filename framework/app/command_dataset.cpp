@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.hpp"
+#include "app/source_overrides.hpp"
 #include "app/terminal_output.hpp"
 #include "config/check.hpp"
 #include "config/overrides.hpp"
@@ -59,7 +60,7 @@ void decodeAll(pipeline::RectifiedSource& source, Findings& findings) {
   }
 }
 
-/// Rectifies some pairs as a run would, and says how well their rows fit.
+/// Rectifies some pairs as a run would, and reports how well their rows agree.
 void surveyPairs(pipeline::RectifiedSource& source, Findings& findings) {
   constexpr int kPairs = 10;
   SourceInfo info;
@@ -70,12 +71,15 @@ void surveyPairs(pipeline::RectifiedSource& source, Findings& findings) {
   if (!source.text().empty()) {
     findings.push_back({Finding::Severity::Note, "cameras", source.text()});
   }
+  if (!source.cutText().empty()) {
+    findings.push_back({Finding::Severity::Note, "images", source.cutText()});
+  }
   if (!info.rig.isStereo()) return;
   imaging::PairSurvey survey;
   Frame frame;
   while (survey.pairs() < kPairs && source.next(frame).isOk()) survey.add(frame);
   for (Finding& finding : survey.findings()) findings.push_back(std::move(finding));
-  (void)source.instance().reset();  // a failure is seen by the next call
+  (void)source.instance().reset();  // the next call reports a failure
   source.expect();
 }
 
@@ -97,14 +101,15 @@ bool print(const Findings& findings, bool json) {
 }
 
 /// The source's parameters from the command line, checked as those of a configuration file are.
-ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const DatasetOptions& options,
+ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const std::string& path,
+                                 const std::vector<std::string>& overrides,
                                  config::Problems& problems) {
   using config::Node;
   Node stage{Node::Kind::Map};
-  config::applyOverrides(stage, options.overrides, config::processEnvironment(), problems);
+  config::applyOverrides(stage, overrides, config::processEnvironment(), problems);
   if (stage.find("path") == nullptr) {
-    const config::Origin origin{config::Origin::Kind::CommandLine, options.path, 0, 0, {}};
-    stage.children.push_back({Node::Kind::Scalar, "path", origin, origin, options.path, true});
+    const config::Origin origin{config::Origin::Kind::CommandLine, path, 0, 0, {}};
+    stage.children.push_back({Node::Kind::Scalar, "path", origin, origin, path, true});
   }
   const config::BaseFolders folders{std::filesystem::current_path(), ""};
   return config::check(stage, plugin.schema, {"", "plugin " + plugin.manifest.id, {}}, folders,
@@ -112,9 +117,8 @@ ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const Dataset
 }
 
 /// Configures the source, lets it inspect its data, and prints the findings.
-ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues& values,
-                 const DatasetOptions& options, const Invocation& invocation) {
-  pipeline::RectifiedSource source(std::move(instance));
+ExitCode inspect(pipeline::RectifiedSource source, const ParameterValues& values, bool decode,
+                 const Invocation& invocation) {
   run::RunLog log(invocation.quiet);
   run::StageLogger logger(log, "source");
   host::StageArtefacts artefacts;
@@ -125,9 +129,9 @@ ExitCode inspect(std::unique_ptr<host::Instance> instance, const ParameterValues
   Findings findings;
   const Status inspected = source.inspect(findings);
   if (configured.isOk()) surveyPairs(source, findings);
-  if (configured.isOk() && options.decode) decodeAll(source, findings);
+  if (configured.isOk() && decode) decodeAll(source, findings);
   const bool sound = print(findings, invocation.json);
-  if (!sound) return ExitCode::Dataset;  // the list has the reason why configure() failed
+  if (!sound) return ExitCode::Dataset;  // the findings say why configure() failed
   for (const Status& status : {configured, inspected}) {
     if (!status.isOk()) return printFailure(ExitCode::Dataset, status.message());
   }
@@ -138,10 +142,14 @@ ExitCode check(const DatasetOptions& options, const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   const auto plugin = run::loadFrom(catalogue, options.source, Role::Source);
   config::Problems problems;
-  const ParameterValues values = sourceParameters(plugin, options, problems);
+  const SourceOverrides split = splitOverrides(options.overrides);
+  const ParameterValues values = sourceParameters(plugin, options.path, split.source, problems);
+  const ImageHandling handling = imageHandling(split.host, problems);
   if (!problems.empty()) return printFailure(ExitCode::Configuration, config::format(problems));
-  return inspect(run::require(host::Instance::create(plugin, "source")), values, options,
-                 invocation);
+  auto instance = run::require(host::Instance::create(plugin, "source"));
+  return inspect(
+      pipeline::RectifiedSource(std::move(instance), handling.rectification, handling.images),
+      values, options.decode, invocation);
 }
 
 }  // namespace
@@ -157,7 +165,9 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
       ->required();
   check_command->add_option("--source", options->source, "Source plugin (default: kitti)")
       ->type_name("SOURCE");
-  check_command->add_option("--set", options->overrides, "Parameter of the source: --set a=b")
+  check_command
+      ->add_option("--set", options->overrides,
+                   "Parameter of the source, or key of the host: --set a=b, --set images.scale=0.5")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   check_command->add_flag("--decode", options->decode, "Also decode every image");

@@ -30,7 +30,7 @@ void requireStamps(const std::string& file, const evaluation::Trajectory& trajec
                   "are matched by frame"};
 }
 
-/// Poses that are matched by frame must not be of different times.
+/// Refuses matching by frame where stamps show that equal frames are of different times.
 void checkOrder(const EvalOptions& options, const evaluation::Trajectory& truth,
                 const evaluation::Trajectory& estimate, const Invocation& invocation) {
   using evaluation::StampAgreement;

@@ -17,7 +17,7 @@ namespace {
 
 void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
                  const Invocation& invocation) {
-  // Files of another session go to a folder of their own: those of the run have digests.
+  // Files of a chosen session go to their own folder: results.sha256 has digests of those in `run`.
   std::filesystem::path folder = out.empty() ? run : out;
   if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
   if (!out.empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
@@ -27,8 +27,8 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   printFiles(written, invocation);
 }
 
-/// The package `tolman` of Python writes run.nwb or run.npz (`kind`); its words and its failure
-/// become this command's.
+/// Lets the Python package `tolman` write run.nwb or run.npz (`kind`). It prints to the same
+/// streams; if it fails, the command fails.
 void exportByPython(const std::string& kind, const std::string& run, const std::string& out,
                     const char* needs, Invocation& invocation) {
   std::error_code ignored;

@@ -24,7 +24,7 @@ struct InitOptions {
   bool replace = false;
 };
 
-/// Of "name=value".
+/// Splits texts "name=value".
 SourceValues splitValues(const std::vector<std::string>& texts) {
   SourceValues values;
   for (const std::string& text : texts) {

@@ -14,16 +14,16 @@
 
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
-#include "planning/shortest_path.hpp"
 #include "record/graph_parts.hpp"
 #include "record/run_reader.hpp"
+#include "shortest_path.hpp"
 
 namespace tolman::app {
 namespace {
 
-constexpr double kFarthest = 1e9;  // m; as of all positions that are read
+constexpr double kFarthest = 1e9;  // m; the limit for positions in trajectory files, too
 
-struct PlanOptions {
+struct RouteOptions {
   std::string run;
   std::string from;
   std::string to;
@@ -35,7 +35,8 @@ bool parse(std::string_view text, T& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Metres refer to the world of the map's first part; the poses of other parts in it are unknown.
+/// The experiences of the first part of the map. Coordinates of a place are in its world frame, in
+/// which the poses of other parts are unknown.
 MapGraph firstPart(MapGraph graph) {
   const record::GraphParts parts = record::partsOf(graph);
   std::erase_if(graph.experiences, [&](const Experience& experience) {
@@ -48,14 +49,15 @@ MapGraph firstPart(MapGraph graph) {
 struct End {
   std::string given;
   std::int64_t experience = -1;
-  std::optional<double> away_m;  ///< of a place: its distance from the experience
+  std::optional<double> away_m;  ///< distance of a given place from the experience
 };
 
 Eigen::Vector3d placeOf(std::int64_t experience, const MapGraph& graph) {
   return planning::placeOf(graph.experiences[static_cast<std::size_t>(experience)]);
 }
 
-/// "12.5,-30" or "12.5,-30,6"; nothing for what is no place. Without a height it is NaN.
+/// Parses "12.5,-30" or "12.5,-30,6": metres right, forward and up; NaN without a height. None for
+/// any other text.
 std::optional<Eigen::Vector3d> parsePlace(std::string_view text) {
   Eigen::Vector3d place(0, 0, std::numeric_limits<double>::quiet_NaN());
   for (int i = 0; i < 3; ++i) {
@@ -75,7 +77,7 @@ End endHere(const record::RunReader& reader, const MapGraph& graph) {
   return End{"here", std::min(newest, last), std::nullopt};
 }
 
-/// "here", "17", or a place: the experience nearest to it.
+/// The end for "here", an experience ("17"), or a place: the experience nearest to it.
 End endOf(const std::string& text, const record::RunReader& reader, const MapGraph& graph) {
   if (text == "here") return endHere(reader, graph);
   std::int64_t id = -1;
@@ -93,7 +95,7 @@ End endOf(const std::string& text, const record::RunReader& reader, const MapGra
   return End{text, id, (placeOf(id, graph) - *place).head(dimensions).norm()};
 }
 
-struct Plan {
+struct RoutePlan {
   End from;
   End to;
   planning::PlannedRoute route;
@@ -105,7 +107,7 @@ nlohmann::ordered_json toJson(const End& end) {
   return json;
 }
 
-nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
+nlohmann::ordered_json toJson(const RoutePlan& plan, const MapGraph& graph) {
   nlohmann::ordered_json legs = nlohmann::ordered_json::array();
   for (const planning::Leg& leg : plan.route.legs) {
     const Eigen::Vector3d p = placeOf(leg.experience, graph);
@@ -123,7 +125,7 @@ nlohmann::ordered_json toJson(const Plan& plan, const MapGraph& graph) {
           {"legs", legs}};
 }
 
-void print(const Plan& plan, const MapGraph& graph) {
+void print(const RoutePlan& plan, const MapGraph& graph) {
   std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m",
                            "forward m", "up m", "time s", "path m");
   for (const planning::Leg& leg : plan.route.legs) {
@@ -142,10 +144,10 @@ void print(const Plan& plan, const MapGraph& graph) {
   }
 }
 
-void run(const PlanOptions& options, const Invocation& invocation) {
+void run(const RouteOptions& options, const Invocation& invocation) {
   const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
   const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
-  Plan plan{endOf(options.from, *reader, graph), endOf(options.to, *reader, graph), {}};
+  RoutePlan plan{endOf(options.from, *reader, graph), endOf(options.to, *reader, graph), {}};
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
@@ -160,7 +162,7 @@ void run(const PlanOptions& options, const Invocation& invocation) {
 
 void addPlanCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("plan", "The fastest route between two places of a map");
-  auto options = std::make_shared<PlanOptions>();
+  auto options = std::make_shared<RouteOptions>();
   command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
   command
       ->add_option("--from", options->from,

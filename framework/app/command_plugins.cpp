@@ -69,10 +69,10 @@ struct Description {
   bool json_schema = false;
 };
 
-/// Opens a library in a process of its own, which it may crash or block.
+/// Opens a library in a process of its own, because it may crash or block.
 auto openApart(const Manifest& manifest) {
   isolation::LaunchOptions launch{run::SystemOptions{}.stage_program};
-  launch.deadline_s = 10;  // milliseconds are usual
+  launch.deadline_s = 10;  // usually it takes milliseconds
   return isolation::RemotePlugin::start(manifest, launch);
 }
 
@@ -155,7 +155,7 @@ std::optional<Refusal> examine(const Manifest& manifest) {
   return std::nullopt;
 }
 
-/// Of a library, or of the program that the file is. Throws run::Failed.
+/// Manifests of a library, or of a program for an interpreter. Throws run::Failed.
 std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   const std::string suffix = std::filesystem::path(file).extension();

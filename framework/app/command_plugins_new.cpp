@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins new ROLE NAME [DIR]: a repository outside this tree that builds and passes at
-// once.
+// tolman plugins new ROLE NAME [DIR]: creates the repository of a new plugin, which builds and
+// passes its tests unchanged.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -25,7 +25,7 @@ struct Request {
   bool python = false;
 };
 
-/// A word of a shell command, quoted where it must be.
+/// A word of a shell command, quoted if necessary.
 std::string quoted(const std::string& word) {
   if (word.find_first_of(" \t'\"\\$&;()<>|*?[]#~`!") == std::string::npos) return word;
   return "'" + boost::replace_all_copy(word, "'", "'\\''") + "'";

@@ -12,6 +12,7 @@
 
 #include "app/duration_text.hpp"
 #include "app/progress_line.hpp"
+#include "app/source_overrides.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
 #include "config/scalars.hpp"
@@ -28,6 +29,7 @@ struct RenderCommand {
   dataset::RenderOptions render;
   bool depth = false;
   bool replace = false;
+  bool needs_calibration = true;  ///< else a folder without calib.txt, which `images` reads
 };
 
 [[noreturn]] void refuseDepth(const std::string& plugin) {
@@ -51,12 +53,12 @@ run::CheckedSystem checkSource(run::SystemOptions options, bool depth) {
   return run::require(run::checkSystem(options, run::Scope::Source));
 }
 
-/// What the layout needs of a source.
-Status checkRig(const SourceInfo& info) {
+/// Unsupported if the source has no images, or no calibration although it is needed.
+Status checkRig(const SourceInfo& info, bool needs_calibration) {
   if (info.rig.width == 0) {
     return Status::unsupported("the source gives no images; a KITTI folder is made of them");
   }
-  if (!info.rig.calibrated) {
+  if (needs_calibration && !info.rig.calibrated) {
     return Status::unsupported(
         "the cameras of the source are not calibrated, and calib.txt needs fx, fy, cx and cy; give "
         "the source its calibration");
@@ -64,7 +66,7 @@ Status checkRig(const SourceInfo& info) {
   return Status::ok();
 }
 
-/// Replacing must never delete what the source reads.
+/// Whether the source reads from `out`. Such a folder must not be replaced.
 bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& out) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -97,7 +99,8 @@ class RenderRun {
                           command_.out + ": the source reads from there; choose another --out");
     }
     assembly_ = std::make_unique<run::Assembly>(std::move(checked), log_, clock_, interrupts_);
-    run::require(checkRig(assembly_->sourceInfo()), run::FailureKind::Dataset);
+    run::require(checkRig(assembly_->sourceInfo(), command_.needs_calibration),
+                 run::FailureKind::Dataset);
     if (command_.depth && !findDepth()) {
       refuseDepth(assembly_->system().plugins.front().manifest.id);
     }
@@ -153,6 +156,7 @@ class RenderRun {
       const nlohmann::ordered_json json = {{"folder", command_.out},
                                            {"frames", outcome.written},
                                            {"left_out", outcome.left_out},
+                                           {"calibrated", assembly_->sourceInfo().rig.calibrated},
                                            {"revisits_same", same},
                                            {"revisits_opposite", opposite},
                                            {"interrupted", outcome.interrupted},
@@ -165,6 +169,12 @@ class RenderRun {
                 << fmt::format("{:<10}{} frames in the same direction, {} in the opposite one\n",
                                "revisits", same, opposite)
                 << fmt::format("{:<10}{}, {:.1f} frames/s\n", "time", durationText(seconds), rate);
+      if (!assembly_->sourceInfo().rig.calibrated) {
+        std::cout << fmt::format(
+            "{:<10}none: read it by {{plugin: images, path: {}, left: image_0, stamps: "
+            "times.txt}}\n",
+            "calib.txt", command_.out);
+      }
     }
   }
 
@@ -183,7 +193,7 @@ struct ImportCommand {
   std::vector<std::string> overrides;
 };
 
-/// The options of a configuration of this source alone, which lies in memory.
+/// Writes a configuration of this source alone into the file `memory`, and returns its options.
 run::SystemOptions systemOf(const ImportCommand& import, const record::FileDescriptor& memory,
                             const Invocation& invocation) {
   const std::string yaml = "source: {plugin: " + import.source + "}\n";
@@ -194,7 +204,9 @@ run::SystemOptions systemOf(const ImportCommand& import, const record::FileDescr
   options.config = "/proc/self/fd/" + std::to_string(memory.number());
   options.plugin_paths = invocation.plugin_paths;
   options.overrides = {"source.path=" + config::writeText(import.path)};
-  for (const std::string& value : import.overrides) options.overrides.push_back("source." + value);
+  const SourceOverrides split = splitOverrides(import.overrides);
+  for (const std::string& value : split.source) options.overrides.push_back("source." + value);
+  options.overrides.insert(options.overrides.end(), split.host.begin(), split.host.end());
   return options;
 }
 
@@ -228,13 +240,16 @@ void addImportCommand(CLI::App& dataset, Invocation& invocation) {
       "import", "Write a recording, rectified, as a KITTI folder (render without a configuration)");
   auto import = std::make_shared<ImportCommand>();
   auto render = std::make_shared<RenderCommand>();
+  render->needs_calibration = false;
   command->add_option("path", import->path, "Folder or file of the recording")
       ->type_name("PATH")
       ->required();
   command->add_option("--source", import->source, "Source plugin that reads it")
       ->type_name("SOURCE")
       ->required();
-  command->add_option("--set", import->overrides, "Parameter of the source: --set a=b")
+  command
+      ->add_option("--set", import->overrides,
+                   "Parameter of the source, or key of the host: --set a=b, --set images.scale=0.5")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
   addOutput(*command, *render);

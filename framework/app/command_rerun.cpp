@@ -4,13 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
 
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "run/run.hpp"
 #include "run/terminal.hpp"
@@ -31,12 +31,39 @@ struct RerunCommand {
 /// Digests by file, as in results.sha256.
 std::map<std::string, std::string> digestsOf(const fs::path& run) {
   std::map<std::string, std::string> digests;
-  std::ifstream stream(run / "results.sha256");
+  std::ifstream stream = record::openRegular(run / "results.sha256");
   for (std::string digest, file; stream >> digest >> file;) digests[file] = digest;
   return digests;
 }
 
-/// What differs in run.json of what decides results, a line each.
+/// As digestsOf(), but there must be some.
+std::map<std::string, std::string> expectedDigests(const fs::path& run) {
+  auto digests = digestsOf(run);
+  if (!digests.empty()) return digests;
+  throw Ended{ExitCode::Dataset, (run / "results.sha256").string() + ": has no digests"};
+}
+
+/// Adds differences of one stage's plugin: its library, its program, and files of the program.
+void addPluginChanges(const Json& old, const Json& now, std::vector<std::string>& changes) {
+  const auto differs = [&](const char* key) { return old.value(key, "") != now.value(key, ""); };
+  if (differs("id") || differs("sha256")) {
+    changes.push_back("plugins: " + now.value("id", "") + " has other contents");
+  }
+  if (differs("program_sha256")) {
+    changes.push_back("plugins: " + now.value("program", "") + " has other contents");
+  }
+  const Json no_files = Json::object();
+  const Json old_files = old.value("program_files", no_files);
+  const Json new_files = now.value("program_files", no_files);
+  for (const auto& [file, digest] : new_files.items()) {
+    const auto known = old_files.find(file);
+    if (known == old_files.end() || *known != digest) {
+      changes.push_back("plugins: " + file + " has other contents");
+    }
+  }
+}
+
+/// Differences between two run.json that can change results, one line each.
 std::vector<std::string> changesIn(const Json& before, const Json& after) {
   std::vector<std::string> changes;
   const auto part = [](const Json& json, const char* key) {
@@ -56,13 +83,10 @@ std::vector<std::string> changesIn(const Json& before, const Json& after) {
   }
   for (const Json& now : part(after, "plugins")) {
     for (const Json& old : part(before, "plugins")) {
-      if (old.value("id", "") == now.value("id", "") &&
-          old.value("sha256", "") != now.value("sha256", "")) {
-        changes.push_back("plugins: " + now.value("id", "") + " has other contents");
-      }
+      if (old.value("stage", "") == now.value("stage", "")) addPluginChanges(old, now, changes);
     }
   }
-  // In the order in which the configuration names them: they may lie elsewhere now.
+  // Compared by their order in the configuration, because their paths may have changed.
   const Json old_data = part(before, "data");
   const Json new_data = part(after, "data");
   for (std::size_t i = 0; i < std::min(old_data.size(), new_data.size()); ++i) {
@@ -72,12 +96,20 @@ std::vector<std::string> changesIn(const Json& before, const Json& after) {
   return changes;
 }
 
-ExitCode compare(const fs::path& before, const fs::path& after, const Invocation& invocation) {
-  const auto expected = digestsOf(before);
-  const auto found = digestsOf(after);
-  if (expected.empty()) {
-    throw Ended{ExitCode::Dataset, (before / "results.sha256").string() + ": has no digests"};
+std::vector<std::string> changesBetween(const fs::path& before, const fs::path& after) {
+  try {
+    return changesIn(record::RunDirectory::readRunFile(before),
+                     record::RunDirectory::readRunFile(after));
+  } catch (const Json::exception&) {
+    throw Ended{ExitCode::Dataset, (before / "run.json").string() +
+                                       ": has values of other types than a run writes; it was "
+                                       "changed"};
   }
+}
+
+ExitCode compare(const fs::path& before, const fs::path& after, const Invocation& invocation) {
+  const auto expected = expectedDigests(before);
+  const auto found = digestsOf(after);
   Json files = Json::object();
   bool same = expected.size() == found.size();
   for (const auto& [file, digest] : expected) {
@@ -88,8 +120,7 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
     same = same && text == std::string_view("same");
     files[file] = text;
   }
-  const auto changes = changesIn(record::RunDirectory::readRunFile(before),
-                                 record::RunDirectory::readRunFile(after));
+  const auto changes = changesBetween(before, after);
   if (invocation.json) {
     std::cout << jsonText(Json{{"same", same}, {"files", files}, {"changes", changes}});
   } else if (!invocation.quiet) {
@@ -106,8 +137,17 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   const run::Interrupts interrupts;
   fs::path before = fs::absolute(command.run).lexically_normal();
   if (!before.has_filename()) before = before.parent_path();
+  // The folder of a point of a sweep contains its run in the folder `run`.
+  const bool is_point = fs::exists(before / "point.json") && !fs::exists(before / "run.json");
+  if (is_point && fs::exists(before / "run/run.json")) before /= "run";
   const fs::path out =
       command.out.empty() ? fs::path(before.string() + "-again") : fs::path(command.out);
+  std::error_code ignored;
+  if (fs::equivalent(before, out, ignored)) {
+    throw Ended{ExitCode::Usage,
+                out.string() + ": is the run itself; give another folder with --out"};
+  }
+  if (command.verify) (void)expectedDigests(before);
   run::SystemOptions options{
       (before / "config.resolved.yaml").string(), {}, invocation.plugin_paths};
   options.quiet = invocation.quiet;

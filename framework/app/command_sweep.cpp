@@ -17,6 +17,7 @@
 #include "experiment/point_run.hpp"
 #include "experiment/run_table.hpp"
 #include "experiment/sweep_archive.hpp"
+#include "host/scratch_folder.hpp"
 #include "isolation/child_process.hpp"
 #include "record/atomic_file.hpp"
 #include "run/terminal.hpp"
@@ -37,18 +38,18 @@ struct SweepCommand {
   std::string write;
 };
 
-/// The runs of a plan by what became of them so far.
-struct Progress {
+/// State of the runs of a plan.
+struct SweepProgress {
   std::vector<PlannedRun> todo;
   std::size_t done = 0;
   std::size_t failed = 0;
-  std::size_t sharing = 0;  ///< of those to do, how many take the answers of another run
-  std::size_t others = 0;   ///< in the folder, and not in the file any more
-  double run_s = 0;         ///< mean time of a run that is done; 0: none is
+  std::size_t sharing = 0;  ///< runs in `todo` that take the answers of another run
+  std::size_t others = 0;   ///< runs in the folder that the file no longer lists
+  double run_s = 0;         ///< mean duration of the runs that are done; 0 if none is
 };
 
-Progress progressOf(const experiment::Plan& plan, const fs::path& out, bool retry) {
-  Progress progress;
+SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool retry) {
+  SweepProgress progress;
   std::vector<std::string> folders;
   double sum = 0;
   for (const PlannedRun& run : plan.runs) {
@@ -66,8 +67,11 @@ Progress progressOf(const experiment::Plan& plan, const fs::path& out, bool retr
   }
   if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
   std::ranges::sort(folders);
-  for (const PlannedRun& run : experiment::readPoints(out)) {
-    if (!std::ranges::binary_search(folders, run.folder)) ++progress.others;
+  const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
+  for (const auto* runs : {&frozen.planned, &frozen.earlier}) {
+    for (const PlannedRun& run : *runs) {
+      if (!std::ranges::binary_search(folders, run.folder)) ++progress.others;
+    }
   }
   return progress;
 }
@@ -80,13 +84,13 @@ experiment::Plan planOf(const SweepCommand& command, const fs::path& out,
   options.known = experiment::readKnownData(out);
   options.find_config = configFile;
   options.environment = config::processEnvironment();
-  experiment::Plan plan = experiment::makePlan(command.file, options);
+  experiment::Plan plan = experiment::makePlan(configFile(command.file), options);
   if (plan.problems.empty()) return plan;
   throw Ended{ExitCode::Configuration, config::format(plan.problems)};
 }
 
-void printPlan(const experiment::Plan& plan, const Progress& progress, const SweepCommand& command,
-               const fs::path& out, const Invocation& invocation) {
+void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
+               const SweepCommand& command, const fs::path& out, const Invocation& invocation) {
   if (invocation.json) {
     auto runs = nlohmann::ordered_json::array();
     for (const PlannedRun& run : plan.runs) {
@@ -110,8 +114,13 @@ void printPlan(const experiment::Plan& plan, const Progress& progress, const Swe
   line("folder", out.string());
   line("done", std::to_string(progress.done));
   if (progress.failed > 0) line("failed", fmt::format("{} (--retry)", progress.failed));
-  line("to do", fmt::format("{}, of which {} can take the answers of another run's front end",
-                            progress.todo.size(), progress.sharing));
+  line("to do", std::to_string(progress.todo.size()));
+  if (progress.sharing > 0) {
+    line("shared",
+         fmt::format("{} of them take the answers of another run's front end, where there "
+                     "are images",
+                     progress.sharing));
+  }
   if (progress.others > 0) {
     line("left", fmt::format("{} runs in the folder are not in the file; they stay as they are",
                              progress.others));
@@ -119,15 +128,20 @@ void printPlan(const experiment::Plan& plan, const Progress& progress, const Swe
   const auto jobs = static_cast<double>(std::max<std::size_t>(command.jobs, 1));
   const double seconds = progress.run_s * static_cast<double>(progress.todo.size()) / jobs;
   if (!progress.todo.empty()) {
-    line("time", seconds > 0 ? fmt::format("about {} with {} jobs, from the runs that are done",
-                                           durationText(seconds), command.jobs)
-                             : std::string("not known before a run is done"));
+    line("time", seconds > 0
+                     ? fmt::format("about {} with {} at a time, from the runs that are done",
+                                   durationText(seconds), command.jobs)
+                     : std::string("not known before a run is done"));
+  }
+  for (const std::string& path : plan.missing) {
+    std::cout << fmt::format("warning   {} does not exist: the runs that read it will fail\n",
+                             run::printable(path));
   }
   if (!command.dry_run) return;
   for (const PlannedRun& run : progress.todo) std::cout << "  " << run::printable(run.name) << "\n";
 }
 
-/// Options of the command that runs one of them.
+/// The command that runs one point, without its folder.
 std::vector<std::string> pointCommand(const std::string& program, std::size_t jobs, bool retry,
                                       const Invocation& invocation) {
   std::vector<std::string> words = {program};
@@ -144,7 +158,7 @@ std::vector<std::string> pointCommand(const std::string& program, std::size_t jo
   return words;
 }
 
-ExitCode runJobs(const SweepCommand& command, const Progress& progress, const fs::path& out,
+ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, const fs::path& out,
                  const Invocation& invocation) {
   const run::Interrupts interrupts;
   const auto words = pointCommand("/proc/self/exe", command.jobs, command.retry, invocation);
@@ -169,7 +183,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
                                        : fs::path(command.out))
           .lexically_normal();
   const experiment::Plan plan = planOf(command, out, invocation);
-  const Progress progress = progressOf(plan, out, command.retry);
+  const SweepProgress progress = progressOf(plan, out, command.retry);
   printPlan(plan, progress, command, out, invocation);
   if (command.dry_run) return ExitCode::Ok;
   std::error_code error;
@@ -221,12 +235,12 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
   auto folder = std::make_shared<std::string>();
   command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
   command->callback([folder, &invocation] {
-    const auto runs = experiment::readPoints(*folder);
+    const experiment::FrozenRuns runs = experiment::frozenRuns(*folder);
     if (runs.empty()) throw Ended{ExitCode::Usage, *folder + ": holds no runs of a sweep"};
     std::map<PointState, int> counts;
     auto list = nlohmann::ordered_json::array();
     std::string failed;
-    for (const PlannedRun& run : runs) {
+    for (const PlannedRun& run : runs.planned) {
       const auto outcome = experiment::outcomeOf(fs::path(*folder) / run.folder);
       ++counts[outcome.state];
       list.push_back({{"name", run.name},
@@ -238,6 +252,9 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
       if (outcome.state != PointState::Failed) continue;
       failed += run::printable("  " + run.name + "\n    " + outcome.message) + "\n";
     }
+    for (const std::string& missing : runs.missing) {
+      list.push_back({{"name", ""}, {"folder", missing}, {"state", "missing"}});
+    }
     if (invocation.json) {
       std::cout << jsonText(list);
       return;
@@ -245,8 +262,22 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
     for (const auto& [state, count] : counts) {
       std::cout << fmt::format("{:<13}{}\n", enumName(state), count);
     }
+    if (!runs.missing.empty()) {
+      std::cout << fmt::format("{:<13}{} without a readable point.json\n", "missing",
+                               runs.missing.size());
+      for (const std::string& run : runs.missing) failed += run::printable("  " + run) + "\n";
+    }
+    if (!runs.earlier.empty()) {
+      std::cout << fmt::format("{:<13}{} of earlier plans\n", "not counted", runs.earlier.size());
+    }
     std::cout << failed;
   });
+}
+
+/// Warns of runs that failed or are not done: what is written is without them.
+void warnOfUnfinished(const fs::path& sweep) {
+  const std::string text = experiment::unfinishedText(sweep);
+  if (!text.empty()) std::cerr << "warning: " + run::printable(text) + "\n";
 }
 
 void addCollect(CLI::App& sweep, Invocation& invocation) {
@@ -265,6 +296,8 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
       ->check(notEmpty);
   command->callback([folder, out, metrics, &invocation] {
     const auto rows = valueOrEnd(experiment::readRunRows({*folder}));
+    warnOfUnfinished(*folder);
+    if (rows.empty()) throw Ended{ExitCode::Dataset, *folder + ": no run is done"};
     const fs::path file = out->empty() ? fs::path(*folder) / "results.csv" : fs::path(*out);
     requireOrEnd(record::writeAtomically(file, experiment::csvOf(rows, *metrics)));
     printFiles({file}, invocation);
@@ -284,18 +317,19 @@ void addArchive(CLI::App& sweep, Invocation& invocation) {
     fs::path from = fs::absolute(*folder).lexically_normal();
     if (!from.has_filename()) from = from.parent_path();
     const fs::path file = fs::absolute(out->empty() ? from.string() + ".tar.gz" : *out);
-    const fs::path files = file.string() + ".files";
     const fs::path name = from.filename();
-    std::error_code ignored;
-    fs::remove_all(files, ignored);
-    requireOrEnd(experiment::writeSweepArchive(from, files / name));
+    warnOfUnfinished(from);
+    const host::ScratchFolder files("tolman-archive");
+    if (files.path().empty()) throw Ended{ExitCode::Record, host::kNoScratchFolder};
+    requireOrEnd(experiment::writeSweepArchive(from, files.path() / name));
     isolation::ChildProcess tar(
         {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",
-         files.string(), "-czf", file.string(), name.string()},
+         files.path().string(), "-czf", file.string(), name.string()},
         {});
     const isolation::ProcessEnd end = tar.end(std::chrono::hours(24));
-    fs::remove_all(files, ignored);
     if (end.signal != 0 || end.exit_code != 0) {
+      std::error_code ignored;
+      fs::remove(file, ignored);
       throw Ended{ExitCode::Record, file.string() + ": not written (tar " + end.text() + ")"};
     }
     printFiles({file}, invocation);
@@ -326,7 +360,7 @@ void addSweepCommand(CLI::App& app, Invocation& invocation) {
   addArchive(*command, invocation);
   addPoint(*command, invocation);
   command->callback([command, options, &invocation] {
-    if (!command->get_subcommands().empty()) return;  // the subcommand did the work
+    if (!command->get_subcommands().empty()) return;  // the subcommand has run already
     invocation.exit_code = execute(*options, invocation);
   });
 }

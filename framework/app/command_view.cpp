@@ -26,7 +26,7 @@ int portOf(std::string_view url) {
   return port;
 }
 
-/// Serves a replay and shows on the terminal where.
+/// Serves a replay and prints the address of its page.
 class ViewCommand {
  public:
   ViewCommand(const Invocation& invocation, bool hint) : invocation_(invocation), hint_(hint) {}

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the help of a command, its manual page and the documentation tell in the same words:
-// examples and exit codes.
+// Examples and exit codes, for the help of a command, its manual page and the documentation.
 #pragma once
 
 #include <span>
@@ -14,7 +13,7 @@ namespace tolman::app {
 
 struct Example {
   std::string_view command;
-  std::string_view purpose;  ///< empty where the command says it
+  std::string_view purpose;  ///< empty if the command needs no explanation
 };
 
 struct ExitMeaning {

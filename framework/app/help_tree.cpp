@@ -27,7 +27,7 @@ std::vector<std::string> splitAt(const std::string& text, char separator) {
   return parts;
 }
 
-/// "INT" of "INT:POSITIVE": the name without what checks of the value have added.
+/// "INT" of "INT:POSITIVE": the name without the suffix that a check of the value has added.
 std::string nameOf(const std::string& type) { return type.substr(0, type.find(':')); }
 
 /// The values of "se2|se3|sim3", and of a list that a check has added, "TEXT:{se2,se3}".

@@ -13,8 +13,8 @@ namespace tolman::app {
 
 /// Program, version, exit codes and the tree of commands. Each command has its name, the words that
 /// call it, its text, options, positional arguments, examples and subcommands; each option its
-/// names, text, value and what a shell can offer for it (see `kindOf`). What is hidden in the help
-/// is left out.
+/// names, text, value and what a shell can offer for it (see `kindOf`). Hidden commands and options
+/// are left out.
 nlohmann::ordered_json helpTree(const CLI::App& app);
 
 }  // namespace tolman::app

@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
+#include "config/nearest_name.hpp"
 #include "config/scalars.hpp"
 
 namespace tolman::app {
@@ -17,6 +20,15 @@ namespace fs = std::filesystem;
 constexpr double kWideBaseline = 0.3;  // m
 constexpr int kWideImage = 2;          // times as wide as high
 
+// All lengths of the stages are in metres and all times in seconds, so the frame rate affects only
+// the cost and the motion between frames. Odometry was measured at 10 to 30 Hz (KITTI, EuRoC, TUM)
+// and at 0.3 to 0.5 million pixels.
+constexpr double kFastest = 45;  // Hz
+constexpr double kUsual = 30;    // Hz
+constexpr double kManyPixels = 1e6;
+constexpr double kUsualPixels = 0.47e6;  // KITTI's
+constexpr double kSmallestScale = 0.1;
+
 std::string_view nameOf(CarriedBy carrier) {
   constexpr std::array<std::string_view, 4> kNames = {"unknown", "car", "hand", "toy"};
   return kNames.at(static_cast<std::size_t>(carrier));
@@ -26,6 +38,10 @@ std::string notKnown(const Probe& probe, const RecordingSearch& search, CarriedB
                      CarriedBy used) {
   std::string text;
   const auto add = [&](const std::string& line) { text += "#   - " + line + "\n"; };
+  if (!search.other_folders.empty()) {
+    add("which camera: there are images also in " + config::listed(search.other_folders) +
+        " (source.left, source.right)");
+  }
   if (search.rate_assumed)
     add(fmt::format("the frame rate: {:.4g} Hz are assumed (source.rate)", probe.rate));
   if (probe.width > 0 && !probe.calibrated) {
@@ -40,6 +56,29 @@ std::string notKnown(const Probe& probe, const RecordingSearch& search, CarriedB
   }
   if (!probe.has_truth) add("the true path: there will be no errors, only figures");
   return text;
+}
+
+bool isGiven(const Probe& probe, std::string_view name) {
+  return std::ranges::any_of(probe.values, [&](const auto& value) { return value.first == name; });
+}
+
+/// The key `step` of the section `source`, for a recording that is faster than needed.
+std::string stepText(const Probe& probe) {
+  if (probe.width == 0 || probe.rate <= kFastest || isGiven(probe, "step")) return "";
+  const double step = std::round(probe.rate / kUsual);
+  return fmt::format("  step: {:<22.0f} # of {:.4g} frames a second {:.4g} are used\n", step,
+                     probe.rate, probe.rate / step);
+}
+
+/// The section `images` with a `scale`, for large images.
+std::string scaleText(const Probe& probe) {
+  const double pixels = static_cast<double>(probe.width) * probe.height;
+  if (pixels <= kManyPixels) return "";
+  const double scale =
+      std::max(kSmallestScale, std::round(20 * std::sqrt(kUsualPixels / pixels)) / 20);
+  return fmt::format(
+      "\nimages:\n  scale: {:<21.2f} # {}x{} px cost time and give odometry little\n", scale,
+      probe.width, probe.height);
 }
 
 }  // namespace
@@ -71,7 +110,9 @@ std::string initText(const fs::path& recording, const RecordingSearch& search, C
   text += sourceSection(probe.plugin, probe.values);
   std::error_code ignored;
   const fs::file_status kind = fs::status(recording, ignored);
-  if (!fs::is_regular_file(kind) && !fs::is_directory(kind)) {
+  const bool is_live = !fs::is_regular_file(kind) && !fs::is_directory(kind);
+  text += (is_live ? "" : stepText(probe)) + scaleText(probe);
+  if (is_live) {
     text += "\npipeline:\n  mode: realtime               # frames that come too fast are dropped\n";
   }
   return text + "\n" + stages;

@@ -16,11 +16,11 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kDialect = "https://json-schema.org/draft/2020-12/schema";
 constexpr std::array kChain = {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map};
 
-// A text that the environment completes may stand for any value.
+// A text with an environment variable is allowed for any value.
 constexpr const char* kVariable = R"(\$\{[^}]+\})";
 
 Json plainOrVariable(const char* type) {
-  return {{"type", {type, "string"}}, {"pattern", kVariable}};  // a number minds no pattern
+  return {{"type", {type, "string"}}, {"pattern", kVariable}};  // `pattern` is for strings only
 }
 
 Json oneOfOrVariable(const Json& names) {
@@ -48,7 +48,7 @@ Json valueSchema(const ParameterInfo& info) {
     case ParameterType::RealList:
       return {{"type", "array"}, {"items", number(info)}};
     case ParameterType::Text:
-    case ParameterType::Path:  // a folder `06` is a number to YAML and a text to the host
+    case ParameterType::Path:  // in YAML a folder `06` is a number; the host reads it as text
       return {{"type", {"string", "number", "boolean"}}};
     default:
       return number(info);
@@ -82,14 +82,14 @@ Json objectOf(Json properties) {
       {"type", "object"}, {"properties", std::move(properties)}, {"additionalProperties", false}};
 }
 
-/// All keys of the plugin: those that it declares, and of a program its file.
+/// All keys of the plugin: those that it declares, and for a program the key `file`.
 Schema keysOf(const host::LoadedPlugin& plugin) {
   Schema keys = plugin.manifest.program.empty() ? Schema() : config::programSchema();
   keys.insert(keys.end(), plugin.schema.begin(), plugin.schema.end());
   return keys;
 }
 
-/// A stage that is this plugin; nothing is required of it yet.
+/// Schema of a stage with this plugin, without required keys.
 Json alternative(const host::LoadedPlugin& plugin) {
   Json properties = {{"plugin", {{"const", plugin.manifest.id}}}};
   properties["plugin"]["description"] = plugin.manifest.summary;
@@ -110,14 +110,14 @@ Json requiredBy(const host::LoadedPlugin& plugin) {
   return names;
 }
 
-/// Applies when the stage is this plugin.
+/// `then` applies if the stage has this plugin.
 Json whenIs(const host::LoadedPlugin& plugin, Json then) {
   const Json is_it = {{"properties", {{"plugin", {{"const", plugin.manifest.id}}}}},
                       {"required", {"plugin"}}};
   return {{"if", is_it}, {"then", std::move(then)}};
 }
 
-/// What a stage must have when no other file completes it.
+/// Keys that a stage must have if the file does not extend another one.
 Json completeness(const std::vector<host::LoadedPlugin>& plugins, Role role) {
   Json schema = {{"required", {"plugin"}}};
   for (const auto& plugin : plugins) {
@@ -130,9 +130,9 @@ Json completeness(const std::vector<host::LoadedPlugin>& plugins, Role role) {
 
 std::string reference(const std::string& name) { return "#/$defs/" + name; }
 
-/// Adds the plugins of one role, and under the role's name the choice among them. With conditions
-/// instead of a plain anyOf a validator names the very value that is wrong. A stage that leaves
-/// `plugin` to another file fits when some plugin knows its keys.
+/// Adds the plugins of one role, and under the role's name the choice among them. It uses
+/// conditions instead of a plain anyOf, so that a validator reports the value that is wrong. A
+/// stage without `plugin` (another file names it) is valid if some plugin has its keys.
 void addRole(Json& definitions, const std::vector<host::LoadedPlugin>& plugins, Role role) {
   const std::string name(enumName(role));
   Json ids = Json::array();
@@ -154,7 +154,7 @@ void addRole(Json& definitions, const std::vector<host::LoadedPlugin>& plugins, 
   choice["allOf"] = std::move(conditions);
 }
 
-/// Without `extends` all stages are there, and complete.
+/// A file without `extends` must contain all stages, and each must be complete.
 Json wholeFile(const std::vector<host::LoadedPlugin>& plugins) {
   Json schema;
   for (const Role role : kChain) {
@@ -174,11 +174,12 @@ Json sections() {
                             "all. A stage may then leave out what they say."}};
   properties["pipeline"] = objectOf(propertiesOf(schemaOf<config::PipelineSettings>()));
   properties["evaluation"] = objectOf(propertiesOf(schemaOf<config::EvaluationSettings>()));
-  Json& evaluation = properties["evaluation"]["properties"];  // a list there is segment_lengths
+  Json& evaluation = properties["evaluation"]["properties"];  // `segments` may be a list, too
   evaluation["segments"]["anyOf"].push_back(
       {{"type", "array"}, {"items", evaluation["segment_lengths"]["items"]}});
   properties["checks"] = objectOf(propertiesOf(schemaOf<config::CheckSettings>()));
   properties["rectification"] = objectOf(propertiesOf(schemaOf<config::RectificationSettings>()));
+  properties["images"] = objectOf(propertiesOf(schemaOf<config::ImageSettings>()));
   properties["isolation"] = objectOf(propertiesOf(schemaOf<config::IsolationSettings>()));
   properties["record"] = objectOf(propertiesOf(schemaOf<config::RecordSettings>()));
   return properties;

@@ -13,8 +13,8 @@ namespace tolman::app {
 /// One stage that is one of these plugins, complete.
 nlohmann::ordered_json stageSchema(const std::vector<host::LoadedPlugin>& plugins);
 
-/// A whole file: the host's sections, and in each stage these plugins of its role, told apart by
-/// `plugin`. What a file that `extends` another may leave out is not asked of it.
+/// A whole file: the host's sections, and in each stage these plugins of its role, selected by
+/// `plugin`. A file that `extends` another needs no complete stages.
 nlohmann::ordered_json fileSchema(const std::vector<host::LoadedPlugin>& plugins);
 
 }  // namespace tolman::app

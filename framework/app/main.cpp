@@ -18,7 +18,7 @@ namespace {
 void repairInheritedState() {
   int descriptor = 0;
   do {
-    descriptor = ::open("/dev/null", O_RDONLY);  // so that writing fails, and is told
+    descriptor = ::open("/dev/null", O_RDONLY);  // so that writing fails and is reported
   } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
   if (descriptor >= 0) ::close(descriptor);
   std::signal(SIGCHLD, SIG_DFL);
@@ -26,12 +26,12 @@ void repairInheritedState() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-/// Saved states and tables of whole runs get pages of their own, which go back to the system when
-/// they are freed. By itself glibc raises this limit to the largest buffer freed so far, and what
-/// lives long between such buffers doubles the growth of a run. Images are smaller: pages of their
-/// own would cost 5 ms a frame. Freed memory at the end of the heap stays for the next frame, and
-/// goes back to the system every 30 s (run/watchdog.hpp): with glibc's fixed 128 KiB it would go
-/// back, and be cleared again, several times a frame.
+/// Saved states and tables of whole runs get their own pages, which are returned to the system when
+/// they are freed. By default glibc raises this limit to the largest buffer freed so far, and
+/// long-lived blocks between such buffers then double the memory growth of a run. Images are
+/// smaller: their own pages would cost 5 ms a frame. Freed memory at the end of the heap is kept
+/// for the next frame, and is returned every 30 s (run/watchdog.hpp): with glibc's fixed 128 KiB it
+/// would be returned, and cleared again, several times a frame.
 void limitFragmentation() {
 #ifdef __GLIBC__
   constexpr int kLargeBuffer = 4 << 20;  // bytes

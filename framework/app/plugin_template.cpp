@@ -52,7 +52,7 @@ Result<std::string> readFile(const fs::path& file) {
   return Status::failed(file.string() + ": the template cannot be read; install the SDK again");
 }
 
-/// The placeholders' values. `about`: one line that sums up, an empty one, and the rest.
+/// The placeholders' values. `about`: a summary line, an empty line, and the description.
 std::map<std::string, std::string> valuesOf(const NewPlugin& plugin, const std::string& about) {
   const std::size_t line = std::min(about.find('\n'), about.size());
   const std::size_t rest = std::min(about.find_first_not_of('\n', line), about.size());
@@ -77,7 +77,7 @@ Status copyFilled(const fs::path& from, const fs::path& to,
     if (!text.isOk()) return text.status();
     const std::string place = fs::relative(it->path(), from).replace_extension().string();
     const fs::path relative = fillIn(place, values);
-    std::error_code ignored;  // writing tells more
+    std::error_code ignored;  // the write below fails with a better message
     fs::create_directories((to / relative).parent_path(), ignored);
     const Status status =
         record::writeAtomically(to / relative, fillIn(text.value(), values), record::Sync::No);

@@ -16,19 +16,19 @@ namespace tolman::app {
 /// Why `name` cannot be the id of a plugin, with the remedy; nothing when it can.
 std::optional<std::string> objectionTo(const std::string& name);
 
-/// The role of this name, or what the roles are.
+/// The role of this name; otherwise a failure that lists all roles.
 Result<Role> roleNamed(const std::string& name);
 
 /// "my_places" to "MyPlaces".
 std::string className(const std::string& id);
 
-/// The folder of the templates beside a program in PREFIX/bin, also of a build tree.
+/// The folder of the templates that belong to a program in PREFIX/bin or in a build tree.
 Result<std::filesystem::path> templateFolder(const std::filesystem::path& executable);
 
-/// PREFIX, when an SDK lies below it where CMake does not look by itself.
+/// PREFIX, if it contains an SDK and CMake does not search it by default.
 std::optional<std::filesystem::path> unusualPrefix(const std::filesystem::path& executable);
 
-/// Puts values in for @NAMES@; a name without a value stays as it is.
+/// Replaces each @NAME@ by its value; a name without a value is left unchanged.
 std::string fillIn(const std::string& text, const std::map<std::string, std::string>& values);
 
 struct NewPlugin {
@@ -38,8 +38,8 @@ struct NewPlugin {
   bool python = false;           ///< one file in Python instead of a repository in C++
 };
 
-/// Writes the repository; gives the files, relative to its folder, in order. A folder that holds
-/// anything is refused and left as it is.
+/// Writes the repository; returns the files, relative to its folder, in order. A folder that is not
+/// empty is refused and left unchanged.
 Result<std::vector<std::filesystem::path>> writeNewPlugin(const std::filesystem::path& templates,
                                                           const NewPlugin& plugin);
 

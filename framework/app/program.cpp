@@ -64,7 +64,7 @@ std::vector<std::string> wordsOf(int argc, const char* const* argv) {
   return words;
 }
 
-/// "'rnu' is no command; did you mean 'run'?", where a command is missing below the last known one.
+/// The message for a wrong command below the last known one: "'rnu' is no command; ...".
 std::string unknownCommand(const CLI::App& app) {
   const CLI::App* last = &app;
   while (!last->get_subcommands().empty()) last = last->get_subcommands().front();
@@ -79,7 +79,7 @@ std::string unknownCommand(const CLI::App& app) {
          (suggestion.empty() ? "; it is one of: " + config::listed(names) : suggestion);
 }
 
-/// A thread that finds no room for its stack fails with "Resource temporarily unavailable".
+/// Creating a thread without memory for its stack fails with "Resource temporarily unavailable".
 std::string systemErrorText(const std::system_error& error) {
   if (error.code() == std::errc::resource_unavailable_try_again ||
       error.code() == std::errc::not_enough_memory) {
@@ -90,7 +90,7 @@ std::string systemErrorText(const std::system_error& error) {
 
 int parse(CLI::App& app, std::vector<std::string> words) {
   try {
-    std::ranges::reverse(words);  // as CLI11 wants them
+    std::ranges::reverse(words);  // CLI11 expects the last word first
     app.parse(words);
   } catch (const CLI::ParseError& error) {
     const std::string unknown = unknownCommand(app);
@@ -105,7 +105,7 @@ int parse(CLI::App& app, std::vector<std::string> words) {
     return static_cast<int>(printFailure(ExitCode::Internal, text));
   } catch (const std::system_error& error) {
     return static_cast<int>(printFailure(ExitCode::Internal, systemErrorText(error)));
-  } catch (const std::exception& error) {  // a defect of the host, not of its input
+  } catch (const std::exception& error) {  // a defect of the host, not of its input data
     const std::string text = std::string("tolman: internal error: ") + error.what();
     return static_cast<int>(printFailure(ExitCode::Internal, text));
   }

@@ -15,7 +15,7 @@ class App;
 
 namespace tolman::app {
 
-ExitCode exitCode(const Status& status);  ///< of files read and written
+ExitCode exitCode(const Status& status);  ///< for a failure to read or write a file
 
 /// Ends a command; the message goes to stderr.
 struct Ended {
@@ -23,7 +23,7 @@ struct Ended {
   std::string message;
 };
 
-/// The value; without one the command ends.
+/// The value of the result; throws Ended if there is none.
 template <class T>
 T valueOrEnd(Result<T> result, ExitCode code) {
   if (!result.isOk()) throw Ended{code, result.status().message()};
@@ -46,11 +46,11 @@ ExitCode printFailure(ExitCode code, const std::string& message);
 
 /// A check of an option's value: without it `--out ""` would take the default.
 std::string notEmpty(const std::string& value);
-// Checks of numbers; those of CLI11 let NaN pass and tell ranges in 300 digits.
+// Checks of numbers. Those of CLI11 accept NaN and print ranges with 300 digits.
 std::string positive(const std::string& value);
 std::string notNegative(const std::string& value);
 
-/// What commands share.
+/// Options and exit code that all commands share.
 struct Invocation {
   std::vector<std::string> command_line;
   std::vector<std::string> plugin_paths;

@@ -99,7 +99,7 @@ void ProgressLine::step() {
 
 void ProgressLine::redraw(const std::string& line) {
   const std::string wipe(drawn_ > line.size() ? drawn_ - line.size() : 0, ' ');
-  // In one piece, so that a line of the log from another thread does not get between.
+  // One write, so that no log line of another thread comes in between.
   out_ << "\r" + line + wipe + (line.empty() ? "\r" : "") << std::flush;
   drawn_ = line.size();
 }

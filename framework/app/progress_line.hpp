@@ -13,7 +13,7 @@
 
 namespace tolman::app {
 
-/// What stderr is and how much the user wants there.
+/// Kind of stderr, and whether the user wants output there.
 struct Terminal {
   bool interactive = false;  ///< a terminal, where a line can be redrawn
   bool quiet = false;        ///< show nothing

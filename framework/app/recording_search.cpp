@@ -16,8 +16,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 40;  // of a folder, that are tried
+constexpr std::size_t kMostFiles = 40;  // files of a folder that are tried
 constexpr const char* kAssumedRate = "10";
+constexpr std::array<const char*, 3> kBelow = {"", "/data", "/images"};  // in a camera's folder
 
 /// Names in a folder, sorted; of folders, or of files with one of these suffixes.
 std::vector<std::string> namesIn(const fs::path& folder, const std::vector<std::string>& suffixes) {
@@ -48,8 +49,25 @@ std::string rightOf(const std::string& left, const std::vector<std::string>& fol
   return "";
 }
 
+/// Path of the images of a folder, relative to its parent; empty for a folder without images.
+std::string imagesOf(const fs::path& parent, const std::string& folder) {
+  for (const char* below : kBelow) {
+    const std::string images = folder + below;
+    if (!namesIn(parent / images, {".png", ".jpg", ".jpeg"}).empty()) return images;
+  }
+  return "";
+}
+
+/// Puts folders with a right folder first, so that a pair is found before any single camera.
+std::vector<std::string> pairsFirst(const std::vector<std::string>& folders) {
+  std::vector<std::string> ordered = folders;
+  std::ranges::stable_sort(
+      ordered, {}, [&](const std::string& folder) { return rightOf(folder, folders).empty(); });
+  return ordered;
+}
+
 std::string unitOf(const std::string& stamp) {
-  const double value = std::strtod(stamp.c_str(), nullptr);  // 0 for what is no number
+  const double value = std::strtod(stamp.c_str(), nullptr);  // 0 if it is not a number
   return value > 1e17 ? "ns" : value > 1e14 ? "us" : value > 1e11 ? "ms" : "s";
 }
 
@@ -85,7 +103,7 @@ class Search {
 
   RecordingSearch run() {
     tryAll({});
-    std::vector<std::string> reasons = std::move(found_.reasons);  // those of the plain path
+    std::vector<std::string> reasons = std::move(found_.reasons);  // without further parameters
     if (!found_.best) {
       tryAll({{"rate", kAssumedRate}});
       found_.rate_assumed = found_.best.has_value();
@@ -105,7 +123,8 @@ class Search {
     values.insert(values.end(), more.begin(), more.end());
     const host::Catalogue catalogue = run::openCatalogue(invocation_.plugin_paths);
     for (const host::Manifest& manifest : catalogue.manifests()) {
-      if (manifest.role == Role::Source) keep(manifest.id, probe(manifest.id, values, invocation_));
+      if (manifest.role == Role::Source)
+        keep(manifest.id, probe(manifest.id, values, deadline_, invocation_));
     }
   }
 
@@ -122,16 +141,16 @@ class Search {
     if (better) found_.best = std::move(tried).value();
   }
 
-  /// The best source with further parameters; whether it reads the recording so.
+  /// Probes the best source with further parameters; none if it cannot read the recording then.
   std::optional<Probe> withMore(const SourceValues& more) {
     SourceValues values = found_.best->values;
     values.insert(values.end(), more.begin(), more.end());
-    Result<Probe> tried = probe(found_.best->plugin, values, invocation_);
+    Result<Probe> tried = probe(found_.best->plugin, values, deadline_, invocation_);
     return tried.isOk() ? std::optional(std::move(tried).value()) : std::nullopt;
   }
 
-  /// Where 0 does not mean "as recorded" and another rate changes the stamps, they come from the
-  /// default of `rate`.
+  /// Tests whether the stamps come from the default of `rate`: another rate changes them, and rate
+  /// 0 ("as recorded") is not accepted.
   void questionRate() {
     const auto other = withMore({{"rate", "23"}});
     if (!other || std::abs(other->rate - found_.best->rate) < 0.01) return;
@@ -142,19 +161,32 @@ class Search {
 
   void tryPairs() {
     const std::vector<std::string> folders = namesIn(recording_, {});
-    for (const std::string& left : folders) {
+    for (const std::string& left : pairsFirst(folders)) {
       const std::string right = rightOf(left, folders);
-      for (const std::string below : {"", "/data", "/images"}) {
+      for (const std::string below : kBelow) {
         SourceValues values = {{"left", config::writeText(left + below)}};
         if (!right.empty()) values.emplace_back("right", config::writeText(right + below));
         if (!found_.best) tryAll(values);
-        // A pair of raw images is one only with its calibration.
+        // Raw images are accepted as a pair only with their calibration.
         values.emplace_back("calibration", "");
         for (const std::string& file : calibrations()) {
           values.back().second = config::writeText(file);
           if (!found_.best) tryAll(values);
         }
       }
+    }
+    if (found_.best) tellOtherFolders(folders);
+  }
+
+  void tellOtherFolders(const std::vector<std::string>& folders) {
+    for (const std::string& folder : folders) {
+      const std::string images = imagesOf(recording_, folder);
+      const auto reads = [&](const auto& value) {
+        return value.second == config::writeText(images) &&
+               (value.first == "left" || value.first == "right");
+      };
+      if (images.empty() || std::ranges::any_of(found_.best->values, reads)) continue;
+      found_.other_folders.push_back(images);
     }
   }
 
@@ -193,6 +225,7 @@ class Search {
   fs::path recording_;
   SourceValues given_;
   const Invocation& invocation_;
+  std::chrono::seconds deadline_ = probeDeadline(recording_);
   RecordingSearch found_;
 };
 

@@ -13,14 +13,15 @@ namespace tolman::app {
 
 struct RecordingSearch {
   std::optional<Probe> best;
-  std::vector<std::string> others;   ///< sources that read it too, with less of it
-  std::vector<std::string> reasons;  ///< "SOURCE: why it does not read the recording"
+  std::vector<std::string> others;         ///< other sources that read it, but give less
+  std::vector<std::string> reasons;        ///< "SOURCE: why it does not read the recording"
+  std::vector<std::string> other_folders;  ///< with images that the found source does not read
   bool rate_assumed = false;
 };
 
-/// Tries every source that has a parameter `path`, and, where a source declares them, `rate`,
-/// `left` and `right`, `calibration`, `stamps` with `stamps_column` and `stamps_unit`, and
-/// `stamps_in_names` with what lies in the folder. `given`: further parameters, for every source.
+/// Tries every source that has a parameter `path`. Where a source declares them, it also tries
+/// `rate`, `left` and `right`, `calibration`, `stamps` with `stamps_column` and `stamps_unit`, and
+/// `stamps_in_names`, with the files in the folder. `given`: further parameters for every source.
 RecordingSearch searchRecording(const std::filesystem::path& recording, const SourceValues& given,
                                 const Invocation& invocation);
 

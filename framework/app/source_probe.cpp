@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <chrono>
+#include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -18,7 +18,8 @@
 namespace tolman::app {
 namespace {
 
-constexpr std::chrono::seconds kProbeDeadline{20};
+constexpr std::chrono::seconds kShortest{20};
+constexpr std::uintmax_t kBytesPerSecond = 20'000'000;  // of a bag with compressed chunks
 constexpr int kProbedFrames = 10;
 
 /// Reads the first frames as a run would, and prints one line of JSON.
@@ -93,8 +94,20 @@ std::string sourceSection(const std::string& plugin, const SourceValues& values)
   return text;
 }
 
+std::chrono::seconds probeDeadline(const std::filesystem::path& recording) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::uintmax_t bytes = 0;
+  if (fs::is_regular_file(recording, error)) bytes = fs::file_size(recording, error);
+  for (fs::directory_iterator at(recording, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored)) bytes += at->file_size(ignored);
+  }
+  return kShortest + std::chrono::seconds(static_cast<std::int64_t>(bytes / kBytesPerSecond));
+}
+
 Result<Probe> probe(const std::string& plugin, const SourceValues& values,
-                    const Invocation& invocation) {
+                    std::chrono::seconds deadline, const Invocation& invocation) {
   const record::FileDescriptor config(::memfd_create("probe.yaml", 0));
   const record::FileDescriptor output(::memfd_create("probe.out", MFD_CLOEXEC));
   const std::string yaml = sourceSection(plugin, values);
@@ -108,9 +121,15 @@ Result<Probe> probe(const std::string& plugin, const SourceValues& values,
   command.insert(command.end(),
                  {"probe-source", "/proc/self/fd/" + std::to_string(config.number())});
   isolation::ChildProcess child(command, {config.number()}, output.number());
-  const isolation::ProcessEnd end = child.end(kProbeDeadline);
+  const auto begin = std::chrono::steady_clock::now();
+  const isolation::ProcessEnd end = child.end(deadline);
+  if (end.signal == SIGKILL && std::chrono::steady_clock::now() - begin >= deadline) {
+    return Status::invalidInput("did not read the first frames within " +
+                                std::to_string(deadline.count()) +
+                                " s; if it should read them, name it in a file of your own");
+  }
   const std::string printed = contentOf(output.number());
-  // "source (ID), configure: ..." is said by the source itself, other messages by the host.
+  // Messages of the source itself begin with "source (ID), configure: "; others are of the host.
   const std::string said = lastLine(printed);
   const std::string prefix = "source (" + plugin + "), ";
   if (end.signal == 0 && end.exit_code != 0 && said.starts_with(prefix)) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a source makes of a recording, tried in a process of its own with a deadline: a file that
-// crashes or blocks one source does not keep others from being tried.
+// Tests whether a source can read a recording. The test runs in its own process with a deadline, so
+// that the search continues if a file crashes or blocks a source.
 #pragma once
 
-#include <cstdint>
+#include <chrono>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,9 +35,13 @@ struct Probe {
   int rank() const { return (width > 0 ? 1 : 0) + (calibrated ? 2 : 0) + (baseline > 0 ? 2 : 0); }
 };
 
-/// InvalidInput where the source does not read the recording, with the reason; Unsupported where it
-/// has no such parameters, or does not answer.
+/// Time limit for one source. It is longer for large files, because a bag is read completely before
+/// its first frame.
+std::chrono::seconds probeDeadline(const std::filesystem::path& recording);
+
+/// InvalidInput where the source does not read the recording, or not in time, with the reason;
+/// Unsupported where it has no such parameters, or its process fails.
 Result<Probe> probe(const std::string& plugin, const SourceValues& values,
-                    const Invocation& invocation);
+                    std::chrono::seconds deadline, const Invocation& invocation);
 
 }  // namespace tolman::app

@@ -18,7 +18,7 @@ std::string errorText(const char* name, const std::optional<evaluation::ErrorFig
                      unit);
 }
 
-std::string scoreText(const char* name, const std::optional<evaluation::UnitScore>& score) {
+std::string scoreText(std::string_view name, const std::optional<evaluation::UnitScore>& score) {
   if (!score) return "";
   return fmt::format("{} {:.2f}, {:.0f} % above chance", name, score->median,
                      100 * score->share_above);
@@ -39,11 +39,17 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
   if (s.vertical_m.count > 0) {
     text += fmt::format("{:<10}horizontal rmse {:.3f} m, vertical rmse {:.3f} m\n", "",
                         s.horizontal_m.rmse, s.vertical_m.rmse);
+  } else if (!s.no_horizontal.empty()) {
+    text += fmt::format("{:<10}horizontal and vertical error: {}\n", "", s.no_horizontal);
   }
   if (s.kitti.segments > 0) {
-    text += fmt::format("{:<10}drift {:.3f} %, {:.3f} deg/100 m  ({} segments, {} lengths)\n", "",
+    const std::string left_out =
+        s.kitti.segments_in_gaps == 0
+            ? ""
+            : fmt::format("; {} that end in gaps left out", s.kitti.segments_in_gaps);
+    text += fmt::format("{:<10}drift {:.3f} %, {:.3f} deg/100 m  ({} segments, {} lengths{})\n", "",
                         s.kitti.t_rel_percent, s.kitti.r_rel_deg_per_100m, s.kitti.segments,
-                        s.kitti.lengths.name);
+                        s.kitti.lengths.name, left_out);
   }
   return text;
 }
@@ -61,7 +67,8 @@ std::string cellsText(const evaluation::CellFigures& cells) {
     const std::string modulo =
         cells.modulo_m > 0 ? fmt::format(" (modulo {:.3g} m)", cells.modulo_m) : "";
     parts.push_back(errorText("position", cells.position_m, "m" + modulo));
-    parts.push_back(scoreText("square grid", cells.sheets[0].scores.square));
+    const evaluation::LatticeScore lattice = evaluation::bestLattice(cells.sheets[0].scores);
+    parts.push_back(scoreText(lattice.name, lattice.score));
   }
   if (!cells.reason.empty()) parts.push_back("no errors: " + cells.reason);
   std::erase(parts, "");
@@ -83,8 +90,11 @@ std::string healthText(const run::Outcome& outcome) {
   const double rate = outcome.wall_s > 0 ? static_cast<double>(n.frames) / outcome.wall_s : 0;
   text += fmt::format("{:<10}{}, {:.1f} frames/s", "time", durationText(outcome.wall_s), rate);
   const std::int64_t last_ns = outcome.finish_times_ns[static_cast<std::size_t>(Role::Map)];
-  return text + fmt::format("; final optimisation of the map {}\n",
-                            durationText(1e-9 * static_cast<double>(last_ns)));
+  text += fmt::format("; final optimisation of the map {}\n",
+                      durationText(1e-9 * static_cast<double>(last_ns)));
+  if (outcome.latency.frames == 0) return text;
+  return text + fmt::format("{:<10}exposure to pose median {:.1f} ms, 99 % {:.1f} ms\n", "latency",
+                            outcome.latency.median_ms, outcome.latency.p99_ms);
 }
 
 std::string figuresText(const evaluation::Metrics& metrics) {

@@ -16,7 +16,7 @@ std::string healthText(const run::Outcome& outcome);
 /// The figures of one trajectory; `name` heads the first line.
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics);
 
-/// One line of what ring and grid modules say against the truth, and of the tuning of their units;
+/// One line: errors of ring and grid modules against the truth, and the tuning of their units;
 /// empty where nothing is known.
 std::string cellsText(const evaluation::CellFigures& cells);
 

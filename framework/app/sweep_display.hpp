@@ -28,7 +28,7 @@ class SweepDisplay : public experiment::JobsListener {
   std::ostream& out_;
   Terminal terminal_;
   std::size_t drawn_ = 0;  ///< lines of the table on the terminal
-  double shown_s_ = -1;    ///< when it was drawn
+  double shown_s_ = -1;    ///< time of the last drawing
 };
 
 /// "37 of 300, 2 failed, 1:05 left"

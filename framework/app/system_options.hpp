@@ -12,8 +12,8 @@
 
 namespace tolman::app {
 
-/// `given`, or where there is no such file a configuration that is shipped with the program: "demo"
-/// and "configs/demo.yaml", in the installed tree and in the build tree.
+/// The file `given`. If there is none, a configuration shipped with the program, in the installed
+/// or the build tree: both "demo" and "configs/demo.yaml" name it.
 inline std::string configFile(const std::string& given) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -77,7 +77,7 @@ class SystemOptionsReader {
   }
 
  private:
-  /// A run goes on as it was begun.
+  /// A resumed run keeps its options, so --resume excludes them.
   void refuseOthers() const {
     for (const char* other :
          {"config", "--set", "--seed", "--threads", "--out", "--force", "--continue"}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of files and folders may contain control sequences, which a terminal would obey. While an
-// object lives, what is written to the stream appears without them, line by line.
+// Names of files and folders may contain control sequences, which a terminal would execute. While
+// an object of this class exists, control characters are removed from the stream, line by line.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -26,10 +26,10 @@ class TerminalOutput : public std::streambuf {
 
   std::ostream& stream_;
   std::streambuf* below_;
-  std::string line_;  ///< not yet passed on
+  std::string line_;  ///< characters not yet written
 };
 
-/// Indented, with a line feed; names of files that are no UTF-8 with U+FFFD in them.
+/// Indented JSON with a line feed at the end; bytes that are not UTF-8 become U+FFFD.
 std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace tolman::app

@@ -99,7 +99,7 @@ class ChainBench {
     options_.progress.begin_pass(assembly.sourceInfo().frames);
     BenchPass measured = scope == run::Scope::Source ? sourceAlone(assembly) : chain(assembly);
     options_.progress.end_pass();
-    if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else incomplete
+    if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else: incomplete pass
   }
 
   BenchPass sourceAlone(run::Assembly& assembly) {

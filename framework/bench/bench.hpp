@@ -35,7 +35,7 @@ struct BenchPass {
   double cpu_s = 0;     ///< of all threads of the process; `bench odometry` only
   double peak_mib = 0;  ///< peak resident memory of the process, plugins included
   std::map<std::string, evaluation::StageTiming> stages;  ///< by role
-  double rectifying_s = 0;  ///< of `seconds`, of a source alone: rectifying raw images
+  double rectifying_s = 0;  ///< part of `seconds` for rectifying raw images; source passes only
 
   double rate() const { return seconds > 0 ? static_cast<double>(frames) / seconds : 0; }
 };

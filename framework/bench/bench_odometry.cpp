@@ -23,7 +23,7 @@ double cpuSeconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Measures from its construction on.
+/// Measures time from its construction.
 class Meter {
  public:
   explicit Meter(const Clock& clock)
@@ -120,7 +120,7 @@ class OdometryComparison {
   }
 
  private:
-  /// The time of another process would not be counted.
+  /// Refuses stages that run in another process, because its CPU time would not be counted.
   static void refuseProcesses(const run::CheckedSystem& checked) {
     for (std::size_t i = 0; i < checked.config.stages.size(); ++i) {
       const config::StageConfig& stage = checked.config.stages[i];
@@ -191,7 +191,7 @@ class OdometryComparison {
     options_.progress.end_pass();
   }
 
-  /// Unless the pass was interrupted: then it is incomplete and not comparable.
+  /// Keeps the pass unless it was interrupted: an incomplete pass cannot be compared.
   void keep(const BenchPass& pass, std::vector<BenchPass>& passes) const {
     if (!cancellation_.requested()) passes.push_back(pass);
   }

@@ -13,7 +13,7 @@ struct Times {
   double median = 0;
 };
 
-/// Seconds a frame.
+/// Seconds per frame.
 Times timesOf(const std::vector<BenchPass>& passes, double BenchPass::*time) {
   std::vector<double> times;
   for (const BenchPass& pass : passes) {

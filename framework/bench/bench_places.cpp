@@ -12,7 +12,7 @@
 namespace tolman::bench {
 namespace {
 
-/// A recognised image, by the number of the image that its template was made of.
+/// Image `query` was recognised as the place of image `place`, from which the template was made.
 struct Answer {
   std::int64_t query = -1;
   std::int64_t place = -1;
@@ -28,11 +28,12 @@ class Pass {
   Pass(run::Assembly& assembly, const PlacesOptions& options, const Cancellation& cancellation)
       : assembly_(assembly), options_(options), cancellation_(cancellation) {}
 
-  /// `made_at` grows by the templates of this pass: image numbers of `pass`, 0 or 1.
+  /// The pass (0 or 1) and the image in it from which a template was made.
   struct Template {
     int pass = 0;
     std::int64_t image = -1;
   };
+  /// Adds the templates of this pass to `made_at`, by their ids.
   void show(int pass, std::map<std::int64_t, Template>& made_at) {
     options_.progress.begin_pass(assembly_.sourceInfo().frames);
     Frame frame;
@@ -77,7 +78,7 @@ class Pass {
     return seen;
   }
 
-  /// The true motion where it is known, otherwise straight on.
+  /// The true motion where it is known, otherwise metres_per_image straight ahead.
   Motion motionTo(const Frame& frame) {
     Motion motion;
     motion.frame = frame.frame;
@@ -197,7 +198,7 @@ class PlacesMeasurement {
     bench_.p99_ms = times[times.size() * 99 / 100];
   }
 
-  /// Of a drive with true poses.
+  /// Judges claims of the opposite direction; needs a drive with true poses.
   void judgeTurned(const Pass& pass) {
     std::vector<TurnedAnswer> turned;
     for (const Answer& a : pass.answers) {

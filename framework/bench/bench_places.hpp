@@ -19,7 +19,7 @@ struct PlacesOptions {
   std::vector<std::string> query_overrides;  ///< of the second pass only
   std::string pairs;                         ///< file of true pairs, for one drive
   std::int64_t tolerance = 5;                ///< images, for two passes
-  std::int64_t near = 20;                    ///< claims over at most so many images do not count
+  std::int64_t near = 20;                    ///< claims over at most this many images are ignored
   double metres_per_image = 1;               ///< for images without true poses
   std::int64_t frames = -1;                  ///< of each pass, at most; -1: all
   BenchProgress progress{[](std::int64_t) {}, [] {}, [] {}};
@@ -33,16 +33,17 @@ struct PlacesBench {
   std::int64_t templates = 0;
   std::vector<evaluation::PlaceClaim> claims;
   std::vector<evaluation::PrecisionRecall> curve;
-  /// Of a drive with true poses, which `claims` then leaves out.
+  /// Claims of the opposite direction, which `claims` does not contain then; only for one drive
+  /// with true poses.
   std::optional<OppositePlaces> opposite;
-  double median_ms = 0;  ///< of a call
+  double median_ms = 0;  ///< time of one call
   double p99_ms = 0;
   std::int64_t state_bytes = 0;  ///< of the saved state; 0: the plugin saves none
   bool interrupted = false;
 };
 
 /// The configuration needs a source and a place recogniser. Two passes need a recogniser that saves
-/// its state: the second goes on with that of the first. Throws run::Failed.
+/// its state: the second pass starts with the state of the first. Throws run::Failed.
 PlacesBench runPlacesBench(const run::SystemOptions& system, const PlacesOptions& options,
                            run::RunLog& log, const Cancellation& cancellation);
 

@@ -21,7 +21,7 @@ std::string passesText(std::string_view what, const std::vector<BenchPass>& pass
   return text;
 }
 
-/// One line a stage, one pair of columns a repeat.
+/// One line per stage, one pair of columns per repeat.
 std::string stagesText(const std::vector<BenchPass>& passes) {
   std::string text = fmt::format("{:<12}  median and p90, ms a frame, of each repeat\n", "stage");
   for (const std::string_view role : kRoleNames) {
@@ -37,13 +37,13 @@ std::string stagesText(const std::vector<BenchPass>& passes) {
   return text;
 }
 
-/// Rectification over all else that the source does, which is to read and decode.
+/// Time of rectification over the time of reading and decoding.
 double rectificationRatio(const BenchPass& pass) {
   const double decoding_s = pass.seconds - pass.rectifying_s;
   return decoding_s > 0 ? pass.rectifying_s / decoding_s : 0;
 }
 
-/// One column a repeat; empty where nothing is rectified.
+/// One column per repeat; empty where nothing is rectified.
 std::string rectificationText(const std::vector<BenchPass>& passes) {
   std::string text;
   for (const BenchPass& pass : passes) {

@@ -67,7 +67,7 @@ bool samePixels(const Image& a, const Image& b) {
 
 Result<ImageFiles> ImageFiles::find(const Schema& schema, const ParameterValues& values,
                                     const Frame& frame) {
-  void* library = ::dlopen(TOLMAN_IMAGE_DECODER, RTLD_NOW | RTLD_LOCAL);  // stays until exit
+  void* library = ::dlopen(TOLMAN_IMAGE_DECODER, RTLD_NOW | RTLD_LOCAL);  // never closed
   if (library == nullptr) return Status::failed(std::string("no image decoder: ") + ::dlerror());
   ImageFiles files;
   files.decoder_ = reinterpret_cast<Decoder*>(::dlsym(library, "tolman_decode_image"));

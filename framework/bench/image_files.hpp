@@ -2,8 +2,8 @@
 // The image files that a source reads, and their decoding without the source: the reference that
 // `tolman bench odometry` measures against.
 //
-// No source names its files. They are found by their pixels: below the folders that the source's
-// path parameters name, the folder is taken whose file number Frame::source_index decodes to the
+// A source does not report its files, so they are found by their pixels: of the folders below the
+// source's path parameters, the one is chosen whose file number Frame::source_index decodes to the
 // image of that frame.
 #pragma once
 

@@ -23,7 +23,7 @@ OppositePlaces::Claim judged(const evaluation::Trajectory& truth, const TurnedAn
   return {answer.query, answer.place, answer.score, error, is_opposite && error <= rule.distance_m};
 }
 
-/// The images that return to a place in the opposite direction, and not in the same one as well.
+/// The images that return to a place in the opposite direction, but not in the same direction.
 std::set<std::int64_t> findableOf(const evaluation::Trajectory& truth,
                                   const dataset::RevisitRule& rule) {
   std::set<std::int64_t> same;

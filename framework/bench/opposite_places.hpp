@@ -20,7 +20,8 @@ struct TurnedAnswer {
 
 /// Whether the observation says that the template was seen in the opposite direction.
 bool isTurned(const PlaceObservation& seen);
-/// Where the observation says that the camera is: at the template, unless a pose was measured.
+/// The camera pose relative to the template by the observation: the measured one, or without one
+/// the position of the template, turned by relative_yaw.
 Eigen::Isometry3d claimedPose(const PlaceObservation& seen);
 
 struct OppositePlaces {
@@ -33,7 +34,7 @@ struct OppositePlaces {
   };
 
   std::int64_t findable = 0;  ///< images that pass a place in the opposite direction alone
-  std::int64_t found = 0;     ///< of them: at most 5 m of path after a right claim
+  std::int64_t found = 0;     ///< those of `findable` at most 5 m of path after a right claim
   std::vector<Claim> claims;
 
   std::int64_t right() const;

@@ -40,7 +40,7 @@ std::optional<PlaceCurve> curveIn(const json& measured) {
 Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would wait
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
   if (!stream.is_open()) return Status::invalidInput(file.string() + ": cannot be read");
   const json measured = json::parse(stream, nullptr, false);
   const auto curve = measured.is_discarded() ? std::nullopt : curveIn(measured);
@@ -61,7 +61,7 @@ std::string placeCurvesFigure(const std::vector<PlaceCurve>& curves) {
                           {0, 1},
                           {0, 1.03},
                           report::frame(70, 60, 540, 410)});
-  std::vector<report::Axes::Entry> names;
+  std::vector<report::Axes::LegendEntry> names;
   for (const PlaceCurve& curve : curves) {
     const char* colour = kColours[names.size() % kColours.size()];
     names.push_back({colour, curve.name});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of precision over recall in one figure: of a measurement, and of earlier ones beside it.
+// Curves of precision over recall in one figure: of a measurement, and of earlier ones.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct PlaceCurve {
   std::vector<evaluation::PrecisionRecall> points;
 };
 
-/// Of a file that `tolman bench places --json` printed.
+/// The curve in a file with the output of `tolman bench places --json`.
 Result<PlaceCurve> placeCurveOf(const std::filesystem::path& file);
 
 /// As SVG, in the style of the report.

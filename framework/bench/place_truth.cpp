@@ -46,7 +46,7 @@ PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t toleran
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would wait
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);  // a pipe would block
   if (!stream.is_open()) {
     return Status::invalidInput(file.string() + ": cannot be read as a file of true pairs");
   }

@@ -19,10 +19,11 @@ struct PlaceTruth {
   std::function<bool(std::int64_t query)> isFindable;
 };
 
-/// Image N of both passes shows the same place, and so do those up to `tolerance` images away.
+/// Image N of the second pass shows the place of the images N +- `tolerance` of the first pass.
 PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance);
 
-/// A CSV file with a header and two columns: query, match. Errors name file and line.
+/// A CSV file with two columns, query and match, and an optional header `query,match`. Errors name
+/// file and line.
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file);
 
 /// Within 5 m, headings less than 45 degrees apart, more than 20 m of path in between.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Types, ranges, choices and names.
+// Checks types, ranges, choices and names.
 #include "config/check.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// In which keys configurations differ.
+// Finds the keys in which configurations differ.
 #pragma once
 
 #include <string>

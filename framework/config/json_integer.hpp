@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integers in JSON from outside. The library's own get() converts any number, also 1e300.
+// Reads integers from untrusted JSON. The library's own get() converts any number, even 1e300.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tolman::config {
 
-/// Throws Json::type_error where `json` is no integer, or none that T can hold.
+/// Throws Json::type_error if `json` is not an integer or does not fit into T.
 template <class T, class Json>
 T integerFrom(const Json& json) {
   const auto checked = [&json](auto value) {

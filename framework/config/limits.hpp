@@ -14,10 +14,10 @@ namespace tolman::config {
 
 /// Differences of stamps and frames fit their type.
 inline constexpr std::int64_t kMostInteger = std::int64_t{1} << 62U;
-/// Squares of figures stay finite.
+/// Squares of numbers up to this one are finite.
 inline constexpr double kMostNumber = 1e100;
 inline constexpr double kFarthest = 1e12;  // m, of each coordinate of a position
-/// Of the elements of R'R - 1. A rotation of single precision has 1e-6.
+/// Largest element of |R'R - 1|. A rotation in single precision has about 1e-6.
 inline constexpr double kRotationError = 1e-4;
 inline constexpr std::size_t kMostArrays = 256;    // of a frame, in one record
 inline constexpr std::size_t kLongestName = 100;   // bytes, of an array

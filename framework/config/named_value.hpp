@@ -11,7 +11,7 @@
 
 namespace tolman::config {
 
-/// Nothing where no value has this name.
+/// None if no value has this name.
 template <NamedEnum E>
 std::optional<E> valueNamed(std::string_view name) {
   const std::span<const std::string_view> names = enumNames(E());

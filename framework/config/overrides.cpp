@@ -74,8 +74,8 @@ Status assign(Node& tree, const std::vector<std::string>& path, Node value, cons
   return Status::ok();
 }
 
-/// YAML leaves out comments, outer blanks and line breaks. A problem where it left out something,
-/// so that a path with such characters does not become another path.
+/// The problem if YAML dropped a part of the given text (a comment, outer blanks, a line break), so
+/// that a path with such characters does not become another path; empty if there is none.
 std::string lostText(const Node& value, const std::string& given) {
   constexpr std::array kNulls = {"", "~", "null", "Null", "NULL"};
   if (value.kind == Node::Kind::Null && std::ranges::find(kNulls, given) == kNulls.end()) {

@@ -14,7 +14,7 @@ constexpr bool isControl(std::uint32_t c) {
          c == 0xffff;
 }
 
-/// Number of bytes that a first byte announces; 0 for one that cannot be first.
+/// Length of a UTF-8 character by its first byte; 0 if no character begins with this byte.
 constexpr std::size_t lengthOf(std::uint8_t first) {
   if (first < 0x80) return 1;
   if (first < 0xc2) return 0;

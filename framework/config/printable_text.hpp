@@ -10,8 +10,8 @@ namespace tolman::config {
 /// Whether all characters are printable. True for an empty text.
 bool isPrintable(std::string_view text);
 
-/// With `instead` (U+FFFD) in place of each control character and of each byte that is no UTF-8;
-/// line feeds and tabulators stay.
+/// Replaces each control character and each byte that is not UTF-8 by `instead` (U+FFFD); keeps
+/// line feeds and tabulators.
 std::string printable(std::string_view text, std::string_view instead = "\xef\xbf\xbd");
 
 }  // namespace tolman::config

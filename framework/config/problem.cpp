@@ -15,7 +15,7 @@ std::string text(const Origin& origin) {
 
 namespace {
 
-/// Without the middle of one that quotes a whole file.
+/// A long message, such as one that quotes a whole file, without its middle.
 std::string shortened(const std::string& message) {
   constexpr std::size_t kMost = 2000;  // lists of keys are shorter
   constexpr std::size_t kEnd = 200;

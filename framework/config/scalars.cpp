@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto byte = static_cast<unsigned char>(text[i]);
-    if (text.compare(i, 2, "${") == 0) out += '$';  // or it would name a variable
+    if (text.compare(i, 2, "${") == 0) out += '$';  // escapes it: it is not a variable
     if (byte < 0x20 || byte == 0x7f) {
       out += std::string("\\x") + kHex[byte >> 4U] + kHex[byte & 15U];
       continue;

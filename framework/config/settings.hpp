@@ -41,7 +41,7 @@ enum class PipelineMode : std::uint8_t { Lossless, Realtime };
 inline constexpr std::array<std::string_view, 2> kPipelineModeNames = {"lossless", "realtime"};
 constexpr std::span<const std::string_view> enumNames(PipelineMode) { return kPipelineModeNames; }
 
-/// What a full queue does with another frame.
+/// How a full queue handles another frame.
 enum class QueuePolicy : std::uint8_t { DropOldest, DropNewest, Block };
 inline constexpr std::array<std::string_view, 3> kQueuePolicyNames = {"drop_oldest", "drop_newest",
                                                                       "block"};
@@ -79,10 +79,10 @@ struct PipelineSettings {
   }
 };
 
-enum class Alignment : std::uint8_t { Auto, Se3, Se2, Sim3, None };
+enum class AlignmentChoice : std::uint8_t { Auto, Se3, Se2, Sim3, None };
 inline constexpr std::array<std::string_view, 5> kAlignmentNames = {"auto", "se3", "se2", "sim3",
                                                                     "none"};
-constexpr std::span<const std::string_view> enumNames(Alignment) { return kAlignmentNames; }
+constexpr std::span<const std::string_view> enumNames(AlignmentChoice) { return kAlignmentNames; }
 
 /// Which frames are evaluated.
 enum class SessionScope : std::uint8_t { Own, Joint };
@@ -95,10 +95,11 @@ constexpr std::span<const std::string_view> enumNames(Segments) { return kSegmen
 
 /// Keys below `evaluation`. A list under `segments` is taken as `segment_lengths`.
 struct EvaluationSettings {
-  Alignment alignment = Alignment::Auto;
+  AlignmentChoice alignment = AlignmentChoice::Auto;
   Segments segments = Segments::Auto;
   std::vector<double> segment_lengths;  ///< m; empty: those of `segments`
   SessionScope sessions = SessionScope::Own;
+  double loop_height = 0;  ///< m; places further apart in height differ; 0: off
   static constexpr auto declaration() {
     using S = EvaluationSettings;
     return parameters(parameter("alignment", &S::alignment)
@@ -114,7 +115,13 @@ struct EvaluationSettings {
                       parameter("sessions", &S::sessions)
                           .doc("own: evaluate the frames of this session. joint: those of all "
                                "sessions; their ground "
-                               "truth must be in one world frame."));
+                               "truth must be in one world frame."),
+                      parameter("loop_height", &S::loop_height)
+                          .range(0, 1e6)
+                          .unit("m")
+                          .doc("Loop links and recognised views between true places that are "
+                               "further apart in height count as false, for buildings with "
+                               "storeys. 0: only the distance of 10 m counts."));
   }
 };
 
@@ -195,7 +202,7 @@ constexpr std::span<const std::string_view> enumNames(RectificationMode) {
   return kRectificationModeNames;
 }
 
-/// Keys below `rectification`: of sources whose images are as the cameras took them.
+/// Keys below `rectification`: for sources whose images are not rectified.
 struct RectificationSettings {
   RectificationMode mode = RectificationMode::Auto;
   double scale = 1;
@@ -214,6 +221,24 @@ struct RectificationSettings {
             .unit("deg")
             .doc("The most that a rectified image shows, across and down; for wide fisheye "
                  "cameras."));
+  }
+};
+
+/// Keys below `images`: for the images of every source, after rectification.
+struct ImageSettings {
+  std::vector<double> crop;  ///< px: left, top, width, height; empty: all
+  double scale = 1;
+  static constexpr auto declaration() {
+    using S = ImageSettings;
+    return parameters(
+        parameter("crop", &S::crop)
+            .range(0, 65000)
+            .unit("px")
+            .doc("Part of the images that the stages get: left, top, width, height; empty: all."),
+        parameter("scale", &S::scale)
+            .range(0.02, 1)
+            .doc("Pixels per pixel of that part; each is the mean of the area that it covers. The "
+                 "calibration follows."));
   }
 };
 

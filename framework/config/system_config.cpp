@@ -47,6 +47,7 @@ class Parser {
     config_.isolation = section<IsolationSettings>("isolation");
     config_.checks = section<CheckSettings>("checks");
     config_.rectification = section<RectificationSettings>("rectification");
+    config_.images = section<ImageSettings>("images");
     for (const Role role : kChain) chainStage(role);
     observers();
     refuseSharedNames();
@@ -74,7 +75,7 @@ class Parser {
     std::vector<std::string> others(kChain.size());
     std::ranges::transform(kChain, others.begin(), [](Role role) { return enumName(role); });
     others.insert(others.end(), {kObservers, "pipeline", "evaluation", "record", "isolation",
-                                 "checks", "rectification", "extends"});
+                                 "checks", "rectification", "images", "extends"});
     config_.general = checked<GeneralSettings>({"", {}, tree_}, tree_, others);
     if (!config_.general.name.empty()) {
       refuseUnprintable();
@@ -84,7 +85,7 @@ class Parser {
     config_.sections.back().values["name"] = config_.general.name;
   }
 
-  /// The name goes into JSON, XML and terminals.
+  /// Refuses a name that JSON, XML or a terminal cannot show.
   void refuseUnprintable() {
     const std::string& name = config_.general.name;
     if (printable(name, "") == name) return;

@@ -41,6 +41,7 @@ struct SystemConfig {
   IsolationSettings isolation;
   CheckSettings checks;
   RectificationSettings rectification;
+  ImageSettings images;
   std::vector<Section> sections;    ///< the same values, with their origins
   std::vector<StageConfig> stages;  ///< source, odometry, place, cells, map, observers
   BaseFolders folders;

@@ -24,13 +24,14 @@ inline constexpr unsigned kWithImages =
 struct Check {
   std::string_view id;
   int level;       ///< lowest level that includes it: 1 contract, 2 reproducible results, 3 all
-  unsigned roles;  ///< that it applies to
+  unsigned roles;  ///< roles that it applies to, as bit()
   std::string_view demand;
-  std::string_view remedy;  ///< for findings without one of their own
+  std::string_view remedy;  ///< for findings that give no remedy
   void (*run)(CheckContext&);
+  bool same_images = false;  ///< needs the same images several times: not from a LiveSource
 };
 
-// By topic.
+// The checks by topic.
 std::span<const Check> declarationChecks();
 std::span<const Check> lifeChecks();
 std::span<const Check> inputChecks();

@@ -19,7 +19,7 @@ Settings readSettings(const Schema& schema, const std::string& id,
     } else if (info.required) {
       settings.missing.push_back(info.name);
     } else if (info.name == "quiet" && info.type == ParameterType::Bool) {
-      info.default_value = true;  // nobody watches the terminal
+      info.default_value = true;  // checks show no progress on the terminal
       settings.set.push_back(info.name);
     }
     info.required = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the function of one check works with: the plugin, its input, and the messages to the kit.
+// The context of one check: the plugin, its input, and the messages to the kit.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@
 
 namespace tolman::conformance {
 
-/// Thrown to end a check early. The messages sent so far stand.
+/// Thrown to end a check early. The messages sent so far remain valid.
 struct CheckEnded {};
 
 class CheckContext {
@@ -26,7 +26,7 @@ class CheckContext {
 
   const CheckTask& task() const { return task_; }
 
-  /// Read from the file without opening the library. Ends the check when it is refused.
+  /// Reads the manifest from the file without opening the library. A refusal ends the check.
   host::Manifest manifest() const;
   /// The opened plugin with the values of --set. Ends the check when it cannot be loaded.
   const PluginUnderTest& plugin();
@@ -35,7 +35,7 @@ class CheckContext {
 
   /// Input for the role; from one camera if the plugin does not support two.
   InputSequence sequence();
-  /// A shorter one of the same rig: other images, other noise, fewer frames to a circle.
+  /// A shorter sequence of the same rig: other images, other noise, fewer frames per circle.
   InputSequence otherSequence();
   SequenceOptions sequenceOptions();
   /// An instance that was constructed and configured for the rig. A failure ends the check.

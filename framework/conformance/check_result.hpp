@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the conformance checks of one plugin found.
+// Results of the conformance checks of one plugin.
 #pragma once
 
 #include <algorithm>

@@ -88,7 +88,7 @@ constexpr std::array kLifeChecks = {
           "the destructor must release what finish() would", &checkCutShort},
     Check{"life-again", 1, kAllRoles,
           "works again after finish() and reset(), and after reset() during a run",
-          "reset() restores every member to its value after configure()", &checkAgain},
+          "reset() restores every member to its value after configure()", &checkAgain, true},
     Check{"source-end", 1, kSource, "gives the number of frames of info(), then always EndOfStream",
           "return Status::endOfStream() after the last frame, always", &checkEnd},
 };

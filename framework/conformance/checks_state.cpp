@@ -45,7 +45,8 @@ std::unique_ptr<TestInstance> restoredFrom(CheckContext& context, TestInstance& 
   return restored;
 }
 
-/// Saves early, half way and late: what is forgotten may not matter at one of them.
+/// Saves early, half way and late, because a missing part of the state may not affect the answers
+/// after one of these frames.
 void checkState(CheckContext& context) {
   const InputSequence sequence = context.sequence();
   const auto instance = context.configured(sequence.rig);

@@ -19,12 +19,4 @@ Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous) 
                                     motion.dt, expected));
 }
 
-Status checkCounts(const MapUpdate& update, const MapGraph& graph) {
-  if (update.experiences == static_cast<std::int64_t>(graph.experiences.size()) &&
-      update.links == static_cast<std::int64_t>(graph.links.size())) {
-    return Status::ok();
-  }
-  return Status::failed("the update's counts of experiences and links differ from graph()");
-}
-
 }  // namespace tolman::conformance

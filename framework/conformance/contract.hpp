@@ -10,9 +10,6 @@ namespace tolman::conformance {
 /// dt is the time since the previous frame, 0 for the first.
 Status checkDt(const Motion& motion, const Frame& frame, const Frame* previous);
 
-/// The counts of an update agree with the graph.
-Status checkCounts(const MapUpdate& update, const MapGraph& graph);
-
 /// Whether two poses are equal up to rounding.
 bool close(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b);
 

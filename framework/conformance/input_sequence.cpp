@@ -14,11 +14,11 @@ constexpr std::int64_t kFirstNs = 1'000'000'000;
 constexpr std::int64_t kStepNs = 100'000'000;
 constexpr int kPlaces = 24;  // view templates per circle
 
-/// Steps along the circle, `turn` of them once round, that were made until each frame.
+/// Number of steps along the circle before each frame; `turn` steps are one circle.
 std::vector<int> stepsUntil(const SequenceOptions& options) {
   std::vector<int> steps(static_cast<std::size_t>(options.frames));
   for (int k = 1; k < options.frames; ++k) {
-    const int second = options.stops ? 10 * (k - options.turn) / options.turn : -1;  // tenths of it
+    const int second = options.stops ? 10 * (k - options.turn) / options.turn : -1;  // tenth of it
     const int step = k < options.turn ? 1 : second == 4 ? 0 : second == 7 ? -1 : 1;
     steps[static_cast<std::size_t>(k)] = steps[static_cast<std::size_t>(k - 1)] + step;
   }
@@ -236,7 +236,7 @@ SequenceOptions optionsFor(Role role, std::uint64_t seed) {
   SequenceOptions options;
   options.seed = seed;
   switch (role) {
-    case Role::Source:  // gives its own frames; only their number matters
+    case Role::Source:  // it gives its own frames; only the number of inputs is used
       options.frames = 8;
       options.images = false;
       break;

@@ -20,7 +20,7 @@ struct FrameInput {
   Decision decision;
   MapUpdate map;
   std::vector<NamedArray> cells;
-  std::optional<MapGraph> graph;  ///< where the map changed
+  std::optional<MapGraph> graph;  ///< only if the map changed at this frame
 };
 
 struct InputSequence {
@@ -34,7 +34,7 @@ struct SequenceOptions {
   std::uint64_t seed = 1;
   int frames = 30;
   int turn = 72;       ///< frames per circle
-  bool stops = false;  ///< in the second circle it stands for a while, and later reverses
+  bool stops = false;  ///< the camera stands still in the second circle, and later reverses
   int width = 320;     ///< px
   int height = 120;    ///< px
   bool images = true;

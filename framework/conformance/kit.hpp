@@ -15,7 +15,7 @@ struct KitOptions {
   std::vector<std::string> program;  ///< command that calls runCheck(); the task is appended
   std::string file;
   std::string id;                 ///< of the plugin in the file
-  std::string program_file;       ///< that the plugin runs if it is an interpreter, else empty
+  std::string program_file;       ///< program of an interpreter; empty for other plugins
   std::vector<std::string> set;   ///< "key=value"
   std::vector<std::string> only;  ///< ids of checks; empty for all
   int level = 3;

@@ -21,7 +21,7 @@ int openCvThreads();
 /// Number of threads. Waits up to 0.5 s for it to fall to `expected`.
 std::size_t threadCount(std::size_t expected);
 
-/// The target of each open descriptor.
+/// The target of each open file descriptor.
 std::map<int, std::string> openFiles();
 
 /// Bytes allocated on the heap.

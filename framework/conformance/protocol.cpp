@@ -33,7 +33,7 @@ std::string dump(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-/// From [index of the alternative, its value].
+/// Decodes a message from [index of the alternative, its value].
 template <class... M>
 void read(const Json& json, std::variant<M...>& message) {
   const auto index = config::integerFrom<std::size_t>(json.at(0));

@@ -12,7 +12,7 @@
 
 namespace tolman::conformance {
 
-/// To the process: which check to run on which plugin.
+/// Message to the process: which check to run on which plugin.
 struct CheckTask {
   std::string check;
   int report_descriptor = -1;  ///< where the process writes its messages
@@ -24,13 +24,13 @@ struct CheckTask {
   std::filesystem::path scratch;
   double timeout_s = 60;            ///< after which the kit kills the process
   std::uint64_t memory_mib = 4096;  ///< 0 for no limit
-  std::string program{};            ///< that the plugin runs if it is an interpreter, else empty
+  std::string program{};            ///< program of an interpreter; empty for other plugins
 };
 std::string encode(const CheckTask& task);
 /// Throws std::exception for what encode() did not write.
 CheckTask decodeTask(const std::string& text);
 
-// To the kit.
+// Messages to the kit.
 struct CallStarted {
   std::string call;  ///< "frame 12"
 };

@@ -13,7 +13,7 @@ constexpr double kChanged = 0.5;  // share of the parameters
 constexpr double kExtreme =
     0.15;  // share of the changed ones that are set to an end of their range
 
-/// Without a declared limit: ten times the default.
+/// The declared limit; without one, ten times the default away from it.
 double limit(double declared, double standard, double sign) {
   if (std::abs(declared) < 2e9) return declared;
   return standard + sign * 10 * (std::abs(standard) + 1);

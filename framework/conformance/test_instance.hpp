@@ -47,8 +47,8 @@ class RoleDriver {
   /// Expects the run of `other` to continue here: its state was loaded into this instance.
   virtual void continueRun(const RoleDriver& other) = 0;
   virtual host::Instance& instance() = 0;
-  /// How often the run got to what needs a long drive, such as a closed loop; no name for roles
-  /// without.
+  /// Number of events that need a long drive, such as closed loops; an empty name for roles without
+  /// such events.
   virtual Measurement reached() const { return {}; }
   void setRig(const CameraRig& rig) { rig_ = rig; }
 

@@ -19,7 +19,8 @@ namespace {
 constexpr std::array kImageFolders = {"image_0", "image_1", "image_2", "image_3", "depth_0"};
 constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops.txt"};
 
-/// Written first, so that --force replaces renderings and nothing else.
+/// Marks a folder as a rendering. It is written first, because --force replaces only marked
+/// folders.
 constexpr const char* kMark = ".tolman-rendering";
 
 /// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
@@ -31,7 +32,7 @@ bool isOurs(const fs::path& file) {
          name.find_first_not_of("0123456789") == name.size() - 4;
 }
 
-/// A link would lead what is removed and written to another folder.
+/// Refuses symbolic links: files would be removed and written in another folder.
 Status refuseLinks(const fs::path& folder) {
   std::error_code ignored;
   for (const char* name : kImageFolders) {
@@ -50,7 +51,7 @@ bool hasNothingButMark(const fs::path& folder) {
   });
 }
 
-/// An empty folder, or with `replace` one that an earlier rendering has written.
+/// Ok for an empty folder, and with `replace` for an earlier rendering.
 Status mayBeWritten(const fs::path& folder, bool replace) {
   std::error_code failure;
   if (hasNothingButMark(folder)) return Status::ok();
@@ -75,7 +76,7 @@ void removeEarlier(const fs::path& folder) {
       if (isOurs(entry.path())) files.push_back(entry.path());
     }
     for (const fs::path& file : files) fs::remove(file, ignored);
-    fs::remove(folder / name, ignored);  // unless there is more in it
+    fs::remove(folder / name, ignored);  // fails if other files are in it
   }
 }
 
@@ -143,8 +144,8 @@ Status KittiFolder::writeImage(const char* name, std::int64_t index,
   if (!png.isOk()) return png.status();
   std::error_code failure;
   fs::create_directory(folder_ / name, failure);
-  // Ten thousand syncs take minutes, and `tolman dataset check` finds an image that a power cut has
-  // damaged.
+  // Without sync: ten thousand syncs take minutes, and `tolman dataset check` finds an image that a
+  // power cut has damaged.
   return record::writeAtomically(folder_ / name / fmt::format("{:06}.png", index), png.value(),
                                  record::Sync::No);
 }
@@ -178,8 +179,11 @@ Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
                       record::writeAtomically(folder_ / "loops.txt", loopsText(revisits))});
     if (!status.isOk()) return status;
   }
-  return firstFailure({record::writeAtomically(folder_ / "calib.txt", calibrationText(rig)),
-                       record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
+  const Status calibration =
+      rig.calibrated ? record::writeAtomically(folder_ / "calib.txt", calibrationText(rig))
+                     : Status::ok();
+  return firstFailure(
+      {calibration, record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
 }
 
 }  // namespace tolman::dataset

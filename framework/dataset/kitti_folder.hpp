@@ -14,7 +14,7 @@
 
 namespace tolman::dataset {
 
-/// What calib.txt, times.txt, poses.txt and loops.txt are made from; one entry an image.
+/// The data for times.txt, poses.txt and loops.txt; one entry per image.
 struct DriveLog {
   std::vector<std::int64_t> stamps_ns;
   evaluation::Trajectory truth;  ///< frames as in the folder; as long as stamps_ns, or incomplete
@@ -24,25 +24,25 @@ struct DriveLog {
 
 /// P0 to P3; the right cameras have -fx * baseline.
 std::string calibrationText(const CameraRig& rig);
-/// Seconds, exact to the nanosecond, one line an image.
+/// Seconds, exact to the nanosecond, one line per image.
 std::string timesText(const std::vector<std::int64_t>& stamps_ns);
 
-/// Holds a lock on the folder while it lives, so that no two renderings write one.
+/// A locked folder: while this object exists, no other rendering writes into it.
 class KittiFolder {
  public:
-  /// Makes the folder. Fails when somebody else writes there, and when it is not empty, unless
-  /// `replace`: then the files of an earlier rendering are removed, and nothing else.
+  /// Creates and locks the folder. Fails if another rendering writes there, or if it is not empty;
+  /// with `replace` the files of an earlier rendering are removed, but no other files.
   static Result<KittiFolder> create(const std::filesystem::path& folder, bool replace);
 
   const std::filesystem::path& path() const { return folder_; }
 
   /// Grey images go to image_0 and image_1, colour ones to image_2 and image_3, as in KITTI, and
-  /// the sensor array `depth` (empty: none) to depth_0. Each file appears whole or not at all. Any
-  /// thread.
+  /// the sensor array `depth` (empty: none) to depth_0. Each file is written atomically. Callable
+  /// from any thread.
   Status writeFrame(std::int64_t index, const Frame& frame, const std::string& depth) const;
 
-  /// Writes calib.txt, times.txt, and with complete truth poses.txt and loops.txt. To be called
-  /// last: a folder without times.txt is not a data set yet.
+  /// Writes calib.txt (not for cameras without calibration), times.txt, and with complete truth
+  /// poses.txt and loops.txt. To be called last: a folder without times.txt is not a data set yet.
   Status writeTexts(const CameraRig& rig, const DriveLog& log,
                     const std::vector<Revisit>& revisits) const;
 

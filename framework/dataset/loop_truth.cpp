@@ -68,7 +68,7 @@ std::vector<Revisit> findRevisits(const evaluation::Trajectory& truth, const Rev
   std::vector<Revisit> revisits;
   if (!(rule.distance_m > 0)) return revisits;
   const std::vector<double> driven = evaluation::distances(truth);
-  std::size_t known = 0;  // poses that lie far enough back along the path; standing still adds none
+  std::size_t known = 0;  // number of poses that are far enough back along the path
   for (std::size_t i = 0; i < truth.size(); ++i) {
     while (known < i && driven[i] - driven[known] > rule.path_m) ++known;
     Nearest nearest(truth, i, rule);

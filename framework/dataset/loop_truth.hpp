@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loop truth: which frames of a drive see a place again, by the true poses alone.
+// Loop truth: which frames of a drive revisit a place, computed from the true poses.
 #pragma once
 
 #include <array>
@@ -18,20 +18,20 @@ enum class Heading : std::uint8_t { Same, Opposite };
 inline constexpr std::array<std::string_view, 2> kHeadingNames = {"same", "opposite"};
 constexpr std::span<const std::string_view> enumNames(Heading) { return kHeadingNames; }
 
-/// What counts as the same place. Headings are those of the optical axes; between the two angles
-/// the views have too little in common to be called either.
+/// What counts as the same place. Headings are those of the optical axes. Headings between the two
+/// angles count as neither direction, because the views overlap too little.
 struct RevisitRule {
-  double distance_m = 5;            ///< at most so far apart
-  double path_m = 20;               ///< more than so much driven in between
+  double distance_m = 5;            ///< largest distance of the two positions
+  double path_m = 20;               ///< the path driven in between is longer than this
   double same_below_deg = 45;       ///< headings differ by less: same direction
   double opposite_above_deg = 135;  ///< headings differ by more: opposite direction
 };
 
-/// None for headings that are neither. Whether two poses are near is not looked at.
+/// The relation of the headings alone, whatever the positions; none for neither direction.
 std::optional<Heading> headingBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
                                       const RevisitRule& rule = {});
 
-/// Frame `frame` stands where `earlier` stood.
+/// Frame `frame` is at the place of frame `earlier`.
 struct Revisit {
   std::int64_t frame = 0;
   std::int64_t earlier = 0;

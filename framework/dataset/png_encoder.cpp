@@ -12,20 +12,20 @@
 namespace tolman::dataset {
 namespace {
 
-/// What libpng is to write. Rows of 16-bit pixels are in the machine's byte order.
+/// Pixels and format for libpng. Rows of 16-bit pixels are in the machine's byte order.
 struct Raster {
   int width = 0;
   int height = 0;
   int bits = 8;
   int colour_type = PNG_COLOR_TYPE_GRAY;
-  /// Run lengths alone suit noisy photographs: of KITTI images they make smaller files than a
-  /// dictionary search, in two thirds of the time. Depth maps repeat themselves and are the other
-  /// way round.
+  /// For noisy photographs run lengths alone are best: for KITTI images the files are smaller than
+  /// with a dictionary search and take two thirds of the time. Depth maps are repetitive and need
+  /// the dictionary search.
   int strategy = Z_RLE;
   std::vector<const std::uint8_t*> rows;
 };
 
-/// What libpng's callbacks reach through one pointer.
+/// Data of libpng's callbacks.
 struct Sink {
   std::string bytes;
   std::string error;
@@ -50,8 +50,8 @@ void fail(png_structp png, png_const_charp message) {
 
 void ignoreWarning(png_structp, png_const_charp) {}
 
-/// False after an error. libpng jumps back here from below, so nothing in this function may have a
-/// destructor.
+/// False after an error. libpng returns here by longjmp(), so this function must have no local
+/// objects with destructors.
 bool writeAll(png_structp png, png_infop info, const Raster& raster) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_set_IHDR(png, info, static_cast<png_uint_32>(raster.width),

@@ -13,9 +13,9 @@ namespace tolman::dataset {
 /// 8 bits a channel; the image must not be empty.
 Result<std::string> encodePng(const Image& image);
 
-/// 16 bits, metres * 256, as KITTI's depth maps are. 0 stands for none, and for what is nearer than
-/// half a step or farther than 16 bits can say (256 m). `depth` has the shape {height, width}, in
-/// metres; InvalidInput when it has not.
+/// 16 bits, metres * 256, as in KITTI's depth maps. 0 means no depth: also for values below half a
+/// step or above the range of 16 bits (256 m). `depth` is in metres; InvalidInput if its shape is
+/// not {height, width}.
 Result<std::string> encodeDepthPng(const NamedArray& depth);
 
 }  // namespace tolman::dataset

@@ -8,9 +8,9 @@
 namespace tolman::dataset {
 namespace {
 
-// Frames in flight: one is made while the others are written. More would only cost memory.
+// Number of frames in flight: one is read while the others are written. More only cost memory.
 constexpr std::size_t kInFlight = 4;
-// Most warnings on the terminal; the summary counts all.
+// Largest number of warnings on the terminal; the summary counts all.
 constexpr std::int64_t kMostWarnings = 5;
 
 }  // namespace

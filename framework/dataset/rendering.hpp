@@ -28,7 +28,7 @@ struct RenderOutcome {
   Status folder;  ///< Ok, or the first file that could not be written
   bool interrupted = false;
   std::int64_t written = 0;
-  std::int64_t left_out = 0;  ///< frames without a sound image: the layout has no gaps
+  std::int64_t left_out = 0;  ///< frames without a sound image; they get no number in the folder
   std::vector<Revisit> revisits;
 };
 
@@ -47,8 +47,8 @@ class Rendering {
         log_(log),
         on_frame_(std::move(on_frame)) {}
 
-  /// Writes all frames, then the text files; those also after an interruption or a failing source,
-  /// so that the images written so far are a valid data set.
+  /// Writes all frames, then the text files. After an interruption or a failure of the source the
+  /// text files are written, too, so that the images written so far are a valid data set.
   RenderOutcome run(const Cancellation& cancellation);
 
  private:

@@ -9,7 +9,7 @@
 namespace tolman::evaluation {
 namespace {
 
-// Singular values below this share of the largest are rounding.
+// Singular values below this share of the largest are rounding errors.
 constexpr double kRankTolerance = 1e-10;
 
 using Points = Eigen::Matrix3Xd;
@@ -22,16 +22,17 @@ Points positions(const Trajectory& trajectory) {
   return points;
 }
 
-/// Rotation between the orientations of the first pair: all there is when nothing moves.
+/// Rotation between the orientations of the first pair, used where the positions do not move.
 Eigen::Matrix3d firstRotation(const Matches& matches) {
   return matches.truth.front().T_world_camera.linear() *
          matches.estimate.front().T_world_camera.linear().transpose();
 }
 
-/// The shortest turn from unit vector `a` to `b`. Eigen's own compiles for ten seconds.
+/// The smallest rotation from unit vector `a` to `b`. (Eigen's own function takes ten seconds to
+/// compile.)
 Eigen::Matrix3d shortestTurn(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const double cosine = a.dot(b);
-  if (cosine < -1 + 1e-12) {  // half a turn about any axis across
+  if (cosine < -1 + 1e-12) {  // half a turn about any orthogonal axis
     const Eigen::Vector3d axis = a.unitOrthogonal();
     return 2 * axis * axis.transpose() - Eigen::Matrix3d::Identity();
   }
@@ -52,7 +53,7 @@ Umeyama umeyama(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallba
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
   const Eigen::Vector3d& d = svd.singularValues();
   if (!(d[0] > 0)) return {fallback, 0};
-  if (d[1] <= kRankTolerance * d[0]) {  // a line: the turn about it is open
+  if (d[1] <= kRankTolerance * d[0]) {  // a line: the rotation about it is undetermined
     return {shortestTurn(svd.matrixV().col(0), svd.matrixU().col(0)), d[0]};
   }
   Eigen::Vector3d s = Eigen::Vector3d::Ones();
@@ -60,7 +61,7 @@ Umeyama umeyama(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallba
   return {svd.matrixU() * s.asDiagonal() * svd.matrixV().transpose(), d.dot(s)};
 }
 
-/// The turn about the vertical axis (camera y) that fits best, in closed form.
+/// The best rotation about the vertical axis (camera y), in closed form.
 Eigen::Matrix3d planarRotation(const Eigen::Matrix3d& covariance, const Eigen::Matrix3d& fallback) {
   const double cosine = covariance(0, 0) + covariance(2, 2);
   const double sine = covariance(0, 2) - covariance(2, 0);

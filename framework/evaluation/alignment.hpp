@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bringing an estimate into the frame of the truth (S. Umeyama, "Least-squares estimation of
+// Aligns an estimate with the truth (S. Umeyama, "Least-squares estimation of
 // transformation parameters between two point patterns", PAMI 13(4), 1991).
 #pragma once
 
@@ -14,7 +14,7 @@ namespace tolman::evaluation {
 
 enum class Alignment : std::uint8_t {
   None,  ///< both start in the same frame
-  Se2,   ///< turn about the vertical axis and shift in the x-z plane: for planar maps
+  Se2,   ///< rotation about the vertical axis and shift in the x-z plane: for planar maps
   Se3,   ///< rigid motion, no scale: for stereo
   Sim3,  ///< rigid motion and scale: for a single camera
 };
@@ -30,13 +30,13 @@ struct Similarity {
   Eigen::Isometry3d apply(const Eigen::Isometry3d& T_world_camera) const;
 };
 
-/// The similarity of the asked kind that brings the positions of the estimate nearest to those of
-/// the truth. R is always a proper rotation. Where positions leave it open (one pose, a straight
-/// line) the orientations of the first pair, or the smallest turn, decide. InvalidInput where no
-/// scale can be found because one side does not move.
+/// The similarity of this kind that minimises the squared distances between the positions of
+/// estimate and truth. R is always a proper rotation. Where positions do not determine it, it is
+/// that of the first pair of orientations (one pose) or the smallest one (a straight line).
+/// InvalidInput where the scale is undetermined because one side does not move.
 Result<Similarity> align(const Matches& matches, Alignment alignment);
 
-/// The matches with the estimate brought into the frame of the truth.
+/// The matches with the estimate transformed into the frame of the truth.
 Matches aligned(const Matches& matches, const Similarity& similarity);
 
 }  // namespace tolman::evaluation

@@ -9,7 +9,10 @@
 namespace tolman::evaluation {
 namespace {
 
-Result<Matches> checked(Matches matches, const Trajectory& estimate, const std::string& rule) {
+Result<Matches> checked(Matches matches, const Trajectory& truth, const Trajectory& estimate,
+                        const std::string& rule) {
+  const std::vector<double> driven = distances(truth);
+  for (const std::size_t i : matches.index) matches.driven.push_back(driven[i]);
   if (matches.size() > 0) return matches;
   return Status::invalidInput("no pose of the estimate (" + std::to_string(estimate.size()) +
                               ") matches one of the truth (" + std::to_string(matches.truth_total) +
@@ -54,8 +57,9 @@ Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& esti
     if (candidate->frame != pose.frame) continue;
     matches.truth.push_back(*candidate);
     matches.estimate.push_back(pose);
+    matches.index.push_back(static_cast<std::size_t>(candidate - truth.begin()));
   }
-  return checked(std::move(matches), estimate, "frame index");
+  return checked(std::move(matches), truth, estimate, "frame index");
 }
 
 Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
@@ -74,8 +78,9 @@ Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& esti
     }
     matches.truth.push_back(candidate);
     matches.estimate.push_back(pose);
+    matches.index.push_back(static_cast<std::size_t>(&candidate - truth.data()));
   }
-  return checked(std::move(matches), estimate,
+  return checked(std::move(matches), truth, estimate,
                  "stamp within " + std::to_string(max_difference_ns) + " ns");
 }
 

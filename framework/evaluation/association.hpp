@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which pose of an estimate belongs to which pose of the truth.
+// Matches the poses of an estimate with the poses of the truth.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,13 @@
 
 namespace tolman::evaluation {
 
-/// Pairs of poses: truth[i] and estimate[i] are of one moment. Never empty.
+/// Pairs of poses: truth[i] and estimate[i] belong to the same time. Never empty.
 struct Matches {
   Trajectory truth;
   Trajectory estimate;
-  std::size_t truth_total = 0;  ///< poses of the truth, matched or not
+  std::vector<std::size_t> index;  ///< of truth[i] in the whole truth; ascending
+  std::vector<double> driven;      ///< m: length of the whole true path up to truth[i]
+  std::size_t truth_total = 0;     ///< poses of the truth, matched or not
 
   std::size_t size() const { return truth.size(); }
   /// The share of the truth that has a tracked pose.
@@ -27,15 +29,15 @@ struct Matches {
 /// Matches equal frame indices. InvalidInput when nothing matches.
 Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& estimate);
 
-/// Matches each estimate with the nearest truth in time, at most `max_difference_ns` away; of
-/// several estimates of one truth the nearest wins. InvalidInput when nothing matches.
+/// Matches each estimate with the nearest truth in time, at most `max_difference_ns` away. If
+/// several estimates have the same truth, the nearest is kept. InvalidInput when nothing matches.
 Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
                                  std::int64_t max_difference_ns);
 
-/// What the stamps say of poses that are matched by frame index.
+/// Whether the stamps of poses that are matched by frame index agree.
 enum class StampAgreement : std::uint8_t {
   Agrees,      ///< at most half a frame period apart; or there are no stamps
-  OtherClock,  ///< apart by one offset, and in time no frame of one is at one of the other
+  OtherClock,  ///< the difference is constant, and the two periods of time do not overlap
   Contradicts,
 };
 struct StampComparison {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the cells of a run said and how their units fired: `cells` of metrics.json.
+// Errors of the cells of a run, and the firing of their units: `cells` of metrics.json.
 #pragma once
 
 #include <cstddef>
@@ -40,8 +40,8 @@ struct CellFigures {
   std::vector<RingFigures> rings;
   std::vector<SheetFigures> sheets;
   std::optional<ErrorFigures> position_m;  ///< of the position that all modules decode
-  double modulo_m = 0;  ///< one module tells positions modulo its period; 0: several modules
-  std::string position_reason;  ///< why the modules tell no position
+  double modulo_m = 0;          ///< a single module gives positions modulo this; 0: several modules
+  std::string position_reason;  ///< why the modules give no position
 };
 
 /// Unknown numbers are null, with the cause in `reason`.

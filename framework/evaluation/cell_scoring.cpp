@@ -14,10 +14,10 @@ namespace tolman::evaluation {
 namespace {
 
 constexpr std::size_t kShuffles = 200;
-/// Shortest shift of a unit's activity (Boccara et al. 2010). A run shorter than ten times this is
-/// shifted by at least a tenth.
+/// Shortest shift of a unit's activity (Boccara et al. 2010). In a run shorter than ten times this,
+/// it is a tenth of the run.
 constexpr double kLeastShift = 20;  // s
-constexpr double kMargin = 0.1;     // of the extent, around the positions that a code may tell
+constexpr double kMargin = 0.1;     // share of the extent, around the decodable positions
 
 Eigen::Vector2d positionOf(const StampedPose& at) { return {at.pose.x, at.pose.y}; }
 
@@ -35,7 +35,7 @@ std::vector<double> headingErrorsDeg(const PopulationHistory& ring, const Stampe
   return errors;
 }
 
-/// By frame, where all modules have a phase.
+/// The phases of all modules by frame, for frames at which every module has one.
 std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
     const std::vector<PopulationHistory>& sheets) {
   std::map<std::int64_t, std::vector<ModulePhase>> phases;
@@ -49,7 +49,7 @@ std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
   return phases;
 }
 
-/// The code's frame is that of the run: the map's pose, `position`, at the first frame.
+/// Decodes positions in the frame of the map, which has `position` at the first frame.
 PositionDecoder decoderFrom(const std::vector<ModulePhase>& modules,
                             const Eigen::Vector2d& position, const StampedPoses& truth) {
   Eigen::AlignedBox2d box;
@@ -82,7 +82,8 @@ void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPo
   }
 }
 
-/// Of all populations the longest of the shortest shifts is told.
+/// Options for one population. figures.least_shift_s is the longest of the shortest shifts of all
+/// populations.
 Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
   const double least = std::min(kLeastShift, units.seconds / 10);
   const double share = units.seconds > 0 ? least / units.seconds : 0.1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scores the recorded cells of a run: what rings and grid modules say against the truth, and how
-// their units fire. Any plugin that describes its arrays (ArrayDescriptions) is scored.
+// Scores the recorded cells of a run: errors of rings and grid modules against the truth, and the
+// firing of their units. Any plugin that describes its arrays (ArrayDescriptions) is scored.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace tolman::evaluation {
 
-/// None without rings and sheets. `truth` is in the frame of the map, whose errors are `scored`;
-/// units are measured at its places, without scores at those of the map.
+/// None without rings and sheets. `truth` is in the frame of the map, and `scored` has the errors
+/// of the map. Units are measured at the true places, or without scores at those of the map.
 std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,
                                       const Trajectory& truth, const TrajectoryMetrics& scored,
                                       std::uint64_t seed);

@@ -82,7 +82,7 @@ RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta
 
 RelativeError relativeErrorOverDistance(const Matches& aligned, double length) {
   StepErrors errors;
-  const std::vector<double> distance = distances(aligned.truth);
+  const std::vector<double>& distance = aligned.driven;
   std::size_t to = 0;
   for (std::size_t from = 0; from < aligned.size(); ++from) {
     while (to < aligned.size() && distance[to] - distance[from] < length) ++to;

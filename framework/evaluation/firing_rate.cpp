@@ -38,7 +38,7 @@ Eigen::Vector2d takeField(const RateMap& map, Eigen::MatrixXi& fires, Eigen::Ind
   return map.corner + map.bin * (sum / rates + Eigen::Vector2d::Constant(0.5));
 }
 
-/// Rates of a circle of bins, those without visits interpolated between their neighbours.
+/// Rates of a circle of bins; bins without visits are interpolated between their neighbours.
 std::vector<double> interpolated(const std::vector<double>& rate,
                                  const std::vector<double>& visits) {
   const std::size_t size = rate.size();
@@ -59,7 +59,7 @@ std::vector<double> interpolated(const std::vector<double>& rate,
   return whole;
 }
 
-/// Bins from the peak to where the curve crosses half of it, going by `step`.
+/// Number of bins from the peak to where the curve falls to half of it; `step` is the direction.
 double binsToHalf(const std::vector<double>& rate, std::size_t peak, std::size_t step) {
   const double half = 0.5 * rate[peak];
   double last = rate[peak];

@@ -10,7 +10,7 @@
 
 namespace tolman::evaluation {
 
-inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< in a radian
+inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< degrees per radian
 
 /// Position, heading and rate of a unit at one frame.
 struct Sample {
@@ -30,7 +30,7 @@ RateMap rateMap(const std::vector<Sample>& samples, int bins_on_the_long_side);
 /// The highest rate of all bins; 0 without any.
 double highestRate(const RateMap& map);
 
-/// Mean rate by heading, in bins from 0 on; 0 in bins without visits.
+/// Mean rate by heading, in equal bins from heading 0; 0 in bins without visits.
 struct TuningCurve {
   std::vector<double> rate;
   /// Length and direction of the mean vector of the curve: 1 for one direction only, 0 for none.
@@ -47,8 +47,8 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins);
 /// deciphering the hippocampal code", NIPS 1992): sum of p_i r_i/r log2(r_i/r).
 double spatialInformation(const RateMap& map);
 
-/// The centres, weighted by rate, of all fields: bins that touch and fire above `share` of the
-/// highest rate. A fifth of the peak is a usual limit of a field.
+/// The centres, weighted by rate, of all fields, m. A field is a group of adjacent bins with rates
+/// above `share` of the highest rate; a fifth is a usual limit.
 std::vector<Eigen::Vector2d> fields(const RateMap& map, double share = 0.2);
 
 }  // namespace tolman::evaluation

@@ -17,10 +17,10 @@ constexpr double kLeastOverlap = 20;
 /// The central peak ends at the first minimum, or where correlation falls below this (Langston et
 /// al. 2010).
 constexpr double kCentralPeak = 0.2;
-/// The ring of the nearest peaks ends at so much of their distance.
+/// Outer radius of the ring of the nearest peaks, relative to their distance.
 constexpr double kNearest = 1.25;
 constexpr int kLeastReach = 4;        // bins
-constexpr double kLongest = 2.0 / 3;  // displacement, of the map's shorter side
+constexpr double kLongest = 2.0 / 3;  // largest displacement, share of the map's shorter side
 constexpr int kAngles = 120;          // of a full turn
 constexpr std::array<int, 4> kRotations = {10, 15, 20, 30};  // 30, 45, 60, 90 degrees
 
@@ -59,7 +59,7 @@ std::vector<VisitedBin> visitedBins(const RateMap& map) {
   return bins;
 }
 
-/// Mean of the autocorrelogram by distance in bins; NaN where nothing is known.
+/// Mean of the autocorrelogram by distance in bins; NaN where all values are NaN.
 std::vector<double> radialMean(const Eigen::MatrixXd& r, int reach) {
   std::vector<double> sum(static_cast<std::size_t>(reach) + 1, 0);
   std::vector<double> count(sum.size(), 0);
@@ -152,7 +152,7 @@ class RotatedRing {
 
 }  // namespace
 
-/// Pair by pair of the visited bins: a path visits few.
+/// Sums over pairs of visited bins, because a path visits only few bins.
 Eigen::MatrixXd autocorrelogram(const RateMap& map, int reach) {
   const int side = 2 * reach + 1;
   const std::vector<VisitedBin> bins = visitedBins(map);

@@ -30,8 +30,7 @@ struct GridScores {
   double spacing = 0;  ///< m, distance of the nearest peaks
 };
 
-/// None for a map that is too narrow to hold neighbouring fields, or where a unit never fires or
-/// always fires alike.
+/// None if the map is too narrow for neighbouring fields, or if the rate is the same everywhere.
 std::optional<GridScores> gridScores(const RateMap& map);
 
 }  // namespace tolman::evaluation

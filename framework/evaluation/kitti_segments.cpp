@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 #include "tolman/geometry.hpp"
 
@@ -10,6 +11,18 @@ namespace tolman::evaluation {
 namespace {
 
 constexpr std::size_t kStartEvery = 10;
+constexpr double kLongestOvershoot = 0.1;  // of a segment's length
+
+/// The length that the errors of a segment are divided by. It is the nominal length, as in KITTI's
+/// program, if the segment ends at the first true pose beyond it; the true length, if true poses
+/// before that end have no estimate; none, if that makes the segment too long.
+std::optional<double> lengthOf(const Matches& matches, std::size_t from, std::size_t to,
+                               double nominal) {
+  if (matches.index[to] == matches.index[to - 1] + 1) return nominal;
+  const double driven = matches.driven[to] - matches.driven[from];
+  if (driven > (1 + kLongestOvershoot) * nominal) return std::nullopt;
+  return driven;
+}
 
 }  // namespace
 
@@ -24,21 +37,26 @@ SegmentLengths lengthsFor(double truth_path_length_m) {
 SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths) {
   SegmentErrors result;
   result.lengths = lengths;
-  double translation = 0;  // sum of errors per metre
+  double translation = 0;  // sum of errors, m per m
   double rotation = 0;     // rad/m
-  const std::vector<double> distance = distances(matches.truth);
+  const std::vector<double>& distance = matches.driven;
   for (std::size_t from = 0; from < matches.size(); from += kStartEvery) {
-    for (const double length : lengths.lengths_m) {
-      const auto end = std::upper_bound(distance.begin(), distance.end(), distance[from] + length);
+    for (const double nominal : lengths.lengths_m) {
+      const auto end = std::upper_bound(distance.begin(), distance.end(), distance[from] + nominal);
       if (end == distance.end()) continue;
       const auto to = static_cast<std::size_t>(end - distance.begin());
+      const auto length = lengthOf(matches, from, to, nominal);
+      if (!length) {
+        ++result.segments_in_gaps;
+        continue;
+      }
       const Eigen::Isometry3d truth =
           matches.truth[from].T_world_camera.inverse() * matches.truth[to].T_world_camera;
       const Eigen::Isometry3d estimate =
           matches.estimate[from].T_world_camera.inverse() * matches.estimate[to].T_world_camera;
       const Eigen::Isometry3d error = estimate.inverse() * truth;
-      translation += error.translation().norm() / length;
-      rotation += logSo3(error.linear()).norm() / length;
+      translation += error.translation().norm() / *length;
+      rotation += logSo3(error.linear()).norm() / *length;
       ++result.segments;
     }
   }

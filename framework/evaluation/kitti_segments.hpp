@@ -10,7 +10,7 @@
 
 namespace tolman::evaluation {
 
-/// A named list of lengths, so that short-sequence figures are never taken for KITTI's.
+/// A named list of lengths, so that errors over short segments are not mistaken for KITTI's.
 struct SegmentLengths {
   std::string name;
   std::vector<double> lengths_m;
@@ -24,14 +24,17 @@ SegmentLengths shortLengths();
 SegmentLengths lengthsFor(double truth_path_length_m);
 
 struct SegmentErrors {
-  SegmentLengths lengths;    ///< those asked for
+  SegmentLengths lengths;    ///< the requested lengths
   std::size_t segments = 0;  ///< how many were measured; 0: the path is too short, no figures
-  double t_rel_percent = 0;  ///< mean translation error per length
+  std::size_t segments_in_gaps = 0;  ///< left out: they end where poses have no estimate
+  double t_rel_percent = 0;          ///< mean translation error per length
   double r_rel_deg_per_100m = 0;
 };
 
-/// As the benchmark's own program: a segment starts at every 10th matched frame and ends at the
-/// first one that is more than `length` of true path away; each segment counts the same.
+/// As in the benchmark's own program: a segment starts at every 10th matched frame and ends at the
+/// first one that is more than the length of true path away; all segments have the same weight.
+/// Where true poses before that end have no estimate, errors are divided by the segment's true
+/// length, and segments more than a tenth too long are left out.
 SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths);
 
 }  // namespace tolman::evaluation

@@ -15,7 +15,8 @@ constexpr double kNearLoop = 5.5;  // m of driven path
 /// True position and driven path at each frame.
 class TruePlaces {
  public:
-  explicit TruePlaces(const Trajectory& truth) : driven_(distances(truth)) {
+  TruePlaces(const Trajectory& truth, double storey_height)
+      : driven_(distances(truth)), storey_height_(storey_height) {
     for (std::size_t i = 0; i < truth.size(); ++i) {
       places_[truth[i].frame] = {truth[i].T_world_camera.translation(), driven_[i]};
     }
@@ -25,20 +26,23 @@ class TruePlaces {
     const auto first = places_.find(a);
     const auto second = places_.find(b);
     if (first == places_.end() || second == places_.end()) return std::nullopt;
-    return (first->second.position - second->second.position).norm() <= kSamePlace;
+    const Eigen::Vector3d apart = first->second.position - second->second.position;
+    if (storey_height_ > 0 && std::abs(apart.y()) > storey_height_) return false;
+    return apart.norm() <= kSamePlace;
   }
   double driven(std::int64_t frame) const { return places_.at(frame).driven; }
 
  private:
-  struct Place {
+  struct TruePosition {
     Eigen::Vector3d position;
     double driven = 0;  ///< m
   };
   std::vector<double> driven_;
-  std::map<std::int64_t, Place> places_;
+  double storey_height_;  ///< m; 0: none
+  std::map<std::int64_t, TruePosition> places_;
 };
 
-/// Counts links; the result has the driven path at each true loop.
+/// Counts links; returns the driven path (m) at each true loop.
 std::vector<double> countLinks(const MapGraph& graph, const TruePlaces& truth,
                                LoopFigures& figures) {
   std::vector<double> closed;
@@ -57,7 +61,7 @@ std::vector<double> countLinks(const MapGraph& graph, const TruePlaces& truth,
 
 void countViews(const std::vector<PlaceObservation>& places, const TruePlaces& truth,
                 const std::vector<double>& closed, LoopFigures& figures) {
-  std::map<std::int64_t, std::int64_t> learned;  // frame, by template
+  std::map<std::int64_t, std::int64_t> learned;  // frame of the novel view by template
   for (const PlaceObservation& place : places) {
     if (place.recognition == Recognition::Novel)
       learned.try_emplace(place.template_id, place.frame);
@@ -76,8 +80,8 @@ void countViews(const std::vector<PlaceObservation>& places, const TruePlaces& t
 }  // namespace
 
 LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
-                        const Trajectory& truth) {
-  const TruePlaces true_places(truth);
+                        const Trajectory& truth, double storey_height) {
+  const TruePlaces true_places(truth, storey_height);
   LoopFigures figures;
   const std::vector<double> closed = countLinks(graph, true_places, figures);
   countViews(places, true_places, closed, figures);

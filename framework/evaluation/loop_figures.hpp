@@ -11,19 +11,21 @@
 
 namespace tolman::evaluation {
 
-/// Both ends must have a true pose; what has none is not counted.
+/// Links and views are counted only if both ends have a true pose.
 struct LoopFigures {
   std::int64_t true_links = 0;   ///< loop links of the final graph between ends at most 10 m apart
   std::int64_t false_links = 0;  ///< those between ends that are further apart
   std::int64_t true_views = 0;   ///< familiar views, at most 10 m from where the view was learned
   std::int64_t false_views = 0;
-  /// Of the true views, how many have the end of a true loop link, also a rejected one, at most
-  /// 5.5 m of driven path away: one loop spacing and half a metre.
+  /// Number of true views with the end of a true loop link (rejected or not) at most 5.5 m of
+  /// driven path away: one loop spacing and half a metre.
   std::int64_t true_views_closed = 0;
 };
 
+/// Places that are more than `storey_height` metres apart in height (y of the true poses) are
+/// different ones; 0: heights are ignored.
 LoopFigures loopFigures(const MapGraph& graph, const std::vector<PlaceObservation>& places,
-                        const Trajectory& truth);
+                        const Trajectory& truth, double storey_height = 0);
 
 nlohmann::ordered_json toJson(const LoopFigures& figures);
 

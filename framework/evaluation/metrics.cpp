@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "evaluation/open_turn.hpp"
 #include "tolman/fields.hpp"
 
 namespace tolman::evaluation {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+Json textOrNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 /// Keys with a unit: {"rmse_m": ..., "mean_m": ...}; nulls where nothing was measured.
 Json statisticsJson(const Statistics& s, const std::string& unit) {
@@ -24,11 +27,19 @@ Json statisticsJson(const Statistics& s, const std::string& unit) {
   return json;
 }
 
+Json positionsJson(const Statistics& errors_m, const std::string& reason = "") {
+  Json json = statisticsJson(errors_m, "m");
+  json["reason"] = textOrNull(reason);
+  return json;
+}
+
+/// `why_none`: the reason where poses were compared and no pair was found.
 Json relativeJson(const RelativeError& error, const std::string& translation_unit,
-                  const std::string& rotation_unit) {
+                  const std::string& rotation_unit, const std::string& why_none) {
   return {{"translation", statisticsJson(error.translation_m, translation_unit)},
           {"rotation", statisticsJson(error.rotation_deg, rotation_unit)},
-          {"pairs", error.translation_m.count}};
+          {"pairs", error.translation_m.count},
+          {"reason", textOrNull(error.translation_m.count > 0 ? "" : why_none)}};
 }
 
 Json segmentsJson(const SegmentErrors& errors) {
@@ -39,7 +50,11 @@ Json segmentsJson(const SegmentErrors& errors) {
           {"lengths", asked ? Json(errors.lengths.name) : Json()},
           {"lengths_m", asked ? Json(errors.lengths.lengths_m) : Json()},
           {"segments", errors.segments},
-          {"reason", known || !asked ? Json() : Json("the path is shorter than any segment")}};
+          {"segments_in_gaps", errors.segments_in_gaps},
+          {"reason", known || !asked ? Json()
+                                     : Json(errors.segments_in_gaps > 0
+                                                ? "all segments end where poses have no estimate"
+                                                : "the path is shorter than any segment")}};
 }
 
 Json sessionsJson(const Metrics& metrics) {
@@ -68,6 +83,25 @@ Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
                                : associateByStamp(truth, estimate, max_difference_ns);
 }
 
+/// The whole position error, and its horizontal and vertical parts where they are determined.
+void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
+  if (alignment == Alignment::Se2) {
+    scores.ate_m = scores.horizontal_m = absoluteError(pairs, Direction::Horizontal);
+    scores.no_vertical = "se2 compares on the plane";
+    return;
+  }
+  scores.ate_m = absoluteError(pairs);
+  if (alignment != Alignment::None && turnIsOpen(pairs)) {
+    scores.no_horizontal = scores.no_vertical =
+        "the path does not say how the estimate is turned about it: a quarter turn would change "
+        "the error by less than 5 %; the alignment none, if both have the same axes, tells them "
+        "apart";
+    return;
+  }
+  scores.horizontal_m = absoluteError(pairs, Direction::Horizontal);
+  scores.vertical_m = absoluteError(pairs, Direction::Vertical);
+}
+
 }  // namespace
 
 TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& estimate,
@@ -93,10 +127,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   }
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
-  const bool planar = alignment == Alignment::Se2;
-  scores.horizontal_m = absoluteError(pairs, Direction::Horizontal);
-  scores.ate_m = planar ? scores.horizontal_m : absoluteError(pairs);
-  if (!planar) scores.vertical_m = absoluteError(pairs, Direction::Vertical);
+  scorePositions(pairs, alignment, scores);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);
   scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));
@@ -155,12 +186,15 @@ Json toJson(const StageTiming& timing) {
 Json toJson(const TrajectoryMetrics& metrics) {
   const bool known = metrics.scores.has_value();
   const Scores scores = metrics.scores.value_or(Scores{});
-  return {{"ate", statisticsJson(scores.ate_m, "m")},
-          {"ate_horizontal", statisticsJson(scores.horizontal_m, "m")},
-          {"ate_vertical", statisticsJson(scores.vertical_m, "m")},
+  const auto why = [known](const char* reason) { return std::string(known ? reason : ""); };
+  return {{"ate", positionsJson(scores.ate_m)},
+          {"ate_horizontal", positionsJson(scores.horizontal_m, scores.no_horizontal)},
+          {"ate_vertical", positionsJson(scores.vertical_m, scores.no_vertical)},
           {"rpe",
-           {{"frame", relativeJson(scores.rpe_frame, "m", "deg")},
-            {"metre", relativeJson(scores.rpe_metre, "m_per_m", "deg_per_m")}}},
+           {{"frame", relativeJson(scores.rpe_frame, "m", "deg",
+                                   why("no two poses that match are one frame apart"))},
+            {"metre", relativeJson(scores.rpe_metre, "m_per_m", "deg_per_m",
+                                   why("the path is shorter than 1 m"))}}},
           {"kitti", segmentsJson(scores.kitti)},
           {"path_length_m", metrics.path_length_m},
           {"poses", metrics.poses},

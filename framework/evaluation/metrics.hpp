@@ -21,9 +21,11 @@ namespace tolman::evaluation {
 
 /// Errors of a trajectory against ground truth.
 struct Scores {
-  Statistics ate_m;         ///< of an estimate without height: horizontal
-  Statistics horizontal_m;  ///< horizontal part of the same
-  Statistics vertical_m;    ///< vertical part; count 0 where the estimate has no height
+  Statistics ate_m;         ///< absolute trajectory error; with Alignment::Se2 the horizontal part
+  Statistics horizontal_m;  ///< horizontal part of ate_m; count 0: not known
+  Statistics vertical_m;    ///< vertical part; count 0: not known
+  std::string no_horizontal;  ///< why the horizontal part is not known
+  std::string no_vertical;
   RelativeError rpe_frame;  ///< over one frame
   RelativeError rpe_metre;  ///< per metre, over steps of 1 m
   SegmentErrors kitti;
@@ -49,8 +51,8 @@ struct StageTiming {
   double max_ms = 0;
 };
 
-/// What the finished map holds, and how many loops the cells decided. The two numbers of loops
-/// differ: a map may fold decisions of one visit into one link, and it may reject links.
+/// Size of the finished map, and number of loops that the cells decided. The two numbers of loops
+/// differ: a map may merge decisions of one visit into one link, and it may reject links.
 struct MapCounts {
   std::int64_t experiences = 0;
   std::int64_t links = 0;                ///< of both kinds, rejected ones left out
@@ -59,7 +61,7 @@ struct MapCounts {
   std::int64_t loop_decisions = 0;       ///< frames with the decision close_loop
 };
 
-/// The frames and experiences of one session, and the connected parts of the map they lie in.
+/// The frames and experiences of one session, and their connected parts of the map.
 struct SessionFigures {
   std::string name;
   std::int64_t first_frame = 0;

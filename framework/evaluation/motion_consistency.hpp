@@ -14,11 +14,11 @@
 namespace tolman::evaluation {
 
 struct MotionConsistency {
-  std::size_t motions = 0;             ///< that were tracked in metres, with truth at both ends
+  std::size_t motions = 0;             ///< tracked motions in metres, with truth at both ends
   std::size_t without_covariance = 0;  ///< of those: the covariance is not positive definite
-  double mean = 0;                     ///< of the others; degrees_of_freedom for honest covariances
-  double share_99 = 0;                 ///< of `motions`: within the ellipsoid that should hold 99 %
-  int degrees_of_freedom = 6;          ///< 3 for an estimate in the plane
+  double mean = 0;             ///< mean of the others; degrees_of_freedom for correct covariances
+  double share_99 = 0;         ///< share of `motions` within the ellipsoid that should contain 99 %
+  int degrees_of_freedom = 6;  ///< 3 for an estimate in the plane
 };
 
 /// Compares motions with the truth, one at a time in the order of frames.

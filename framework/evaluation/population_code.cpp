@@ -13,7 +13,7 @@ namespace tolman::evaluation {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-/// A population vector shorter than this share of all activity is rounding.
+/// A population vector shorter than this share of all activity is a rounding error.
 constexpr double kLeastLength = 1e-6;
 
 /// Position along one axis modulo a period.
@@ -22,13 +22,14 @@ struct Residue {
   double period = 1;
 };
 
-/// How far `place` is from all residues, and the better place near it. A residue weighs as much as
-/// it is precise.
+/// A place, and the sum of its squared distances to all residues, weighted by their precision
+/// (1 / period^2).
 struct Fit {
   double place = 0;
   double misfit = 0;
 };
 
+/// The best fit near `place`.
 Fit fitNear(double place, const std::vector<Residue>& modules) {
   double sum = 0;
   double weights = 0;
@@ -44,7 +45,7 @@ Fit fitNear(double place, const std::vector<Residue>& modules) {
   return {place + shift, squares - shift * sum};
 }
 
-/// The place from `low` to `high` that explains all residues best; the lowest of equals.
+/// The place from `low` to `high` that fits all residues best; the lowest of equal ones.
 double bestPlace(const std::vector<Residue>& modules, double low, double high) {
   const Residue& coarse = *std::ranges::max_element(modules, {}, &Residue::period);
   const double first = low + wrapPeriod(coarse.value - low, coarse.period);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a population says by its rates: heading from a ring, position from grid modules.
+// Decodes the rates of populations: heading from a ring, position from grid modules.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,34 +17,33 @@ namespace tolman::evaluation {
 std::size_t unitsAlong(const ArrayAxis& axis);
 
 /// Direction of the population vector of units along one periodic axis (Georgopoulos, Schwartz,
-/// Kettner 1986), in the unit of the axis, in [0, period). None where it has no direction: no
-/// activity, or the same everywhere.
+/// Kettner 1986), in the unit of the axis, in [0, period). None if there is no activity, or the
+/// same activity everywhere.
 std::optional<double> populationVector(std::span<const double> rates, const ArrayAxis& axis);
 
-/// Position modulo a period, as one grid module tells it by its population vectors.
+/// Position modulo a period, decoded from one grid module by its population vectors.
 struct ModulePhase {
   Eigen::Vector2d phase = Eigen::Vector2d::Zero();  ///< x and y
   double period = 1;
 };
-/// Why a population tells no position in metres; empty where it does: a sheet with equal periods
-/// along the axes x and y, in m.
+/// Why a population gives no position in metres; empty for a sheet with axes x and y in m and equal
+/// periods.
 std::string noPositionReason(const ArrayInfo& sheet);
-/// For a sheet without such a reason. None where the activity has no phase.
+/// `sheet` must have an empty noPositionReason(). None where the activity has no phase.
 std::optional<ModulePhase> modulePhase(std::span<const float> rates, const ArrayInfo& sheet);
 
-/// Decodes positions from the phases of grid modules, and compares them with where the robot was.
+/// Decodes positions (m) from the phases of grid modules, and compares them with true positions.
 class PositionDecoder {
  public:
-  /// The robot is known to be within [low, high]. The first phases are those at `position`: they
-  /// tie the origin of the code.
+  /// Positions are decoded within [low, high]. `modules` are the phases at `position`: they define
+  /// the origin of the code.
   PositionDecoder(const std::vector<ModulePhase>& modules, const Eigen::Vector2d& position,
                   const Eigen::Vector2d& low, const Eigen::Vector2d& high);
 
-  /// The position that explains the phases of all modules best; errors of a phase are in proportion
-  /// to the period (Fiete, Burak, Brookings 2008).
+  /// The position that fits the phases of all modules best. The errors of a phase are assumed to be
+  /// proportional to the period (Fiete, Burak, Brookings 2008).
   Eigen::Vector2d decode(const std::vector<ModulePhase>& modules) const;
-  /// Distance from `position` to the decoded one; for a single module modulo its period, as it
-  /// cannot tell more.
+  /// Distance from `position` to the decoded one, m; modulo the period if there is only one module.
   double error(const std::vector<ModulePhase>& modules, const Eigen::Vector2d& position) const;
 
  private:

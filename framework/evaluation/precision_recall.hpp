@@ -11,16 +11,16 @@ namespace tolman::evaluation {
 struct PlaceClaim {
   std::int64_t query = -1;
   std::int64_t place = -1;
-  double score = 0;  ///< smaller is surer
+  double score = 0;  ///< a smaller score is more certain
   bool right = false;
 };
 
-/// When only claims of at most this score are made.
+/// Precision and recall if only claims with at most this score are made.
 struct PrecisionRecall {
   double score = 0;
   std::int64_t claims = 0;
   double precision = 1;  ///< share of the claims that are right
-  double recall = 0;     ///< right claims over the queries that have a place to be found
+  double recall = 0;     ///< number of right claims over number of findable queries
 };
 
 /// One point for each score, ascending. `findable`: number of queries that have a true place.

@@ -17,7 +17,7 @@ constexpr std::size_t kMostFrames = 5000;      // of a population; halved when r
 constexpr std::size_t kMostValues = 10000000;  // of a population
 constexpr std::size_t kMostRingUnits = 72;
 
-/// Evenly of `count`, at most `most`.
+/// At most `most` indices below `count`, evenly spaced.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
   std::vector<std::size_t> chosen;
   const std::size_t size = std::min(count, most);

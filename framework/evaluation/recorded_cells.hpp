@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The recorded arrays of the spatial cells, told apart by their descriptions (ArrayInfo): bounded
-// in size, however long the run.
+// The recorded arrays of the spatial cells, sorted by their descriptions (ArrayInfo). Their size is
+// bounded for runs of any length.
 #pragma once
 
 #include <cstddef>
@@ -27,7 +27,7 @@ StampedPoses stampedPosesOf(const Trajectory& trajectory);
 
 /// One array at evenly spaced frames.
 struct PopulationHistory {
-  ArrayInfo info;  ///< the name alone where the array has no description
+  ArrayInfo info;  ///< only the name is set if the array has no description
   std::vector<int> shape;
   std::vector<std::int64_t> frames;
   std::vector<std::vector<float>> activity;  ///< one row per frame, as large as the shape
@@ -47,23 +47,23 @@ struct CellHistory {
   explicit CellHistory(const std::vector<ArrayInfo>& infos);
   /// The arrays of the cells, frame by frame.
   void add(std::int64_t frame, NamedArray&& array);
-  /// Removes what was described and not recorded.
+  /// Removes arrays that were described but not recorded.
   void dropEmpty();
 };
 
 inline constexpr int kMostUnitsAlongAxis = 32;
-/// The units that are measured, row by row: all of a ring up to 72, of a sheet up to 32 by 32;
-/// of larger ones as many, evenly spaced.
+/// Indices of the units that are measured, row by row: at most 72 of a ring and 32 by 32 of a
+/// sheet, evenly spaced.
 std::vector<std::size_t> measuredUnits(const PopulationHistory& population);
 
-/// Some units at the frames that have a pose.
+/// The activity of the units `chosen` at the frames that have a pose.
 RecordedUnits unitsAt(const PopulationHistory& population, const StampedPoses& poses,
                       const std::vector<std::size_t>& chosen);
 
-/// Of a sheet; 0 where it is not in metres.
+/// The period of a sheet, m; 0 if its unit is not m.
 double periodInMetres(const PopulationHistory& sheet);
 
-/// What index `i` of an axis stands for, within [0, period) of a periodic axis.
+/// The value that index `i` of an axis stands for; in [0, period) for a periodic axis.
 double axisValue(const ArrayAxis& axis, std::size_t i);
 /// The same in radians, for an axis of angles in "deg" or "rad".
 double axisAngle(const ArrayAxis& axis, std::size_t i);

@@ -11,11 +11,11 @@
 namespace tolman::evaluation {
 namespace {
 
-// Written rotations are rounded; what is farther off than this is no rotation.
+// Rotations in files are rounded; a matrix with a larger error is not accepted as a rotation.
 constexpr double kRotationTolerance = 1e-2;
-// Metres: no vehicle drives as far, and the squares of all errors stay finite.
+// Largest position, m: no vehicle drives as far, and the squares of all errors are finite.
 constexpr double kFarthest = 1e9;
-// Seconds, the year 2096: differences of two stamps stay within 64 bits of nanoseconds.
+// Largest stamp, s (the year 2096): differences of two stamps in ns fit into 64 bits.
 constexpr double kLatest = 4e9;
 
 /// What is wrong with a line; the reader adds file and line.
@@ -62,7 +62,7 @@ double coordinate(std::string_view word) {
   throw LineError("position " + shown(word) + " is too large; positions are metres");
 }
 
-/// Seconds to nanoseconds, without a detour over double where the word is plain decimal.
+/// Seconds to nanoseconds; a plain decimal is converted without double, which would round it.
 std::int64_t stampNs(std::string_view word) {
   const double seconds = number(word);
   if (std::abs(seconds) > kLatest) {
@@ -144,11 +144,11 @@ void append(Trajectory& trajectory, TrajectoryPose pose, bool has_stamps) {
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
-  std::error_code ignored;  // a pipe would wait for its writer
+  std::error_code ignored;  // a pipe would block until it is written
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
   if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + ": is no file that can be read; check the path");
+    return Status::invalidInput(file.string() + ": not a readable file; check the path");
   }
   Trajectory trajectory;
   LineReader reader = nullptr;

@@ -9,8 +9,8 @@
 
 namespace tolman::evaluation {
 
-/// The first line with numbers decides on the format: eight numbers are TUM, twelve are KITTI. A
-/// byte order mark before it is passed over.
+/// The first line with numbers determines the format: eight numbers are TUM, twelve are KITTI. A
+/// byte order mark at the begin of the file is ignored.
 ///
 /// TUM: lines `stamp tx ty tz qx qy qz qw` (s, m), '#' starts a comment. Frames are counted from 0
 /// over the lines with poses. Stamps must grow; decimal stamps are read exactly to the nanosecond.

@@ -11,13 +11,13 @@ namespace {
 using Value = std::optional<double>;
 
 constexpr int kTuningBins = 36;
-/// Bins of a rate map: a grid field, half a period wide, spans four; and never more than the pairs
-/// of bins of an autocorrelogram can be counted in a millisecond.
+/// Bins of a rate map per period: a grid field, half a period wide, spans four bins. kMostBins
+/// limits the time for the pairs of bins of an autocorrelogram to a millisecond.
 constexpr double kBinsOfPeriod = 8;
 constexpr double kMostBins = 40;
 constexpr double kMostDrawnBins = 70;
 
-/// Linear between the neighbours.
+/// Interpolates linearly between neighbours.
 double percentile(const std::vector<double>& sorted, double share) {
   const double place = share * static_cast<double>(sorted.size() - 1);
   const auto low = static_cast<std::size_t>(place);
@@ -40,7 +40,7 @@ struct Measured {
   std::vector<Unit> shuffled;  ///< units shifted in time
 };
 
-/// Of all units, and of some shifted in time, what measure(samples) gives.
+/// Calls measure(samples) for all units, and for some units shifted in time.
 template <class Measure>
 auto measureAll(const RecordedUnits& units, const Shuffling& shuffling, Measure&& measure) {
   Measured<std::invoke_result_t<Measure, const std::vector<Sample>&>> measured;
@@ -59,7 +59,7 @@ auto measureAll(const RecordedUnits& units, const Shuffling& shuffling, Measure&
   return measured;
 }
 
-/// value(unit) is none for a unit without the score.
+/// value(unit) returns the score of a unit, or none.
 template <class Unit, class ValueOf>
 std::optional<UnitScore> scoreOf(const Measured<Unit>& measured, ValueOf&& value,
                                  Better better = Better::More) {
@@ -73,7 +73,7 @@ std::optional<UnitScore> scoreOf(const Measured<Unit>& measured, ValueOf&& value
   return againstChance(known(measured.units), known(measured.shuffled), better);
 }
 
-/// Bins on the long side of a rate map. They are wider than the steps of the walk.
+/// Number of bins on the long side of a rate map. Bins are wider than the steps of the walk.
 int binsFor(const std::vector<Sample>& walk, double least_bin, double most_bins) {
   Eigen::AlignedBox2d box;
   double length = 0;
@@ -126,7 +126,7 @@ RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
   auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
     return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins))};
   });
-  const auto length = [](const RingUnit& unit) {  // none where there are too few headings
+  const auto length = [](const RingUnit& unit) {  // none if there are too few headings
     return unit.tuning.half_width ? Value(unit.tuning.mean_vector_length) : Value();
   };
   const auto width = [](const RingUnit& unit) {
@@ -135,6 +135,13 @@ RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
   const auto bits = [](const RingUnit& unit) { return Value(unit.information_bits); };
   return {scoreOf(measured, length), scoreOf(measured, width, Better::Less),
           scoreOf(measured, bits), std::move(measured.units)};
+}
+
+LatticeScore bestLattice(const SheetScores& scores) {
+  const bool hexagonal =
+      scores.sargolini && (!scores.square || scores.sargolini->median > scores.square->median);
+  if (hexagonal) return {"hexagonal grid", scores.sargolini, &GridScores::sargolini};
+  return {"square grid", scores.square, &GridScores::square};
 }
 
 SheetScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scores of the units of a population, each beside what chance gives.
+// Scores of the units of a population, each with the score that chance gives.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "evaluation/firing_rate.hpp"
@@ -19,14 +20,14 @@ struct ErrorFigures {
   double median = 0;
   double p90 = 0;
 };
-/// None for no errors.
+/// None if there are no errors.
 std::optional<ErrorFigures> errorFigures(std::vector<double> errors);
 
 /// One score of all units of a population, against the same score of units whose activity is
 /// shifted in time.
 struct UnitScore {
   double median = 0;           ///< of the units
-  double chance = 0;           ///< 95th percentile of the shifted units; 5th where less is better
+  double chance = 0;           ///< 95th percentile of the shifted units; 5th if less is better
   double shuffled_median = 0;  ///< of the shifted units
   double share_above = 0;      ///< of the units that are better than chance
 };
@@ -35,24 +36,24 @@ enum class Better { More, Less };
 std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<double> shuffled,
                                        Better better = Better::More);
 
-/// A walk, and the activity of some units of a population along it: the same moments for all.
+/// A walk, and the activity of some units of a population at the same times.
 struct RecordedUnits {
   std::vector<Sample> walk;               ///< without rates
-  std::vector<std::vector<float>> rates;  ///< one row a unit, as long as the walk
-  double seconds = 0;                     ///< from the first moment to the last
+  std::vector<std::vector<float>> rates;  ///< one row per unit, as long as the walk
+  double seconds = 0;                     ///< duration of the walk
 };
 
-/// The firing rate map of unit `unit` as it is drawn: in bins that are wider than the steps of the
-/// walk; otherwise each visit would be its own field.
+/// The firing rate map of unit `unit` for figures. Its bins are wider than the steps of the walk;
+/// otherwise each visit would be a field of its own.
 RateMap firingMap(const RecordedUnits& units, std::size_t unit);
-/// The bins for grid scores: a field of this period, m, spans four. 0: not known.
+/// The rate map for grid scores: a field spans four bins. `period`: of the units, m; 0: not known.
 RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period);
 
-/// Circular shifts in time pair each place with the activity of another moment: what a unit scores
-/// then is chance (Boccara et al. 2010; Langston et al. 2010).
+/// Circular shifts in time pair each place with the activity of another time, which gives the score
+/// by chance (Boccara et al. 2010; Langston et al. 2010).
 struct Shuffling {
-  std::size_t count = 200;        ///< shifted units, evenly of all units
-  std::size_t least_samples = 1;  ///< shortest shift, forwards and backwards
+  std::size_t count = 200;        ///< number of shifted units, taken evenly from all units
+  std::size_t least_samples = 1;  ///< shortest shift forwards and backwards, samples
   std::uint64_t seed = 1;
 };
 
@@ -75,6 +76,14 @@ struct SheetScores {
   std::optional<UnitScore> square, sargolini, langston, information_bits;
   std::vector<SheetUnit> units;
 };
+/// The regular lattice that the units fit best, by the medians of the scores.
+struct LatticeScore {
+  std::string_view name;  ///< "square grid", "hexagonal grid"
+  std::optional<UnitScore> score;
+  double GridScores::*of_unit = &GridScores::square;  ///< the same score of one unit
+};
+LatticeScore bestLattice(const SheetScores& scores);
+
 /// `period`, m: of the units; 0 if not known. It sets the bins of the rate maps.
 SheetScores scoreSheet(const RecordedUnits& units, double period, const Shuffling& shuffling);
 

@@ -9,11 +9,12 @@
 #include <set>
 
 #include "config/nearest_name.hpp"
+#include "experiment/comparison_notes.hpp"
+#include "experiment/mixtures.hpp"
+#include "experiment/repeated_rows.hpp"
 
 namespace tolman::experiment {
 namespace {
-
-constexpr double kSameCoverage = 0.02;  // share of the frames
 
 bool isRepeated(const std::string& factor) { return factor == "sequence" || factor == "seed"; }
 
@@ -37,7 +38,7 @@ std::string fullName(const std::string& wanted, const std::vector<std::string>& 
   return ends.size() == 1 ? ends.front() : "";
 }
 
-/// "ate" and the like, as the summary of a run has them.
+/// The metric for a short name such as "ate", as in the summary of a run.
 std::string metricOf(const std::string& wanted) {
   static const std::map<std::string, std::string> kShort = {
       {"ate", "map.ate.rmse_m"},
@@ -56,14 +57,16 @@ class Comparer {
   Result<Comparison> run() {
     Status status = choose();
     if (status.isOk()) status = chooseMetric();
-    if (status.isOk()) status = refuseMixtures();
+    if (status.isOk()) status = refuseMixtures(pointersTo(rows_), options_.mixed_coverage);
+    if (status.isOk() && !comparison_.by.empty()) status = countOnce();
     if (!status.isOk()) return status;
     std::set<std::string> truths;
     for (const RunRow& row : rows_) truths.insert(row.truth);
     comparison_.truths = truths.size();
     comparison_.alignment = rows_.front().alignment;
     warnOfEqualResults();
-    fillLevels();
+    status = fillLevels();
+    if (!status.isOk()) return status;
     return std::move(comparison_);
   }
 
@@ -71,12 +74,12 @@ class Comparer {
   struct Measured {
     double value = 0;
     std::string seed;
-    std::filesystem::path directory;
+    const RunRow* row = nullptr;
   };
   using Values =
       std::map<std::string, std::map<std::string, Measured>>;  ///< by sequence, by the rest
 
-  /// Factors and rows.
+  /// Chooses factors and rows.
   Status choose() {
     const std::vector<std::string> names = factorNames(rows_);
     const auto known = [&](const std::string& wanted, std::string& name) {
@@ -86,12 +89,11 @@ class Comparer {
                                       config::didYouMean(wanted, names) +
                                       "; factors: " + config::listed(names));
     };
-    for (const auto& [factor, label] : options_.only) {
-      std::string name;
-      if (Status status = known(factor, name); !status.isOk()) return status;
-      std::erase_if(rows_,
-                    [&, &label = label](const RunRow& row) { return row.label(name) != label; });
+    auto only = options_.only;
+    for (auto& [factor, label] : only) {
+      if (Status status = known(std::string(factor), factor); !status.isOk()) return status;
     }
+    std::erase_if(rows_, [&](const RunRow& row) { return !hasLabels(row, only); });
     if (rows_.empty()) return Status::invalidParameter("no run is left to compare");
     for (const std::string& wanted : options_.by) {
       if (Status status = known(wanted, comparison_.by.emplace_back()); !status.isOk())
@@ -99,11 +101,21 @@ class Comparer {
     }
     const auto varied = std::ranges::count_if(names, std::not_fn(isRepeated));
     const bool is_alone = std::ranges::all_of(rows_, &RunRow::is_alone);
-    if (is_alone && varied > 1) return Status::ok();  // each run is a level: no factor tells them
-    for (const std::string& name : names) {
-      if (comparison_.by.empty() && !isRepeated(name)) comparison_.by.push_back(name);
-    }
+    if (is_alone && varied > 1) return Status::ok();  // each run is a level of its own
+    if (comparison_.by.empty()) comparison_.by = variedFactors(names);
     return Status::ok();
+  }
+
+  /// All factors that vary in the runs; if none does, the first factor.
+  std::vector<std::string> variedFactors(std::vector<std::string> names) const {
+    std::erase_if(names, isRepeated);
+    std::vector<std::string> varied = names;
+    std::erase_if(varied, [&](const std::string& name) {
+      return std::ranges::all_of(
+          rows_, [&](const RunRow& row) { return row.label(name) == rows_.front().label(name); });
+    });
+    if (varied.empty() && !names.empty()) varied = {names.front()};
+    return varied;
   }
 
   Status chooseMetric() {
@@ -126,58 +138,19 @@ class Comparer {
     return Status::ok();
   }
 
-  static Status mixed(const RunRow& a, const RunRow& b, const std::string& what) {
-    return Status::invalidInput("'" + a.name + "' and '" + b.name + "' " + what);
-  }
-
-  Status refuseMixtures() const {
-    std::map<std::string, const RunRow*> first;  // by sequence
-    for (const RunRow& row : rows_) {
-      const RunRow& other = rows_.front();
-      if (row.alignment != other.alignment) {
-        return mixed(other, row,
-                     "are aligned by " + other.alignment + " and " + row.alignment +
-                         ", whose errors are not to be averaged; set "
-                         "evaluation.alignment, or choose runs with --only");
-      }
-      const RunRow& same = *first.try_emplace(row.label("sequence"), &row).first->second;
-      if (row.truth != same.truth) {
-        return mixed(same, row,
-                     "have different true poses; name the sequences in the sweep, or "
-                     "choose runs with --only");
-      }
-      const double difference = coverage(row) - coverage(same);
-      if (!options_.mixed_coverage && std::abs(difference) > kSameCoverage) {
-        return mixed(same, row,
-                     fmt::format("cover {:.1f} % and {:.1f} % of the truth, so that their "
-                                 "errors are of different paths; --mixed-coverage "
-                                 "averages them all the same",
-                                 100 * coverage(same), 100 * coverage(row)));
-      }
-    }
-    return Status::ok();
-  }
-
-  static double coverage(const RunRow& row) {
-    const auto found = row.metrics.find("map.coverage");
-    return found == row.metrics.end() ? 1 : found->second;
-  }
-
-  /// All labels but the seed: runs of one cell differ in the seed only.
-  static std::string cellOf(const RunRow& row) {
-    std::string cell;
-    for (const Factor& factor : row.factors) {
-      if (factor.name != "seed") cell += factor.name + "=" + factor.label + "\n";
-    }
-    return cell;
+  Status countOnce() {
+    const Result<std::string> repeated = mergeRepeats(rows_);
+    if (repeated.isOk() && !repeated.value().empty()) note(repeated.value());
+    return repeated.status();
   }
 
   void warnOfEqualResults() {
     std::map<std::string, std::set<std::string>> results;
     std::map<std::string, std::size_t> counts;
     for (const RunRow& row : rows_) {
-      results[cellOf(row)].insert(row.results);
-      ++counts[cellOf(row)];
+      const std::string setting = row.labelsWithout("seed");
+      results[setting].insert(row.results);
+      ++counts[setting];
     }
     std::size_t equal = 0;
     for (const auto& [cell, count] : counts) {
@@ -194,10 +167,11 @@ class Comparer {
     std::set<std::string> own;
     for (const RunRow& row : rows_) own.insert(row.label("sequence") + row.results);
     if (equal == 0 && own.size() < rows_.size()) {
-      note(fmt::format(
-          "Only {} of {} runs have results of their own, byte for byte: a factor changes "
-          "nothing.",
-          own.size(), rows_.size()));
+      const std::vector<std::string> useless = factorsWithoutEffect(rows_);
+      note(fmt::format("Only {} of {} runs have results of their own, byte for byte: {}.",
+                       own.size(), rows_.size(),
+                       useless.empty() ? "some levels of a factor change nothing"
+                                       : config::listed(useless) + " changes nothing"));
     }
     if (fewest_ < kFewestSeeds) {
       note(
@@ -215,7 +189,7 @@ class Comparer {
     return level.empty() ? row.name : level;
   }
 
-  /// What a run of another level must have in common with it, beside the sequence.
+  /// Labels that paired runs of two levels must have in common, besides the sequence.
   std::string restOf(const RunRow& row) const {
     std::string rest;
     if (comparison_.by.empty()) return rest;
@@ -226,7 +200,8 @@ class Comparer {
     return rest;
   }
 
-  /// Runs of one seed that differ in other factors share their chance: they count as one.
+  /// Values by seed. Runs of one seed that differ in other factors are not independent: they count
+  /// as one.
   using SeedMeans = std::map<std::string, std::vector<double>>;
   static std::vector<double> meansOf(const SeedMeans& runs) {
     std::vector<double> means;
@@ -234,17 +209,24 @@ class Comparer {
     return means;
   }
 
-  void fillLevels() {
+  Status fillLevels() {
     std::vector<std::string> order;
     std::map<std::string, Values> values;
     for (const RunRow& row : rows_) {
       const std::string level = levelOf(row);
       if (!values.contains(level)) order.push_back(level);
-      values[level][row.label("sequence")][restOf(row)] = {row.metrics.at(comparison_.metric),
-                                                           row.label("seed"), row.directory};
+      const Measured run = {row.metrics.at(comparison_.metric), row.label("seed"), &row};
+      const auto [other, is_new] =
+          values[level][row.label("sequence")].try_emplace(restOf(row), run);
+      if (!is_new) return oneSetting(*other->second.row, row);
     }
     sort(order);
-    comparison_.baseline = values.contains(options_.baseline) ? options_.baseline : order.front();
+    comparison_.baseline = options_.baseline.empty() ? order.front() : options_.baseline;
+    if (!values.contains(comparison_.baseline)) {
+      return Status::invalidParameter("no level '" + options_.baseline + "'" +
+                                      config::didYouMean(options_.baseline, order) +
+                                      "; levels: " + config::listed(order));
+    }
     for (const std::string& label : order) {
       Level level{label, {}, {}, {}, {}, {}};
       std::vector<std::vector<double>> groups;
@@ -253,7 +235,7 @@ class Comparer {
         for (const auto& [rest, run] : runs) {
           means[run.seed].push_back(run.value);
           level.values.push_back(run.value);
-          level.directories.push_back(run.directory);
+          level.directories.push_back(run.row->directory);
         }
         groups.push_back(meansOf(means));
       }
@@ -264,6 +246,7 @@ class Comparer {
       }
       comparison_.levels.push_back(std::move(level));
     }
+    if (fewest_ >= kFewestSeeds && order.size() > 1) noteFewSamples();
     const std::size_t runs = comparison_.levels.front().summary.n;
     if (!std::ranges::all_of(comparison_.levels,
                              [&](const Level& l) { return l.summary.n == runs; })) {
@@ -271,9 +254,17 @@ class Comparer {
           "The levels have different numbers of runs: their means are of different sequences or "
           "seeds. The paired differences use the runs that both have.");
     }
+    return Status::ok();
   }
 
-  /// By number where all first labels are numbers.
+  void noteFewSamples() {
+    std::set<std::string> sequences;
+    for (const RunRow& row : rows_) sequences.insert(row.label("sequence"));
+    const std::string text = fewSamplesNote(sequences.size(), fewest_);
+    if (!text.empty()) note(text);
+  }
+
+  /// Sorts by number if all first labels are numbers.
   static void sort(std::vector<std::string>& labels) {
     const auto number = [](const std::string& label) -> std::optional<double> {
       char* end = nullptr;
@@ -316,7 +307,7 @@ class Comparer {
   std::vector<RunRow> rows_;
   const ComparisonOptions& options_;
   Comparison comparison_;
-  std::size_t fewest_ = SIZE_MAX;  ///< different results of one setting
+  std::size_t fewest_ = SIZE_MAX;  ///< smallest number of different results of one setting
 };
 
 }  // namespace

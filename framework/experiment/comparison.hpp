@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares runs by a factor: each level of it over all sequences and seeds, and paired with the
-// first level.
+// Compares runs by a factor: each level over all sequences and seeds, and paired with the baseline
+// level.
 #pragma once
 
 #include <filesystem>
@@ -15,22 +15,22 @@ namespace tolman::experiment {
 
 struct ComparisonOptions {
   std::string metric = "map.ate.rmse_m";  ///< a key of metrics.json, or its last parts
-  /// Factors; empty: the first that is not repeated, or each run for itself where those outside a
-  /// sweep differ in more than one.
+  /// Factors; empty: all that vary besides sequence and seed. But if runs outside a sweep differ in
+  /// more than one key, each run is a level of its own.
   std::vector<std::string> by;
-  std::vector<std::pair<std::string, std::string>> only;  ///< factor and label
+  std::vector<std::pair<std::string, std::string>> only;  ///< see hasLabels()
   std::string baseline;                                   ///< level; empty: the first
   bool mixed_coverage = false;                            ///< average runs whose coverage differs
   std::uint64_t seed = 1;                                 ///< of the bootstrap
 };
 
-/// Differences to the baseline in runs that are alike in all else.
+/// Differences to the baseline, between runs that are equal in all other factors.
 struct PairedDifference {
   std::size_t pairs = 0;
   double mean = 0;
-  /// Nothing where a sequence has fewer than three seeds with results of their own.
+  /// None if a sequence has fewer than kFewestSeeds seeds with different results.
   std::optional<Interval> interval;
-  std::optional<SignedRank> test;  ///< of the means of the sequences; of one sequence of the seeds
+  std::optional<SignedRank> test;  ///< over the means of the sequences; for one sequence over seeds
 };
 
 struct Level {
@@ -49,13 +49,13 @@ struct Comparison {
   std::vector<Level> levels;
   std::string alignment;           ///< of all runs
   std::size_t truths = 0;          ///< different true paths
-  std::vector<std::string> notes;  ///< what the reader must know
+  std::vector<std::string> notes;  ///< warnings and limits, for the reader
 };
 
 inline constexpr std::size_t kFewestSeeds = 3;
 
 /// InvalidParameter for an unknown metric or factor; InvalidInput for runs that must not be
-/// averaged: other alignments, other truths of one sequence, other coverages.
+/// averaged: different alignments, different truths of one sequence, different coverages.
 Result<Comparison> compareRuns(const std::vector<RunRow>& rows, const ComparisonOptions& options);
 
 }  // namespace tolman::experiment

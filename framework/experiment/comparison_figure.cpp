@@ -2,8 +2,11 @@
 #include "experiment/comparison_figure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <map>
+#include <string_view>
+#include <utility>
 
 #include "experiment/line_figure.hpp"
 #include "experiment/path_lines.hpp"
@@ -15,7 +18,7 @@ namespace {
 using report::Axes;
 using report::Svg;
 
-/// By the labels of the other factors; empty where a first label is no number.
+/// One line for each combination of the other factors; none if a first label is not a number.
 std::vector<Line> linesOf(const Comparison& comparison) {
   std::map<std::string, std::vector<LinePoint>> lines;
   for (const Level& level : comparison.levels) {
@@ -38,7 +41,26 @@ std::string factorName(const Comparison& comparison) {
   return comparison.by.empty() ? "run" : comparison.by.front();
 }
 
-/// Steps: at each value of the metric one run more is below the limit.
+/// The metric in the words of an axis, with its unit; other metrics keep their names.
+std::string axisLabel(const std::string& metric) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kLabels = {{
+      {".ate.rmse_m", "ATE OF, RMSE (m)"},
+      {".ate_horizontal.rmse_m", "horizontal ATE OF, RMSE (m)"},
+      {".ate_vertical.rmse_m", "vertical ATE OF, RMSE (m)"},
+      {".kitti.t_rel_percent", "translation error OF (%)"},
+      {".kitti.r_rel_deg_per_100m", "rotation error OF (degrees per 100 m)"},
+  }};
+  const bool of_map = metric.starts_with("map.");
+  if (!of_map && !metric.starts_with("odometry.")) return metric;
+  for (const auto& [end, label] : kLabels) {
+    if (metric.substr(metric.find('.')) != end) continue;
+    std::string text(label);
+    return text.replace(text.find("OF"), 2, of_map ? "of the map" : "of odometry");
+  }
+  return metric;
+}
+
+/// Step functions: at each value of the metric one more run is within the limit.
 std::vector<Line> successLines(const Comparison& comparison) {
   double most = 0;
   for (const Level& level : comparison.levels) most = std::max(most, level.summary.high);
@@ -67,7 +89,7 @@ void box(Svg& svg, const Axes& axes, const Level& level, double x, const char* c
   svg.rectangle(corner, at(0.28, 0.25) - corner, report::kPaper, report::kFrameLine);
   svg.line(at(-0.28, 0.5), at(0.28, 0.5), report::kFrameLine, 2);
   for (std::size_t i = 0; i < level.values.size(); ++i) {
-    // Spread by the golden ratio, so that dots of equal values are seen.
+    // Shifted by the golden ratio, so that dots of equal values do not overlap.
     const double golden = 0.6180339887498949 * static_cast<double>(i);
     const double dx = 0.4 * (golden - static_cast<double>(static_cast<std::int64_t>(golden)) - 0.5);
     svg.circle(axes.at(x + dx, level.values[i]), 2, colour);
@@ -83,10 +105,10 @@ std::string boxes(const Comparison& comparison) {
   }
   const auto count = static_cast<double>(comparison.levels.size());
   Svg svg(kFigureWidth, kFigureHeight);
-  // Levels are named below instead of numbered.
+  // The level names below replace the numbers of the x axis.
   Axes axes(svg, {"",
                   "",
-                  comparison.metric,
+                  axisLabel(comparison.metric),
                   {0.4, count + 0.6},
                   figureRange(low, high),
                   report::frame(64, 12, kFigureWidth - 12, kFigureHeight - 60)});
@@ -124,13 +146,14 @@ Result<std::string> comparisonFigure(const Comparison& comparison, FigureKind ki
   if (kind == FigureKind::Maps || kind == FigureKind::Distance) return pathFigure(comparison, kind);
   if (kind == FigureKind::Success) {
     return lineFigure(
-        {"limit of " + comparison.metric, "runs within (%)", successLines(comparison)});
+        {"limit: " + axisLabel(comparison.metric), "runs within (%)", successLines(comparison)});
   }
   std::vector<Line> lines = kind == FigureKind::Box ? std::vector<Line>() : linesOf(comparison);
   const bool has_line =
       std::ranges::any_of(lines, [](const Line& line) { return line.points.size() > 1; });
   if (has_line) {
-    return lineFigure({factorName(comparison), comparison.metric, std::move(lines), true});
+    return lineFigure(
+        {factorName(comparison), axisLabel(comparison.metric), std::move(lines), true});
   }
   if (kind != FigureKind::Line) return boxes(comparison);
   return Status::invalidParameter("no line can be drawn over '" + factorName(comparison) +

@@ -18,14 +18,14 @@ enum class FigureKind : std::uint8_t {
   Box,      ///< quartiles, whiskers to all values, and a dot for each run
   Success,  ///< share of the runs whose metric is at most a limit, over that limit
   Distance,  ///< position error over the driven path: mean of the runs, quartiles as a band
-  Maps,      ///< the true path, and of each level the map of the median run
+  Maps,      ///< the true path, and the map of the median run of each level
 };
 inline constexpr std::array<std::string_view, 6> kFigureKindNames = {"auto",    "line",     "box",
                                                                      "success", "distance", "maps"};
 constexpr std::span<const std::string_view> enumNames(FigureKind) { return kFigureKindNames; }
 
-/// SVG. Distance and Maps open the records of the runs, and are of one true path: InvalidParameter
-/// for several, as for lines over labels that are no numbers.
+/// SVG. Distance and Maps open the records of the runs, and need a single true path.
+/// InvalidParameter for several true paths, and for Line if the labels are not numbers.
 Result<std::string> comparisonFigure(const Comparison& comparison,
                                      FigureKind kind = FigureKind::Auto);
 

@@ -20,7 +20,7 @@ std::string byText(const Comparison& comparison) {
   return text.empty() ? "run" : text;
 }
 
-/// Below 0.001 the power of ten matters, above the digits.
+/// Below 0.001 in scientific notation, else with decimals.
 std::string probability(double p) {
   return p < 0.001 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
 }
@@ -57,11 +57,11 @@ std::string explanation(const Comparison& comparison) {
       "` in runs of the same sequence, seed and other factors. Intervals: bootstrap of "
       "sequences, then of seeds. p: exact Wilcoxon signed rank test of the means of the "
       "sequences (of one sequence: of the seeds). Effect: rank-biserial correlation.";
-  return text;
+  return oneLine(text);
 }
 
 TextTable tableOf(const Comparison& comparison) {
-  TextTable table{heading(comparison), {}};
+  TextTable table{heading(comparison), {}, {}};
   for (const Level& level : comparison.levels) table.rows.push_back(rowOf(level));
   return table;
 }
@@ -70,13 +70,13 @@ TextTable tableOf(const Comparison& comparison) {
 
 std::string markdownOf(const Comparison& comparison) {
   std::string text = markdownOf(tableOf(comparison)) + "\n" + explanation(comparison) + "\n";
-  for (const std::string& note : comparison.notes) text += "\n" + note + "\n";
+  for (const std::string& note : comparison.notes) text += "\n" + oneLine(note) + "\n";
   return text;
 }
 
 std::string latexOf(const Comparison& comparison) {
   std::string text;
-  for (const std::string& note : comparison.notes) text += "% " + note + "\n";
+  for (const std::string& note : comparison.notes) text += "% " + oneLine(note) + "\n";
   return text + latexOf(tableOf(comparison)) + "% " + explanation(comparison) + "\n";
 }
 

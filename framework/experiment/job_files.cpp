@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As one word of a shell.
+/// The text as one word of a shell.
 std::string shellWord(const std::string& text) {
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -87,8 +87,7 @@ class JobFiles {
         text += fmt::format("    \"{}\": \"{}\",\n", run.folder, answers);
       }
     }
-    // A run that fails has ended too: those that could take its answers have a front end of their
-    // own.
+    // A failed run counts as ended: runs that wait for its answers then run their own front end.
     text += fmt::format(
         "}}\n\nrule all:\n    input: [f\"{{HERE}}/{{run}}/ended\" for run in TAKES]\n"
         "    params: here=HERE\n"

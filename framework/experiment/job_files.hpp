@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files by which other programs run the frozen runs of a sweep: Slurm, GNU parallel, Snakemake.
+// Files for other programs that run the frozen runs of a sweep: Slurm, GNU parallel, Snakemake.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 namespace tolman::experiment {
 
 /// Writes into the folder of the sweep:
-///   slurm      runs-1.txt and runs-2.txt, one folder a line; array.sh, which runs one of them;
+///   slurm      runs-1.txt and runs-2.txt, one folder per line; array.sh, which runs one of them;
 ///              submit.sh, which submits an array of each list, the second after the first
 ///   parallel   commands-1.txt, commands-2.txt: lists of commands, the second after the first
 ///   snakemake  Snakefile

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "experiment/known_data.hpp"
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "record/atomic_file.hpp"
+#include "record/regular_file.hpp"
 
 namespace tolman::experiment {
 
@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 std::map<std::string, record::DataDigest> readKnownData(const std::filesystem::path& sweep) {
   std::map<std::string, record::DataDigest> known;
-  std::ifstream stream(sweep / "data.json", std::ios::binary);
+  std::ifstream stream = record::openRegular(sweep / "data.json");
   const auto json = ordered_json::parse(stream, nullptr, false);
   if (!json.is_object()) return known;
   for (const auto& [path, data] : json.items()) {

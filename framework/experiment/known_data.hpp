@@ -11,7 +11,7 @@
 
 namespace tolman::experiment {
 
-/// By path; empty where there are none.
+/// Digests by path; empty if there are none.
 std::map<std::string, record::DataDigest> readKnownData(const std::filesystem::path& sweep);
 Status writeKnownData(const std::filesystem::path& sweep,
                       const std::map<std::string, record::DataDigest>& data);

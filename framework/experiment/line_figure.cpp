@@ -21,7 +21,7 @@ const char* colourOf(const std::vector<Line>& lines, std::size_t i) {
   return lines[i].colour != nullptr ? lines[i].colour : lineColour(i);
 }
 
-/// Names in as many lines as they need, from the upper border.
+/// Names in one or more lines, from the upper border.
 class Legend {
  public:
   explicit Legend(const std::vector<Line>& lines) {
@@ -51,7 +51,7 @@ class Legend {
   std::vector<Eigen::Vector2d> places_;
 };
 
-/// Between the lower and the upper border, in steps of a pixel.
+/// Fills the band between its lower and upper border, in steps of a pixel.
 void band(Svg& svg, const Axes& axes, const std::vector<LinePoint>& points, const char* colour) {
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double left = axes.at(points[i - 1].x, 0).x();
@@ -77,7 +77,7 @@ void draw(Svg& svg, Axes& axes, const Line& line, const char* colour, bool dots)
     if (dots) svg.circle(axes.at(point.x, point.y), 3, colour);
   }
   axes.polyline(xs, ys, colour, dots ? 2 : 1.5);
-  // The borders of the band, for another one may lie over it.
+  // Draws the borders of the band, because another band may cover it.
   std::vector<double> lows;
   std::vector<double> highs;
   for (const LinePoint& point : line.points) {

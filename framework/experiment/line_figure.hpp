@@ -41,7 +41,7 @@ struct LineFigure {
 /// SVG. A legend where there are several lines.
 std::string lineFigure(const LineFigure& figure);
 
-/// With 5 % to spare; from 0 where the values are near it.
+/// The range of an axis: 5 % wider than the values; from 0 if they are near 0.
 report::Range figureRange(double low, double high);
 
 }  // namespace tolman::experiment

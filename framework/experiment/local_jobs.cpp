@@ -25,7 +25,8 @@ struct Child {
   std::size_t run = 0;  ///< index
 };
 
-/// Between fork() and exec() only calls that are safe in a copy of a process with threads.
+/// Runs between fork() and exec(): it may only make calls that are safe in a fork of a process with
+/// threads.
 [[noreturn]] void becomeJob(const std::vector<char*>& arguments, const char* output, pid_t parent) {
   ::setpgid(0, 0);  // an interrupt from the terminal reaches the parent, which passes it on once
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -75,7 +76,7 @@ class Jobs {
  private:
   bool stopping() const { return cancellation_.requested(); }
 
-  /// Whether the run that it takes answers of is still to come, or going.
+  /// Whether the run whose answers it takes has not ended.
   bool mustWait(const PlannedRun& run) const {
     return waiting_.contains(run.needs) || waiting_.contains(run.replays);
   }
@@ -122,7 +123,7 @@ class Jobs {
     }
   }
 
-  /// What the process has written, or what its end tells.
+  /// The outcome that the process has written, or one from its exit status.
   PointOutcome outcome(std::size_t index, int status) {
     const fs::path folder = sweep_ / runs_[index].folder;
     PointOutcome outcome = outcomeOf(folder);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs the frozen runs of a sweep as processes of this machine, several at a time.
+// Runs the frozen runs of a sweep as local processes, several at a time.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct LocalJobsOptions {
   std::vector<std::string> command;  ///< the program and its arguments; a folder is appended
 };
 
-/// What a display is told.
+/// State of all runs, for a display.
 struct JobsState {
   std::size_t all = 0;
   std::size_t ended = 0;
@@ -29,16 +29,16 @@ struct JobsState {
 class JobsListener {
  public:
   virtual ~JobsListener() = default;
-  /// Several times a second.
+  /// Called several times a second.
   virtual void onState(const JobsState& state) = 0;
   virtual void onEnd(const PlannedRun& run, const PointOutcome& outcome,
                      const JobsState& state) = 0;
 };
 
-/// Runs all of `runs`, in their order except that a run waits for those it takes answers of. A run
-/// that fails does not stop the others; a process that crashes is a failed run. On cancellation the
-/// processes are interrupted. When this process is killed they are ended as well. Returns the state
-/// at the end.
+/// Runs all of `runs` in their order, except that a run waits for the runs whose answers it takes.
+/// A failed run does not stop the others; a process that crashes is a failed run. On cancellation
+/// the processes are interrupted. If this process is killed, they are killed as well. Returns the
+/// final state.
 JobsState runLocally(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs,
                      const LocalJobsOptions& options, const Cancellation& cancellation,
                      JobsListener& listener);

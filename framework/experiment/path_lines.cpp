@@ -13,9 +13,9 @@
 namespace tolman::experiment {
 namespace {
 
-constexpr std::size_t kParts = 100;  // of the path
+constexpr std::size_t kParts = 100;  // equal parts of the path
 
-/// The map brought into the frame of the truth.
+/// The map transformed into the frame of the truth.
 Result<evaluation::Matches> alignedMap(const std::filesystem::path& directory,
                                        const std::string& alignment) {
   const auto reader = record::RunReader::open(directory);
@@ -33,7 +33,7 @@ Result<evaluation::Matches> alignedMap(const std::filesystem::path& directory,
   return evaluation::aligned(matches.value(), similarity.value());
 }
 
-/// Mean error in each part of the path; that of the part before where no frame lies in it.
+/// Mean error in each part of the path, m; for a part without frames that of the part before.
 std::vector<double> errorsByPart(const evaluation::Matches& matches, bool planar) {
   const auto driven = evaluation::distances(matches.truth);
   const auto errors = evaluation::positionErrors(

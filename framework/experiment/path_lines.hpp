@@ -9,11 +9,11 @@
 
 namespace tolman::experiment {
 
-/// Of each level the position error over the driven path in 100 parts: mean of its runs, and
-/// quartiles as a band where it has several. InvalidInput for records that cannot be read.
+/// The position error (m) of each level over the driven path (m) in 100 parts: mean of its runs,
+/// and quartiles as a band. InvalidInput for records that cannot be read.
 Result<std::vector<Line>> errorLines(const Comparison& comparison);
 
-/// Of each level the map of the median run, x right and y forward in m, then the true path.
+/// The map of the median run of each level, x right and y forward in m, then the true path.
 Result<std::vector<Line>> mapLines(const Comparison& comparison);
 
 }  // namespace tolman::experiment

@@ -10,7 +10,6 @@
 
 #include "config/overrides.hpp"
 #include "record/digest.hpp"
-#include "record/sha256.hpp"
 #include "run/input_data.hpp"
 
 namespace tolman::experiment {
@@ -18,13 +17,7 @@ namespace {
 
 using config::Node;
 
-std::string sha256Of(const std::string& text) {
-  record::Sha256 sha;
-  sha.add(text);
-  return sha.digest();
-}
-
-/// A configuration without what only later stages, evaluation and record read.
+/// A configuration without the sections of later stages, evaluation and record.
 std::string frontEndPart(const std::string& yaml) {
   constexpr std::array<std::string_view, 5> kLater = {
       "cells:", "map:", "evaluation:", "record:", "observers:"};
@@ -66,11 +59,11 @@ class Planner {
   }
 
   void make(const SweepFile& sweep) {
-    const std::vector<Point> points = pointsOf(sweep, plan_.problems);
+    const std::vector<SweepPoint> points = pointsOf(sweep, plan_.problems);
     if (!plan_.problems.empty()) return;
     std::vector<PlannedRun> runs;
     std::map<std::string, std::string> names;  // by key
-    for (const Point& point : points) {
+    for (const SweepPoint& point : points) {
       const FrontRun* front = point.front_end ? &frontRun(sweep, *point.front_end) : nullptr;
       const config::Loaded& base = this->base(sweep, point, front);
       std::optional<PlannedRun> run = resolve(base, point, front);
@@ -98,7 +91,7 @@ class Planner {
     std::map<std::string, std::string> digests;  ///< of its library, or program and files of that
   };
 
-  /// Each problem once.
+  /// Adds a problem unless it is known already.
   void tell(config::Problem problem) {
     if (told_.insert(config::format(problem)).second) plan_.problems.push_back(std::move(problem));
   }
@@ -123,7 +116,7 @@ class Planner {
     return loaded;
   }
 
-  /// Plugins first: another one removes the parameters of the one before.
+  /// Applies plugins first, because another plugin removes the parameters of the previous one.
   void apply(Node& tree, std::vector<Setting> settings) {
     std::ranges::stable_partition(settings, [](const Setting& setting) {
       return setting.key.ends_with(".plugin") || setting.value->isMap();
@@ -144,16 +137,17 @@ class Planner {
     Node yes{Node::Kind::Scalar, "replay", front.base->origin, front.base->origin};
     yes.text = "true";
     (void)config::setValue(base.tree, "record.replay", yes);
-    const Point point{name, {}, front.settings, nullptr};
+    const SweepPoint point{name, {}, front.settings, nullptr};
     if (auto run = resolve(base, point, nullptr)) made.run = std::move(*run);
     made.run.is_front_end = true;
     made.path = (options_.out / made.run.folder / "run").string();
     return made;
   }
 
-  /// The base with the settings of all points, and with the replay of a front end or the map of a
-  /// first session.
-  const config::Loaded& base(const SweepFile& sweep, const Point& point, const FrontRun* front) {
+  /// The base configuration with the settings of all points, and with the replay of a front end or
+  /// the map of a first session.
+  const config::Loaded& base(const SweepFile& sweep, const SweepPoint& point,
+                             const FrontRun* front) {
     const auto found = bases_.find(point.front_end.get());
     if (found != bases_.end()) return found->second;
     config::Loaded loaded = load(*sweep.base);
@@ -174,7 +168,7 @@ class Planner {
     return bases_.emplace(point.front_end.get(), std::move(loaded)).first->second;
   }
 
-  /// Null where it is refused.
+  /// The opened plugin; null if it is refused.
   const Plugin* plugin(const config::StageConfig& stage, const config::SystemConfig& system,
                        config::Problems& problems) {
     host::Manifest manifest;
@@ -227,14 +221,14 @@ class Planner {
   }
 
   /// Checks the values of one point; nothing where they have problems.
-  std::optional<PlannedRun> resolve(const config::Loaded& base, const Point& point,
+  std::optional<PlannedRun> resolve(const config::Loaded& base, const SweepPoint& point,
                                     const FrontRun* front) {
     config::Loaded loaded = base;
     apply(loaded.tree, point.settings);
     config::Problems problems;
     config::SystemConfig system = config::parse(loaded, problems);
     config::StageValues values;
-    std::vector<const Schema*> schemas;
+    run::StageSchemas schemas;
     PlannedRun run;
     for (const config::StageConfig& stage : system.stages) {
       if (stage.plugin.empty()) continue;
@@ -242,7 +236,7 @@ class Planner {
       if (plugin == nullptr) continue;
       values[stage.instance] =
           config::check(stage, plugin->loaded.schema, system.folders, problems);
-      schemas.push_back(&plugin->loaded.schema);
+      schemas[stage.instance] = &plugin->loaded.schema;
       for (const auto& [file, digest] : plugin->digests) {
         run.inputs.plugins[file] = digest;
         if (stage.role < Role::Cells) run.front += "plugin " + digest + "\n";
@@ -254,13 +248,14 @@ class Planner {
     run.factors = point.factors;
     run.inputs.host = host_;
     addData(run, run::inputPaths(system, values, schemas), front);
+    if (front == nullptr) plan_.missing.merge(run::missingPaths(system, values, schemas));
     setKey(run, system, values, front);
     return run;
   }
 
   void addData(PlannedRun& run, const std::vector<std::string>& paths, const FrontRun* front) {
     for (const std::string& path : paths) {
-      if (front != nullptr && path == front->path) continue;  // front->run.key stands for it
+      if (front != nullptr && path == front->path) continue;  // front->run.key represents it
       if (run.inputs.plugins.contains(path)) continue;        // a program
       if (const record::DataDigest* digest = data(path)) run.inputs.data.push_back(*digest);
     }
@@ -282,9 +277,9 @@ class Planner {
     for (const record::DataDigest& data : run.inputs.data) {
       inputs += "data " + data.path + " " + (data.sha256.empty() ? data.stamp : data.sha256) + "\n";
     }
-    run.front = sha256Of(frontEndPart(decisive) + inputs + run.front);
+    run.front = record::textDigest(frontEndPart(decisive) + inputs + run.front);
     for (const auto& [file, digest] : run.inputs.plugins) inputs += "plugin " + digest + "\n";
-    run.key = sha256Of(decisive + inputs);
+    run.key = record::textDigest(decisive + inputs);
     run.folder = folderName(run.name, run.key);
     if (front != nullptr) run.needs = front->run.folder;
     general["name"] = run.name;
@@ -293,8 +288,8 @@ class Planner {
     run.config = config::resolvedYaml(system, values);
   }
 
-  /// The first run with a front end records its answers, and the others take them. (That of a
-  /// replay costs nothing.)
+  /// The first run with a front end records its answers, and the others take them. Runs that replay
+  /// a front end already (`needs`) are skipped.
   static void shareFrontEnds(std::vector<PlannedRun>& runs) {
     std::map<std::string, PlannedRun*> first;  // by front end
     for (PlannedRun& run : runs) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From the points of a sweep to runs whose every value is checked, with a key each: the digest of
-// all that decides the results.
+// Turns the points of a sweep into runs with checked values. Each has a key: the digest of
+// everything that determines its results.
 #pragma once
 
 #include <functional>
@@ -17,26 +17,27 @@
 
 namespace tolman::experiment {
 
-/// Digests of what a run reads, beside its configuration.
+/// Digests of the inputs of a run besides its configuration.
 struct Inputs {
   std::string host;                            ///< SHA-256 of the program
   std::map<std::string, std::string> plugins;  ///< by file
   std::vector<record::DataDigest> data;
 };
 
-/// One run as it will be made. Its name, its number of threads and what is recorded do not change
+/// One planned run. Its name, its number of threads and the settings of the record do not change
 /// its results and are not in the key.
 struct PlannedRun {
   std::string name;
   std::string key;     ///< SHA-256
   std::string folder;  ///< its name in the folder of the sweep
-  std::string front;   ///< SHA-256 of all that decides the answers of source, odometry and place
+  std::string front;   ///< SHA-256 of all that determines answers of source, odometry and place
   std::vector<Factor> factors;
-  std::string config;  ///< config.yaml
+  std::string config;         ///< config.yaml
+  std::string config_sha256;  ///< of config.yaml when it was frozen; known of frozen runs
   Inputs inputs;
-  std::string needs;    ///< folder of the front end that it replays; it must be run before
+  std::string needs;    ///< folder of the front end that it replays, which must run before
   std::string replays;  ///< folder of a run with the same front end, whose answers it takes
-  bool shares = false;  ///< others take its answers
+  bool shares = false;  ///< other runs take its answers
   bool is_front_end = false;
 };
 
@@ -44,7 +45,7 @@ struct PlanOptions {
   std::vector<std::string> plugin_paths;
   std::filesystem::path out;                        ///< folder of the sweep
   std::map<std::string, record::DataDigest> known;  ///< digests of earlier plans, by path
-  /// The file of a configuration that is named; for shipped ones.
+  /// Finds the file of a shipped configuration by its name.
   std::function<std::string(const std::string&)> find_config;
   config::Environment environment;
 };
@@ -52,8 +53,9 @@ struct PlanOptions {
 struct Plan {
   std::string name;
   std::vector<PlannedRun> runs;                    ///< front ends first
-  config::Problems problems;                       ///< with any, the runs are not to be used
+  config::Problems problems;                       ///< if there are any, do not use the runs
   std::map<std::string, record::DataDigest> data;  ///< by path
+  std::set<std::string> missing;                   ///< paths of sources that do not exist
 };
 
 Plan makePlan(const std::filesystem::path& file, const PlanOptions& options);

@@ -2,13 +2,14 @@
 #include "experiment/point_folder.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "config/named_value.hpp"
 #include "record/atomic_file.hpp"
+#include "record/digest.hpp"
+#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 
 namespace tolman::experiment {
@@ -34,6 +35,7 @@ Json jsonOf(const PlannedRun& run) {
   for (const record::DataDigest& one : run.inputs.data) data.push_back(jsonOf(one));
   return {{"name", run.name},
           {"key", run.key},
+          {"config_sha256", record::textDigest(run.config)},
           {"front_end", run.front},
           {"factors", factors},
           {"host", run.inputs.host},
@@ -50,6 +52,7 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
   run.folder = folder;
   run.name = json.at("name");
   run.key = json.at("key");
+  run.config_sha256 = json.value("config_sha256", "");  // sweeps of earlier versions have none
   run.front = json.at("front_end");
   for (const auto& [name, label] : json.at("factors").items()) run.factors.push_back({name, label});
   run.inputs.host = json.at("host");
@@ -65,8 +68,20 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
   return run;
 }
 
+/// A file with values of other types is the outcome of a failed run.
+PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
+  try {
+    const auto state = config::valueNamed<PointState>(json.value("state", ""));
+    return {state.value_or(PointState::Failed), json.value("exit_code", 0),
+            json.value("message", ""), json.value("wall_s", 0.0), json.value("replayed", false)};
+  } catch (const Json::exception&) {
+    return {PointState::Failed, 0, (folder / "outcome.json").string() + ": is damaged; remove it",
+            0, false};
+  }
+}
+
 Json readJson(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = record::openRegular(file);
   return Json::parse(stream, nullptr, false);
 }
 
@@ -94,19 +109,26 @@ Result<PlannedRun> readPoint(const fs::path& folder) {
   }
 }
 
-std::vector<PlannedRun> readPoints(const fs::path& sweep) {
-  std::vector<PlannedRun> runs;
+FrozenRuns frozenRuns(const fs::path& sweep) {
+  std::map<std::string, std::size_t> order;
+  for (const std::string& folder : planOrder(sweep)) order.try_emplace(folder, order.size());
+  FrozenRuns runs;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(sweep, error)) {
     if (!fs::exists(entry.path() / "point.json", error)) continue;
     auto run = readPoint(entry.path());
-    if (run.isOk()) runs.push_back(std::move(run).value());
+    if (!run.isOk()) continue;
+    const bool planned = order.empty() || order.contains(run.value().folder);
+    (planned ? runs.planned : runs.earlier).push_back(std::move(run).value());
   }
-  std::map<std::string, std::size_t> order;
-  for (const std::string& folder : planOrder(sweep)) order.try_emplace(folder, order.size());
-  std::ranges::sort(runs, {}, [&](const PlannedRun& run) {
-    const auto at = order.find(run.folder);
-    return std::pair(at == order.end() ? order.size() : at->second, run.folder);
+  for (const auto& [folder, place] : order) {
+    if (std::ranges::find(runs.planned, folder, &PlannedRun::folder) == runs.planned.end()) {
+      runs.missing.push_back(folder);
+    }
+  }
+  std::ranges::sort(runs.earlier, {}, &PlannedRun::folder);
+  std::ranges::sort(runs.planned, {}, [&](const PlannedRun& run) {
+    return std::pair(order.empty() ? 0 : order.at(run.folder), run.folder);
   });
   return runs;
 }
@@ -119,21 +141,20 @@ Status writePlanOrder(const fs::path& sweep, const std::vector<PlannedRun>& runs
 
 std::vector<std::string> planOrder(const fs::path& sweep) {
   std::vector<std::string> folders;
-  std::ifstream stream(sweep / "points.txt", std::ios::binary);
+  std::ifstream stream = record::openRegular(sweep / "points.txt");
   for (std::string line; std::getline(stream, line);) folders.push_back(line);
   return folders;
 }
 
 PointOutcome outcomeOf(const fs::path& folder) {
-  PointOutcome outcome;
   const Json json = readJson(folder / "outcome.json");
-  if (json.is_object()) {
-    const auto state = config::valueNamed<PointState>(json.value("state", ""));
-    outcome = {state.value_or(PointState::Failed), json.value("exit_code", 0),
-               json.value("message", ""), json.value("wall_s", 0.0), json.value("replayed", false)};
-    return outcome;
-  }
   std::error_code ignored;
+  if (json.is_object()) {
+    const PointOutcome outcome = writtenOutcome(json, folder);
+    const bool removed = !fs::exists(folder / "run/run.json", ignored);
+    return outcome.state == PointState::Done && removed ? PointOutcome() : outcome;
+  }
+  PointOutcome outcome;
   if (record::RunDirectory::isBeingWritten(folder)) {
     outcome.state = PointState::Running;
   } else if (fs::exists(folder / "run", ignored)) {

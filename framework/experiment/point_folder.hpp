@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The folder of one run of a sweep, which alone says what is to be run and what became of it:
+// The folder of one run of a sweep. It contains all about the run and its outcome:
 //   config.yaml   the whole configuration, frozen when the run was planned
 //   point.json    name, factors, key, digests of the inputs, the run whose answers it takes
 //   run/          the run directory
@@ -30,16 +30,22 @@ struct PointOutcome {
   bool replayed = false;  ///< took the answers of another run
 };
 
-/// Writes config.yaml and point.json below `sweep`, unless they are there already: what is frozen
-/// does not change.
+/// Writes config.yaml and point.json below `sweep`. Existing ones are kept: a frozen run does not
+/// change.
 Status freeze(const std::filesystem::path& sweep, const PlannedRun& run);
 
 /// A frozen run, without its configuration.
 Result<PlannedRun> readPoint(const std::filesystem::path& folder);
-/// All of a sweep's folder: those of the last plan in its order, then the others by name.
-std::vector<PlannedRun> readPoints(const std::filesystem::path& sweep);
+/// The frozen runs of a sweep's folder.
+struct FrozenRuns {
+  std::vector<PlannedRun> planned;   ///< runs of the last plan in its order; all without points.txt
+  std::vector<PlannedRun> earlier;   ///< runs only of earlier plans, by folder
+  std::vector<std::string> missing;  ///< folders of the last plan without a readable point.json
+  bool empty() const { return planned.empty() && earlier.empty() && missing.empty(); }
+};
+FrozenRuns frozenRuns(const std::filesystem::path& sweep);
 
-/// Which runs the file of the sweep has now, in its order: points.txt.
+/// Writes points.txt: the runs of the current plan, in its order.
 Status writePlanOrder(const std::filesystem::path& sweep, const std::vector<PlannedRun>& runs);
 /// Folders of the last plan; empty where there is no points.txt.
 std::vector<std::string> planOrder(const std::filesystem::path& sweep);

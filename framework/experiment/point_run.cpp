@@ -24,7 +24,16 @@ constexpr const char* kPlanAgain =
   throw run::Failed({kind, message});
 }
 
-void requireUnchanged(const Inputs& inputs) {
+void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
+  const auto config = record::fileDigest(folder / "config.yaml");
+  if (!config.isOk() || (!point.config_sha256.empty() && config.value() != point.config_sha256)) {
+    refuse(
+        FailureKind::Configuration,
+        (folder / "config.yaml").string() +
+            " has changed since the run was planned; change the file of the sweep instead, remove "
+            "this folder, and plan again with `tolman sweep`");
+  }
+  const Inputs& inputs = point.inputs;
   const auto host = record::fileDigest("/proc/self/exe");
   if (!host.isOk() || host.value() != inputs.host) {
     refuse(FailureKind::Configuration, std::string("tolman") + kPlanAgain);
@@ -42,7 +51,7 @@ void requireUnchanged(const Inputs& inputs) {
   }
 }
 
-/// The configuration to run: the frozen one, or the same on the answers of another run.
+/// The configuration to run: the frozen one, or a copy that replays the answers of another run.
 std::string configOf(const fs::path& folder, const PlannedRun& point,
                      const PointRunOptions& options, bool& replayed) {
   const fs::path sweep = folder.parent_path();
@@ -68,7 +77,7 @@ std::string configOf(const fs::path& folder, const PlannedRun& point,
 run::Outcome execute(const fs::path& folder, const PlannedRun& point,
                      const PointRunOptions& options, const Cancellation& cancellation,
                      bool& replayed) {
-  requireUnchanged(point.inputs);
+  requireUnchanged(folder, point);
   run::SystemOptions system{configOf(folder, point, options, replayed), {}, options.plugin_paths};
   system.quiet = true;
   if (options.threads > 0) {
@@ -83,7 +92,7 @@ run::Outcome execute(const fs::path& folder, const PlannedRun& point,
   return run.execute(std::move(checked));
 }
 
-/// An empty folder is left as that of an earlier run would be refused.
+/// Removes a run directory without a record, which a new run would refuse to replace.
 void removeUnfinished(const fs::path& run) {
   std::error_code ignored;
   if (!fs::exists(run / "run.json", ignored) && !fs::exists(run / "run.sqlite", ignored)) {
@@ -91,7 +100,7 @@ void removeUnfinished(const fs::path& run) {
   }
 }
 
-/// Waits for another process that runs it, such as one whose sweep was killed a moment ago.
+/// Waits while another process runs this point, for example one whose sweep was killed just before.
 record::FileDescriptor lockWhenFree(const fs::path& folder, const Cancellation& cancellation) {
   for (;;) {
     record::FileDescriptor lock = record::lockFolder(folder);

@@ -23,7 +23,7 @@ struct PointRunOptions {
   std::function<int(const run::Failure&)> failure_code;
 };
 
-/// What became of the run; also when it had ended before. An interrupted one has the state
+/// The outcome of the run; also if it had ended before. An interrupted run has the state
 /// Interrupted and no outcome.json.
 PointOutcome runPoint(const std::filesystem::path& folder, const PointRunOptions& options,
                       const Cancellation& cancellation);

@@ -12,16 +12,16 @@ namespace {
 
 constexpr std::size_t kMostPoints = 100'000;
 
-void join(Point& point, const Choice& choice) {
+void join(SweepPoint& point, const Choice& choice) {
   for (const Factor& factor : choice.factors) point.factors.push_back(factor);
   for (const Setting& setting : choice.settings) point.settings.push_back(setting);
   if (choice.front_end) point.front_end = choice.front_end;
 }
 
-/// Each point with each choice; the axis varies fastest.
-std::vector<Point> times(const std::vector<Point>& points, const Axis& axis) {
-  std::vector<Point> product;
-  for (const Point& point : points) {
+/// Combines each point with each choice; the axis varies fastest.
+std::vector<SweepPoint> times(const std::vector<SweepPoint>& points, const Axis& axis) {
+  std::vector<SweepPoint> product;
+  for (const SweepPoint& point : points) {
     for (const Choice& choice : axis) {
       if (product.size() > kMostPoints) return product;
       join(product.emplace_back(point), choice);
@@ -30,17 +30,95 @@ std::vector<Point> times(const std::vector<Point>& points, const Axis& axis) {
   return product;
 }
 
-bool meets(const Point& point, const Exclusion::Condition& condition) {
+/// Whether two values set a common key.
+bool overlap(const config::Node& a, const config::Node& b) {
+  if (!a.isMap() || !b.isMap()) return true;
+  return std::ranges::any_of(a.children, [&](const config::Node& child) {
+    const config::Node* same = b.find(child.key);
+    return same != nullptr && overlap(child, *same);
+  });
+}
+
+bool overlap(const Setting& a, const Setting& b) {
+  if (a.key.size() > b.key.size()) return overlap(b, a);
+  if (a.key == b.key) return overlap(*a.value, *b.value);
+  if (!b.key.starts_with(a.key + ".")) return false;
+  const config::Node* node = a.value.get();  // at the key of b
+  for (std::size_t begin = a.key.size() + 1; begin <= b.key.size() && node != nullptr;) {
+    const std::size_t end = std::min(b.key.find('.', begin), b.key.size());
+    node = node->find(b.key.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return node != nullptr && overlap(*node, *b.value);
+}
+
+/// The settings of an axis. Of plain values for one key only the first is kept; all overlap alike.
+std::vector<Setting> settingsOf(const Axis& axis) {
+  std::vector<Setting> all;
+  std::set<std::string> seen;
+  for (const Choice& choice : axis) {
+    for (const Setting& setting : choice.settings) {
+      const bool is_new = seen.insert(setting.key).second;
+      if (is_new || setting.value->isMap()) all.push_back(setting);
+    }
+  }
+  return all;
+}
+
+std::set<std::string> factorsOf(const Axis& axis) {
+  std::set<std::string> names;
+  for (const Choice& choice : axis) {
+    for (const Factor& factor : choice.factors) names.insert(factor.name);
+  }
+  return names;
+}
+
+/// Refuses two axes that set the same key: the later one would override the other, whose label
+/// would then be wrong.
+void refuseOverlap(const Axis& a, const Axis& b, const std::string& file,
+                   config::Problems& problems) {
+  const std::set<std::string> names = factorsOf(a);
+  for (const std::string& name : factorsOf(b)) {
+    if (!names.contains(name)) continue;
+    problems.push_back({config::Origin::ofFile(file), name,
+                        "varies in two ways, and a run has one value of it; remove one of them"});
+    return;
+  }
+  for (const Setting& other : settingsOf(b)) {
+    for (const Setting& setting : settingsOf(a)) {
+      if (!overlap(setting, other)) continue;
+      problems.push_back({other.value->origin, other.key,
+                          "is set at " + config::text(setting.value->origin) +
+                              " for the same runs; remove one of the two"});
+      return;
+    }
+  }
+}
+
+void refuseOverlaps(const SweepFile& sweep, config::Problems& problems) {
+  std::vector<const Axis*> product;
+  for (const Axis& axis : sweep.axes) product.push_back(&axis);
+  for (const Axis& axis : sweep.repeats) product.push_back(&axis);
+  for (std::size_t b = 1; b < product.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a)
+      refuseOverlap(*product[a], *product[b], sweep.file, problems);
+  }
+  for (const Axis& axis : sweep.repeats) {
+    refuseOverlap(sweep.include, axis, sweep.file, problems);
+  }
+}
+
+bool meets(const SweepPoint& point, const Exclusion::FactorLabels& condition) {
   return std::ranges::any_of(point.factors, [&](const Factor& factor) {
     return factor.name == condition.factor &&
            std::ranges::find(condition.labels, factor.label) != condition.labels.end();
   });
 }
 
-void removeExcluded(std::vector<Point>& points, const SweepFile& sweep,
+void removeExcluded(std::vector<SweepPoint>& points, const SweepFile& sweep,
                     config::Problems& problems) {
   std::vector<std::string> names;
-  for (const Point& point : points) {
+  for (const SweepPoint& point : points) {
     for (const Factor& factor : point.factors) {
       if (std::ranges::find(names, factor.name) == names.end()) names.push_back(factor.name);
     }
@@ -53,18 +131,20 @@ void removeExcluded(std::vector<Point>& points, const SweepFile& sweep,
                               config::didYouMean(condition.factor, names) +
                               "; factors: " + config::listed(names)});
     }
-    const std::size_t removed = std::erase_if(points, [&](const Point& point) {
+    const std::size_t removed = std::erase_if(points, [&](const SweepPoint& point) {
       return std::ranges::all_of(exclusion.conditions,
                                  [&](const auto& condition) { return meets(point, condition); });
     });
-    if (removed == 0) problems.push_back({exclusion.origin, "exclude", "leaves out no point"});
+    if (removed == 0)
+      problems.push_back({exclusion.origin, "exclude",
+                          "leaves out no point; remove the entry, or correct its labels"});
   }
 }
 
-/// Factors by their last part where that is unique: "period" for "cells.period".
-std::map<std::string, std::string> shortNames(const std::vector<Point>& points) {
+/// Names of factors, shortened to the last part if that is unique: "period" for "cells.period".
+std::map<std::string, std::string> shortNames(const std::vector<SweepPoint>& points) {
   std::map<std::string, std::set<std::string>> by_end;
-  for (const Point& point : points) {
+  for (const SweepPoint& point : points) {
     for (const Factor& factor : point.factors) {
       by_end[factor.name.substr(factor.name.rfind('.') + 1)].insert(factor.name);
     }
@@ -76,10 +156,10 @@ std::map<std::string, std::string> shortNames(const std::vector<Point>& points) 
   return names;
 }
 
-void nameAll(std::vector<Point>& points, const SweepFile& sweep) {
+void nameAll(std::vector<SweepPoint>& points, const SweepFile& sweep) {
   const auto names = shortNames(points);
   std::map<std::string, int> taken;
-  for (Point& point : points) {
+  for (SweepPoint& point : points) {
     for (const Factor& factor : point.factors) {
       point.name += (point.name.empty() ? "" : ",") + names.at(factor.name) + "=" + factor.label;
     }
@@ -91,12 +171,14 @@ void nameAll(std::vector<Point>& points, const SweepFile& sweep) {
 
 }  // namespace
 
-std::vector<Point> pointsOf(const SweepFile& sweep, config::Problems& problems) {
-  std::vector<Point> points(1);
+std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& problems) {
+  refuseOverlaps(sweep, problems);
+  std::vector<SweepPoint> points(1);
   const bool only_included = sweep.axes.empty() && !sweep.include.empty();
   if (only_included) points.clear();
   for (const Axis& axis : sweep.axes) points = times(points, axis);
-  for (const Point& point : times(std::vector<Point>(1), sweep.include)) points.push_back(point);
+  for (const SweepPoint& point : times(std::vector<SweepPoint>(1), sweep.include))
+    points.push_back(point);
   for (const Axis& axis : sweep.repeats) points = times(points, axis);
   if (points.size() > kMostPoints) {
     problems.push_back({config::Origin::ofFile(sweep.file), "", "has more than 100000 points"});

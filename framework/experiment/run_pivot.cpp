@@ -4,15 +4,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <optional>
 
 #include "config/nearest_name.hpp"
+#include "experiment/mixtures.hpp"
+#include "experiment/repeated_rows.hpp"
 
 namespace tolman::experiment {
 namespace {
 
-using Runs = std::vector<const RunRow*>;
+using Runs = RunPointers;
+
+constexpr int kWidest = 100;  // characters of a number
 
 /// Text, then a metric; the last part has no metric.
 struct CellPart {
@@ -40,6 +45,20 @@ Result<std::vector<CellPart>> partsOf(const std::string& cell) {
   return parts;
 }
 
+/// Whether a format has a width or a number of digits above kWidest, which would need too much
+/// memory.
+bool isTooWide(const std::string& format) {
+  constexpr std::string_view kDigits = "0123456789";
+  for (std::size_t i = 0; (i = format.find_first_of(kDigits, i)) != std::string::npos;) {
+    const std::size_t end = std::min(format.find_first_not_of(kDigits, i), format.size());
+    int number = 0;
+    const auto read = std::from_chars(&format[i], &format[i] + (end - i), number);
+    if (read.ec != std::errc{} || number > kWidest) return true;
+    i = end;
+  }
+  return false;
+}
+
 std::optional<double> meanOf(const Runs& runs, const std::string& metric) {
   double sum = 0;
   for (const RunRow* run : runs) {
@@ -50,7 +69,7 @@ std::optional<double> meanOf(const Runs& runs, const std::string& metric) {
   return sum / static_cast<double>(runs.size());
 }
 
-/// A metric that a run does not have gives a dash.
+/// The text of a cell; a dash for a metric that a run does not have.
 std::string filled(const std::vector<CellPart>& parts, const Runs& runs) {
   std::string text;
   for (const CellPart& part : parts) {
@@ -67,6 +86,7 @@ bool isAveraged(const std::string& factor, const PivotOptions& options) {
 }
 
 Status oneKind(const Runs& runs, const PivotOptions& options) {
+  if (Status status = refuseMixtures(runs, options.mixed_coverage); !status.isOk()) return status;
   for (const RunRow* run : runs) {
     for (const Factor& factor : run->factors) {
       if (isAveraged(factor.name, options) || runs.front()->label(factor.name) == factor.label)
@@ -79,7 +99,7 @@ Status oneKind(const Runs& runs, const PivotOptions& options) {
   return Status::ok();
 }
 
-/// Levels in the order in which they come first.
+/// Levels in the order of their first occurrence.
 struct Levels {
   std::vector<std::string> labels;
   void add(const std::string& label) {
@@ -89,13 +109,8 @@ struct Levels {
 
 class Pivot {
  public:
-  Pivot(const std::vector<RunRow>& rows, const PivotOptions& options) : options_(options) {
-    for (const RunRow& row : rows) {
-      const bool wanted = std::ranges::all_of(
-          options.only, [&](const auto& only) { return row.label(only.first) == only.second; });
-      if (wanted) runs_.push_back(&row);
-    }
-  }
+  Pivot(const std::vector<RunRow>& rows, const PivotOptions& options)
+      : options_(options), runs_(pointersTo(rows)) {}
 
   Result<TextTable> table() {
     Status status = chooseFactors();
@@ -118,7 +133,7 @@ class Pivot {
   }
 
  private:
-  /// All runs of a level are one cell, which each column shows in its own way.
+  /// A table with one row per level; each column shows another text about all runs of the level.
   Result<TextTable> valueTable(Status status) {
     table_.heading = {heading()};
     for (const auto& [head, cell] : options_.values) table_.heading.push_back(head);
@@ -166,6 +181,10 @@ class Pivot {
       const bool known = std::ranges::any_of(
           runs_, [&](const RunRow* run) { return run->metrics.contains(part.metric); });
       if (!known) return Status::invalidParameter("no run has the metric '" + part.metric + "'");
+      if (isTooWide(part.format)) {
+        return Status::invalidParameter(
+            fmt::format("'{}': a width or a number of digits above {}", part.format, kWidest));
+      }
       try {
         (void)fmt::format(fmt::runtime(part.format), 0.0);
       } catch (const fmt::format_error& error) {
@@ -193,7 +212,7 @@ class Pivot {
     return Status::ok();
   }
 
-  /// Empty where there are no such runs.
+  /// Adds a cell; it is empty if there are no such runs.
   Status addCell(std::vector<std::string>& row, const std::string& cell,
                  Cells::const_iterator runs) const {
     const auto parts = partsOf(cell);
@@ -218,7 +237,15 @@ class Pivot {
 }  // namespace
 
 Result<TextTable> pivotOf(const std::vector<RunRow>& rows, const PivotOptions& options) {
-  return Pivot(rows, options).table();
+  std::vector<RunRow> wanted;
+  for (const RunRow& row : rows) {
+    if (hasLabels(row, options.only)) wanted.push_back(row);
+  }
+  const Result<std::string> repeated = mergeRepeats(wanted);
+  if (!repeated.isOk()) return repeated.status();
+  Result<TextTable> table = Pivot(wanted, options).table();
+  if (table.isOk() && !repeated.value().empty()) table.value().notes = {repeated.value()};
+  return table;
 }
 
 }  // namespace tolman::experiment

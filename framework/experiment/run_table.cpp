@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -16,6 +15,7 @@
 #include "experiment/point_folder.hpp"
 #include "experiment/text_table.hpp"
 #include "record/digest.hpp"
+#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "run/run_names.hpp"
 
@@ -34,15 +34,13 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
   }
 }
 
-/// Differs from run to run of the same configuration.
-bool isTime(const std::string& metric) {
-  return metric.starts_with("timing.") || metric.starts_with("finish_s.");
-}
+/// A comparison refuses runs whose coverage differs, because their errors are of different paths.
+constexpr const char* kCoverage = "map.coverage";
 
 Result<RunRow> readRun(const fs::path& directory) {
   RunRow row;
   row.directory = directory;
-  std::ifstream stream(directory / "metrics.json", std::ios::binary);
+  std::ifstream stream = record::openRegular(directory / "metrics.json");
   const Json metrics = Json::parse(stream, nullptr, false);
   if (!metrics.is_object()) {
     return Status::invalidInput(
@@ -81,9 +79,11 @@ void addConfigFactors(std::vector<RunRow*>& rows) {
   }
 }
 
-/// As csvOf() writes them: the factors stand between the name and the alignment.
+/// Reads a table of csvOf(), with the factors between the columns name and alignment.
 Result<std::vector<RunRow>> readCsv(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = record::openRegular(file);
+  if (!stream.is_open())
+    return Status::invalidInput(file.string() + ": not a readable file; check the path");
   const auto lines = csvRows({std::istreambuf_iterator<char>(stream), {}});
   const auto bad = [&](const std::string& why) {
     return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`: " + why);
@@ -93,6 +93,10 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
   const auto factors = static_cast<std::size_t>(begin - lines.front().begin());
   if (factors < 1 || factors + 3 > lines.front().size()) {
     return bad("its first line has no alignment, truth and results after the factors");
+  }
+  for (auto name = lines.front().begin(); name != lines.front().end(); ++name) {
+    if (std::find(lines.front().begin(), name, *name) == name) continue;
+    return bad("line 1 has two columns '" + *name + "'; rename or remove one of them");
   }
   std::vector<RunRow> rows;
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -120,21 +124,11 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
   return rows;
 }
 
-/// The runs of its last plan, without front ends.
-std::vector<PlannedRun> plannedRuns(const fs::path& folder) {
-  std::vector<PlannedRun> points = readPoints(folder);
-  const auto order = planOrder(folder);
-  std::erase_if(points, [&](const PlannedRun& point) {
-    const bool planned = order.empty() || std::ranges::find(order, point.folder) != order.end();
-    return point.is_front_end || !planned;
-  });
-  return points;
-}
-
-/// Those that are done.
+/// The runs of its last plan that are done, without front ends.
 Result<std::vector<RunRow>> readSweep(const fs::path& folder) {
   std::vector<RunRow> rows;
-  for (const PlannedRun& point : plannedRuns(folder)) {
+  for (const PlannedRun& point : frozenRuns(folder).planned) {
+    if (point.is_front_end) continue;
     const PointOutcome outcome = outcomeOf(folder / point.folder);
     if (outcome.state != PointState::Done) continue;
     auto row = readRun(folder / point.folder / "run");
@@ -147,23 +141,40 @@ Result<std::vector<RunRow>> readSweep(const fs::path& folder) {
   return rows;
 }
 
+/// Reads a CSV table, a sweep, or the folder of a sweep's archive.
+Result<std::vector<RunRow>> readTable(const fs::path& path) {
+  if (path.extension() == ".csv") return readCsv(path);
+  const bool is_archive = fs::exists(path / "rerun.sh") && fs::exists(path / "results.csv");
+  return is_archive ? readCsv(path / "results.csv") : readSweep(path);
+}
+
 }  // namespace
+
+bool isTime(const std::string& metric) {
+  return metric.starts_with("timing.") || metric.starts_with("finish_s.");
+}
 
 std::string unfinishedText(const fs::path& sweep) {
   if (sweep.extension() == ".csv") return "";
-  const std::vector<PlannedRun> points = plannedRuns(sweep);
+  FrozenRuns frozen = frozenRuns(sweep);
+  std::erase_if(frozen.planned, [](const PlannedRun& point) { return point.is_front_end; });
   std::size_t failed = 0;
   std::size_t waiting = 0;
-  for (const PlannedRun& point : points) {
+  for (const PlannedRun& point : frozen.planned) {
     const PointState state = outcomeOf(sweep / point.folder).state;
     if (state == PointState::Failed) ++failed;
     if (state != PointState::Failed && state != PointState::Done) ++waiting;
   }
-  if (failed + waiting == 0) return "";
+  if (failed + waiting + frozen.missing.size() == 0) return "";
+  const std::string missing =
+      frozen.missing.empty()
+          ? ""
+          : fmt::format(", {} have no readable point.json", frozen.missing.size());
   return fmt::format(
-      "{}: of {} runs {} failed and {} are not done, and are not in the table; see "
+      "{}: of {} runs {} failed and {} are not done{}, and are not in the table; see "
       "`tolman sweep status {}`",
-      sweep.string(), points.size(), failed, waiting, sweep.string());
+      sweep.string(), frozen.planned.size() + frozen.missing.size(), failed, waiting, missing,
+      sweep.string());
 }
 
 std::string RunRow::label(const std::string& factor) const {
@@ -171,13 +182,29 @@ std::string RunRow::label(const std::string& factor) const {
   return found == factors.end() ? "" : found->label;
 }
 
+std::string RunRow::labelsWithout(const std::string& factor) const {
+  std::string labels;
+  for (const Factor& own : factors) {
+    if (own.name != factor) labels += own.name + "=" + own.label + "\n";
+  }
+  return labels;
+}
+
+bool hasLabels(const RunRow& row, const std::vector<std::pair<std::string, std::string>>& only) {
+  return std::ranges::all_of(only, [&](const auto& asked) {
+    return std::ranges::any_of(only, [&](const auto& other) {
+      return other.first == asked.first && row.label(other.first) == other.second;
+    });
+  });
+}
+
 Result<std::vector<RunRow>> readRunRows(const std::vector<fs::path>& folders) {
   std::vector<RunRow> rows;
   std::vector<std::size_t> alone;
   for (const fs::path& folder : folders) {
-    auto own = folder.extension() == ".csv" ? readCsv(folder) : readSweep(folder);
+    auto own = readTable(folder);
     if (!own.isOk()) return own.status();
-    if (own.value().empty() && readPoints(folder).empty()) {
+    if (own.value().empty() && frozenRuns(folder).empty()) {
       auto row = readRun(folder);
       if (!row.isOk()) return row.status();
       alone.push_back(rows.size());
@@ -209,7 +236,8 @@ std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string
     }
     for (const auto& [name, value] : row.metrics) {
       const bool is_wanted =
-          wanted.empty() ? !isTime(name) : std::ranges::find(wanted, name) != wanted.end();
+          wanted.empty() ? !isTime(name)
+                         : std::ranges::find(wanted, name) != wanted.end() || name == kCoverage;
       if (is_wanted) metrics.insert(name);
     }
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "experiment/sweep_file.hpp"
@@ -20,22 +21,30 @@ struct RunRow {
   std::string alignment;
   std::string truth;      ///< digest of the true poses of the frames; empty without truth
   std::string results;    ///< digest of results.sha256
-  bool is_alone = false;  ///< of no sweep; its name is one of distinctNames()
+  bool is_alone = false;  ///< not a run of a sweep; its name is one of distinctNames()
 
-  /// Empty where the run has no such factor.
+  /// The label of a factor; empty if the run has no such factor.
   std::string label(const std::string& factor) const;
+  /// All labels but that one: equal in runs that differ in no other factor.
+  std::string labelsWithout(const std::string& factor) const;
 };
 
-/// Of sweeps all runs of the last plan that are done, without front ends, of others the run, and of
-/// files .csv the runs that csvOf() wrote. The factors of runs outside a sweep are the keys in
-/// which their configurations differ.
+/// Reads runs: of a sweep all runs of the last plan that are done, without front ends; of a run
+/// directory the run; of a .csv file the runs that csvOf() wrote. The factors of runs outside a
+/// sweep are the keys in which their configurations differ.
 Result<std::vector<RunRow>> readRunRows(const std::vector<std::filesystem::path>& folders);
 
-/// How many runs of a sweep failed or are not done; empty where all are, and for what is no sweep.
+/// Whether a metric is a time, which differs from run to run of the same configuration.
+bool isTime(const std::string& metric);
+
+/// How many runs of a sweep failed or are not done; empty if all are done or it is not a sweep.
 std::string unfinishedText(const std::filesystem::path& sweep);
 
-/// One line a run: name, factors, alignment, digests of truth and results, metrics: all but
-/// times, or those that are wanted.
+/// One line per run: name, factors, alignment, digests of truth and results, and the metrics
+/// `wanted`; by default all except times.
 std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string>& wanted = {});
+
+/// Whether a run has, for each factor in `only`, one of its labels there.
+bool hasLabels(const RunRow& row, const std::vector<std::pair<std::string, std::string>>& only);
 
 }  // namespace tolman::experiment

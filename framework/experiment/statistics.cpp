@@ -16,8 +16,8 @@ double meanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// Twice the rank of each value by size, from 1; equal ones share their mean rank, so that twice it
-/// is an integer.
+/// Twice the rank (from 1) of each value. Equal values share their mean rank, so only twice the
+/// rank is an integer.
 std::vector<std::size_t> doubleRanks(const std::vector<double>& sizes) {
   std::vector<std::size_t> order(sizes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -17,7 +17,7 @@ struct Summary {
 };
 Summary summaryOf(std::vector<double> values);
 
-/// The quantile between the two nearest of the sorted values, as numpy's default.
+/// The quantile, interpolated between the two nearest sorted values (numpy's default method).
 double quantile(const std::vector<double>& sorted, double share);
 
 struct Interval {
@@ -26,14 +26,14 @@ struct Interval {
 };
 
 /// The 95 % percentile interval of the mean by the bootstrap (Efron 1979), from 10,000 resamples.
-/// Of several groups (sequences) a resample draws groups with replacement, then within each its
-/// values (seeds) with replacement; the mean is that of the means of the groups. Groups must not be
+/// With several groups (sequences) a resample draws groups with replacement, then values (seeds)
+/// within each group with replacement; its mean is the mean of the group means. Groups must not be
 /// empty.
 Interval bootstrapMean(const std::vector<std::vector<double>>& groups, std::uint64_t seed);
 
 struct SignedRank {
   std::size_t n = 0;  ///< differences that are not zero
-  double p = 1;       ///< two-sided, exact: of all signs of the ranks; ties share their mean rank
+  double p = 1;  ///< two-sided, exact (over all signs of the ranks); ties share their mean rank
   double effect = 0;  ///< matched-pairs rank-biserial correlation, -1 to 1 (Kerby 2014)
 };
 /// Wilcoxon's signed rank test of differences against zero. Zeros are left out (Wilcoxon 1945).

@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
 #include <map>
 
 #include "experiment/point_folder.hpp"
 #include "experiment/run_table.hpp"
 #include "record/atomic_file.hpp"
+#include "record/regular_file.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string textOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = record::openRegular(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Where it is a whole value or the begin of a path.
+/// Replaces `from` where it is a whole value or the begin of a path.
 void replacePath(std::string& text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at)) {
     const char after = at + from.size() < text.size() ? text[at + from.size()] : '\n';
@@ -39,15 +39,15 @@ class Archive {
   }
 
   Status write() {
+    const auto rows = readRunRows({sweep_});
+    if (!rows.isOk()) return rows.status();
+    if (rows.value().empty()) return Status::invalidInput(sweep_.string() + ": no run is done");
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) return Status::failed(folder_.string() + ": " + error.message());
     if (!fs::is_empty(folder_, error)) return Status::failed(folder_.string() + ": is not empty");
-    const auto rows = readRunRows({sweep_});
-    if (!rows.isOk()) return rows.status();
-    if (rows.value().empty()) return Status::invalidInput(sweep_.string() + ": no run is done");
     add("results.csv", csvOf(rows.value()));
-    for (const PlannedRun& run : readPoints(sweep_)) {
+    for (const PlannedRun& run : frozenRuns(sweep_).planned) {
       if (outcomeOf(sweep_ / run.folder).state == PointState::Done) addRun(run);
     }
     add("rerun.sh", script());
@@ -66,7 +66,7 @@ class Archive {
     const fs::path from = sweep_ / run.folder;
     const fs::path to = fs::path("runs") / run.folder;
     std::string config = textOf(from / "config.yaml");
-    // The run of a front end that it replays is made anew as well.
+    // The front end that it replays is run again as well.
     if (!run.needs.empty()) {
       replacePath(config, (sweep_ / run.needs / "run").string(), "${AGAIN}/" + run.needs);
     }
@@ -91,21 +91,36 @@ class Archive {
     return found->second;
   }
 
+  /// Shell commands that make relative paths in the variables absolute.
+  std::string absolutePaths() const {
+    std::string text;
+    for (const auto& [path, name] : variables_) {
+      text += fmt::format("case ${{{0}-/}} in /*) ;; *) export {0}=\"$PWD/${0}\" ;; esac\n", name);
+    }
+    return text;
+  }
+
   std::string script() const {
     return "#!/bin/sh\n"
            "# Runs all runs of the archive again and compares the results, byte for byte. data.txt "
            "lists the variables\n"
            "# for data that lie elsewhere now:\n"
            "#   TOLMAN=/usr/bin/tolman DATA_1=/data/00 sh rerun.sh\n"
-           "# The new runs go to $AGAIN. The exit code is 0 where all results are the same.\n"
-           "cd \"$(dirname \"$0\")\" || exit 1\n"
-           "TOLMAN=${TOLMAN:-tolman}\nAGAIN=${AGAIN:-$PWD/again}\nexport AGAIN\ndiffer=0\n"
+           "# The new runs go to $AGAIN, what they say beside them. The exit code is 0 where all\n"
+           "# results are the same, 2 where a run could not be made, otherwise 1.\n" +
+           absolutePaths() +
+           "cd \"$(dirname \"$0\")\" || exit 2\n"
+           "TOLMAN=${TOLMAN:-tolman}\nAGAIN=${AGAIN:-$PWD/again}\nexport AGAIN\nended=0\n"
            "mkdir -p \"$AGAIN\"\nwhile read -r run; do\n"
-           "  if \"$TOLMAN\" --quiet rerun \"runs/$run\" --force --out \"$AGAIN/$run\" --verify "
-           "</dev/null; then\n"
-           "    echo \"same     $run\"\n  else\n    differ=1\n    echo \"differs  $run\"\n  fi\n"
+           "  said=\"$AGAIN/$run.txt\"\n  rm -f \"$AGAIN/$run/results.sha256\"\n"
+           "  if \"$TOLMAN\" rerun \"runs/$run\" --force --out \"$AGAIN/$run\" --verify </dev/null "
+           ">\"$said\" 2>&1\n"
+           "  then echo \"same     $run\"\n"
+           "  elif [ -f \"$AGAIN/$run/results.sha256\" ]\n"
+           "  then [ $ended = 2 ] || ended=1; echo \"differs  $run (see $said)\"\n"
+           "  else ended=2; echo \"not run  $run (see $said)\"; tail -n 3 \"$said\" >&2\n  fi\n"
            "done <<RUNS\n" +
-           fronts_ + runs_ + "RUNS\nexit $differ\n";
+           fronts_ + runs_ + "RUNS\nexit $ended\n";
   }
 
   fs::path sweep_;

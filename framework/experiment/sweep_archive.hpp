@@ -10,11 +10,12 @@
 namespace tolman::experiment {
 
 /// Writes into `folder`, which must be empty or new:
-///   rerun.sh          runs all runs that are done again, and compares the results byte for byte
-///   data.txt          what the runs read: variable, path, SHA-256 (or sizes and times), a line
-///   each results.csv       as of `tolman sweep collect` runs/NAME/        config.resolved.yaml,
-///   run.json, metrics.json, results.sha256, point.json
-/// In the configurations the paths of data are variables, with the path of now as default.
+///   rerun.sh     repeats all runs that are done, and compares the results byte for byte
+///   data.txt     one line per input: variable, path, SHA-256 (or digest of sizes and times)
+///   results.csv  the table of `tolman sweep collect`
+///   runs/NAME/   config.resolved.yaml, run.json, metrics.json, results.sha256, point.json
+///
+/// In the configurations the paths of data are variables, with the present path as default.
 Status writeSweepArchive(const std::filesystem::path& sweep, const std::filesystem::path& folder);
 
 }  // namespace tolman::experiment

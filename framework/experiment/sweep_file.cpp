@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
@@ -14,6 +13,7 @@
 #include "config/scalars.hpp"
 #include "config/yaml_reader.hpp"
 #include "experiment/samples.hpp"
+#include "record/regular_file.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -23,7 +23,8 @@ using NodePointer = std::shared_ptr<const Node>;
 
 constexpr std::int64_t kMostSamples = 100'000;
 
-/// The plugin of a stage, or the values in brackets.
+/// The label of a value: a scalar, the plugin of a stage, the values of a map, or a list in
+/// brackets.
 std::string labelOf(const Node& value) {
   if (value.isScalar()) return value.text;
   if (const Node* plugin = value.find("plugin"); plugin != nullptr && value.children.size() == 1) {
@@ -324,9 +325,8 @@ SweepFile readSweep(const std::filesystem::path& file, const config::Environment
   sweep.file = file.string();
   sweep.name = file.stem().string();
   const config::Origin origin = config::Origin::ofFile(file.string());
-  std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file, ignored) || !stream) {
+  std::ifstream stream = record::openRegular(file);
+  if (!stream.is_open()) {
     problems.push_back({origin, "", "no such file"});
     return sweep;
   }

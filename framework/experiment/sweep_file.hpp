@@ -19,18 +19,18 @@ struct Setting {
   std::shared_ptr<const config::Node> value;
 };
 
-/// What varies, and its value in one point, as tables show it.
+/// A factor that varies, and the label of its value in one point, for tables.
 struct Factor {
   std::string name;
   std::string label;
 };
 
-/// A run before points, made once: source, odometry and place of a configuration of its own, whose
-/// answers are replayed; or a first session, whose map is continued.
+/// A run that is made once, before the points that use it: source, odometry and place of another
+/// configuration, whose answers are replayed; or a first session, whose map is continued.
 struct FrontEnd {
   std::string label;
   bool is_session = false;
-  /// File, or the name of a shipped configuration; of a session that of the sweep, with its `set`.
+  /// File or name of a shipped configuration. For a session: the base of the sweep.
   std::shared_ptr<const config::Node> base;
   std::vector<Setting> settings;
 };
@@ -39,18 +39,18 @@ struct FrontEnd {
 struct Choice {
   std::vector<Factor> factors;
   std::vector<Setting> settings;
-  std::shared_ptr<const FrontEnd> front_end;  ///< null: that of the base
+  std::shared_ptr<const FrontEnd> front_end;  ///< null: the front end of the base
 };
 
 using Axis = std::vector<Choice>;
 
 /// Points with all of these labels are left out.
 struct Exclusion {
-  struct Condition {
+  struct FactorLabels {
     std::string factor;
     std::vector<std::string> labels;  ///< any of them
   };
-  std::vector<Condition> conditions;
+  std::vector<FactorLabels> conditions;
   config::Origin origin;
 };
 
@@ -58,7 +58,7 @@ struct SweepFile {
   std::string file;
   std::string name;
   std::shared_ptr<const config::Node> base;
-  std::vector<Setting> settings;  ///< of all points
+  std::vector<Setting> settings;  ///< for all points
   bool reuse = true;              ///< front ends that several points share are run once
   std::vector<Axis> axes;         ///< grid, list, random, sobol
   Axis include;                   ///< further points beside the product of `axes`
@@ -66,7 +66,7 @@ struct SweepFile {
   std::vector<Exclusion> exclude;
 };
 
-/// All problems of the file are added to `problems`; with new ones the result is not to be used.
+/// Adds all problems of the file to `problems`; if there are new ones, do not use the result.
 SweepFile readSweep(const std::filesystem::path& file, const config::Environment& environment,
                     config::Problems& problems);
 

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <numbers>
 
 #include "host/values.hpp"
+#include "tolman/geometry.hpp"
 
 namespace tolman::host {
 namespace {
@@ -16,7 +18,8 @@ Status failed(fmt::format_string<const T&...> text, const T&... values) {
   return Status::failed(fmt::format(text, values...));
 }
 
-/// Of a relative pose. With zero covariance the map would trust it over all other measurements.
+/// Checks the covariance of a relative pose. Zero is refused: the map would treat the pose as
+/// exact.
 Status checkMeasured(const Matrix6d& covariance, const char* field) {
   if (covariance.trace() != 0) return checkCovariance(covariance, field);
   return failed("'{}' is zero, which claims an exact pose; set it", field);
@@ -82,6 +85,22 @@ Status checkLink(const Link& link, std::int64_t experiences, const KnownMap& kno
   return checkCovariance(link.covariance, "covariance");
 }
 
+Status checkCounts(const MapGraph& graph, const KnownMap& known) {
+  const auto loops = std::ranges::count(graph.links, LinkKind::Loop, &Link::kind);
+  const auto differs = [](std::int64_t count, std::int64_t told) {
+    return told >= 0 && count != told;
+  };
+  if (differs(std::ssize(graph.experiences), known.experiences)) {
+    return failed("the graph has {} experiences, the last update {}", graph.experiences.size(),
+                  known.experiences);
+  }
+  if (differs(std::ssize(graph.links), known.links)) {
+    return failed("the graph has {} links, the last update {}", graph.links.size(), known.links);
+  }
+  if (!differs(loops, known.loops)) return Status::ok();
+  return failed("the graph has {} loop links, the last update {}", loops, known.loops);
+}
+
 Status checkRejected(const MapGraph& graph) {
   const auto links = static_cast<std::int64_t>(graph.links.size());
   std::int64_t last = -1;
@@ -102,8 +121,8 @@ Status checkCovariance(const Matrix6d& covariance, const char* field) {
   if (size == 0) return Status::ok();
   constexpr double kMost = 1e36;  // its root still fits into a float
   if (size > kMost) return failed("'{}' is larger than {:g} m^2", field, kMost);
-  // Shares of the largest element that rounding may cause: of the inverse of a badly conditioned
-  // information matrix, and of a product with one that is singular.
+  // Rounding errors as shares of the largest element: of the inverse of an ill-conditioned
+  // information matrix, and of a product with a singular one.
   constexpr double kAsymmetry = 1e-6;
   constexpr double kNegative = 1e-12;
   const Matrix6d scaled = covariance / size;
@@ -198,9 +217,7 @@ Status checkUpdate(const MapUpdate& update, std::int64_t last_version) {
 Status checkGraph(const MapGraph& graph, const KnownMap& known) {
   const auto count = static_cast<std::int64_t>(graph.experiences.size());
   if (graph.version < known.version) return failed("the version of the map decreased");
-  if (known.experiences >= 0 && count != known.experiences) {
-    return failed("the graph has {} experiences, the last update {}", count, known.experiences);
-  }
+  if (Status status = checkCounts(graph, known); !status.isOk()) return status;
   for (std::int64_t i = 0; i < count; ++i) {
     const Experience& experience = graph.experiences[static_cast<std::size_t>(i)];
     if (Status status = checkExperience(experience, i, known); !status.isOk()) return status;
@@ -210,6 +227,30 @@ Status checkGraph(const MapGraph& graph, const KnownMap& known) {
     if (Status status = checkLink(graph.links[i], count, known); !status.isOk()) return status;
   }
   return checkRejected(graph);
+}
+
+Status checkPlaced(const MapUpdate& update, const MapGraph& graph) {
+  if (update.experience < 0 || update.experience >= std::ssize(graph.experiences)) {
+    return Status::ok();
+  }
+  const Experience& experience = graph.experiences[static_cast<std::size_t>(update.experience)];
+  return checkSamePose(update.T_world_camera,
+                       experience.T_world_experience * update.T_experience_camera,
+                       fmt::format("experience {} of graph() and T_experience_camera of the update",
+                                   update.experience));
+}
+
+Status checkSamePose(const Eigen::Isometry3d& T_world_camera, const Eigen::Isometry3d& other,
+                     const std::string& what) {
+  // Tolerances for poses that are stored in single precision.
+  constexpr double kApart = 1e-3;       // m
+  constexpr double kApartShare = 1e-5;  // of the distance from the origin
+  constexpr double kTurned = 1e-3;      // rad
+  const double size = T_world_camera.translation().norm();
+  const double apart = (T_world_camera.translation() - other.translation()).norm();
+  const double turned = logSo3(T_world_camera.linear().transpose() * other.linear()).norm();
+  if (apart <= kApart + kApartShare * size && turned <= kTurned) return Status::ok();
+  return failed("is {:.4g} m and {:.3g} rad from the pose by {}", apart, turned, what);
 }
 
 }  // namespace tolman::host

@@ -15,7 +15,7 @@
 namespace tolman::host {
 namespace {
 
-/// A name as far as it can be shown, in quotes.
+/// A name in quotes, shortened and printable.
 std::string quoted(std::string_view name) {
   return "'" + config::printable(name.substr(0, config::kLongestName)) + "'";
 }
@@ -48,7 +48,7 @@ Status checkArray(const NamedArray& array) {
   return Status::failed("array '" + array.name + "' has NaN or infinity");
 }
 
-/// Whether all but the first of the axes are the same.
+/// Whether two shapes differ at most in the length of the first axis.
 bool differInLength(std::span<const int> a, std::span<const int> b) {
   if (a.size() != b.size()) return false;
   return a.empty() || std::ranges::equal(a.subspan(1), b.subspan(1));
@@ -70,7 +70,7 @@ Status checkTexts(const ArrayInfo& info) {
   return Status::ok();
 }
 
-/// Number and names are those of one frame.
+/// Checks the number of arrays, each array, and that names are unique.
 template <class Named, class CheckOne>
 Status checkEach(std::span<const Named> all, const CheckOne& check_one) {
   if (all.size() > config::kMostArrays) {

@@ -18,14 +18,14 @@ Status checkArrays(const std::vector<NamedArray>& arrays);
 /// Checks names, texts and numbers of descriptions.
 Status checkDescriptions(std::span<const ArrayInfo> arrays);
 
-/// The names and shapes of the arrays of a plugin, which stay the same over a run. Use one of the
-/// functions.
+/// Checks that names and shapes of the arrays of a plugin stay the same over a run. Call only one
+/// of the two functions.
 class ArrayShapes {
  public:
-  /// checkArrays(), and that the arrays are those of the first call.
+  /// checkArrays(), and requires the names and shapes of the first call.
   Status check(const std::vector<NamedArray>& arrays);
-  /// checkArrays(), and that an array of a name that was there before has its shape, for a list up
-  /// to its length (the first axis). A sensor need not measure at each frame.
+  /// checkArrays(), and requires that an array keeps its shape, except for the length of the first
+  /// axis. Arrays may be missing, because a sensor need not measure at each frame.
   Status checkShapes(const std::vector<NamedArray>& arrays);
 
  private:

@@ -73,7 +73,7 @@ void Catalogue::addLibrary(const fs::path& file) {
 }
 
 OrRefusal<Manifest> Catalogue::find(const std::string& id, Role role) const {
-  if (fs::path(id).has_extension()) return notFound(id, role);  // programs have no id
+  if (fs::path(id).has_extension()) return notFound(id, role);  // the file of a program, not an id
   auto found = find(id);
   auto* manifest = std::get_if<Manifest>(&found);
   if (manifest == nullptr) {

@@ -33,16 +33,16 @@ class Catalogue {
   /// the folders searched), plugin/wrong-role, plugin/ambiguous (twice in one folder).
   OrRefusal<Manifest> find(const std::string& id, Role role) const;
 
-  /// The manifest of `id` in any role; of a program, where `id` is the path of a file.
+  /// The manifest of `id` in any role. `id` may be the file of a program.
   OrRefusal<Manifest> find(const std::string& id) const;
 
-  /// The interpreter of this id; null for other plugins and unknown ones.
+  /// The interpreter with this id; null for other or unknown plugins.
   const Manifest* interpreter(const std::string& id) const;
   /// A program as a plugin, by the interpreter that runs files of its suffix. Refusals:
   /// plugin/not-found.
   OrRefusal<Manifest> program(const std::filesystem::path& file) const;
 
-  /// Of the plugins that are libraries.
+  /// The manifests of all plugins that are libraries.
   const std::vector<Manifest>& manifests() const { return manifests_; }
   const std::vector<Manifest>& interpreters() const { return interpreters_; }
   const std::vector<BrokenLibrary>& broken() const { return broken_; }

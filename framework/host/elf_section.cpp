@@ -18,7 +18,7 @@ class BoundedFile {
  public:
   explicit BoundedFile(const std::filesystem::path& file) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) return;  // a pipe would wait for its writer
+    if (!std::filesystem::is_regular_file(file, error)) return;  // a pipe would block
     stream_.open(file, std::ios::binary);
     size_ = std::filesystem::file_size(file, error);
   }

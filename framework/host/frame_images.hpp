@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether the images of a frame are those that the rig promises.
+// Checks the images of a frame against the rig.
 #pragma once
 
 #include "tolman/records.hpp"
@@ -7,8 +7,8 @@
 
 namespace tolman::host {
 
-/// Pixels are there, rows do not overlap, sizes are the rig's; of a pair both images or none, in
-/// one format.
+/// Requires valid pixels, rows that do not overlap, and the sizes of the rig; and of a pair either
+/// both images in one format or none.
 Status checkImages(const Frame& frame, const CameraRig& rig);
 
 }  // namespace tolman::host

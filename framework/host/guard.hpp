@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <new>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,8 +31,14 @@ inline std::string prefix(const CallSite& site) {
   return text + ": ";
 }
 
-/// A failure of this text. Memory may be short: then one so short that a std::string holds it in
-/// itself.
+/// Thrown by a method that cannot return the failure of an inner call. Its text is the complete
+/// message.
+struct FailedCall : std::runtime_error {
+  explicit FailedCall(const Status& status) : std::runtime_error(status.message()) {}
+};
+
+/// A failure with this text. If memory is short, the text is "out of memory", which std::string
+/// stores without an allocation.
 inline Status thrown(const char* begin, const char* what) noexcept {
   try {
     return Status::failed(std::string(begin) + what);
@@ -46,6 +53,8 @@ template <class Work>
 Status contained(Work&& work) noexcept {
   try {
     return std::forward<Work>(work)();
+  } catch (const FailedCall& failed) {
+    return thrown("", failed.what());
   } catch (const std::bad_alloc&) {
     return thrown("threw: std::bad_alloc", " (out of memory: `ulimit -v`, or that of the machine)");
   } catch (const std::exception& error) {

@@ -15,10 +15,10 @@
 
 namespace tolman::host {
 
-/// plugin/null-instance.
+/// The refusal plugin/null-instance.
 Refusal nullInstance(const Manifest& manifest);
 
-/// Fails also where the plugin answers Ok, but has left the stream in a failed state.
+/// Saves to the stream. Fails also if the plugin answers Ok but the stream has failed.
 Status saveTo(std::ostream& stream, const StateKeeper& state);
 
 class Instance {

@@ -10,14 +10,14 @@
 
 #include "host/guard.hpp"
 #include "host/schema.hpp"
-#include "tolman/program.hpp"
+#include "tolman/plugin.hpp"
 
 namespace tolman::host {
 namespace {
 
 using Entry = const PluginDescriptor*();
 
-/// What helps against a message of the dynamic linker.
+/// The remedy for a message of the dynamic linker.
 std::string remedyFor(const std::string& message) {
   const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
   if (says("annot allocate") || says("Too many open files") || says("failed to map")) {
@@ -35,7 +35,7 @@ OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
   const std::string file = manifest.file.string();
   try {
     dll::shared_library library(file, dll::load_mode::rtld_now | dll::load_mode::rtld_local);
-    // Keeps the library loaded; the header says why.
+    // Keeps the library loaded, see loadPlugin().
     if (::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NOLOAD | RTLD_NODELETE) != nullptr) {
       return library;
     }

@@ -24,7 +24,7 @@ T number(std::string_view text, const char* what, int base) {
   return value;
 }
 
-/// Without control characters, which a terminal would obey.
+/// The text without control characters, which a terminal would execute.
 std::string printable(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');

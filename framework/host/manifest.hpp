@@ -26,10 +26,10 @@ struct Manifest {
   std::uint64_t schema_hash = 0;
   std::string summary;
   std::vector<std::string> extras;  ///< interfaces beside the role: arrays, state, page, ...
-  /// Of an interpreter (tolman/program.hpp), else empty: the suffix of the programs that it runs.
+  /// Of an interpreter (tolman/plugin.hpp), else empty: the suffix of the programs that it runs.
   std::string programs;
-  std::filesystem::path program;  ///< absolute; the one that is meant. Its role is known when open
-  std::vector<std::string> program_files;  ///< that it reads beside; known when open
+  std::filesystem::path program;  ///< absolute path of the program; its role is known when open
+  std::vector<std::string> program_files;  ///< other files of the program; known when open
 
   bool hasExtra(std::string_view name) const {
     return std::find(extras.begin(), extras.end(), name) != extras.end();

@@ -13,7 +13,7 @@ Status MotionTimes::check(const Frame& frame, const Motion& motion) const {
   if (last_frame_ == INT64_MAX) return Status::ok();
   const double shortest = 1e-9 * static_cast<double>(frame.stamp_ns - given_ns_);
   const double longest = 1e-9 * static_cast<double>(frame.stamp_ns - answered_ns_);
-  const bool unknown = motion.state == TrackingState::Initialising;  // a new process counts from 0
+  const bool unknown = motion.state == TrackingState::Initialising;  // a new process has dt = 0
   if (motion.dt <= kFactor * longest && (unknown || kFactor * motion.dt >= shortest)) {
     return Status::ok();
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frames that odometry was given, and whether the durations that it answers agree with their
+// Remembers the frames that odometry was given, and checks the `dt` of its motions against their
 // stamps.
 #pragma once
 
@@ -13,15 +13,15 @@ namespace tolman::host {
 
 class MotionTimes {
  public:
-  /// `motion` is an answer to `frame`. Its `dt` must be within a factor of ten of the time since
-  /// the frame before: some plugins take a nominal rate. That is the last frame that odometry was
-  /// given, or, for a plugin that failed at it, the last one that it answered.
+  /// `motion` is the answer to `frame`. Its `dt` must be within a factor of ten of the time since
+  /// the previous frame, because some plugins use a nominal rate. The previous frame is the last
+  /// one that odometry was given or, if it failed there, the last one that it answered.
   Status check(const Frame& frame, const Motion& motion) const;
   /// To be called after each call, `answered` or not.
   void add(const Frame& frame, bool answered);
-  /// The last frame; the largest number where there was none.
+  /// The last frame; INT64_MAX if there was none.
   std::int64_t lastFrame() const { return last_frame_; }
-  /// False for a frame between the first and the last that was left out: realtime drops frames.
+  /// False for a frame between the first and the last that realtime dropped.
   bool wasGiven(std::int64_t frame) const;
 
  private:

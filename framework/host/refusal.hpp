@@ -10,7 +10,7 @@ namespace tolman::host {
 /// The ids are listed with their remedies in docs/errors.md.
 struct Refusal {
   std::string id;       ///< e.g. "plugin/fingerprint"
-  std::string message;  ///< what was looked for, where, what was found
+  std::string message;  ///< what was expected, where, and what was found
   std::string remedy;   ///< what to do
 
   std::string text() const { return "[" + id + "] " + message + "\n  remedy: " + remedy; }

@@ -10,8 +10,8 @@
 
 namespace tolman::host {
 
-/// The run directory is made after configure(), when all checks have passed; before that, writing
-/// fails.
+/// Writing fails until the run directory exists. It is created after configure(), when all checks
+/// have passed.
 class StageArtefacts : public ArtefactWriter {
  public:
   std::unique_ptr<ArtefactWriter> folder;

@@ -7,6 +7,7 @@
 #include "host/arrays.hpp"
 #include "host/frame_images.hpp"
 #include "host/values.hpp"
+#include "tolman/geometry.hpp"
 
 namespace tolman::host {
 namespace {
@@ -24,6 +25,18 @@ Status checkAnswer(const Question& question, const Answer& answer) {
                     answer.stamp_ns, question.stamp_ns));
   }
   return checkValues(answer);
+}
+
+/// Whether the pose of a frame agrees with that of the experience made at it. The tolerance allows
+/// a map to move the frame by a later loop, within the uncertainty of its links.
+bool isAtExperience(const Eigen::Isometry3d& T_world_camera,
+                    const Eigen::Isometry3d& T_world_experience) {
+  constexpr double kApart = 0.1;        // m
+  constexpr double kApartShare = 0.01;  // of the distance from the origin
+  constexpr double kTurned = 0.1;       // rad
+  const double most = kApart + kApartShare * T_world_camera.translation().norm();
+  const Eigen::Isometry3d between = T_world_camera.inverse() * T_world_experience;
+  return between.translation().norm() <= most && logSo3(between.linear()).norm() <= kTurned;
 }
 
 void shift(std::vector<MotionRevision>& revisions, std::int64_t frames) {
@@ -163,10 +176,11 @@ Status MapStage::update(const Motion& motion, const Decision& decision, MapUpdat
     return status.isOk() ? checkUpdate(update, known_.version) : status;
   });
   if (answered.isOk()) {
-    known_ = {motion.frame, update.version, update.experiences};
-  } else {  // the map may have changed, and this frame may stay without a record
-    known_.version = INT64_MIN;
-    known_.experiences = -1;
+    known_ = {motion.frame, update.version, update.experiences, update.links, update.loops};
+    last_ = update;
+  } else {  // the map may have changed, and this frame may have no record
+    known_ = {.newest_frame = known_.newest_frame};
+    last_.reset();
   }
   return answered;
 }
@@ -180,11 +194,44 @@ Status MapStage::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) {
   });
 }
 
+Status MapStage::checkLastPose() {
+  if (!last_) return Status::ok();
+  const MapUpdate last = *last_;
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
+  const Status status = poseOf(last.frame, T_world_camera);
+  if (!status.isOk()) return status;
+  return call("poseOf", last.frame, [&](Map&) {
+    return checkSamePose(T_world_camera, last.T_world_camera, "the update");
+  });
+}
+
 Status MapStage::graph(MapGraph& graph) {
   return call("graph", -1, [&](Map& map) {
-    const Status status = map.graph(graph);
-    return status.isOk() ? checkGraph(graph, known_) : status;
+    Status status = map.graph(graph);
+    if (status.isOk()) status = checkGraph(graph, known_);
+    return status.isOk() && last_ ? checkPlaced(*last_, graph) : status;
   });
+}
+
+Status MapStage::finish(const std::vector<MotionRevision>& revisions) {
+  last_.reset();  // finish() may move all poses and add links
+  known_.links = known_.loops = -1;
+  return call("finish", -1, &Map::finish, revisions);
+}
+
+Status MapStage::checkExperiences(const MapGraph& graph, const KnownPoses& pose_of) {
+  for (const Experience& experience : graph.experiences) {
+    const Eigen::Isometry3d* T_world_camera = pose_of(experience.frame);
+    if (T_world_camera == nullptr) continue;
+    if (isAtExperience(*T_world_camera, experience.T_world_experience)) continue;
+    const Status status = call("poseOf", experience.frame, [&](Map&) {
+      return checkSamePose(
+          *T_world_camera, experience.T_world_experience,
+          fmt::format("graph() of experience {}, which was made there", experience.id));
+    });
+    if (!status.isOk()) return status;
+  }
+  return Status::ok();
 }
 
 }  // namespace tolman::host

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The roles as the host calls them: under the guard, and with every answer checked against the
-// contract: frame, stamp, order in time, values that can be recorded (values.hpp, arrays.hpp), and
-// what its role promises (answers.hpp).
+// Calls the roles under the guard, and checks every answer against the contract: frame, stamp,
+// order in time, values that can be recorded (values.hpp, arrays.hpp), and the rules of its role
+// (answers.hpp).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -60,7 +62,7 @@ class SourceStage : public Stage<Source> {
   SourceInfo info_;
   ArrayShapes sensors_;
   std::int64_t first_frame_ = 0;
-  std::int64_t next_frame_ = 0;  ///< as the plugin counts
+  std::int64_t next_frame_ = 0;  ///< in the numbers of the plugin
   std::int64_t last_stamp_ns_ = 0;
 };
 
@@ -69,9 +71,9 @@ class OdometryStage : public Stage<Odometry> {
   using Stage::Stage;
   Status track(const Frame& frame, Motion& motion);
   Status finish(std::vector<MotionRevision>& revisions);
-  /// As SourceStage::startAt(): odometry starts anew in each session.
+  /// As SourceStage::startAt(), because odometry restarts in each session.
   void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
-  /// After reset(), or after a saved state was loaded.
+  /// To be called after reset(), or after a saved state was loaded.
   void expect() { times_ = {}; }
 
  private:
@@ -120,15 +122,28 @@ class MapStage : public Stage<Map> {
   using Stage::Stage;
   Status update(const Motion& motion, const Decision& decision, MapUpdate& update);
   Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera);
+  /// Also checks the counts and the pose of the last update against the graph; not after finish().
   Status graph(MapGraph& graph);
-  Status finish(const std::vector<MotionRevision>& revisions) {
-    return call("finish", -1, &Map::finish, revisions);
+  Status finish(const std::vector<MotionRevision>& revisions);
+  /// This frame and later ones were not recorded: a graph that names them is refused.
+  void forgetFrom(std::int64_t frame) {
+    known_.newest_frame = std::min(known_.newest_frame, frame - 1);
   }
-  /// After reset(), or after a saved state was loaded.
-  void expect() { known_ = {}; }
+  /// Checks that poseOf() gives the last frame the pose of its update; not after finish().
+  Status checkLastPose();
+  /// The pose of a frame as poseOf() answered it; null where it is not known.
+  using KnownPoses = std::function<const Eigen::Isometry3d*(std::int64_t)>;
+  /// Checks the pose of each experience against that of the frame at which it was made.
+  Status checkExperiences(const MapGraph& graph, const KnownPoses& pose_of);
+  /// To be called after reset(), or after a saved state was loaded.
+  void expect() {
+    known_ = {};
+    last_.reset();
+  }
 
  private:
   KnownMap known_;
+  std::optional<MapUpdate> last_;  ///< last update; none when the map may have changed since
 };
 
 class ObserverStage : public Stage<Observer> {

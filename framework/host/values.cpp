@@ -5,7 +5,7 @@
 
 namespace tolman::host {
 
-Status statusOf(const Problem& problem) {
+Status statusOf(const ValueProblem& problem) {
   return Status::failed(fmt::format(fmt::runtime(problem.what), problem.field));
 }
 

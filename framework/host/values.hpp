@@ -14,10 +14,10 @@
 
 namespace tolman::host {
 
-/// The first field with a wrong value, with those that contain it ("revisions.covariance").
-struct Problem {
+/// The first field with a wrong value, with its enclosing fields ("revisions.covariance").
+struct ValueProblem {
   std::string field;
-  const char* what = nullptr;  ///< null: all is well
+  const char* what = nullptr;  ///< null: no problem
 };
 
 inline constexpr const char* kIllegal = "the answer has NaN, infinity or an illegal value in '{}'";
@@ -39,7 +39,7 @@ inline const char* wrongIn(const Eigen::Isometry3d& T) {
   return config::isNear(T.translation()) ? nullptr : kTooFar;
 }
 
-/// What is wrong in a value that is neither a record nor a list of them; null where nothing is.
+/// The problem of a value that is neither a record nor a list of records; null if it has none.
 template <class T>
 const char* wrongIn(const T& value) {
   if constexpr (std::is_floating_point_v<T>) {
@@ -59,27 +59,27 @@ const char* wrongIn(const T& value) {
 }
 
 template <Record R>
-Problem problemOf(const R& record);
+ValueProblem problemOf(const R& record);
 
 template <class T>
-Problem problemOf(const T& value) {
+ValueProblem problemOf(const T& value) {
   return {"", wrongIn(value)};
 }
 
 template <Record R>
-Problem problemOf(const std::vector<R>& records) {
-  Problem problem;
+ValueProblem problemOf(const std::vector<R>& records) {
+  ValueProblem problem;
   for (const R& record : records) {
     if (problem = problemOf(record); problem.what != nullptr) break;
   }
   return problem;
 }
 
-inline Problem problemOf(const std::vector<NamedArray>&) { return {}; }
+inline ValueProblem problemOf(const std::vector<NamedArray>&) { return {}; }
 
 template <Record R>
-Problem problemOf(const R& record) {
-  Problem first;
+ValueProblem problemOf(const R& record) {
+  ValueProblem first;
   visitFields(record, [&](const Field& field, const auto& value) {
     if (first.what != nullptr) return;
     first = problemOf(value);
@@ -89,11 +89,11 @@ Problem problemOf(const R& record) {
   return first;
 }
 
-Status statusOf(const Problem& problem);
+Status statusOf(const ValueProblem& problem);
 
 template <class T>
 Status checkValues(const T& record) {
-  const Problem problem = problemOf(record);
+  const ValueProblem problem = problemOf(record);
   return problem.what == nullptr ? Status::ok() : statusOf(problem);
 }
 

@@ -10,7 +10,7 @@ namespace {
 // Measuring a pair takes 2 ms; one frame in five is measured, and every one while there is a fault.
 constexpr int kMeasuredEvery = 5;  // frames
 constexpr int kCertain = 12;       // matches
-constexpr int kSoundAgain = 5;     // measures after which a fault has ended
+constexpr int kSoundAgain = 5;     // measures without a fault after which it has ended
 
 /// Real cameras have noise, so two exposures never have the same pixels.
 bool samePixels(const Image& a, const Image& b) {
@@ -24,7 +24,7 @@ bool samePixels(const Image& a, const Image& b) {
   return true;
 }
 
-/// A covered or dark camera gives the same pixels for ever, and odometry sees that for itself.
+/// A covered or dark camera repeats uniform images. This is not a fault here: odometry detects it.
 bool isUniform(const Image& image) {
   const std::size_t bytes = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
   for (int r = 0; r < image.height(); ++r) {
@@ -36,14 +36,15 @@ bool isUniform(const Image& image) {
   return true;
 }
 
-/// As of a covered camera: of a pair both images are there or none.
+/// A black image, because a pair must have two images or none.
 Image darkened(const Image& image) {
   return Image::create(image.width(), image.height(), image.format(), [](std::uint8_t*) {});
 }
 
 }  // namespace
 
-/// A doubtful fault must be measured in two frames; one ends when it is not measured for a while.
+/// A fault with few matches must be measured in two frames. It ends after kSoundAgain measures
+/// without a fault.
 StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
   const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Looks at the images of each frame before the stages see them, for faults that an odometry can
-// take for motion: a camera that repeats its last image, a right image that is the left one, sides
-// that are exchanged, a right image of another time, or with its rows apart.
+// Checks the images of each frame before the stages get them, for faults that odometry may mistake
+// for motion: a camera that repeats its last image, a right image that equals the left one,
+// exchanged images, a right image of another time, or one with shifted rows.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,8 @@ namespace tolman::imaging {
 
 class FrameCheck {
  public:
-  /// Call it with each frame, in order. Images that cannot be used are taken out, or the right one
-  /// is made dark, as of a covered camera; then `defect` says why. Returns a note where a fault
-  /// begins, also for one with which the images can still be used: rows that are apart.
+  /// Call it with each frame, in order. If the images have a fault, both are removed, or only the
+  /// right one is made black; `defect` then says why. Returns a note where a fault begins.
   std::optional<std::string> check(Frame& frame);
 
  private:
@@ -25,7 +24,7 @@ class FrameCheck {
   struct Verdict {
     Fault fault = Fault::None;
     Use use = Use::Both;
-    std::string text;  ///< of the fault
+    std::string text;  ///< description of the fault
   };
   Verdict verdictOn(const Frame& frame);
   StereoFault stereoFault(const Frame& frame);

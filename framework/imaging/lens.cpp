@@ -6,7 +6,7 @@
 namespace tolman::imaging {
 namespace {
 
-// Where the distortion is followed: 84 degrees for a pinhole, the whole sphere for a fisheye.
+// Limits of the distortion model: 84 degrees for a pinhole, the whole sphere for a fisheye.
 constexpr double kMostRadius = 10;
 constexpr double kMostAngle = 3.14159265358979;
 constexpr double kLensStep = 1e-3;
@@ -33,7 +33,7 @@ double Lens::focal() const {
   return camera_.model == LensModel::Omnidirectional ? f / (1 + camera_.xi) : f;
 }
 
-/// Along the radius alone.
+/// Radial distortion of a radius, or of an angle for Equidistant.
 double Lens::distorted(double radius) const {
   const auto& k = camera_.distortion;
   const double s = radius * radius;
@@ -50,7 +50,7 @@ double Lens::distorted(double radius) const {
          (1 + s * (k[5] + s * (k[6] + s * k[7])));
 }
 
-/// Radial and tangential (Brown 1966, in the form of OpenCV).
+/// Radial and tangential distortion (Brown 1966, in the form of OpenCV).
 Eigen::Vector2d Lens::distorted(const Eigen::Vector2d& p) const {
   const double p1 = camera_.distortion[2];
   const double p2 = camera_.distortion[3];

@@ -13,15 +13,15 @@ class Lens {
  public:
   explicit Lens(const RawCamera& camera);
 
-  /// Point of the camera frame, at any distance, to its pixel, which may lie outside of the image.
-  /// None behind the camera, and beyond the angle from where on the polynomial of the distortion
-  /// falls: there it would give a second pixel to rays that the image does not show.
+  /// The pixel of a point of the camera frame at any distance; it may be outside of the image. None
+  /// behind the camera, and beyond the angle from which the polynomial of the distortion decreases:
+  /// there it would map rays that the image does not show.
   std::optional<Eigen::Vector2d> project(const Eigen::Vector3d& point) const;
-  /// As project(), but none outside of the image.
+  /// The same as project(), but none outside of the image.
   std::optional<Eigen::Vector2d> pixelOf(const Eigen::Vector3d& point) const;
   /// Pixels per unit of x/z at the centre of the image.
   double focal() const;
-  /// Whether pixels are those of a pinhole, without distortion.
+  /// Whether the camera is a pinhole without distortion.
   bool isPinhole() const;
 
  private:

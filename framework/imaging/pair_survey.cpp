@@ -11,11 +11,11 @@
 namespace tolman::imaging {
 namespace {
 
-// As of the checks of a run (stereo_check.cpp, chosen on kitti_clips/06).
+// The same limits as in the checks of a run (stereo_check.cpp, chosen on kitti_clips/06).
 constexpr std::size_t kFewestMatches = 20;
 constexpr double kRowsApart = 1.2;       // px
 constexpr double kShareExchanged = 0.6;  // of the matches
-constexpr double kWidelyApart = 3;       // px, that 10 % of the matches are beyond
+constexpr double kWidelyApart = 3;       // px; exceeded by 10 % of the matches
 
 GrayHalf mirrorImage(GrayHalf image) {
   for (int r = 0; r < image.height; ++r) {
@@ -53,7 +53,7 @@ std::vector<Finding> PairSurvey::findings() const {
   using Severity = Finding::Severity;
   const auto matches = static_cast<int>(rows_.size());
   if (mirrored_ >= static_cast<int>(kFewestMatches) && mirrored_ > 3 * matches) {
-    // If it is the left image, mirroring the right one makes a mirrored pair: sides exchanged.
+    // If the left image is the mirrored one, both are mirrored now, so the sides seem exchanged.
     const bool left = mirrored_exchanged_ > kShareExchanged * mirrored_;
     return {{Severity::Error, "pairs",
              fmt::format("the {} image is mirrored; mirror it back (left to right), and calibrate "

@@ -11,22 +11,25 @@ namespace tolman::imaging {
 namespace {
 
 constexpr int kGroup = 8;
-constexpr int kColumns = 16;         // of the raw image, that a group is made from
-constexpr int kMostRows = 8;         // more are slower than one by one
-constexpr std::uint8_t kNone = 128;  // as a column: gives 0
+constexpr int kColumns = 16;         // most columns of the raw image for one group
+constexpr int kMostRows = 8;         // with more rows, one pixel at a time is faster
+constexpr std::uint8_t kNone = 128;  // a column with the value 0
 
 template <int Channels>
-void interpolatePlaces(const Image& raw, std::span<const Place> places, std::uint8_t* out) {
+void interpolatePositions(const Image& raw, std::span<const RawPosition> positions,
+                          std::uint8_t* out) {
   const std::uint8_t* const data = raw.data();
   const std::ptrdiff_t stride = raw.stride();
-  for (const Place& place : places) {
-    if (place.right != Place::kNowhere) {
-      const std::uint8_t* above = data + place.y * stride + place.x * Channels;
+  for (const RawPosition& position : positions) {
+    if (position.right != RawPosition::kNowhere) {
+      const std::uint8_t* above = data + position.y * stride + position.x * Channels;
       const std::uint8_t* below = above + stride;
       for (int k = 0; k < Channels; ++k) {
-        const int upper = above[k] * (kParts - place.right) + above[k + Channels] * place.right;
-        const int lower = below[k] * (kParts - place.right) + below[k + Channels] * place.right;
-        const int down = ((lower - upper) * place.below + kParts / 2) >> 6;
+        const int upper =
+            above[k] * (kParts - position.right) + above[k + Channels] * position.right;
+        const int lower =
+            below[k] * (kParts - position.right) + below[k + Channels] * position.right;
+        const int down = ((lower - upper) * position.below + kParts / 2) >> 6;
         out[k] = static_cast<std::uint8_t>((upper + down + kParts / 2) >> 6);
       }
     }
@@ -44,7 +47,7 @@ void interpolatePlaces(const Image& raw, std::span<const Place> places, std::uin
   return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
 }
 
-/// From each raw row the pairs of columns are picked, and kept in those lanes that it belongs to.
+/// Selects the pairs of columns from each raw row, and keeps them in the lanes that use this row.
 [[gnu::target("sse4.1")]] inline __m128i interpolateGroup(const PixelGroup& group,
                                                           const std::uint8_t* row,
                                                           std::ptrdiff_t stride) {
@@ -73,33 +76,34 @@ void interpolatePlaces(const Image& raw, std::span<const Place> places, std::uin
   return _mm_packus_epi16(_mm_srai_epi16(sum, 6), _mm_setzero_si128());
 }
 
-[[gnu::target("sse4.1")]] void interpolateGroups(const Image& raw, std::span<const Place> places,
+[[gnu::target("sse4.1")]] void interpolateGroups(const Image& raw,
+                                                 std::span<const RawPosition> positions,
                                                  const PixelGroup* group, std::uint8_t* out) {
-  const std::size_t whole = places.size() / kGroup * kGroup;
+  const std::size_t whole = positions.size() / kGroup * kGroup;
   for (std::size_t at = 0; at < whole; at += kGroup, ++group, out += kGroup) {
     if (group->rows == 0) {
-      interpolatePlaces<1>(raw, places.subspan(at, kGroup), out);
+      interpolatePositions<1>(raw, positions.subspan(at, kGroup), out);
       continue;
     }
     const __m128i pixels = interpolateGroup(*group, raw.row(group->y) + group->x, raw.stride());
     _mm_storel_epi64(reinterpret_cast<__m128i*>(out), pixels);
   }
-  interpolatePlaces<1>(raw, places.subspan(whole), out);
+  interpolatePositions<1>(raw, positions.subspan(whole), out);
 }
 
 #endif
 
-PixelGroup groupOf(std::span<const Place> places, int raw_width) {
+PixelGroup groupOf(std::span<const RawPosition> positions, int raw_width) {
   int x = raw_width;
   int y = 65536;
   int x_end = 0;
   int y_end = 0;
-  for (const Place& place : places) {
-    if (place.right == Place::kNowhere) continue;
-    x = std::min<int>(x, place.x);
-    y = std::min<int>(y, place.y);
-    x_end = std::max(x_end, place.x + 2);
-    y_end = std::max(y_end, place.y + 1);
+  for (const RawPosition& position : positions) {
+    if (position.right == RawPosition::kNowhere) continue;
+    x = std::min<int>(x, position.x);
+    y = std::min<int>(y, position.y);
+    x_end = std::max(x_end, position.x + 2);
+    y_end = std::max(y_end, position.y + 1);
   }
   x = std::max(0, std::min(x, raw_width - kColumns));
   PixelGroup group;
@@ -109,22 +113,22 @@ PixelGroup groupOf(std::span<const Place> places, int raw_width) {
   group.x = static_cast<std::uint16_t>(x);
   group.y = static_cast<std::uint16_t>(y);
   group.rows = static_cast<std::uint32_t>(y_end - y);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Place& place = places[i];
-    const bool nowhere = place.right == Place::kNowhere;
-    group.column[i] = nowhere ? kNone : static_cast<std::uint8_t>(place.x - x);
-    group.row[i] = nowhere ? std::uint8_t{0} : static_cast<std::uint8_t>(place.y - y);
-    group.right[i] = nowhere ? std::uint8_t{0} : place.right;
-    group.below[i] = place.below;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const RawPosition& position = positions[i];
+    const bool nowhere = position.right == RawPosition::kNowhere;
+    group.column[i] = nowhere ? kNone : static_cast<std::uint8_t>(position.x - x);
+    group.row[i] = nowhere ? std::uint8_t{0} : static_cast<std::uint8_t>(position.y - y);
+    group.right[i] = nowhere ? std::uint8_t{0} : position.right;
+    group.below[i] = position.below;
   }
   return group;
 }
 
 }  // namespace
 
-void groupPlaces(std::span<const Place> places, int raw_width, PixelGroup* groups) {
-  for (; places.size() >= kGroup; places = places.subspan(kGroup)) {
-    *groups++ = groupOf(places.first(kGroup), raw_width);
+void groupPositions(std::span<const RawPosition> positions, int raw_width, PixelGroup* groups) {
+  for (; positions.size() >= kGroup; positions = positions.subspan(kGroup)) {
+    *groups++ = groupOf(positions.first(kGroup), raw_width);
   }
 }
 
@@ -136,13 +140,13 @@ bool hasGroupInstructions() {
 #endif
 }
 
-void interpolateRow(const Image& raw, std::span<const Place> places,
+void interpolateRow(const Image& raw, std::span<const RawPosition> positions,
                     [[maybe_unused]] const PixelGroup* groups, std::uint8_t* out) {
-  if (raw.format() != PixelFormat::Gray8) return interpolatePlaces<3>(raw, places, out);
+  if (raw.format() != PixelFormat::Gray8) return interpolatePositions<3>(raw, positions, out);
 #ifdef __x86_64__
-  if (groups != nullptr) return interpolateGroups(raw, places, groups, out);
+  if (groups != nullptr) return interpolateGroups(raw, positions, groups, out);
 #endif
-  interpolatePlaces<1>(raw, places, out);
+  interpolatePositions<1>(raw, positions, out);
 }
 
 }  // namespace tolman::imaging

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bilinear interpolation at the places of a PixelMap: one by one, or eight neighbours at once where
-// the processor has SSE4.1. Both give the same bytes, as both count in whole numbers.
+// Bilinear interpolation at the positions of a PixelMap: one by one, or eight neighbours at once
+// where the processor has SSE4.1. Both use integer arithmetic and give the same bytes.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace tolman::imaging {
 
-/// Parts of a pixel that places are rounded to.
+/// Positions are rounded to this fraction of a pixel: 1/64.
 constexpr int kParts = 64;
 
-/// Where one pixel comes from.
-struct Place {
+/// The position in the raw image that one pixel is interpolated from.
+struct RawPosition {
   static constexpr std::uint8_t kNowhere = 255;
 
-  std::uint16_t x = 0;  ///< the pixel above and left of the place
+  std::uint16_t x = 0;  ///< the pixel above and left of the position
   std::uint16_t y = 0;
   std::uint8_t right = kNowhere;  ///< share of the pixels to the right, in 1/64
   std::uint8_t below = 0;
@@ -28,21 +28,21 @@ struct Place {
 struct PixelGroup {
   std::uint16_t x = 0;       ///< first column
   std::uint16_t y = 0;       ///< first row
-  std::uint32_t rows = 0;    ///< that upper pixels come from
+  std::uint32_t rows = 0;    ///< number of raw rows of the upper pixels
   std::uint8_t column[8]{};  // NOLINT(modernize-avoid-c-arrays): loaded as one word
   std::uint8_t row[8]{};     // NOLINT(modernize-avoid-c-arrays)
   std::uint8_t right[8]{};   // NOLINT(modernize-avoid-c-arrays)
   std::uint8_t below[8]{};   // NOLINT(modernize-avoid-c-arrays)
 };
 
-/// The groups of one row of places; a last one of fewer than eight is left out.
-void groupPlaces(std::span<const Place> places, int raw_width, PixelGroup* groups);
+/// The groups of one row of positions; the last positions, if fewer than eight, are in no group.
+void groupPositions(std::span<const RawPosition> positions, int raw_width, PixelGroup* groups);
 
-/// Whether groups can be used.
+/// Whether the processor supports groups.
 bool hasGroupInstructions();
 
-/// Interpolates a row; `groups` null: one by one. Pixels from nowhere stay as they are (black).
-void interpolateRow(const Image& raw, std::span<const Place> places, const PixelGroup* groups,
-                    std::uint8_t* out);
+/// Interpolates a row; `groups` null: one by one. Pixels without a position are unchanged (black).
+void interpolateRow(const Image& raw, std::span<const RawPosition> positions,
+                    const PixelGroup* groups, std::uint8_t* out);
 
 }  // namespace tolman::imaging

@@ -12,7 +12,7 @@
 namespace tolman::imaging {
 namespace {
 
-constexpr int kRowsAtOnce = 32;  // of a task
+constexpr int kRowsAtOnce = 32;  // rows per task
 
 template <class Work>
 void forRows(int rows, const Work& work) {
@@ -22,7 +22,7 @@ void forRows(int rows, const Work& work) {
                     });
 }
 
-/// The pixel before a place; the rest in parts goes to `share`.
+/// The pixel before a position; `share` is the rest in 1/kParts px.
 std::uint16_t split(double at, int size, std::uint8_t& share) {
   const int parts = static_cast<int>(std::lround(at * kParts));
   const int whole = std::min(parts / kParts, size - 2);
@@ -38,27 +38,27 @@ PixelMap::PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
       raw_height_(raw.height),
       width_(rectified.width),
       height_(rectified.height),
-      places_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {
+      positions_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_)) {
   const bool grouped = speed == Speed::Fastest && hasGroupInstructions();
   if (grouped) groups_.resize(firstGroup(height_));
   const Lens lens(raw);
   const Eigen::Matrix3d R_raw_rectified = R_rectified_raw.transpose();
   forRows(height_, [&](int r) {
-    Place* place = places_.data() + std::ptrdiff_t{r} * width_;
-    for (int c = 0; c < width_; ++c, ++place) {
+    RawPosition* position = positions_.data() + std::ptrdiff_t{r} * width_;
+    for (int c = 0; c < width_; ++c, ++position) {
       const auto pixel = lens.pixelOf(R_raw_rectified * rectified.pinhole.ray({c, r}));
       if (!pixel) continue;
-      place->x = split(pixel->x(), raw_width_, place->right);
-      place->y = split(pixel->y(), raw_height_, place->below);
+      position->x = split(pixel->x(), raw_width_, position->right);
+      position->y = split(pixel->y(), raw_height_, position->below);
     }
-    if (grouped) groupPlaces(placesOf(r), raw_width_, groups_.data() + firstGroup(r));
+    if (grouped) groupPositions(positionsOf(r), raw_width_, groups_.data() + firstGroup(r));
   });
-  black_ = std::ranges::count(places_, Place::kNowhere, &Place::right);
+  black_ = std::ranges::count(positions_, RawPosition::kNowhere, &RawPosition::right);
 }
 
-std::span<const Place> PixelMap::placesOf(int row) const {
+std::span<const RawPosition> PixelMap::positionsOf(int row) const {
   const auto width = static_cast<std::size_t>(width_);
-  return std::span(places_).subspan(static_cast<std::size_t>(row) * width, width);
+  return std::span(positions_).subspan(static_cast<std::size_t>(row) * width, width);
 }
 
 Image PixelMap::apply(const Image& raw) const {
@@ -67,7 +67,7 @@ Image PixelMap::apply(const Image& raw) const {
     const std::ptrdiff_t stride = std::ptrdiff_t{width_} * bytesPerPixel(raw.format());
     forRows(height_, [&](int r) {
       const PixelGroup* groups = groups_.empty() ? nullptr : groups_.data() + firstGroup(r);
-      interpolateRow(raw, placesOf(r), groups, pixels + r * stride);
+      interpolateRow(raw, positionsOf(r), groups, pixels + r * stride);
     });
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the rectified image from a raw one: for each pixel the place in the raw image that it is
-// interpolated from, computed once.
+// Makes the rectified image from a raw one. The positions in the raw image from which the pixels
+// are interpolated are computed once.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +20,16 @@ class PixelMap {
   PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw, const CameraRig& rectified,
            Speed speed = Speed::Fastest);
 
-  /// Bilinear, in steps of 1/64 px; black where the raw image shows nothing. Parallel in rows: the
-  /// same bytes for any number of threads and any processor. An image of another size than the
-  /// map's stays empty.
+  /// Bilinear, in steps of 1/64 px; black where the raw image shows nothing. Rows are computed in
+  /// parallel; the bytes are the same for any number of threads and any processor. For a raw image
+  /// of another size than the map's the result is empty.
   Image apply(const Image& raw) const;
 
   /// Pixels that the raw image does not show.
   std::int64_t blackPixels() const { return black_; }
 
  private:
-  std::span<const Place> placesOf(int row) const;
+  std::span<const RawPosition> positionsOf(int row) const;
   std::size_t firstGroup(int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width_ / 8);
   }
@@ -38,8 +38,8 @@ class PixelMap {
   int raw_height_;
   int width_;
   int height_;
-  std::vector<Place> places_;       ///< row by row
-  std::vector<PixelGroup> groups_;  ///< the same in groups, or none
+  std::vector<RawPosition> positions_;  ///< row by row
+  std::vector<PixelGroup> groups_;      ///< the same in groups, or none
   std::int64_t black_ = 0;
 };
 

@@ -15,13 +15,13 @@ namespace {
 
 constexpr int kLeastSide = 32;  // px of a rectified image
 constexpr double kMostPixels = 100e6;
-constexpr double kLeastShare = 0.25;     // of a raw side that a view shows, unless it is asked for
+constexpr double kLeastShare = 0.25;     // least view of a raw side, unless the user asks for less
 constexpr double kLeastBaseline = 1e-3;  // m
 constexpr double kMostBaseline = 5;      // m
 constexpr double kMostTurned = 45;       // deg between the optical axes and the rectified one
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// The cameras to the view, for two of them with their baseline.
+/// Rotations from the raw cameras to the rectified view, and the baseline of two cameras.
 struct Turned {
   std::vector<Eigen::Matrix3d> R;
   double baseline = 0;  ///< m
@@ -88,7 +88,7 @@ Result<Turned> turnPair(const RawCamera& left, const RawCamera& right) {
   return Turned{{R, R * T_left_right.linear()}, baseline.norm()};
 }
 
-/// A rectangle at z = 1 of the rectified camera.
+/// A rectangle in the plane z = 1 of the rectified camera.
 struct Rectangle {
   std::array<double, 4> side{};  ///< left, top, right, bottom
 
@@ -97,7 +97,7 @@ struct Rectangle {
   }
 };
 
-/// How many of `count` points on each side a camera does not show.
+/// How many of 33 points on each side a camera does not show.
 std::array<int, 4> hiddenOn(const Rectangle& rectangle, const Lens& lens,
                             const Eigen::Matrix3d& R) {
   constexpr int kSteps = 32;
@@ -113,10 +113,10 @@ std::array<int, 4> hiddenOn(const Rectangle& rectangle, const Lens& lens,
   return hidden;
 }
 
-/// The side with most hidden points moves inwards until all cameras show the whole rectangle.
+/// Moves the side with most hidden points inwards until all cameras show the whole rectangle.
 Rectangle commonView(const std::vector<Lens>& lenses, const Turned& turned, double most_deg) {
   const double most = std::tan(0.5 * most_deg * kDegree);
-  constexpr double kShare = 1.0 / 256;  // of the rectangle, a step
+  constexpr double kShare = 1.0 / 256;  // one step, as a share of `most`
   Rectangle rectangle{{-most, -most, most, most}};
   while (rectangle.side[2] > rectangle.side[0] && rectangle.side[3] > rectangle.side[1]) {
     std::array<int, 4> hidden{};
@@ -175,7 +175,7 @@ Result<RectifiedView> prescribed(const RawRig& raw, double scale) {
   return view;
 }
 
-/// A single pinhole stays what it is.
+/// A single pinhole needs no rectification, only scaling.
 RectifiedView keepPinhole(const RawCamera& camera, double scale) {
   RectifiedView view;
   view.rig.width = camera.width;

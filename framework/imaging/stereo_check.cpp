@@ -14,12 +14,12 @@
 namespace tolman::imaging {
 namespace {
 
-// In pixels of the half images.
+// Lengths in pixels of the half images.
 constexpr int kRadius = 5;  // rows of a patch above and below its middle
 constexpr int kPatchWidth = 16;
 constexpr int kFarLeft = 64;   // largest disparity
 constexpr int kFarRight = 16;  // largest disparity of the wrong sign
-constexpr int kRows = 6;       // searched above and below
+constexpr int kRows = 6;       // rows that are searched above and below
 constexpr int kBorder = kPatchWidth / 2 + kRows + 1;
 constexpr int kColumnsOfCells = 12;
 constexpr int kRowsOfCells = 5;
@@ -27,7 +27,7 @@ constexpr int kRowsOfCells = 5;
 constexpr int kPatchArea = kPatchWidth * (2 * kRadius + 1);
 constexpr double kWeakestCorner = 40;      // smaller eigenvalue of the structure tensor, per pixel
 constexpr double kLargestDifference = 14;  // grey levels per pixel
-constexpr double kDistinct = 0.75;  // best difference relative to that of any place further off
+constexpr double kDistinct = 0.75;         // best difference relative to that of any distant place
 
 struct Corner {
   int x = 0;
@@ -81,9 +81,9 @@ std::vector<Corner> findCorners(const GrayHalf& image) {
   return corners;
 }
 
-/// The patch round a corner, brighter by `offset`.
 using Patch = std::array<std::uint8_t, kPatchArea>;
 
+/// The patch around a corner, brighter by `offset`.
 Patch patchAt(const GrayHalf& image, const Corner& corner, int offset) {
   Patch patch{};
   for (int i = 0; i < kPatchArea; ++i) {
@@ -95,7 +95,7 @@ Patch patchAt(const GrayHalf& image, const Corner& corner, int offset) {
   return patch;
 }
 
-/// Sum of absolute differences. The compiler makes one instruction of each row.
+/// Sum of absolute differences. The compiler uses one instruction per row.
 int difference(const Patch& patch, const GrayHalf& image, int x, int y) {
   int sum = 0;
   const std::uint8_t* a = patch.data();
@@ -111,7 +111,7 @@ int meanOf(const GrayHalf& image) {
   return static_cast<int>(sum / static_cast<std::int64_t>(image.pixels.size()));
 }
 
-struct Match {
+struct RowMatch {
   double down = 0;     ///< rows, in pixels of the half images
   double to_left = 0;  ///< disparity, likewise
 };
@@ -122,7 +122,7 @@ double vertex(double before, double middle, double after) {
   return curvature > 0 ? std::clamp(0.5 * (before - after) / curvature, -0.5, 0.5) : 0;
 }
 
-std::optional<Match> findMatch(const Patch& patch, const Corner& corner, const GrayHalf& right) {
+std::optional<RowMatch> findMatch(const Patch& patch, const Corner& corner, const GrayHalf& right) {
   const int begin = std::max(corner.x - kFarLeft, kPatchWidth / 2);
   const int end = std::min(corner.x + kFarRight, right.width - kPatchWidth / 2);
   const int width = end - begin + 1;
@@ -148,7 +148,7 @@ std::optional<Match> findMatch(const Patch& patch, const Corner& corner, const G
     }
   }
   const double rest = vertex(cost(best_x, best_down - 1), best, cost(best_x, best_down + 1));
-  return Match{best_down + rest, static_cast<double>(corner.x - best_x)};
+  return RowMatch{best_down + rest, static_cast<double>(corner.x - best_x)};
 }
 
 double percentile(std::vector<double> values, double share) {
@@ -185,7 +185,7 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
   return measure;
 }
 
-/// The limits were chosen on kitti_clips/06 with made-up faults: sound pairs have a spread of at
+/// The limits were chosen on kitti_clips/06 with synthetic faults: sound pairs have a spread of at
 /// most 0.5 px, strongly blurred ones of 2.8 px, and a right image that is 0.1 s late one of 3.5
 /// to 6.8 px.
 StereoFault faultOf(const StereoMeasure& measure) {
@@ -193,7 +193,7 @@ StereoFault faultOf(const StereoMeasure& measure) {
   constexpr double kApart = 1.2;      // px
   constexpr double kScattered = 3.0;  // px
   if (measure.matched < kFewest) return StereoFault::None;
-  // First: on a highway a late right image, too, has most corners on the wrong side.
+  // Tested first, because on a highway a late right image also has most corners on the wrong side.
   if (measure.spread > kScattered) return StereoFault::OtherTime;
   if (measure.share_exchanged > 0.6) return StereoFault::Exchanged;
   return std::fabs(measure.rows_low) > kApart ? StereoFault::RowsApart : StereoFault::None;

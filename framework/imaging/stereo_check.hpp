@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether two images can be a rectified stereo pair: corners of the left image are searched for in
-// the right one, above and below their row, too. In a pair that is rectified and exposed at one
-// time all of them are found in their row, to the left of where they were.
+// Whether two images can be a rectified stereo pair. Corners of the left image are searched for in
+// the right one, also above and below their row. In a rectified pair with simultaneous exposure
+// they are found in the same row, further left.
 #pragma once
 
 #include <string>
@@ -13,11 +13,11 @@ namespace tolman::imaging {
 
 /// Pixels are those of the full images.
 struct StereoMeasure {
-  int corners = 0;             ///< that were searched for
-  int matched = 0;             ///< found without doubt
+  int corners = 0;             ///< number of corners that were searched for
+  int matched = 0;             ///< number of unambiguous matches
   double rows_low = 0;         ///< median of row in the right image minus row in the left one, px
   double spread = 0;           ///< 80th percentile of the deviation of that from its median, px
-  double share_exchanged = 0;  ///< of the matches: found to the right of where they were
+  double share_exchanged = 0;  ///< share of the matches that are further right in the right image
   std::vector<double> rows;    ///< of each match: row in the right image minus row in the left one
 };
 
@@ -26,7 +26,7 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right);
 
 enum class StereoFault { None, RowsApart, Exchanged, OtherTime };
 
-/// None where too few corners are matched to tell.
+/// None also if too few corners are matched.
 StereoFault faultOf(const StereoMeasure& measure);
 
 /// "the right image is 3.0 px low; are the images rectified?"

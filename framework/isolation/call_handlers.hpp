@@ -17,10 +17,10 @@ namespace tolman::isolation {
 using Handler = std::function<void(Decoder&, Encoder&)>;
 using Handlers = std::map<Call, Handler>;
 
-/// The calls of the object's role and extras; the object must outlive them.
+/// Handlers for the calls of the object's role and extras. The object must outlive them.
 Handlers handlersOf(Role role, const PluginObject& object);
 
-/// A parameter `T&` of a call is a result, any other an argument.
+/// Whether a parameter of a call is a result: `T&` is one, any other type is an argument.
 template <class P>
 inline constexpr bool kIsResult =
     std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>>;
@@ -48,7 +48,7 @@ Handler handler(std::function<Status(P...)> work) {
   };
 }
 
-/// Of a method of a plugin, or a function like one.
+/// A handler that calls a method of `object`.
 template <class Object, class Class, class... P>
 Handler handler(Object& object, Status (Class::*method)(P...)) {
   return handler(std::function<Status(P...)>(

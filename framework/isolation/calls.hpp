@@ -6,7 +6,7 @@
 
 namespace tolman::isolation {
 
-/// From the host. Each call gets one reply.
+/// Calls from the host. Each call gets one reply.
 enum class Call : std::uint32_t {
   Load = 1,
   Create,
@@ -39,7 +39,7 @@ enum class Call : std::uint32_t {
   RawRig,
 };
 
-/// From the process.
+/// Messages from the process.
 enum class ReplyKind : std::uint32_t {
   Reply = 1,  ///< to a call: status and results in the shared buffer
   Log,        ///< one log line; at any time

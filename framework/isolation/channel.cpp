@@ -11,7 +11,6 @@
 #include <utility>
 
 namespace tolman::isolation {
-namespace {}  // namespace
 
 Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
   if (this != &other) {

@@ -37,7 +37,7 @@ struct MessageHead {
 };
 
 struct SocketMessage : MessageHead {
-  std::string text;  ///< longer texts are cut off after kMaxText bytes
+  std::string text;  ///< cut off after kMaxText bytes
 };
 inline constexpr std::size_t kMaxText = 8192;  // bytes
 
@@ -47,7 +47,7 @@ enum class ReceiveResult : std::uint8_t { Message, Timeout, Closed };
 class Socket {
  public:
   explicit Socket(Descriptor descriptor) : descriptor_(std::move(descriptor)) {}
-  /// Both ends, closed on exec.
+  /// Both ends of a new socket, which are closed on exec.
   static std::array<Socket, 2> pair();
   int descriptor() const { return descriptor_.get(); }
   void close() { descriptor_.close(); }

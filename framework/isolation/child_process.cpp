@@ -22,7 +22,7 @@ void check(int error, const char* what) {
   if (error != 0) throw std::system_error(error, std::generic_category(), what);
 }
 
-/// As exec() takes them.
+/// Pointers to the texts and a null pointer, for exec(). They are valid as long as `texts`.
 std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
   pointers.reserve(texts.size() + 1);
@@ -31,7 +31,8 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// What happens between fork and exec. posix_spawn(), because the host has threads.
+/// Setup of a child process between fork and exec. It uses posix_spawn(), because the host has
+/// threads.
 class SpawnPlan {
  public:
   SpawnPlan(const std::vector<int>& passed, int output) {
@@ -83,7 +84,7 @@ std::string signalName(int signal) {
 void limitResources(std::uint64_t memory_mib) {
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
-  const bool sanitized = std::strcmp(TOLMAN_SANITIZER, "none") != 0;  // it reserves terabytes
+  const bool sanitized = std::strcmp(TOLMAN_SANITIZER, "none") != 0;  // they reserve terabytes
   if (memory_mib == 0 || sanitized) return;
   const rlimit data{memory_mib << 20U, memory_mib << 20U};
   ::setrlimit(RLIMIT_DATA, &data);
@@ -125,7 +126,7 @@ ProcessEnd ChildProcess::end(std::chrono::milliseconds timeout) {
   while (!hasEnded() && std::chrono::steady_clock::now() < deadline) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  // The group may still hold processes that it started, and it, or they, may have left the group.
+  // Processes that the child started may be in its group or have left it, and so may the child.
   // Kill all before reaping: until then the id cannot belong to another process.
   ::kill(-pid_, SIGKILL);
   ::kill(pid_, SIGKILL);

@@ -29,7 +29,7 @@ struct MalformedMessage : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Members of structs that are not records.
+// The members of structs that are not records.
 template <class T>
 requires std::same_as<std::remove_const_t<T>, ParameterInfo>
 auto parts(T& info) {
@@ -223,8 +223,8 @@ class Decoder {
     position_ += count;
     return start;
   }
-  /// Reads a number of elements of at least `least` bytes each; refuses more than the message
-  /// holds.
+  /// Reads a number of elements of at least `least` bytes each; refuses a number that the rest of
+  /// the message cannot contain.
   std::size_t count(std::size_t least) {
     const auto count = next<std::size_t>();
     if (count > remaining() / least) throw MalformedMessage("a list longer than its message");

@@ -31,7 +31,7 @@ struct ContextMessage {
 struct LoadMessage {
   std::string file;
   std::string id;
-  std::string program;           ///< that an interpreter is to open; empty for other plugins
+  std::string program;           ///< program of an interpreter; empty for other plugins
   std::uint64_t memory_mib = 0;  ///< 0 for no limit
   std::int64_t threads = 0;      ///< 0 for one per processor
 };

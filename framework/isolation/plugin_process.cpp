@@ -181,7 +181,7 @@ class PluginProcess {
   Handlers handlers_;
 };
 
-/// In a handler: what the process ends with.
+/// Exit code for the current exception; call it in a catch block.
 int exitCodeOfException() noexcept {
   try {
     throw;

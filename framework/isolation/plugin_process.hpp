@@ -13,10 +13,10 @@
 
 namespace tolman::isolation {
 
-/// What the process ends with where memory does not suffice to answer.
+/// Exit code of a process that has too little memory to answer.
 inline constexpr int kNoMemoryExit = 71;
 
-/// Services of the plugin's context that other folders implement.
+/// Services of the plugin's context that are implemented outside of this folder.
 struct ProcessServices {
   const Clock& clock;
   /// Creates the artefact writer of `instance` in the directory of a run.

@@ -11,7 +11,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr milliseconds kPollInterval{20};  // of cancellation and deadline
+constexpr milliseconds kPollInterval{20};  // for cancellation and deadline
 constexpr std::uint64_t kMaxReplyMib = 1U << 16U;
 constexpr milliseconds kExitTimeout{500};  // for a process that has closed its socket
 
@@ -42,7 +42,7 @@ Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
   Encoder encoder(request_);
   write(encoder);
   SocketMessage message{{static_cast<std::uint32_t>(call), ++call_number_, encoder.size()}, {}};
-  if (record_requests_) {  // before the call: the process could overwrite the shared memory
+  if (record_requests_) {  // before the call, because the process could overwrite shared memory
     recorded_request_.assign(reinterpret_cast<const char*>(request_.view(encoder.size())),
                              encoder.size());
   }
@@ -64,7 +64,7 @@ Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
   }
 }
 
-/// Timeout: the deadline of the call has passed.
+/// Returns Timeout if the deadline of the call has passed.
 ReceiveResult ProcessHandle::waitForMessage(SocketMessage& message,
                                             steady_clock::time_point begin) {
   for (;;) {
@@ -74,8 +74,8 @@ ReceiveResult ProcessHandle::waitForMessage(SocketMessage& message,
     }
     const bool cancelled = cancellation_ != nullptr && cancellation_->requested();
     control_->cancelled.store(cancelled ? 1 : 0, std::memory_order_relaxed);
-    // Processes that the plugin started may keep the socket open, so test the process as well, and
-    // before the socket, which may still hold its last messages.
+    // Processes that the plugin started may keep the socket open, so test the process as well. Test
+    // it before the socket, which may still contain its last messages.
     const bool ended = process_->hasEnded();
     const ReceiveResult received =
         socket_.receive(message, ended ? milliseconds(0) : kPollInterval);

@@ -33,20 +33,20 @@ class ProcessHandle {
 
   /// Starts the process. Throws std::exception.
   explicit ProcessHandle(LaunchOptions launch);
-  /// From now on passes log lines to `log` and cancellation to the process. May be null.
+  /// From now on passes log lines to `log` and cancellation to the process. Both may be null.
   void connect(Logger* log, const Cancellation* cancellation);
 
   /// Makes one call. Returns the status of the plugin, or a failure if the process ended; `read`
   /// gets the results when it is Ok.
   Status call(Call call, const Write& write, const Read& read);
-  /// From now on the request of each call is kept until the next one.
+  /// From now on keeps the request of each call until the next call.
   void recordRequests() { record_requests_ = true; }
   const std::string& lastRequest() const { return recorded_request_; }
 
-  /// Kills the process. Returns "its process " + reason as a failure.
+  /// Kills the process. Returns the failure "its process " + reason.
   Status end(const std::string& reason);
   bool hasEnded() const { return !exit_reason_.empty(); }
-  /// Why it ended, such as "died of SIGSEGV (Segmentation fault)"; empty while it runs.
+  /// Why the process ended, such as "died of SIGSEGV (Segmentation fault)"; empty while it runs.
   const std::string& exitReason() const { return exit_reason_; }
 
  private:

@@ -23,7 +23,7 @@ bool hasMark(const std::filesystem::path& process, const std::string& mark) {
   return environment.find(mark) != std::string::npos;
 }
 
-/// Returns whether there was one.
+/// Kills all processes with the mark that exist now. Returns whether there was one.
 bool killOnce(const std::string& mark) {
   bool any = false;
   std::error_code error;
@@ -63,7 +63,7 @@ std::vector<std::string> environmentWith(const std::string& mark) {
 }
 
 void killMarked(const std::string& mark) {
-  constexpr int kMostPasses = 20;  // it may start others meanwhile
+  constexpr int kMostPasses = 20;  // they may start others meanwhile
   constexpr int kEmptyPasses = 3;  // a process has no environment while it starts a program
   if (mark.empty()) return;
   for (int pass = 0, empty = 0; pass < kMostPasses && empty < kEmptyPasses; ++pass) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A mark in the environment of a child process, which the processes that it starts inherit: they
-// are found by it even where they have left the process group.
+// A mark in the environment of a child process. Processes that it starts inherit the mark, so they
+// can be found even if they have left the process group.
 #pragma once
 
 #include <string>
@@ -17,8 +17,8 @@ std::string ownMark();
 /// The environment of this process with another mark.
 std::vector<std::string> environmentWith(const std::string& mark);
 
-/// Kills all processes that have the mark, but not this one. A process that was started with an
-/// environment of its own has none.
+/// Kills all processes that have the mark, except this one. A process that was started with another
+/// environment has no mark and is not found.
 void killMarked(const std::string& mark);
 
 }  // namespace tolman::isolation

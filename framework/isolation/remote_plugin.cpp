@@ -13,7 +13,7 @@ namespace tolman::isolation {
 namespace {
 
 constexpr int kMaxRestarts = 10;
-constexpr std::size_t kCheckpointEvery = 20;  // calls: with images about 1 MB each
+constexpr std::size_t kCheckpointEvery = 20;  // calls; a call with images takes about 1 MB
 
 const auto kNoData = [](auto&) {};
 
@@ -29,7 +29,7 @@ bool isInitial(Call call) {
   return call == Call::Configure || call == Call::OpenArtefacts || call == Call::Begin;
 }
 
-/// What to add to a remedy where limits are tighter than the default ones; empty elsewhere.
+/// Addition to a remedy if the limits are below the defaults; otherwise empty.
 std::string hintAt(const LaunchOptions& limits) {
   const LaunchOptions usual;
   std::string hint;
@@ -171,7 +171,8 @@ void RemotePlugin::checkpoint() {
   log_->warning("its state cannot be saved, so it will not be restarted: " + status.message());
 }
 
-/// Calls since the checkpoint may fail: they failed before as well. Initial calls may not.
+/// Repeats calls. Calls since the checkpoint may fail, because they failed before; initial calls
+/// may not.
 Status RemotePlugin::repeat(const std::vector<RecordedCall>& calls) {
   for (const RecordedCall& recorded : calls) {
     Status status = process_->call(

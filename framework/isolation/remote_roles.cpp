@@ -5,8 +5,8 @@
 #include <istream>
 #include <iterator>
 #include <ostream>
-#include <stdexcept>
 
+#include "host/guard.hpp"
 #include "host/prediction.hpp"
 
 namespace tolman::isolation {
@@ -30,7 +30,7 @@ class RemoteRole : public RoleType,
 
   void arrays(std::vector<NamedArray>& arrays) const override {
     const Status status = remote_->call(Call::Arrays, kNone, std::tie(arrays));
-    if (!status.isOk()) throw std::runtime_error(status.message());
+    if (!status.isOk()) throw host::FailedCall(status);
   }
   Status describe(std::vector<ArrayInfo>& arrays) const override {
     std::vector<ArrayInfo> described;
@@ -41,7 +41,7 @@ class RemoteRole : public RoleType,
   std::string url() const override {
     std::string url;
     const Status status = remote_->call(Call::Url, kNone, std::tie(url));
-    if (!status.isOk()) throw std::runtime_error(status.message());
+    if (!status.isOk()) throw host::FailedCall(status);
     return url;
   }
   Status rawRig(RawRig& rig) override { return remote_->call(Call::RawRig, kNone, std::tie(rig)); }
@@ -129,7 +129,7 @@ class RemotePlace final : public RemoteRole<Place> {
   PlaceInput input() const override {
     PlaceInput input = PlaceInput::Frame;
     const Status status = ask(Call::Input, kNone, std::tie(input));
-    if (!status.isOk()) throw std::runtime_error(status.message());
+    if (!status.isOk()) throw host::FailedCall(status);
     return input;
   }
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation) override {

@@ -11,10 +11,10 @@
 
 namespace tolman::pipeline {
 
-/// All functions may be called from any thread; a role works on one thing at a time.
+/// All functions may be called from any thread. A role has at most one Mark at a time.
 class Activity {
  public:
-  /// The role works while this object lives.
+  /// The role counts as working while this object exists.
   class Mark {
    public:
     Mark(Activity& activity, Role role) : since_(activity.since_[static_cast<std::size_t>(role)]) {
@@ -28,7 +28,7 @@ class Activity {
     std::atomic<std::int64_t>& since_;
   };
 
-  /// Steady time in ns at which the role began what it is doing; 0 while it waits.
+  /// Time of the steady clock at which the role began its present work, ns; 0 while it waits.
   std::int64_t since(Role role) const { return since_[static_cast<std::size_t>(role)]; }
 
  private:

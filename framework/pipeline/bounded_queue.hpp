@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A queue of limited length that says what it does when it is full.
+// A queue of limited length with a policy for a full queue.
 #pragma once
 
 #include <condition_variable>
@@ -18,8 +18,8 @@ class BoundedQueue {
   BoundedQueue(std::size_t capacity, config::QueuePolicy policy)
       : capacity_(capacity), policy_(policy) {}
 
-  /// Puts `item` in. Returns what was dropped for it: nothing, the oldest, or the item itself.
-  /// With config::QueuePolicy::Block waits for room.
+  /// Adds `item`. Returns the dropped item, if any: the oldest one, or `item` itself. With
+  /// config::QueuePolicy::Block waits until there is room.
   std::optional<T> push(T item) {
     std::unique_lock lock(mutex_);
     if (policy_ == config::QueuePolicy::Block) {
@@ -35,7 +35,7 @@ class BoundedQueue {
     return dropped;
   }
 
-  /// The oldest item, or nothing; never waits.
+  /// Removes and returns the oldest item; none if the queue is empty. Never waits.
   std::optional<T> pop() {
     const std::lock_guard lock(mutex_);
     if (items_.empty()) return std::nullopt;

@@ -151,7 +151,7 @@ bool Chain::map(FrameRecords& records) {
     return stages_.map.update(records.motion, records.decision, records.map);
   });
   if (!resolve(status, policies_.map, records.frame.frame, Role::Map)) return false;
-  if (!status.isOk()) {  // the frame keeps the experience of the last one, moved by the motion
+  if (!status.isOk()) {  // the frame keeps the last experience; its pose follows the motion
     const Eigen::Isometry3d& step = records.motion.T_previous_current;
     records.map = last_map_;
     records.map.frame = records.frame.frame;
@@ -168,7 +168,7 @@ bool Chain::map(FrameRecords& records) {
 
 /// Copying, checking and storing a graph costs time in proportion to its size, and an odometry that
 /// revises its last motions changes the map at every frame. Publishing at intervals in proportion
-/// to the size bounds the cost per frame for runs of any length. A change that waits is published
+/// to the size bounds the cost per frame for runs of any length. A delayed change is published
 /// later, at the latest by finish().
 void Chain::publishGraph(FrameRecords& records) {
   const MapUpdate& now = records.map;
@@ -187,13 +187,16 @@ void Chain::runCellsAndMap(FrameRecords& records) {
   if (failed()) return;
   records.answered =
       takeOdometry(records) && takePlace(records) && decide(records) && map(records) && !failed();
-  if (!records.answered) return;
+  if (!records.answered) {
+    unanswered_ = records.frame.frame;
+    return;
+  }
+  records.posed = std::chrono::steady_clock::now();
   count(records);
   saveCellsAndMap(records);
 }
 
-/// Each stage is saved where it has just processed the frame and not yet the next one, so that the
-/// flow need not stop.
+/// Each stage is saved directly after it has processed the frame, so that the flow need not stop.
 void Chain::save(Role role, host::Instance& instance, FrameRecords& records) {
   if (!records.checkpoint) return;
   Result<std::string> state = instance.save();
@@ -202,7 +205,7 @@ void Chain::save(Role role, host::Instance& instance, FrameRecords& records) {
     return;
   }
   records.checkpoint.reset();
-  if (!can_save_.exchange(false)) return;  // frames already in the flow want one, too
+  if (!can_save_.exchange(false)) return;  // warns once; other frames may be in the flow
   listener_.onEvent({records.frame.frame, LogLevel::Warning, std::string(enumName(role)),
                      "this run saves no further checkpoints: " + state.status().message()});
 }
@@ -264,8 +267,8 @@ void Chain::countGraph(const MapGraph& graph) {
 }
 
 void Chain::publish(const FrameRecords& records) {
-  // Also after a failure of the listener: the map has seen the frames that were in the flow, and
-  // its graph and trajectory name them.
+  // Also after a failure of the listener: the map has processed the frames that were in the flow,
+  // and its graph and trajectory contain them.
   if (!records.answered) return;
   Status status = listener_.onFrame(records.snapshot());
   if (status.isOk() && records.checkpoint) status = listener_.onCheckpoint(*records.checkpoint);
@@ -285,17 +288,27 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
                         " frames that update() took; the trajectories lack them");
 }
 
-/// When the map rejects a loop, frames attached through it move; so final poses are read from the
-/// map.
-void Chain::publishTrajectory() {
-  std::vector<FramePose> poses;
+/// Reads the final poses from the map, because a map that rejects a loop moves the frames attached
+/// through it.
+void Chain::publishTrajectory(std::vector<FramePose>& poses) {
   (void)resolve(readTrajectory(poses), policies_.map, -1, Role::Map);
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);
 }
 
+Status Chain::finalGraph(const std::vector<FramePose>& poses, MapGraph& graph) {
+  const Status status = stages_.map.graph(graph);
+  if (!status.isOk()) return status;
+  return stages_.map.checkExperiences(graph, [&](std::int64_t frame) -> const Eigen::Isometry3d* {
+    const auto found = std::ranges::lower_bound(poses, frame, {}, &FramePose::frame);
+    return found == poses.end() || found->frame != frame ? nullptr : &found->T_world_camera;
+  });
+}
+
 void Chain::finish() {
-  // An odometry that starts again and finds no motion until the end is lost, whatever it calls it.
+  const bool had_failed = failed();
+  if (unanswered_ >= 0) stages_.map.forgetFrom(unanswered_);
+  // An odometry that is Initialising again at the end, after it has tracked, counts as lost.
   const bool starting = last_motion_.state == TrackingState::Initialising;
   if (starting && counters_.tracked() > 0) counters_.lost_at_end = true;
   if (counters_.dropped > 0) {
@@ -324,13 +337,18 @@ void Chain::finish() {
   step(Role::Place, policies_.place, [&] { return stages_.place.finish(); });
   step(Role::Cells, policies_.cells, [&] { return stages_.cells.finish(); });
   std::erase_if(revisions, [&](const MotionRevision& r) { return r.frame > last_map_.frame; });
+  step(Role::Map, policies_.map, [&] { return stages_.map.checkLastPose(); });
   step(Role::Map, policies_.map, [&] { return stages_.map.finish(revisions); });
-  publishTrajectory();
-  if (step(Role::Map, policies_.map, [&] { return stages_.map.graph(graph); })) {
+  std::vector<FramePose> poses;
+  publishTrajectory(poses);
+  const auto read_graph = [&] { return finalGraph(poses, graph); };
+  // After a failure the graph may name a frame without a record. This is not a further failure.
+  if (had_failed ? timed(finish_times_ns_, Role::Map, read_graph).isOk()
+                 : step(Role::Map, policies_.map, read_graph)) {
     countGraph(graph);
   } else {
     if (policies_.map == config::FailurePolicy::Stop) return;
-    graph = MapGraph();  // what was published stays in the record
+    graph = MapGraph();  // the record keeps the graph that was published last
   }
   const Status published = listener_.onFinish(revisions, graph);
   if (!published.isOk()) fail(Role::Observer, published);

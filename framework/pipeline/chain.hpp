@@ -33,7 +33,7 @@ struct Stages {
   host::MapStage& map;
 };
 
-/// What stopped a run.
+/// The failure that stopped a run.
 struct StageFailure {
   Role role = Role::Source;  ///< Observer: the listener, i.e. recorder or observers
   Status status;
@@ -56,36 +56,37 @@ class Chain {
   void place(FrameRecords& records);
   /// After a failure, later frames are not processed and get no answers.
   void runCellsAndMap(FrameRecords& records);
-  /// Hands the answers to the listener. Frames that the map processed before a failure are still
-  /// handed over, even if the listener itself has failed.
+  /// Passes the answers to the listener. Frames that the map processed before a failure are passed
+  /// on as well, even if the listener itself has failed.
   void publish(const FrameRecords& records);
   /// finish() of all stages, in the order of the flow.
   void finish();
 
   /// Whether place, cells and map can all save their state.
   bool canSave() const { return can_save_; }
-  /// Hands the state after the last processed frame to the listener. No frame may be in the stages.
+  /// Passes the state after the last processed frame to the listener. No frame may be in the
+  /// stages.
   void saveNow();
-  /// Goes on after a checkpoint, before the first frame is admitted. The stages must be in the
-  /// state that they had then.
+  /// Continues after a checkpoint; call it before the first frame is admitted. The stages must have
+  /// the state of the checkpoint.
   void resume(const ResumePoint& point);
 
   /// Whether a stage or the listener failed; no later frame is answered.
   bool failed() const;
   void fail(Role role, const Status& status);
-  /// The source failed: frames that it gave before are still processed.
+  /// Reports a failure of the source. Frames that it gave before are still processed.
   void failInput(const Status& status);
-  /// What stopped the run: a stage's failure, else the source's, else nothing.
+  /// The failure that stopped the run: of a stage, else of the source; none if there is none.
   std::optional<StageFailure> failure() const;
-  /// Whether a frame passes odometry before place recognition.
+  /// Whether place recognition must run after odometry.
   bool placeNeedsMotion() const { return place_needs_motion_; }
   /// Numbers and checks a frame that enters the stages; one call at a time.
   void admit(FrameRecords& records);
-  /// Frames that entered and wait for place recognition.
+  /// Number of admitted frames that wait for place recognition.
   int placeBacklog() const { return place_backlog_; }
   /// Time that finish() of each stage took.
   const StageTimes& finishTimes() const { return finish_times_ns_; }
-  /// What the stages do at this moment; source and finish() included.
+  /// Which stages work at this moment, including the source and finish().
   Activity& activity() { return activity_; }
   const RunCounters& counters() const { return counters_; }
   RunCounters& counters() { return counters_; }
@@ -103,8 +104,10 @@ class Chain {
   void count(const FrameRecords& records);
   void countGraph(const MapGraph& graph);
   Status readTrajectory(std::vector<FramePose>& poses) const;
-  void publishTrajectory();
-  /// Calls `work`, watched and with its time added to `times`.
+  void publishTrajectory(std::vector<FramePose>& poses);
+  /// The final graph, checked against the final poses.
+  Status finalGraph(const std::vector<FramePose>& poses, MapGraph& graph);
+  /// Calls `work`, marks the role as active meanwhile, and adds the time to `times`.
   template <class Work>
   Status timed(StageTimes& times, Role role, const Work& work) {
     const StageTimer timer(times, role);
@@ -118,10 +121,11 @@ class Chain {
   Policies policies_;
   Listener& listener_;
   bool place_needs_motion_;
-  std::atomic<bool> can_save_;  // false also after one could not
+  std::atomic<bool> can_save_;  // false also after a stage has failed to save its state
   RunCounters counters_;
   Activity activity_;
   StageTimes finish_times_ns_{};
+  std::int64_t unanswered_ = -1;  ///< the frame at which a failure ended the answers; -1: none
   std::optional<StageFailure> failure_;
   std::optional<Status> input_failure_;
   FailureTally failures_;  // by role
@@ -131,8 +135,8 @@ class Chain {
   Decision last_decision_;
   MapUpdate last_map_;
   bool graph_has_changed_ = true;      // since it was last published
-  std::int64_t next_graph_frame_ = 0;  // not published before
-  std::size_t mapped_ = 0;             // frames that the map took
+  std::int64_t next_graph_frame_ = 0;  // the graph is not published before this frame
+  std::size_t mapped_ = 0;             // number of frames that the map has processed
   std::size_t admitted_ = 0;
   std::atomic<int> place_backlog_ = 0;
 };

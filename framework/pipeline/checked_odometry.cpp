@@ -12,7 +12,7 @@ Motion predictedMotion(const Frame& frame, const Motion& last) {
   Motion motion;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
-  if (last.frame < 0) return motion;  // nothing leads to the first frame
+  if (last.frame < 0) return motion;  // there is no motion before the first frame
   motion.scale_known = last.scale_known;
   host::predict(motion, last, static_cast<double>(frame.stamp_ns - last.stamp_ns) * 1e-9);
   return motion;
@@ -22,7 +22,6 @@ std::optional<std::string> CheckedOdometry::admit(Frame& frame) {
   return check_images_ ? frame_check_.check(frame) : std::nullopt;
 }
 
-/// An odometry that follows something else than the world may be sure of itself.
 Status CheckedOdometry::track(const Frame& frame, Motion& motion, Impossible& impossible) {
   const Status status = odometry_.track(frame, motion);
   if (!status.isOk()) {
@@ -58,7 +57,7 @@ Status CheckedOdometry::finish(std::vector<MotionRevision>& revisions, Impossibl
   return status;
 }
 
-/// Revisions of a motion that was not believed go without a word.
+/// Removes impossible revisions; revisions of a replaced motion are removed without a reason.
 void CheckedOdometry::filter(std::vector<MotionRevision>& revisions,
                              std::string& impossible) const {
   std::erase_if(revisions, [&](const MotionRevision& revision) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Odometry between two checks: of the images that it gets, and of the motions that it answers.
+// Odometry with checks of its images and of its motions.
 #pragma once
 
 #include <deque>
@@ -18,10 +18,10 @@ namespace tolman::pipeline {
 /// The last motion, as a prediction for a frame without an answer.
 Motion predictedMotion(const Frame& frame, const Motion& last);
 
-/// What odometry answered and the robot cannot have done; empty: nothing.
+/// Answers of odometry that are impossible for the robot; empty: none.
 struct Impossible {
   std::string motion;    ///< why the motion was replaced
-  std::string revision;  ///< which revision was left out first, and why
+  std::string revision;  ///< the first revision that was left out, and why
 };
 
 class CheckedOdometry {
@@ -29,11 +29,12 @@ class CheckedOdometry {
   CheckedOdometry(host::OdometryStage& odometry, const config::CheckSettings& settings)
       : odometry_(odometry), check_images_(settings.images), motion_check_(settings) {}
 
-  /// Takes images with a fault out of a frame; returns a note where a fault begins. Frames come in
-  /// order, one call at a time; track() may still work on an earlier one.
+  /// Checks the images of a frame (see imaging::FrameCheck); returns a note where a fault begins.
+  /// Frames must come in order, one call at a time; track() may still work on an earlier one.
   std::optional<std::string> admit(Frame& frame);
 
-  /// Replaces an impossible motion by a prediction, and leaves out impossible revisions.
+  /// Replaces an impossible motion by a prediction, and leaves out impossible revisions: an
+  /// odometry that tracks a moving object may report wrong motions with a small covariance.
   Status track(const Frame& frame, Motion& motion, Impossible& impossible);
 
   Status finish(std::vector<MotionRevision>& revisions, Impossible& impossible);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The chain between two frames.
+// The state of the chain between two frames.
 #pragma once
 
 #include <cstdint>
@@ -12,11 +12,11 @@
 
 namespace tolman::pipeline {
 
-/// What a later process needs to process the frames after `frame` as this one would have, in
-/// addition to the answers to that frame and to an odometry that has seen the same frames.
+/// State with which a later process continues after `frame` as this one would have. It also needs
+/// the answers to that frame, and an odometry that has processed the same frames.
 struct Checkpoint {
-  std::int64_t frame = -1;             ///< the last one that it contains
-  RunCounters counters;                ///< of the frames up to it
+  std::int64_t frame = -1;             ///< the last processed frame
+  RunCounters counters;                ///< of all frames up to it
   std::map<Role, std::string> states;  ///< of place, cells and map
 };
 

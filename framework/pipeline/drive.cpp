@@ -16,17 +16,18 @@ DriveResult drive(Chain& chain, const config::PipelineSettings& options, int thr
                                   static_cast<std::size_t>(workers));
   tbb::task_arena arena(workers);
   bool interrupted = false;
+  Latency latency;
   arena.execute([&] {
     if (options.mode == config::PipelineMode::Lossless) {
       runLossless(chain, options, cancellation);
     } else {
-      runRealtime(chain, options, cancellation);
+      latency = runRealtime(chain, options, cancellation);
     }
     interrupted = cancellation.requested();
-    if (interrupted) chain.saveNow();  // finish() changes the state; resuming needs that before
+    if (interrupted) chain.saveNow();  // before finish(), which changes the state
     chain.finish();  // an observer may block here until cancellation, e.g. to serve a page
   });
-  return {chain.failure(), interrupted, chain.counters(), chain.finishTimes()};
+  return {chain.failure(), interrupted, chain.counters(), chain.finishTimes(), latency};
 }
 
 }  // namespace tolman::pipeline

@@ -4,6 +4,7 @@
 
 #include "config/settings.hpp"
 #include "pipeline/chain.hpp"
+#include "pipeline/latency.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::pipeline {
@@ -13,20 +14,21 @@ struct DriveResult {
   bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
   RunCounters counters;
   StageTimes finish_times_ns{};  ///< time that finish() of each stage took
+  Latency latency{};             ///< of a realtime run
 };
 
-/// How many threads `threads` means (0: all cores).
+/// The number of threads for a setting `threads` (0: all cores).
 int concurrency(int threads);
 
-/// Processes all frames and finishes all stages; also after a failure or a cancellation, so that
-/// what was computed is kept. `threads` bounds the parallelism (0: all cores).
+/// Processes all frames and finishes all stages. Stages are finished also after a failure or a
+/// cancellation, to keep the results so far. `threads` bounds the parallelism (0: all cores).
 DriveResult drive(Chain& chain, const config::PipelineSettings& options, int threads,
                   const Cancellation& cancellation);
 
 /// The two ways to feed the chain; drive() chooses by `options.mode`.
 void runLossless(Chain& chain, const config::PipelineSettings& options,
                  const Cancellation& cancellation);
-void runRealtime(Chain& chain, const config::PipelineSettings& options,
-                 const Cancellation& cancellation);
+Latency runRealtime(Chain& chain, const config::PipelineSettings& options,
+                    const Cancellation& cancellation);
 
 }  // namespace tolman::pipeline

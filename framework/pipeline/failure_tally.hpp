@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts failures by name, so that what fails at every frame does not fill the log.
+// Counts failures by name, so that a failure at every frame does not fill the log.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@ namespace tolman::pipeline {
 class FailureTally {
  public:
   enum class Report { Yes, Last, No };
-  /// One more failure of `who`; whether it is to be reported.
+  /// Counts a failure of `who`. Returns whether to report it: the first ten are reported.
   Report count(std::string_view who) {
     const int failures = ++failures_[std::string(who)];
     return failures < kMostReports    ? Report::Yes

@@ -23,15 +23,17 @@ struct FrameRecords {
   MapUpdate map;
   std::vector<NamedArray> cells;
   MapGraph graph;
-  std::size_t sequence = 0;      ///< dense in the order of dispatch
+  std::size_t sequence = 0;      ///< consecutive number in the order of dispatch
   bool graph_changed = false;    ///< `graph` is published with this frame
   bool leave_out_place = false;  ///< realtime: place recognition is late and skips this frame
-  bool answered = false;         ///< all stages have answered; the listener may see it
+  bool answered = false;         ///< all stages have answered; the listener may get it
   Status odometry_status;
   Impossible impossible;
   Status place_status;
   StageTimes times{};
-  std::unique_ptr<Checkpoint> checkpoint;  ///< null: none is wanted after this frame
+  std::chrono::nanoseconds exposed{};  ///< realtime: on the clock of PacedFeed; likewise the next
+  std::chrono::steady_clock::time_point posed;  ///< when the map had answered
+  std::unique_ptr<Checkpoint> checkpoint;       ///< null: no checkpoint after this frame
 
   Snapshot snapshot() const {
     return {&frame, &motion, &place, &decision, &map, &cells, graph_changed ? &graph : nullptr,
@@ -40,7 +42,7 @@ struct FrameRecords {
 };
 using FrameRecordsPtr = std::shared_ptr<FrameRecords>;
 
-/// Adds the life time of this object to one role's wall time.
+/// Adds the lifetime of this object to the wall time of one role.
 class StageTimer {
  public:
   StageTimer(StageTimes& times, Role role) : slot_(times[static_cast<std::size_t>(role)]) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Receives what happens in a run; the host implements it with recorder and observers.
+// Receives the frames and events of a run. The host implements it with recorder and observers.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ class Listener {
   /// A failure stops the run. The snapshot comes without events.
   virtual Status onFrame(const Snapshot& snapshot) = 0;
   virtual void onEvent(const Event& event) = 0;
-  /// Called once for each frame before it enters the stages: whether onCheckpoint() shall follow
-  /// its onFrame().
+  /// Whether onCheckpoint() shall follow onFrame(). Called once for each frame before it enters the
+  /// stages.
   virtual bool checkpointDue() { return false; }
   /// A failure stops the run.
   virtual Status onCheckpoint(const Checkpoint& /*checkpoint*/) { return Status::ok(); }

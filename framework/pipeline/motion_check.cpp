@@ -44,8 +44,8 @@ std::optional<std::string> MotionCheck::reasonAgainst(const Motion& motion, doub
     return reason;
   }
   if (!motion.scale_known || !speed_) return std::nullopt;
-  // Not of the velocity: a clip that is played to and fro turns it round at once.
-  // A small error of a position is a large one of the acceleration where frames follow fast.
+  // Compares speeds, not velocities, which a clip that is played back and forth reverses at once.
+  // At a high frame rate a small position error causes a large error of the acceleration.
   constexpr double kPositionError = 0.1;  // m
   const double change = std::fabs(speed - *speed_);
   if (change <= settings_.max_acceleration * since_ + kPositionError / motion.dt) {

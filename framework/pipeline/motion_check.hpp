@@ -14,11 +14,11 @@ class MotionCheck {
  public:
   explicit MotionCheck(const config::CheckSettings& settings) : settings_(settings) {}
 
-  /// Call it with each motion, in order. Why a motion in state Tracking is impossible; nothing
-  /// where it is possible. Where the scale is unknown only the turn rate is checked.
+  /// Call it with each motion, in order. Returns why a motion in state Tracking is impossible; none
+  /// if it is possible. If the scale is unknown, only the turn rate is checked.
   std::optional<std::string> check(const Motion& motion);
-  /// The same for a better value of an earlier motion over `dt` s, whose neighbours may be revised
-  /// as well: its speed and turn rate are checked.
+  /// The same for a revision of an earlier motion over `dt` s. Only speed and turn rate are
+  /// checked, because neighbouring motions may be revised as well.
   std::optional<std::string> checkRevision(const MotionRevision& revision, double dt,
                                            bool scale_known) const;
 

@@ -15,7 +15,7 @@ void PredictedWay::takeOut(Motion& motion) {
   const double since_given = 1e-9 * static_cast<double>(motion.stamp_ns - given_ns_);
   const double since_answered = 1e-9 * static_cast<double>(motion.stamp_ns - answered_ns_);
   const bool spans = predicted_ && motion.state != TrackingState::Initialising &&
-                     motion.dt * motion.dt > since_given * since_answered;  // nearer to the second
+                     motion.dt * motion.dt > since_given * since_answered;  // above geometric mean
   if (spans) {
     motion.T_previous_current = normalised(T_answered_given_.inverse() * motion.T_previous_current);
     setPlanarVelocity(motion, since_given);

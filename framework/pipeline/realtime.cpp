@@ -16,8 +16,8 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
-/// Feeds frames at the pace of their stamps. Nowhere else does the wall clock influence a result;
-/// what it decides here (which frames are left out) is counted and recorded.
+/// Feeds frames at the pace of their stamps. Only here the wall clock affects results: it decides
+/// which frames are left out. They are counted and recorded.
 class PacedFeed {
  public:
   PacedFeed(Chain& chain, const config::PipelineSettings& options, const Cancellation& cancellation)
@@ -26,6 +26,9 @@ class PacedFeed {
         cancellation_(cancellation),
         queue_(static_cast<std::size_t>(options.queue), options.input_policy),
         flow_(graph_, chain, [this](const FrameRecords& records) { done(records); }) {}
+
+  /// Latency of the run; call it after run().
+  Latency latency() { return latencies_.result(clock_); }
 
   /// Returns how many frames were dropped.
   std::int64_t run() {
@@ -50,14 +53,30 @@ class PacedFeed {
         if (status.code() != StatusCode::EndOfStream) chain_.failInput(status);
         break;
       }
-      if (!first_ns) first_ns = records->frame.stamp_ns;
-      const double ahead_ns = static_cast<double>(records->frame.stamp_ns - *first_ns);
-      waitUntil(start +
-                std::chrono::nanoseconds(static_cast<std::int64_t>(ahead_ns / options_.speed)));
+      const std::int64_t stamp_ns = records->frame.stamp_ns;
+      if (!first_ns) {
+        first_ns = stamp_ns;
+        chooseClock(stamp_ns);
+      }
+      const double ahead_ns = static_cast<double>(stamp_ns - *first_ns);
+      const auto due =
+          start + std::chrono::nanoseconds(static_cast<std::int64_t>(ahead_ns / options_.speed));
+      waitUntil(due);
+      records->exposed = clock_ == ExposureClock::Pace
+                             ? std::chrono::nanoseconds(due.time_since_epoch())
+                             : std::chrono::nanoseconds(stamp_ns) - ahead_of_steady_;
       if (const auto dropped = queue_.push(records)) reportDrop((*dropped)->frame.frame);
       pump();
     }
     drain();
+  }
+
+  void chooseClock(std::int64_t stamp_ns) {
+    const std::chrono::nanoseconds steady = Steady::now().time_since_epoch();
+    const std::chrono::nanoseconds system = std::chrono::system_clock::now().time_since_epoch();
+    clock_ =
+        exposureClock(chain_.stages().source.isEndless(), stamp_ns, steady.count(), system.count());
+    if (clock_ == ExposureClock::System) ahead_of_steady_ = system - steady;
   }
 
   Status next(Frame& frame) {
@@ -86,7 +105,7 @@ class PacedFeed {
       auto records = queue_.pop();
       if (!records) return;
       ++in_flight_;
-      const bool late = 2 * chain_.placeBacklog() >= options_.queue;  // half of it waits
+      const bool late = 2 * chain_.placeBacklog() >= options_.queue;  // at least half of it waits
       chain_.admit(**records);
       (*records)->leave_out_place =
           late && options_.place_policy == config::PlacePolicy::DropNewest;
@@ -94,10 +113,11 @@ class PacedFeed {
     }
   }
 
-  void done(const FrameRecords&) {
+  void done(const FrameRecords& records) {
     {
       const std::lock_guard lock(pump_mutex_);
       --in_flight_;
+      if (records.answered) latencies_.add(records.posed.time_since_epoch() - records.exposed);
     }
     pump();
   }
@@ -116,15 +136,19 @@ class PacedFeed {
   Flow flow_;
   std::mutex pump_mutex_;
   int in_flight_ = 0;
-  std::int64_t dropped_ = 0;  // of the feeder thread until run() ends
+  LatencyMeter latencies_;
+  ExposureClock clock_ = ExposureClock::Pace;   // used by the feeder thread; likewise the next
+  std::chrono::nanoseconds ahead_of_steady_{};  // stamps minus steady clock
+  std::int64_t dropped_ = 0;                    // used by the feeder thread until run() ends
 };
 
 }  // namespace
 
-void runRealtime(Chain& chain, const config::PipelineSettings& options,
-                 const Cancellation& cancellation) {
+Latency runRealtime(Chain& chain, const config::PipelineSettings& options,
+                    const Cancellation& cancellation) {
   PacedFeed feed(chain, options, cancellation);
   chain.counters().dropped = feed.run();
+  return feed.latency();
 }
 
 }  // namespace tolman::pipeline

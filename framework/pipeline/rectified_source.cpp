@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pipeline/rectified_source.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "host/frame_images.hpp"
@@ -11,9 +12,28 @@ namespace tolman::pipeline {
 
 Status RectifiedSource::info(SourceInfo& info) {
   Status status = SourceStage::info(info);
+  is_endless_ = status.isOk() && info.frames < 0;
   if (status.isOk()) status = instance().rawRig(raw_);
   if (status.isOk() && !raw_.cameras.empty()) status = prepare(info.rig);
-  if (status.isOk() && !text_.empty()) info.description += "; " + text_;
+  if (status.isOk()) status = prepareCut(info.rig);
+  for (const std::string& text : {text_, cutText()}) {
+    if (status.isOk() && !text.empty()) info.description += "; " + text;
+  }
+  return status;
+}
+
+Status RectifiedSource::prepareCut(CameraRig& rig) {
+  Result<imaging::ImageCut> cut = imaging::ImageCut::create(rig, images_.crop, images_.scale);
+  if (!cut.isOk()) return cut.status();
+  cut_ = std::move(cut).value();
+  rig = rig_ = cut_.rig();
+  depth_arrays_.clear();
+  if (cut_.isWhole()) return Status::ok();
+  std::vector<ArrayInfo> arrays;
+  const Status status = instance().describe(arrays);
+  for (const ArrayInfo& array : arrays) {
+    if (array.kind == ArrayKind::DepthImage) depth_arrays_.push_back(array.name);
+  }
   return status;
 }
 
@@ -38,11 +58,11 @@ Status RectifiedSource::prepare(CameraRig& rig) {
                                 "; give the calibration of these images");
   }
   const imaging::RectifiedView& chosen = view.value();
-  rig = rig_ = chosen.rig;
+  rig = chosen.rig;
   text_ = imaging::viewText(raw_, chosen);
   if (chosen.is_identity) return Status::ok();
   for (std::size_t i = 0; i < raw_.cameras.size(); ++i) {
-    maps_.emplace_back(raw_.cameras[i], chosen.R_rectified_raw[i], rig);
+    maps_.emplace_back(raw_.cameras[i], chosen.R_rectified_raw[i], chosen.rig);
   }
   return Status::ok();
 }
@@ -51,15 +71,24 @@ Status RectifiedSource::next(Frame& frame) {
   const Status status = SourceStage::next(frame);
   if (!status.isOk()) return status;
   if (left_alone_) frame.right = {};
-  if (maps_.empty()) return status;
+  if (maps_.empty() && cut_.isWhole()) return status;
   const auto begin = std::chrono::steady_clock::now();
-  withoutOtherTasks([&] {
-    frame.left = maps_.front().apply(frame.left);
-    frame.right = maps_.size() == 2 ? maps_.back().apply(frame.right) : Image();
-  });
+  withoutOtherTasks([&] { change(frame); });
   const std::chrono::nanoseconds took = std::chrono::steady_clock::now() - begin;
   rectifying_ns_ = took.count();
   return host::checkImages(frame, rig_);
+}
+
+void RectifiedSource::change(Frame& frame) const {
+  if (!maps_.empty()) {
+    frame.left = maps_.front().apply(frame.left);
+    frame.right = maps_.size() == 2 ? maps_.back().apply(frame.right) : Image();
+  }
+  frame.left = cut_.apply(frame.left);
+  frame.right = cut_.apply(frame.right);
+  for (NamedArray& sensor : frame.sensors) {
+    if (std::ranges::find(depth_arrays_, sensor.name) != depth_arrays_.end()) cut_.apply(sensor);
+  }
 }
 
 }  // namespace tolman::pipeline

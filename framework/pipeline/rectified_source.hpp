@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The source as the stages see it: raw images (extra RawRigSource) are rectified.
+// The source with rectified images: raw images (extra RawRigSource) are rectified, then all are
+// cropped and scaled as configured.
 #pragma once
 
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "config/settings.hpp"
 #include "host/stages.hpp"
+#include "imaging/image_cut.hpp"
 #include "imaging/pixel_map.hpp"
 
 namespace tolman::pipeline {
@@ -15,34 +17,46 @@ namespace tolman::pipeline {
 class RectifiedSource : private host::SourceStage {
  public:
   explicit RectifiedSource(std::unique_ptr<host::Instance> instance,
-                           const config::RectificationSettings& settings = {})
-      : SourceStage(std::move(instance)), settings_(settings) {}
+                           const config::RectificationSettings& settings = {},
+                           config::ImageSettings images = {})
+      : SourceStage(std::move(instance)), settings_(settings), images_(std::move(images)) {}
 
   using SourceStage::expect;
   using SourceStage::inspect;
   using SourceStage::instance;
   using SourceStage::startAt;
 
-  /// The cameras and images after rectification. Fails where raw images cannot be rectified.
+  /// Describes the cameras and images that the stages get. Fails if raw images cannot be rectified,
+  /// or images cannot be cropped as configured.
   Status info(SourceInfo& info);
   Status next(Frame& frame);
   /// The raw cameras, after info(); none where the source gives rectified images.
   const RawRig& rawRig() const { return raw_; }
-  /// What is done to the images, after info(); empty for nothing.
+  /// Whether the source does not know its number of frames (a live source); after info().
+  bool isEndless() const { return is_endless_; }
+  /// How the images are rectified, for people; empty if they are not. After info().
   const std::string& text() const { return text_; }
-  /// What rectifying the last frame took; 0 where nothing is done.
+  /// How the images are cropped and scaled, for people; empty for whole images. After info().
+  std::string cutText() const { return cut_.text(); }
+  /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
   std::int64_t rectifyingNs() const { return rectifying_ns_; }
 
  private:
   Status prepare(CameraRig& rig);
+  Status prepareCut(CameraRig& rig);
+  void change(Frame& frame) const;
 
   config::RectificationSettings settings_;
+  config::ImageSettings images_;
   RawRig raw_;
-  CameraRig rig_;  ///< rectified
+  CameraRig rig_;  ///< the rig that the stages get
   std::string text_;
-  std::vector<imaging::PixelMap> maps_;  ///< one a camera; none: images stay as they are
+  std::vector<imaging::PixelMap> maps_;  ///< one per camera; none: images are not rectified
+  imaging::ImageCut cut_;
+  std::vector<std::string> depth_arrays_;  ///< sensors that have a value for each pixel
   std::int64_t rectifying_ns_ = 0;
-  bool left_alone_ = false;  ///< raw pairs are no pairs for the stages
+  bool is_endless_ = false;
+  bool left_alone_ = false;  ///< the stages get only the left image of a raw pair
 };
 
 }  // namespace tolman::pipeline

@@ -23,7 +23,7 @@ inline constexpr std::string_view kStoodStill =
     "moved, "
     "see `tolman dataset check`, and `tolman validate` for the plugin";
 
-/// Health of a run, to be read before any error figure.
+/// Counters of the health of a run.
 struct RunCounters {
   std::int64_t frames = 0;          ///< processed
   std::int64_t dropped = 0;         ///< realtime: never processed
@@ -64,7 +64,7 @@ struct RunCounters {
   std::int64_t tracked() const { return frames - initialising - lost; }
   /// Whether no motion was found in the whole run.
   bool neverTracked() const { return frames > 0 && tracked() == unmoved; }
-  /// What to say of a run that never tracked: one frame shows no motion, however good it is.
+  /// The warning for a run that never tracked, by its likely cause.
   std::string_view neverTrackedText() const {
     if (frames == 1) return kOneFrame;
     if (2 * impossible > frames) return kNeverBelieved;

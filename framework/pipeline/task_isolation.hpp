@@ -6,9 +6,9 @@
 
 namespace tolman::pipeline {
 
-/// Calls `call` and returns its result. While it waits for its own parallel loops, its thread takes
-/// no tasks of other stages: decoding an image in the middle of an answer would delay all stages
-/// that wait for the answer.
+/// Calls `call` and returns its result. While `call` waits for its own parallel loops, its thread
+/// takes no tasks of other stages: decoding an image in the meantime would delay the answer and all
+/// stages that wait for it.
 template <class Call>
 auto withoutOtherTasks(Call&& call) {
   return tbb::this_task_arena::isolate(call);

@@ -47,7 +47,7 @@ class AnswersEncoder {
   std::string bytes_;
 };
 
-/// The names of all fields of R and of the records in it, in order: what a reader must agree with.
+/// The names of all fields of R and of the records in it, in order. A reader must have the same.
 template <Record R>
 std::string fieldNames() {
   std::string names = std::string(R::kRecord) + "(";

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "record/answers_codec.hpp"
+#include "record/regular_file.hpp"
 
 namespace tolman::record {
 namespace {
@@ -40,7 +41,7 @@ T rawAt(std::ifstream& stream) {
   return std::bit_cast<T>(bytes);
 }
 
-/// The next block whose payload is whole; nothing at the end or where the file is damaged.
+/// The next block with a complete payload; none at the end or where the file is damaged.
 std::optional<AnswersBlock> nextBlock(std::ifstream& stream) {
   const auto block = rawAt<AnswersBlock>(stream);
   if (!stream || block.size > (std::uint64_t{1} << 32U)) return std::nullopt;
@@ -70,7 +71,7 @@ Result<AnswersFile> AnswersFile::create(const std::filesystem::path& directory,
 Result<AnswersFile> AnswersFile::reopen(const std::filesystem::path& directory,
                                         std::int64_t next_frame) {
   AnswersFile file(directory / kAnswersFile);
-  std::ifstream stream(file.file_, std::ios::binary);
+  std::ifstream stream = openRegular(file.file_);
   stream.seekg(static_cast<std::streamoff>(kAnswersMagic.size()));
   std::int64_t last = kAnswersStart;
   std::streamoff end = -1;
@@ -105,7 +106,7 @@ Status AnswersFile::block(std::int64_t tag, const std::string& payload) {
   return Status::failed(file_.string() + ": cannot be written; look for a full disk");
 }
 
-/// Points of one points_frame are written once, as in run.sqlite.
+/// Writes the points of one points_frame only once, as in run.sqlite.
 Status AnswersFile::add(const Frame& frame, const Motion& motion, const PlaceObservation& place) {
   const bool same = motion.points.cols() > 0 && motion.points_frame == points_frame_;
   std::string answer;
@@ -132,7 +133,7 @@ Status AnswersFile::finish(const std::vector<MotionRevision>& revisions) {
 }
 
 bool hasAnswers(const std::filesystem::path& directory) {
-  std::ifstream stream(directory / kAnswersFile, std::ios::binary);
+  std::ifstream stream = openRegular(directory / kAnswersFile);
   stream.seekg(static_cast<std::streamoff>(kAnswersMagic.size()));
   for (auto block = rawAt<AnswersBlock>(stream); stream; block = rawAt<AnswersBlock>(stream)) {
     if (block.size > (std::uint64_t{1} << 32U)) return false;

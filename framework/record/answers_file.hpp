@@ -28,15 +28,15 @@ class AnswersFile {
   static Result<AnswersFile> create(const std::filesystem::path& directory,
                                     const SourceInfo& source,
                                     const std::vector<ArrayInfo>& sensors);
-  /// Opens that of an interrupted or killed run again, and removes what was written after frame
-  /// `next_frame` - 1. InvalidInput where a frame before is missing or damaged.
+  /// Opens answers.bin of an interrupted or killed run, and removes the answers from frame
+  /// `next_frame` on. InvalidInput if an earlier frame is missing or damaged.
   static Result<AnswersFile> reopen(const std::filesystem::path& directory,
                                     std::int64_t next_frame);
 
   Status add(const Frame& frame, const Motion& motion, const PlaceObservation& place);
-  /// What was added before survives a kill.
+  /// Afterwards all answers so far are in the file, even if the process is killed.
   Status flush();
-  /// The last revisions; nothing may be added afterwards.
+  /// Writes the last revisions and the end. Nothing may be added afterwards.
   Status finish(const std::vector<MotionRevision>& revisions);
 
  private:
@@ -46,10 +46,10 @@ class AnswersFile {
 
   std::filesystem::path file_;
   std::ofstream stream_;
-  std::int64_t points_frame_ = -1;  ///< of the last points that were written
+  std::int64_t points_frame_ = -1;  ///< points_frame of the last written points
 };
 
-/// Whether the run there has all answers: its answers.bin has an end.
+/// Whether the run there has all answers: its answers.bin has the last block.
 bool hasAnswers(const std::filesystem::path& directory);
 
 }  // namespace tolman::record

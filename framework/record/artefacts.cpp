@@ -21,7 +21,7 @@ bool isSafe(const std::filesystem::path& name) {
   return true;
 }
 
-/// The folder `name` in `parent`, made when absent; not through a symbolic link.
+/// Opens the folder `name` in `parent`, and creates it if necessary; refuses a symbolic link.
 FileDescriptor enter(const FileDescriptor& parent, const std::string& name) {
   ::mkdirat(parent.number(), name.c_str(), 0755);
   return FileDescriptor(

@@ -27,7 +27,7 @@ bool writeAll(int file, std::span<const std::byte> bytes) {
   return true;
 }
 
-/// A fresh file, whatever a killed program has left; `name` becomes its name.
+/// Creates a new temporary file beside any that a killed program has left. `name` becomes its name.
 FileDescriptor createTemporary(const FileDescriptor& directory, std::string& name) {
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   for (int attempt = 0; attempt < 1000; ++attempt) {

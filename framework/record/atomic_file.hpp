@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are either the old or the new one, never half of it.
+// Atomic writing: a file has either its old or its new contents, never a part of them.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace tolman::record {
 
-/// A file descriptor with an owner.
+/// Owns a file descriptor and closes it.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int number) : number_(number) {}
@@ -27,15 +27,16 @@ class FileDescriptor {
   int number_;
 };
 
-/// The open folder, locked against every other writer of it while it lives; not open when somebody
-/// else holds the lock, or for what is no folder.
+/// Opens and locks a folder; the lock ends with the descriptor. The result is not open if another
+/// process holds the lock, or if `folder` is not a folder.
 FileDescriptor lockFolder(const std::filesystem::path& folder);
 
-/// Whether the bytes are on the disk when the call returns, so that they survive a loss of power.
+/// Whether the call waits until the bytes are on the disk, so that they survive a loss of power.
 enum class Sync : std::uint8_t { Yes, No };
 
-/// Writes `bytes` to a temporary file beside `name` in the open `directory`, syncs, renames.
-/// `shown` names the file in messages. A failure leaves the old file and no temporary one.
+/// Writes `bytes` to a temporary file in the open `directory`, syncs it, and renames it to `name`.
+/// `shown` names the file in messages. After a failure the old file is unchanged and the temporary
+/// one is removed.
 Status writeAtomicallyAt(const FileDescriptor& directory, const std::string& name,
                          std::span<const std::byte> bytes, const std::string& shown,
                          Sync sync = Sync::Yes);

@@ -51,7 +51,7 @@ inline constexpr Stored kMostNumber = config::kMostNumber;
 template <>
 inline constexpr std::int64_t kMostNumber<std::int64_t> = config::kMostInteger;
 
-/// Throws BadRow beyond `most` in both directions, and for NaN.
+/// Throws BadRow if |number| is above `most`, and for NaN.
 template <class Stored>
 void checkNumber(Stored number, Stored most) {
   if (number >= -most && number <= most) return;
@@ -119,7 +119,7 @@ struct Codec<Eigen::Isometry3d> {
       checkNumber(T.translation()[i], config::kFarthest);
     }
     for (int i = 0; i < 4; ++i) q.coeffs()[i] = row.next().getDouble();
-    constexpr double kError = 1e-3;  // much more than config::kRotationError causes
+    constexpr double kError = 1e-3;  // much larger than the effect of config::kRotationError
     if (!(std::abs(q.norm() - 1) < kError)) throw BadRow("a quaternion is not of unit length");
     T.linear() = q.normalized().toRotationMatrix();
   }
@@ -156,7 +156,7 @@ struct Codec<T> {
     const auto* values = reinterpret_cast<const Scalar*>(bytes.data());
     matrix.template reshaped<Eigen::RowMajor>() =
         Eigen::Map<const Eigen::VectorX<Scalar>>(values, matrix.size());
-    // Arrays of plugins may hold anything; covariances are checked before they are recorded.
+    // Arrays of plugins may contain any values. Other matrices were finite when recorded.
     if (kColumns != Eigen::Dynamic && !matrix.allFinite()) {
       throw BadRow("a matrix has numbers that are not finite");
     }

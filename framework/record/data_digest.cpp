@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "record/answers_file.hpp"
@@ -22,14 +24,37 @@ struct DataFile {
   struct stat status {};
 };
 
-bool add(std::vector<DataFile>& files, const fs::path& path, const fs::path& root) {
+void add(std::vector<DataFile>& files, const fs::path& path, const fs::path& root) {
   DataFile file{path == root ? "" : path.lexically_relative(root).string(), path, {}};
-  if (::stat(path.c_str(), &file.status) != 0) return false;
-  if (S_ISREG(file.status.st_mode)) files.push_back(std::move(file));
-  return true;
+  if (::stat(path.c_str(), &file.status) != 0 || !S_ISREG(file.status.st_mode)) return;
+  files.push_back(std::move(file));
+  if (files.size() > kMostFiles) {
+    throw fs::filesystem_error("walk", root, std::make_error_code(std::errc::file_too_large));
+  }
 }
 
-/// Throws fs::filesystem_error.
+/// The folders from the root of a walk to the present one. A link to one of them is not followed,
+/// because the walk would not end.
+class Ancestors {
+ public:
+  explicit Ancestors(const fs::path& root) { enter(root, -1); }
+
+  /// Enters a folder at this depth; false if it is one of its own ancestors.
+  bool enter(const fs::path& folder, int depth) {
+    struct stat status {};
+    if (::stat(folder.c_str(), &status) != 0) return false;
+    const std::pair id(status.st_dev, status.st_ino);
+    path_.resize(static_cast<std::size_t>(depth + 1));
+    if (std::ranges::find(path_, id) != path_.end()) return false;
+    path_.push_back(id);
+    return true;
+  }
+
+ private:
+  std::vector<std::pair<dev_t, ino_t>> path_;
+};
+
+/// All regular files below `root`, or `root` itself if it is a file. Throws fs::filesystem_error.
 std::vector<DataFile> filesOf(const fs::path& root) {
   std::vector<DataFile> files;
   if (!fs::is_directory(root)) {
@@ -37,11 +62,17 @@ std::vector<DataFile> filesOf(const fs::path& root) {
     return files;
   }
   const bool is_run = fs::exists(root / "run.json");
-  for (const auto& entry :
-       fs::recursive_directory_iterator(root, fs::directory_options::follow_directory_symlink)) {
-    const std::string name = entry.path().lexically_relative(root).string();
+  Ancestors ancestors(root);
+  for (fs::recursive_directory_iterator at(root, fs::directory_options::follow_directory_symlink);
+       at != fs::recursive_directory_iterator(); ++at) {
+    const fs::path& path = at->path();
+    std::error_code ignored;
+    if (at->is_directory(ignored) && !ancestors.enter(path, at.depth())) {
+      at.disable_recursion_pending();
+    }
+    const std::string name = path.lexically_relative(root).string();
     if (is_run && name != kAnswersFile && !name.starts_with("state/")) continue;
-    add(files, entry.path(), root);
+    add(files, path, root);
   }
   std::ranges::sort(files, {}, &DataFile::name);
   return files;
@@ -54,6 +85,10 @@ Result<DataDigest> digestData(const fs::path& path, const DataDigest& known, std
   try {
     files = filesOf(path);
   } catch (const fs::filesystem_error& error) {
+    if (error.code() == std::errc::file_too_large) {
+      return Status::invalidInput(fmt::format(
+          "{}: more than {} files; name the folder of one recording", path.string(), kMostFiles));
+    }
     return Status::invalidInput(error.path1().string() + ": " + error.code().message());
   }
   DataDigest digest;

@@ -14,15 +14,18 @@ struct DataDigest {
   std::string path;
   std::int64_t files = 0;
   std::int64_t bytes = 0;
-  std::string stamp;   ///< SHA-256 of names, sizes and times of change of all files
-  std::string sha256;  ///< of names and contents of all files; empty for more than the most
+  std::string stamp;   ///< SHA-256 of names, inodes, sizes and modification times of all files
+  std::string sha256;  ///< SHA-256 of names and contents of all files; empty above the limit
 };
 
 inline constexpr std::int64_t kMostData = std::int64_t{64} << 30U;  // bytes
+inline constexpr std::size_t kMostFiles = 1'000'000;
 
-/// Of a file, or of all regular files below a folder. Of a run directory the files that a later run
-/// reads: answers.bin and the state. Contents are read only where `known` is not of the same path
-/// and stamp, and of at most `most` bytes. InvalidInput where something cannot be read.
+/// The digest of a file, or of all regular files below a folder; of a run directory only the files
+/// that a later run reads: answers.bin and the state. Contents are not read if `known` has the same
+/// path and stamp (then `known` is returned), or if there are more than `most` bytes. Links are
+/// followed, but not back to a folder that contains them. InvalidInput if something cannot be read,
+/// or for more than kMostFiles files.
 Result<DataDigest> digestData(const std::filesystem::path& path, const DataDigest& known = {},
                               std::int64_t most = kMostData);
 

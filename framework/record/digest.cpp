@@ -2,16 +2,23 @@
 #include "record/digest.hpp"
 
 #include <array>
-#include <fstream>
 
 #include "record/atomic_file.hpp"
 #include "record/export.hpp"
+#include "record/regular_file.hpp"
 #include "record/sha256.hpp"
 
 namespace tolman::record {
 
+std::string textDigest(std::string_view text) {
+  Sha256 sha;
+  sha.add(text);
+  return sha.digest();
+}
+
 Result<std::string> fileDigest(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = openRegular(file);
+  if (!stream.is_open()) return Status::invalidInput(file.string() + ": cannot be read");
   Sha256 sha;
   std::array<char, 65536> buffer{};
   while (stream.read(buffer.data(), buffer.size()) || stream.gcount() > 0) {

@@ -4,11 +4,14 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "tolman/status.hpp"
 
 namespace tolman::record {
 
+/// SHA-256 of a text or of the bytes of a file, as 64 hexadecimal digits.
+std::string textDigest(std::string_view text);
 Result<std::string> fileDigest(const std::filesystem::path& file);
 
 /// Writes results.sha256: digests of the exported files that exist, in the format of `sha256sum

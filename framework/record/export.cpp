@@ -12,7 +12,7 @@
 namespace tolman::record {
 namespace {
 
-/// The frames of a session, numbered from 0.
+/// The frames of a session: `first` to `end` - 1.
 struct Span {
   std::int64_t first = 0;
   std::int64_t end = INT64_MAX;

@@ -15,10 +15,10 @@ namespace tolman::record {
 inline constexpr std::array<std::string_view, 5> kExportedFiles = {
     "odometry.tum", "odometry.kitti", "trajectory.tum", "trajectory.kitti", "map.g2o"};
 
-/// Writes kExportedFiles into `folder`, each atomically; the folder must exist. `trajectory` is the
-/// map's. Trajectories are those of one session, -1 for the last: stamps of different sessions may
-/// be of different clocks. Files that would be empty (a run without a map) are left out. Returns
-/// what was written; InvalidInput where the record has nothing to export.
+/// Writes kExportedFiles into `folder`, each atomically; the folder must exist. `trajectory` is
+/// that of the map. Trajectories are those of one session (-1: the last), because the stamps of
+/// different sessions may be of different clocks. Files that would be empty (a run without a map)
+/// are left out. Returns the written files; InvalidInput if the record has nothing to export.
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session = -1);

@@ -10,11 +10,11 @@ namespace tolman::record {
 
 /// The information matrix of an EDGE_SE3:QUAT: g2o's error is (translation, vector part of the
 /// quaternion), and that vector is half the rotation vector. Variances below 1e-10 (10 um, 10 urad)
-/// are raised to it, so that a covariance of zero has an inverse; scaled by the link's weight.
+/// are raised to it, so that a covariance of zero has an inverse. Scaled by the link's weight.
 Matrix6d g2oInformation(const Link& link);
 
-/// Links that the map has rejected are left out. VERTEX_SE3:QUAT, FIX 0, and EDGE_SE3:QUAT with the
-/// 21 values of the upper triangle.
+/// The map as VERTEX_SE3:QUAT, FIX 0, and EDGE_SE3:QUAT with the 21 values of the upper triangle.
+/// Links that the map has rejected are left out.
 std::string g2oText(const MapGraph& graph);
 
 }  // namespace tolman::record

@@ -16,7 +16,7 @@ struct GraphParts {
   std::int64_t count = 0;
 };
 
-/// Components over all links that the map has not rejected.
+/// The components that all links form that the map has not rejected.
 GraphParts partsOf(const MapGraph& graph);
 
 }  // namespace tolman::record

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "record/schema_check.hpp"
 #include "record/views.hpp"
 
 namespace tolman::record {
@@ -61,8 +62,8 @@ void forEachInherited(const Database& old, std::int64_t frames, const Insert& in
   forEachRow<MapUpdate>(old, earlier, insert);
 }
 
-/// The rows of a table that a run which goes on at frame `next` of its session, the first of which
-/// is `first`, writes again; empty: none.
+/// SQL condition for the rows that a run writes again if it resumes at frame `next`; empty: none.
+/// `first` is the first frame of its session.
 std::string rowsFrom(const Table& table, const std::string& next, const std::string& first) {
   const auto has = [&](const char* name) {
     return std::ranges::find(table.columns, name, &Column::name) != table.columns.end();
@@ -83,7 +84,7 @@ Database createDatabase(const std::filesystem::path& file) {
   database.exec(kJournal);
   database.exec("BEGIN");
   for (const Table& table : schema()) database.exec(createSql(table));
-  for (const View& view : views()) database.exec(createSql(view));
+  for (const SqlView& view : views()) database.exec(createSql(view));
   database.exec(
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
       "CREATE INDEX \"earlier_loop_announced\" ON \"earlier_loop\" (\"announced_at\");"
@@ -109,6 +110,7 @@ Result<std::unique_ptr<Recorder>> Recorder::reopen(const std::filesystem::path& 
   const std::filesystem::path file = directory / "run.sqlite";
   return answered(file.string(), [&] {
     Database database = openDatabase(file, Access::Write);
+    requireOwnTables(database);
     database.exec(kJournal);
     std::unique_ptr<Recorder> recorder(new Recorder(file, std::move(database)));
     recorder->removeFrom(next_frame);
@@ -150,7 +152,8 @@ Status Recorder::write(Work&& work) {
   return status;
 }
 
-/// Forgets which rows are written, so that the next call writes them again.
+/// Undoes the present call, and forgets which rows are written, so that the next call writes them
+/// again.
 void Recorder::rollBackCall() {
   database_.exec("ROLLBACK TO one_call; RELEASE one_call");
   written_experiences_.clear();
@@ -187,7 +190,8 @@ void Recorder::removeFrom(std::int64_t next_frame) {
   const std::string first = std::to_string(largest("first_frame", "session"));
   database_.exec("BEGIN");
   const std::vector<Table> tables = schema();
-  // Rows before those they refer to. (clang 14 cannot compile views::reverse of this library.)
+  // Deletes rows before the rows they refer to. (clang 14 cannot compile views::reverse of this
+  // library.)
   for (auto table = tables.rbegin(); table != tables.rend(); ++table) {
     const std::string rows = rowsFrom(*table, next, first);
     if (!rows.empty()) database_.exec("DELETE FROM \"" + table->name + "\" WHERE " + rows);
@@ -283,7 +287,7 @@ Status Recorder::meta(std::string_view key, std::string_view value) {
   });
 }
 
-/// With the mutex held.
+/// The caller must hold the mutex.
 void Recorder::commitNow() {
   if (!in_transaction_ || !failure_.isOk()) return;
   failure_ = guarded(name_, [&] { database_.exec("COMMIT"); });
@@ -299,7 +303,7 @@ Status Recorder::commit() {
 Status Recorder::sync() {
   const std::lock_guard lock(mutex_);
   commitNow();
-  if (failure_.isOk()) {  // merging the log synchronises it first
+  if (failure_.isOk()) {  // a checkpoint of the log writes it to the disk first
     failure_ = guarded(name_, [&] { database_.exec("PRAGMA wal_checkpoint(PASSIVE)"); });
   }
   return failure_;
@@ -313,7 +317,8 @@ void Recorder::commitRegularly(const std::stop_token& stop) {
   }
 }
 
-/// A plain file also opens on read-only media. While a reader is connected, the log stays.
+/// Merges the log into the file, which can then be opened on read-only media. While a reader is
+/// connected, the log remains.
 void Recorder::mergeLog() {
   try {
     database_.exec("PRAGMA busy_timeout = 0; PRAGMA journal_mode = DELETE");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes run.sqlite as the run goes, so that a kill at any moment loses at most the last second.
+// Writes run.sqlite during the run. If the process is killed, at most the last second is lost.
 #pragma once
 
 #include <condition_variable>
@@ -24,14 +24,13 @@ namespace tolman::record {
 /// recorded twice, a link to a missing experience) fails its own call only.
 ///
 /// The points of a motion are stored once per points_frame; later rows with the same points_frame
-/// hold none. Tables `experience` and `link` hold the latest values.
+/// have none. Tables `experience` and `link` have the latest values.
 class Recorder {
  public:
   /// Creates run.sqlite in an existing directory that has none.
   static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory);
-  /// Opens the run.sqlite of an interrupted or killed run again, and removes what was recorded
-  /// after frame `next_frame` - 1, with everything that a run writes once; begin() and graph()
-  /// write that anew.
+  /// Opens run.sqlite of an interrupted or killed run. Removes the rows from frame `next_frame` on,
+  /// and the tables that a run writes once: begin(), graph() and finalPoses() write them again.
   static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,
                                                   std::int64_t next_frame);
   ~Recorder();  ///< closes, and ignores the status of close()
@@ -58,9 +57,9 @@ class Recorder {
   Status event(std::int64_t frame, LogLevel level, std::string_view source,
                std::string_view message);
   Status meta(std::string_view key, std::string_view value);
-  /// Everything written before survives a kill.
+  /// Commits all rows so far, so that they are kept if the process is killed.
   Status commit();
-  /// Everything written before survives a loss of power.
+  /// Also writes them to the disk, so that they survive a loss of power.
   Status sync();
   /// Commits, and merges the write-ahead log into run.sqlite. Later calls fail.
   Status close();

@@ -34,7 +34,7 @@ std::string tableMarkdown(const Table& table) {
 
 std::string recordsMarkdown() {
   std::string text = kIntroduction + std::to_string(kSchemaVersion) + kConventions;
-  for (const View& view : views()) text += "- `" + view.name + "`: " + view.doc + "\n";
+  for (const SqlView& view : views()) text += "- `" + view.name + "`: " + view.doc + "\n";
   for (const Table& table : schema()) text += tableMarkdown(table);
   return text;
 }

@@ -106,7 +106,7 @@ void Replay::fill(RecordedFrame& recorded) {
   position_.frame = frame;
 }
 
-/// The recorder stores the points of a points_frame once.
+/// Restores the points of a motion: the recorder stores those of a points_frame only once.
 void Replay::restorePoints(Motion& motion) {
   if (motion.points.cols() > 0) {
     position_.points_frame = motion.points_frame;
@@ -116,7 +116,7 @@ void Replay::restorePoints(Motion& motion) {
   }
 }
 
-/// Rows of timing come in the order of frames.
+/// Takes the timing rows of the frame; rows are in the order of frames.
 void Replay::takeTimes(RecordedFrame& recorded) {
   for (; times_.ahead && times_.ahead->frame <= recorded.frame.frame; times_.advance()) {
     const auto role = config::valueNamed<Role>(times_.ahead->stage);
@@ -127,8 +127,8 @@ void Replay::takeTimes(RecordedFrame& recorded) {
   }
 }
 
-/// Events of a frame come with that frame, events of no frame (-1) with the next one, and all
-/// remaining events with the last frame.
+/// Takes the events of the frame, events without a frame (-1) before it, and at the last frame all
+/// remaining events.
 void Replay::takeEvents(RecordedFrame& recorded) {
   const bool last = !unfinished_ && !frames_.ahead;
   for (; events_.ahead && (last || events_.ahead->frame <= recorded.frame.frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads a recorded run frame by frame, as the snapshots that its observers were given.
+// Reads a recorded run frame by frame, as the snapshots that its observers received.
 #pragma once
 
 #include <memory>
@@ -21,9 +21,9 @@ struct RecordedFrame {
   std::optional<MapUpdate> map;
   std::vector<NamedArray> cells;  ///< only at every record.arrays_every-th frame
   StageTimes stage_times_ns{};
-  std::vector<RunEvent> events;  ///< since the frame before
+  std::vector<RunEvent> events;  ///< since the previous frame
 
-  /// Refers to this; without a graph.
+  /// A snapshot with pointers into this object, without a graph.
   Snapshot snapshot() const;
 };
 
@@ -48,7 +48,7 @@ class Replay {
   const ReplayPosition& position() const { return position_; }
 
  private:
-  /// Rows of a record kind in the order of a key column, the next one read ahead.
+  /// The rows of one kind of record in the order of a key column. It reads one row ahead.
   template <Record R>
   struct Cursor {
     Cursor(const Database& database, const std::string& key_column, std::int64_t after);

@@ -14,7 +14,7 @@ namespace tolman::record {
 /// The frames of one run.
 struct RecordedSession {
   static constexpr const char* kRecord = "session";
-  std::int64_t id = 0;           ///< dense from 0; the last one is this run's own
+  std::int64_t id = 0;           ///< consecutive from 0; the last one is that of this run
   std::int64_t first_frame = 0;  ///< frames before it are of earlier sessions
   std::string name;              ///< of the run
   std::string source;            ///< the source's description of its data

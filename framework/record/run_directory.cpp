@@ -9,10 +9,10 @@
 
 #include <cerrno>
 #include <ctime>
-#include <fstream>
 #include <system_error>
 
 #include "record/export.hpp"
+#include "record/regular_file.hpp"
 
 namespace tolman::record {
 namespace {
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOther = "choose another --out";
 
-/// A run's name as a folder's: no separators, not hidden.
+/// The folder name for a run: without separators, not hidden.
 std::string folderName(const RunDirectoryOptions& options) {
   std::string name;
   for (const char c : options.name) {
@@ -32,7 +32,7 @@ std::string folderName(const RunDirectoryOptions& options) {
   return fmt::format("{}-{:%Y%m%dT%H%M%SZ}", name, fmt::gmtime(std::time_t{options.utc_seconds}));
 }
 
-/// A folder that did not exist before; two runs of one second get different ones.
+/// Creates a new folder; two runs in the same second get different ones.
 fs::path makeNamed(const RunDirectoryOptions& options) {
   fs::create_directories(options.root);
   const std::string name = folderName(options);
@@ -43,11 +43,11 @@ fs::path makeNamed(const RunDirectoryOptions& options) {
   return path;
 }
 
-/// Replaces the link at once; what is no link stays.
+/// Replaces the link `latest` atomically. A file or folder of this name is kept.
 void pointLatestAt(const fs::path& path) {
   const fs::path link = path.parent_path() / "latest";
   const fs::path temporary = path.parent_path() / (".latest-" + path.filename().string());
-  std::error_code ignored;  // a convenience: a run does not fail for it
+  std::error_code ignored;  // the link is a convenience: a run does not fail without it
   if (fs::exists(fs::symlink_status(link, ignored)) && !fs::is_symlink(link, ignored)) return;
   fs::remove(temporary, ignored);
   fs::create_directory_symlink(path.filename(), temporary, ignored);
@@ -120,19 +120,19 @@ bool RunDirectory::isBeingWritten(const std::filesystem::path& path) {
 }
 
 nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& path) {
-  std::ifstream file(path / "run.json", std::ios::binary);
+  std::ifstream file = openRegular(path / "run.json");
   auto json = nlohmann::ordered_json::parse(file, nullptr, false);
   return json.is_discarded() ? nullptr : json;
 }
 
 bool RunDirectory::wasKilled(const std::filesystem::path& path) {
   const auto json = readRunFile(path);
-  const auto status = json.find("status");  // the end also of what is no object
+  const auto status = json.find("status");  // end() also if it is not an object
   const bool running = status != json.end() && *status == enumName(RunState::Running);
   return running && !isBeingWritten(path);
 }
 
-/// Removes what an earlier run has left, by name: never what we do not know.
+/// Removes the files of an earlier run by their names; other files are kept.
 Status RunDirectory::clear(bool replace) const {
   if (fs::is_empty(path_)) return Status::ok();
   if (!fs::exists(path_ / "run.sqlite") && !fs::exists(path_ / "run.json")) {

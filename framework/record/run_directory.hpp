@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The folder of one run: making it, `latest`, run.json.
+// The folder of one run: its creation, the link `latest`, and run.json.
 #pragma once
 
 #include <array>
@@ -20,25 +20,25 @@ inline constexpr std::array<std::string_view, 4> kRunStateNames = {"running", "f
 constexpr std::span<const std::string_view> enumNames(RunState) { return kRunStateNames; }
 
 struct RunDirectoryOptions {
-  std::filesystem::path root = "runs";  ///< of named directories
+  std::filesystem::path root = "runs";  ///< parent of named directories
   std::string name = "run";
   std::int64_t utc_seconds = 0;              ///< since 1970, for the name
-  std::optional<std::filesystem::path> out;  ///< this very directory instead of a named one
-  bool replace = false;                      ///< the run that `out` holds
+  std::optional<std::filesystem::path> out;  ///< this directory instead of a named one
+  bool replace = false;                      ///< replace an earlier run in `out`
 };
 
-/// Holds a lock on the folder while it lives, so that no two runs write one.
+/// A locked folder: while this object exists, no other run writes into it.
 class RunDirectory {
  public:
-  /// Makes <root>/<name>-<UTC time> and points <root>/latest at it, or takes `out`: a new or empty
-  /// folder, or with `replace` that of an earlier run, whose files are removed. Any other is
-  /// refused.
+  /// Creates <root>/<name>-<UTC time> and links <root>/latest to it, or uses `out`: a new or empty
+  /// folder, or with `replace` the folder of an earlier run, whose files are removed. Any other
+  /// folder is refused.
   static Result<RunDirectory> create(const RunDirectoryOptions& options);
 
-  /// Takes the directory of an earlier run as it is, for a run that goes on there.
+  /// Opens the directory of an earlier run unchanged, to resume the run.
   static Result<RunDirectory> reopen(const std::filesystem::path& path);
 
-  /// Whether result files of `run` may be written to `folder`: not where another run is.
+  /// Refuses `folder` for result files of `run` if it contains another run.
   static Status mayTakeFilesOf(const std::filesystem::path& run,
                                const std::filesystem::path& folder);
   /// Whether a run is writing there at this moment.
@@ -49,11 +49,11 @@ class RunDirectory {
   static bool wasKilled(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
-  /// Fails after the folder was moved, removed or replaced: then path() may be of another run.
+  /// Fails if the folder was moved, removed or replaced: path() may then be another run.
   Status stillInPlace() const;
 
-  /// Writes run.json: `provenance`, an object, and "status". Into this folder, also where it was
-  /// moved to.
+  /// Writes run.json: the object `provenance` and "status". Writes into this folder even if it was
+  /// moved.
   Status writeRunFile(nlohmann::ordered_json provenance, RunState state) const;
 
  private:

@@ -33,8 +33,8 @@ Revisions lastRevisions(const Database& database) {
   return revisions;
 }
 
-/// Frames whose odometry was lost or initialising. The last frame before the first track of a
-/// session is its origin; before a later track the pose is unknown.
+/// Frames whose odometry was lost or initialising. The last frame before the first tracked one of a
+/// session is its origin and counts as tracked; before later ones the pose is unknown.
 std::set<std::int64_t> untrackedFrames(const Database& database) {
   std::set<std::int64_t> beginnings;
   forEachRow<RecordedSession>(
@@ -59,7 +59,7 @@ std::set<std::int64_t> untrackedFrames(const Database& database) {
   return frames;
 }
 
-/// The one number that a query gives, in the limits of Codec.
+/// The single number that a query returns. Throws BadRow beyond the limits of Codec.
 std::int64_t integerOf(const Database& database, const std::string& query) {
   Statement row(database, query);
   row.step();

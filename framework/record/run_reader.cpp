@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
+#include "record/schema_check.hpp"
+
 namespace tolman::record {
 
 Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& directory) {
@@ -24,6 +26,8 @@ RunReader::RunReader(std::filesystem::path directory, const std::filesystem::pat
       database_(openDatabase(file, Access::ReadOnly)) {
   database_.exec("BEGIN");  // all reads see one state
   checkVersion();
+  requireOwnTables(database_);
+  requireMotions(database_);
 }
 
 void RunReader::checkVersion() const {

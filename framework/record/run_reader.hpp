@@ -15,16 +15,16 @@
 
 namespace tolman::record {
 
-/// Counts over all frames of the record. What the map holds is counted on graph().
+/// Counts over all frames of the record. For counts of the map use graph().
 struct RunTotals {
   std::int64_t frames = 0;
   std::int64_t templates = 0;       ///< frames with a novel view
   std::int64_t loop_decisions = 0;  ///< frames with the decision close_loop
 };
 
-/// Reads the state at the time of opening, also while the run continues; trajectories and graph are
-/// therefore computed once and cached. Not thread-safe. A damaged database gives a failure, never
-/// rows of a wrong shape.
+/// Reads the record as it was when it was opened, even if the run continues; trajectories and graph
+/// are therefore computed once and cached. Not thread-safe. A damaged database causes a failure,
+/// never rows of a wrong shape.
 class RunReader {
  public:
   static Result<std::unique_ptr<RunReader>> open(const std::filesystem::path& directory);
@@ -46,7 +46,7 @@ class RunReader {
                                 [&](const RecordedArray& row) { visit(row.frame, arrayOf(row)); });
     });
   }
-  /// Their descriptions, in the order of RunInfo::arrays.
+  /// The descriptions of the arrays, in the order of RunInfo::arrays.
   Result<std::vector<ArrayInfo>> arrayInfos() const;
 
   /// The sessions whose frames are recorded, in order; at least one where there are frames.

@@ -27,7 +27,7 @@ Table frameTable(std::string doc) {
   return table<R>(std::move(doc), primaryKey("frame") + frameReference());
 }
 
-/// A table of records that a record of a later frame brings.
+/// A table of records that belong to an earlier frame and were announced at a later one.
 template <Record R>
 Table announcedTable(std::string doc) {
   Table announced =

@@ -30,8 +30,8 @@ const char* remedy(int code) {
   }
 }
 
-/// What a writer that was killed has left unfinished is rolled back, which a reader may not do.
-/// When that fails (read-only media), the reader fails as well and says why.
+/// Rolls back the unfinished transaction of a killed writer, which a read-only connection cannot
+/// do. If that fails (read-only media), the reader fails as well with the reason.
 void rollBackJournal(const std::filesystem::path& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file.string() + "-journal", ignored)) return;

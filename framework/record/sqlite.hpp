@@ -33,13 +33,14 @@ class Statement : public SQLite::Statement {
  public:
   using SQLite::Statement::Statement;
 
-  /// NULL without a value; text as std::string; a BLOB as pointer and size.
+  /// Binds the next parameter: NULL without a value, a text as std::string, a BLOB as pointer and
+  /// size.
   template <class... Value>
   void bindNext(const Value&... value) {
     bind(++parameter_, value...);
   }
-  /// Moves to the next row; false after the last one. The statement can be bound again then, and
-  /// after an exception.
+  /// Moves to the next row; false after the last one. Then, and after an exception, the statement
+  /// can be bound again.
   bool step();
   /// Executes a statement that has no rows.
   void run() { (void)step(); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes records to tables and reads them, nested lists included. Throws on errors; transactions
-// are the caller's.
+// Writes records to tables and reads them, nested lists included. Throws on errors. The caller
+// manages transactions.
 #pragma once
 
 #include <map>
@@ -38,7 +38,8 @@ class StoreWriter {
     row.run();
   }
 
-  /// A row of a nested list; `frame` is that of the enclosing record, none after the last frame.
+  /// Inserts a row of a nested list. `frame`: frame of the enclosing record; none after the last
+  /// frame.
   template <Record R>
   void insertAnnounced(std::optional<std::int64_t> frame, const R& record) {
     Statement& row = statement(R::kRecord, [] {
@@ -82,7 +83,7 @@ class StoreWriter {
 };
 
 struct RecordedArray;
-/// Throws BadRow where the shape does not fit the values.
+/// The array of a row. Throws BadRow if the shape does not fit the values.
 NamedArray arrayOf(const RecordedArray& row);
 /// The arrays of a frame, by name.
 std::vector<NamedArray> readArrays(const Database& database, std::int64_t frame,

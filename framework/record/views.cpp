@@ -6,8 +6,7 @@
 namespace tolman::record {
 namespace {
 
-/// Columns x, y, heading of the pose `pose` in the plane of the camera's z and -x axes, as
-/// toPlanar() has them.
+/// SQL for columns x, y (m) and heading (rad) of the pose `pose`, as in toPlanar().
 std::string planar(const std::string& pose) {
   return fmt::format(
       R"("{0}_z" AS x, -"{0}_x" AS y, atan2(-2 * ("{0}_qx" * "{0}_qz" + "{0}_qw" * "{0}_qy"), )"
@@ -17,7 +16,7 @@ std::string planar(const std::string& pose) {
 
 }  // namespace
 
-std::vector<View> views() {
+std::vector<SqlView> views() {
   return {
       {"path",
        "`frame`, `stamp_ns`, `x` (forward, m), `y` (left, m), `heading` (rad) of the finished map",
@@ -36,7 +35,7 @@ std::vector<View> views() {
   };
 }
 
-std::string createSql(const View& view) {
+std::string createSql(const SqlView& view) {
   return "CREATE VIEW " + view.name + " AS " + view.select;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Views of run.sqlite for queries by hand: poses in the plane with headings as numbers, and no
-// column whose name is a word of SQL. The tables stay as they are, so records without views are
-// read as well.
+// column names that are words of SQL. The program reads only the tables, so it also reads records
+// without views.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace tolman::record {
 
-struct View {
+struct SqlView {
   std::string name;
   std::string doc;
   std::string select;
 };
 
-std::vector<View> views();
+std::vector<SqlView> views();
 
-std::string createSql(const View& view);
+std::string createSql(const SqlView& view);
 
 }  // namespace tolman::record

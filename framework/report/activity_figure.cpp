@@ -27,8 +27,8 @@ float highest(const std::vector<float>& values) {
   return most;
 }
 
-/// Units as sectors in the direction of their heading: 0 is up, positive to the left. The length of
-/// a sector is the activity.
+/// Draws units as sectors in the direction of their heading (0 is up, positive to the left). The
+/// length of a sector is the activity.
 void drawRing(Svg& svg, const Eigen::Vector2d& centre, const ArrayAxis& axis,
               const std::vector<float>& activity, double heading) {
   const double outer = kRing / 2;
@@ -56,7 +56,7 @@ void drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory&
             pngUrl(ratePixels(rates.cast<double>(), static_cast<double>(highest(activity)))));
 }
 
-/// Nothing where the population was not recorded at the frame.
+/// Draws a population at a frame; nothing if it was not recorded there.
 void drawAt(Svg& svg, const Eigen::Vector2d& centre, const PopulationHistory& population,
             std::int64_t frame, double heading) {
   const auto at = std::ranges::lower_bound(population.frames, frame);

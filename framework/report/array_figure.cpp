@@ -59,7 +59,7 @@ void drawLines(Svg& svg, double top, const PopulationHistory& array) {
   }
 }
 
-/// Frames to the right, indices (row-major) upwards; both thinned to the cells of the picture.
+/// Frames to the right, indices (row-major) upwards; both are thinned to the cells of the heat map.
 void drawHeatMap(Svg& svg, double top, const PopulationHistory& array) {
   const std::size_t size = array.activity.front().size();
   const std::size_t columns = std::min(kMostColumns, array.frames.size());

@@ -23,7 +23,7 @@ int ticksIn(double pixels, double each) { return std::max(2, static_cast<int>(pi
 
 }  // namespace
 
-/// What differs between the lower and the left side of the frame; distances in px.
+/// Properties of the lower or the left side of the frame; distances in px.
 struct Axes::Side {
   bool vertical;
   Eigen::Vector2d outward;
@@ -44,7 +44,7 @@ std::vector<double> ticks(const Range& range, int wanted) {
   const double step = stepOf(range, wanted);
   const double slack = 1e-9 * range.length();
   const double first = std::ceil((range.low - slack) / step);
-  if (std::abs(first) > 1e12) return {range.low};  // steps below the precision of a double
+  if (std::abs(first) > 1e12) return {range.low};  // the step is below double precision
   std::vector<double> values;
   for (double i = first; i * step <= range.high + slack; ++i) values.push_back(i * step);
   return values;
@@ -117,10 +117,10 @@ void Axes::polyline(const std::vector<double>& x, const std::vector<double>& y, 
   svg_.polyline(points, colour, thickness);
 }
 
-void Axes::legend(const std::vector<Entry>& entries) {
+void Axes::legend(const std::vector<LegendEntry>& entries) {
   double x = plan_.place.min().x();
   const double y = plan_.place.min().y() - 8;
-  for (const Entry& entry : entries) {
+  for (const LegendEntry& entry : entries) {
     svg_.line({x, y - 4}, {x + 16, y - 4}, entry.colour, 3);
     svg_.text({x + 20, y}, entry.name, {TextAnchor::Start, 11});
     x += 34 + 6.3 * static_cast<double>(entry.name.size());

@@ -17,9 +17,9 @@ struct Range {
   double length() const { return high - low; }
 };
 
-/// Round values (1, 2 or 5 times a power of ten) within the range, about `wanted` of them.
+/// About `wanted` round values within the range: multiples of 1, 2 or 5 times a power of ten.
 std::vector<double> ticks(const Range& range, int wanted);
-/// With as many decimals as the step of the axis needs: "0.25", "1500".
+/// A value with as many decimals as the step of the axis needs: "0.25", "1500".
 std::string tickText(double value, double step);
 
 /// Position of the frame in the picture, px.
@@ -30,7 +30,7 @@ inline Eigen::AlignedBox2d frame(double left, double top, double right, double b
 struct AxesPlan {
   std::string title;
   std::string x_label;  ///< with its unit
-  std::string y_label;  ///< empty: no ticks either
+  std::string y_label;  ///< empty: also no ticks
   Range x;
   Range y;
   Eigen::AlignedBox2d place;  ///< of the frame, px
@@ -49,12 +49,12 @@ class Axes {
   void polyline(const std::vector<double>& x, const std::vector<double>& y, const char* colour,
                 double thickness = 1.5);
 
-  struct Entry {
+  struct LegendEntry {
     const char* colour;
     std::string name;
   };
-  /// Above the frame, from the left.
-  void legend(const std::vector<Entry>& entries);
+  /// Draws a legend above the frame, from the left.
+  void legend(const std::vector<LegendEntry>& entries);
 
  private:
   struct Side;

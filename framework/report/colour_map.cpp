@@ -31,7 +31,7 @@ std::uint32_t colourOf(double value) {
 std::string rateColour(double value) { return fmt::format("#{:06x}", colourOf(value)); }
 
 Pixels ratePixels(const Eigen::MatrixXd& rates, double most) {
-  constexpr double kLevels = 32;  // few colours make a small picture
+  constexpr double kLevels = 32;  // few colours make the file small
   const auto pixel = [&](double rate) {
     if (std::isnan(rate)) return 0U;
     return 0xff000000 | colourOf(std::round(kLevels * rate / std::max(most, 1e-12)) / kLevels);

@@ -11,12 +11,12 @@
 
 namespace tolman::report {
 
-/// "#rrggbb" for a value in [0, 1]; outside values take the nearest end.
+/// "#rrggbb" for a value in [0, 1]; values outside are clamped.
 std::string rateColour(double value);
 
 /// 0xaarrggbb, row by row from the top.
 using Pixels = Eigen::Matrix<std::uint32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Of rates (right, up): yellow for `most`; NaN is transparent.
+/// The colours of rates (right, up): yellow for `most`; NaN is transparent.
 Pixels ratePixels(const Eigen::MatrixXd& rates, double most);
 
 /// The colours from 0 to 1 as a bar between two labels, centred at `middle`.

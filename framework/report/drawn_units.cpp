@@ -46,11 +46,12 @@ DrawnUnit gridUnit(const RunData& run, const UnitChoice& choice,
   const std::size_t unit = choice.row * sizeOf(run.cells.sheets, 1) + choice.column;
   const auto one = unitsAt(sheet, poses, {unit});
   const auto measured = scoreSheet(one, periodInMetres(sheet), kNoShuffling).units[0];
-  const auto& module = run.metrics.cells->sheets[0].scores.square;
-  const std::string score = measured.scores && module
-                                ? fmt::format(", square grid score {:.2f} (chance {:.2f})",
-                                              measured.scores->square, module->chance)
-                                : ", too narrow an area for grid scores";
+  const auto lattice = evaluation::bestLattice(run.metrics.cells->sheets[0].scores);
+  const std::string score =
+      measured.scores && lattice.score
+          ? fmt::format(", {} score {:.2f} (chance {:.2f})", lattice.name,
+                        (*measured.scores).*lattice.of_unit, lattice.score->chance)
+          : ", too narrow an area for grid scores";
   DrawnUnit drawn{fmt::format("grid unit ({}, {}), phase ({:.3g}, {:.3g}) {}", choice.row + 1,
                               choice.column + 1, axisValue(axes[0], choice.row),
                               axisValue(axes[1], choice.column), axes[0].unit),

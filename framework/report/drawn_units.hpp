@@ -11,8 +11,8 @@
 
 namespace tolman::report {
 
-/// Indices from 0, in the first ring and the first sheet. Of the ring the opposite unit is drawn as
-/// well.
+/// The units to draw, by indices from 0 in the first ring and the first sheet. For the ring the
+/// unit of the opposite heading is drawn as well.
 struct UnitChoice {
   std::size_t head_direction = 0;
   std::size_t row = 0;
@@ -23,7 +23,7 @@ struct DrawnUnit {
   std::string name;      ///< with indices from 1
   std::string measures;  ///< in words
   evaluation::RateMap rates;
-  std::vector<Eigen::Vector2d> fields;  ///< centres of those of a grid unit
+  std::vector<Eigen::Vector2d> fields;  ///< centres of the fields of a grid unit
 };
 
 /// Units of the ring first. InvalidParameter for a unit that the run does not have.

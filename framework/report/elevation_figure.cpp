@@ -15,7 +15,7 @@ struct Profile {
   std::vector<double> height;  ///< m
 };
 
-/// In metres; y is downwards in the world of the first camera.
+/// Heights in metres. In the world frame y is down, so the sign is changed.
 Profile profileOf(const char* colour, const char* name, const evaluation::Trajectory& trajectory,
                   double metres) {
   const double thickness = colour == kGrey ? 4 : 1.5;
@@ -51,7 +51,7 @@ std::string elevationFigure(const RunData& run) {
   Svg svg(900, 330);
   Axes axes(svg, {"Height along the path", "distance driven (m)", "height (m)", driven, height,
                   frame(70.0, 60.0, 880.0, 280.0)});
-  std::vector<Axes::Entry> entries;
+  std::vector<Axes::LegendEntry> entries;
   for (const Profile& profile : profiles) {
     axes.polyline(profile.driven, profile.height, profile.colour, profile.thickness);
     entries.push_back({profile.colour, profile.name});

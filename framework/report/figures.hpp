@@ -11,7 +11,7 @@
 
 namespace tolman::report {
 
-/// Of one figure: a taller one could not be drawn as PNG. Further arrays are left out.
+/// Most panels of one figure: a taller one could not be drawn as PNG. Further arrays are left out.
 inline constexpr std::size_t kMostPanels = 40;
 
 /// Position error of odometry and map over time.
@@ -20,8 +20,8 @@ std::string errorFigure(const RunData& run);
 /// Height of odometry, map and truth over the driven distance; empty where all stay level.
 std::string elevationFigure(const RunData& run);
 
-/// The paper's graph of the local view template over time: new ones along the upper bound,
-/// familiar ones below it.
+/// The template of each frame over time, as in the paper: new ones along the upper bound, familiar
+/// ones below it.
 std::string templateFigure(const std::vector<PlaceObservation>& places);
 
 /// Activity of head direction rings and grid modules at the start, and at thirds of the run.
@@ -31,10 +31,10 @@ std::string activityFigure(const evaluation::CellHistory& cells,
 /// Each array over time: lines for up to five values, else a heat map.
 std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays);
 
-/// Where single units fire.
+/// The firing rate maps of single units.
 std::string firingFigure(const std::vector<DrawnUnit>& units);
 
-/// How all units fire: tuning curves of each ring, and the sheet of rate maps of each grid module.
+/// Firing of all units: tuning curves of each ring, and the rate maps of each grid module.
 std::string unitsFigure(const RunData& run);
 
 /// Time of each stage, median and 90th percentile.

@@ -11,7 +11,7 @@
 namespace tolman::report {
 namespace {
 
-constexpr double kLongSide = 820;  // px of the frame of a single map
+constexpr double kLongSide = 820;  // px; frame of a single map
 constexpr double kPanelSide = 420;
 constexpr double kLeft = 70;
 constexpr double kMapTop = 66;
@@ -19,7 +19,7 @@ constexpr double kRight = 30;
 constexpr double kBottom = 50;
 constexpr double kLeastWidth = 520;  // for the legend
 constexpr std::size_t kPanelsInARow = 3;
-constexpr double kPixelsPerCircle = 2.5;  // with less room experiences are drawn as dots
+constexpr double kPixelsPerCircle = 2.5;  // with less space experiences are drawn as dots
 
 bool isAcceptedLoop(const MapGraph& graph, const Link& link) {
   return link.kind == LinkKind::Loop && !graph.isRejected(link);
@@ -41,7 +41,7 @@ class PlanView {
     lying_ = box_.sizes().y() > 2 * box_.sizes().x();
   }
 
-  /// Of the frame, px, when its longer side is `side`.
+  /// Size of the frame, px, if its longer side is `side`.
   Eigen::Vector2d pixels(double side) const {
     const Eigen::Vector2d lengths(rangeX().length(), rangeY().length());
     return lengths * side / lengths.maxCoeff();
@@ -93,8 +93,8 @@ void drawGraph(Svg& svg, const PlanView& view, const Axes& axes, const MapGraph&
   }
 }
 
-std::vector<Axes::Entry> entries(const MapPicture& picture) {
-  std::vector<Axes::Entry> list;
+std::vector<Axes::LegendEntry> entries(const MapPicture& picture) {
+  std::vector<Axes::LegendEntry> list;
   if (!picture.truth.empty()) list.push_back({kGrey, "truth"});
   list.push_back({kOrange, "odometry"});
   list.push_back({kBlue, "map"});
@@ -115,17 +115,17 @@ void drawMap(Svg& svg, const PlanView& view, const MapPicture& picture, const st
   axes.legend(entries(picture));
 }
 
-/// Panels with the same axes; several are lettered.
+/// Panels with the same axes; if there are several, their titles begin with a letter.
 class Panels {
  public:
   Panels(const std::vector<MapPicture>& pictures, double long_side)
       : pictures_(pictures), view_(pictures), size_(view_.pixels(long_side)) {}
 
-  /// Px.
+  /// Size of a panel with its labels, px.
   Eigen::Vector2d cell() const {
     return {std::max(kLeft + size_.x() + kRight, kLeastWidth), kMapTop + size_.y() + kBottom};
   }
-  /// Panel i, whose cell begins there.
+  /// Draws panel i; `corner` is the upper left corner of its cell.
   void draw(Svg& svg, std::size_t i, const Eigen::Vector2d& corner) const {
     const std::string letter =
         pictures_.size() > 1 ? fmt::format("({}) ", static_cast<char>('a' + i % 26)) : "";

@@ -21,16 +21,16 @@ struct MapPicture {
   MapGraph graph;
 };
 
-/// Of a run, in metres of the truth; where nothing tells the scale, in the units of the run.
+/// The picture of a run, in metres; if the scale is unknown, in the arbitrary units of the run.
 MapPicture pictureOf(const RunData& run, std::string title);
 
-/// Seen from above; equal scales, a legend.
+/// A view from above with equal scales and a legend.
 std::string svgText(const MapPicture& picture);
 
 /// One panel per run, all with the same axes.
 std::string comparisonText(const std::vector<MapPicture>& pictures);
 
-/// The same panels as a picture each.
+/// The same panels, each as a picture of its own.
 std::vector<std::string> mapTexts(const std::vector<MapPicture>& pictures);
 
 }  // namespace tolman::report

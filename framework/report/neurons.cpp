@@ -43,7 +43,7 @@ Json sheetUnitJson(const PopulationHistory& sheet, std::size_t i,
   return json;
 }
 
-/// unit_json(population, index, unit) of all measured units of all populations.
+/// Collects unit_json(population, index, unit) for all measured units of all populations.
 template <class Figures, class UnitJson>
 Json unitsJson(const std::vector<PopulationHistory>& populations,
                const std::vector<Figures>& figures, UnitJson&& unit_json) {

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <fstream>
 #include <iterator>
 
+#include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "report/figures.hpp"
 #include "report/map_picture.hpp"
@@ -46,8 +46,8 @@ pre { overflow: auto; padding: .8rem; border: 1px solid var(--line); border-radi
 .wide { overflow-x: auto; }
 )";
 
-/// The style with what figures look like in the dark. They are drawn for white paper, as the files
-/// that they are as well.
+/// The style of the page, with other colours of the figures for dark mode. Figures are drawn for
+/// white paper, because they are also files.
 std::string style() {
   std::string dark = ":root { --soft: #9aa0a8; }\nfigure svg text { fill: #d8dade; }\n";
   const auto replace = [&](const char* light, const char* colour) {
@@ -65,7 +65,7 @@ std::string style() {
 }
 
 std::string textOf(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
+  std::ifstream stream = record::openRegular(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -73,7 +73,7 @@ void addFigure(RunPage& page, const char* file, std::string caption, std::string
   if (!svg.empty()) page.figures.push_back({file, std::move(caption), std::move(svg)});
 }
 
-/// Where single units fire, as pictures and as numbers.
+/// Adds the firing of single units, as pictures and as numbers.
 Status addNeurons(RunPage& page, const UnitChoice& choice) {
   const auto units = drawnUnits(page.data, choice);
   if (!units.isOk()) {
@@ -119,7 +119,7 @@ Status addFigures(RunPage& page, const record::RunReader& reader, const UnitChoi
   return Status::ok();
 }
 
-/// As wide as there is room; at its own width and less it is scrolled instead of made illegible.
+/// A figure as wide as the page. On a page narrower than the figure it is scrolled, not shrunk.
 std::string figureText(std::string_view id, const std::string& svg, std::string_view caption) {
   constexpr std::string_view kWidth = " width=\"";
   const std::string width = svg.substr(svg.find(kWidth) + kWidth.size());
@@ -140,10 +140,21 @@ std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
       "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
       name, m.path_length_m, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
-      metres(scores.ate_m.median), metres(scores.ate_m.max), metres(scores.horizontal_m.rmse),
+      metres(scores.ate_m.median), metres(scores.ate_m.max),
+      number(scores.horizontal_m.count > 0, scores.horizontal_m.rmse, 3),
       number(scores.vertical_m.count > 0, scores.vertical_m.rmse, 3),
       drift(scores.kitti.t_rel_percent), drift(scores.kitti.r_rel_deg_per_100m),
       number(m.scores.has_value(), 100 * scores.coverage, 1));
+}
+
+/// Why the columns of horizontal and vertical error are empty.
+std::string openTurnNote(const evaluation::Metrics& metrics) {
+  for (const auto* trajectory : {&metrics.odometry, &metrics.map}) {
+    const auto& scores = trajectory->scores;
+    if (!scores || scores->no_horizontal.empty()) continue;
+    return "<p>Horizontal and vertical error: " + escaped(scores->no_horizontal) + ".</p>\n";
+  }
+  return "";
 }
 
 std::string errorTable(const evaluation::Metrics& metrics) {
@@ -156,10 +167,11 @@ std::string errorTable(const evaluation::Metrics& metrics) {
              "error of sub-paths\">r_rel °/100 m</th>"
              "<th>tracked %</th></tr>\n",
              enumName(metrics.alignment)) +
-         errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) + "</table></div>\n";
+         errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
+         "</table></div>\n" + openTurnNote(metrics);
 }
 
-/// Nothing for one session in one piece.
+/// Table of the sessions; empty for a single session whose map is connected.
 std::string sessionTable(const evaluation::Metrics& metrics) {
   if (metrics.sessions.size() < 2 && metrics.parts < 2) return "";
   std::string text =
@@ -175,6 +187,21 @@ std::string sessionTable(const evaluation::Metrics& metrics) {
   const std::string unjoined = evaluation::unjoinedText(metrics);
   return text + "<p>" +
          (unjoined.empty() ? "All parts of the map are connected." : escaped(unjoined)) + "</p>\n";
+}
+
+/// Rows with the latency of a realtime run.
+std::string latencyRows(const Json& provenance) {
+  if (!provenance.is_object()) return "";
+  const auto latency = provenance.find("latency");
+  if (latency == provenance.end() || !latency->is_object()) return "";
+  const auto value = [&](const char* key) {
+    const auto found = latency->find(key);
+    return found != latency->end() && found->is_number() ? found->get<double>() : 0.0;
+  };
+  return fmt::format(
+      "<tr><td title=\"from the exposure of a frame to its pose in the map\">latency, median</td>"
+      "<td>{:.1f} ms</td></tr><tr><td>latency, 99 %</td><td>{:.1f} ms</td></tr>\n",
+      value("median_ms"), value("p99_ms"));
 }
 
 std::string healthTable(const Json& provenance, const evaluation::Metrics& metrics) {
@@ -196,11 +223,11 @@ std::string healthTable(const Json& provenance, const evaluation::Metrics& metri
         "the motions; {} for honest covariances\">mean NEES</td><td>{:.2f}</td></tr>\n",
         100 * motions.share_99, motions.degrees_of_freedom, motions.mean);
   }
+  rows += latencyRows(provenance);
   return "<table class=\"counts\">" + rows + "</table>\n";
 }
 
-/// What tells one run from another: `other`, the name that is not its heading, and which plugins
-/// did the work.
+/// The line below the heading of a run: its other name, and its plugins.
 std::string subtitle(const RunPage& run, const std::string& other) {
   std::string text = other;
   const auto plugins = run.provenance.find("plugins");
@@ -248,7 +275,7 @@ Result<RunPage> makePage(const record::RunReader& reader, RunData data, const Un
                record::RunDirectory::wasKilled(directory)};
   const Status drawn = addFigures(page, reader, units);
   if (!drawn.isOk()) return drawn;
-  page.data.cells = {};  // large, and drawn
+  page.data.cells = {};  // large, and drawn already
   return page;
 }
 

@@ -23,12 +23,12 @@ struct PageFigure {
 /// The contents of a page about one run.
 struct RunPage {
   RunData data;
-  std::string directory;  ///< its name without the path; distinguishes the runs of one page
+  std::string directory;  ///< name of the run directory, unique among the runs of one page
   std::vector<PageFigure> figures;
   nlohmann::ordered_json neurons;     ///< neuronsJson()
   nlohmann::ordered_json provenance;  ///< run.json; null where it is missing
   std::string config;                 ///< config.resolved.yaml
-  bool killed = false;                ///< the run did not end by itself
+  bool killed = false;                ///< the run was killed
   config::Node settings{};            ///< of `config`; only for the comparison of several runs
 };
 
@@ -47,7 +47,7 @@ std::vector<MapPicture> comparedMaps(const std::vector<RunPage>& runs);
 /// The maps of several runs beside each other; empty for a single one.
 std::string comparisonFigure(const std::vector<RunPage>& runs);
 
-/// Several runs are compared first, then each has its part.
+/// The page. With several runs it begins with their comparison, then has a part for each.
 std::string html(const std::vector<RunPage>& runs);
 
 }  // namespace tolman::report

@@ -35,7 +35,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned size) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// Empty where it cannot be encoded.
+/// The PNG file of a surface; empty if it cannot be encoded.
 std::string encoded(cairo_surface_t* surface) {
   std::string bytes;
   if (cairo_surface_write_to_png_stream(surface, append, &bytes) != CAIRO_STATUS_SUCCESS) return "";
@@ -48,7 +48,7 @@ struct Drawing {
   double height = 0;
 };
 
-/// Failed for text that is no SVG, and where a side with `zoom` pixels per unit is too large.
+/// Failed if the text is not SVG, or if a side with `zoom` pixels per unit is too large.
 Result<Drawing> drawingOf(const std::string& svg, double zoom) {
   GError* error = nullptr;
   const auto* data = reinterpret_cast<const guint8*>(svg.data());
@@ -94,7 +94,7 @@ Result<std::string> pdfOf(const std::string& svg, double points) {
   std::string bytes;
   const Owned<cairo_surface_t> surface(cairo_pdf_surface_create_for_stream(
       append, &bytes, points * drawing.value().width, points * drawing.value().height));
-  // A date that is no date is left out of the file.
+  // An empty date is left out of the file.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   if (Status drawn = draw(drawing.value(), surface.get(), points); !drawn.isOk()) return drawn;
   cairo_surface_finish(surface.get());

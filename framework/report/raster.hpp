@@ -9,15 +9,15 @@
 
 namespace tolman::report {
 
-/// The bytes of a PNG file with `zoom` pixels per unit of the SVG. Failed for text that is no SVG,
-/// and for pictures that are too large.
+/// The bytes of a PNG file with `zoom` pixels per unit of the SVG. Failed if the text is not SVG,
+/// or if the picture is too large.
 Result<std::string> pngOf(const std::string& svg, double zoom = 2);
 
 /// The bytes of a PDF file of one page, with `points` (1/72 inch) per unit of the SVG: lines and
 /// text, no pixels. It has no date, so that the same figure gives the same bytes.
 Result<std::string> pdfOf(const std::string& svg, double points = 0.7);
 
-/// A picture within an SVG: "data:image/png;base64,...".
+/// The URL of a picture within an SVG: "data:image/png;base64,...".
 std::string pngUrl(Pixels pixels);
 
 }  // namespace tolman::report

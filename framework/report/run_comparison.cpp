@@ -26,7 +26,8 @@ std::string row(const std::string& label, const std::vector<std::string>& cells)
   return text + "</tr>\n";
 }
 
-/// Keys that all runs have. The parameters of plugins that only some of them use would be many.
+/// Rows of settings that all runs have. Parameters of plugins that only some runs use are left out,
+/// because they are many.
 std::string settingRows(const std::vector<RunPage>& runs) {
   std::vector<const config::Node*> trees;
   for (const RunPage& run : runs) trees.push_back(&run.settings);

@@ -32,7 +32,7 @@ T must(Result<T>&& result) {
 }
 
 /// `auto`: similarity for a single camera, planar for a source without images, else rigid.
-Alignment resolve(config::Alignment asked, const record::RunReader& reader) {
+Alignment resolve(config::AlignmentChoice asked, const record::RunReader& reader) {
   const auto named = std::ranges::find(evaluation::kAlignmentNames, enumName(asked));
   if (named != evaluation::kAlignmentNames.end()) {
     return static_cast<Alignment>(named - evaluation::kAlignmentNames.begin());
@@ -44,7 +44,7 @@ Alignment resolve(config::Alignment asked, const record::RunReader& reader) {
   return must(reader.scaleKnown()) ? Alignment::Se3 : Alignment::Sim3;
 }
 
-/// None: chosen by the length of the true path.
+/// The configured lengths; none if they depend on the length of the true path.
 std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSettings& settings) {
   if (!settings.segment_lengths.empty()) {
     return evaluation::SegmentLengths{"custom", settings.segment_lengths};
@@ -54,7 +54,7 @@ std::optional<evaluation::SegmentLengths> lengthsOf(const config::EvaluationSett
   return std::nullopt;
 }
 
-/// Frames before `first` are of earlier sessions.
+/// The poses from frame `first` on; earlier ones are of earlier sessions.
 evaluation::Trajectory since(std::int64_t first, evaluation::Trajectory trajectory) {
   std::erase_if(trajectory, [&](const auto& pose) { return pose.frame < first; });
   return trajectory;
@@ -81,7 +81,7 @@ std::vector<evaluation::SessionFigures> sessionFigures(
   return figures;
 }
 
-/// Of the motions since frame `first`, each with its last revision.
+/// Consistency of the motions since frame `first`, each with its last revision.
 evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std::int64_t first,
                                             const evaluation::Trajectory& truth,
                                             Alignment alignment) {
@@ -101,8 +101,7 @@ evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std
   return errors.result();
 }
 
-/// Frames that `realtime` dropped have no record, and their truth is in none: they count as not
-/// tracked.
+/// Counts frames that `realtime` dropped as not tracked. They have no record, and so no truth.
 void countDropped(evaluation::TrajectoryMetrics& metrics, const evaluation::Trajectory& poses) {
   if (!metrics.scores || poses.empty()) return;
   const auto processed = static_cast<double>(poses.size());
@@ -120,7 +119,7 @@ std::string digestOf(const evaluation::Trajectory& truth) {
   return sha.digest();
 }
 
-/// Of the trajectories and the graph in `run`.
+/// The metrics of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
   const auto lengths = lengthsOf(settings);
@@ -146,8 +145,8 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   metrics.counts = evaluation::countsOf(run.graph, totals.loop_decisions);
   metrics.truth_sha256 = digestOf(truth);
   if (!truth.empty()) {
-    metrics.loops =
-        evaluation::loopFigures(run.graph, must(reader.records<PlaceObservation>()), truth);
+    metrics.loops = evaluation::loopFigures(run.graph, must(reader.records<PlaceObservation>()),
+                                            truth, settings.loop_height);
   }
   const auto timing = must(reader.timing());
   for (const auto& [stage, durations] : timing) {
@@ -156,7 +155,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   return metrics;
 }
 
-/// Aligns the truth with the map in the world frame of the run; no truth where that fails.
+/// Aligns the truth with the map in the world frame of the run. If that fails, run.truth is empty.
 void alignTruth(RunData& run, const evaluation::Trajectory& truth, bool scale_known) {
   run.has_metres = scale_known;
   const auto matches = evaluation::associateByFrame(run.map, truth);

@@ -29,14 +29,15 @@ struct RunData {
   MapGraph graph;
   evaluation::Metrics metrics;
   evaluation::CellHistory cells;
-  double metres = 1;       ///< of the truth in one unit of the run: not 1 where the scale is free
-  bool has_metres = true;  ///< false: the scale is unknown and there is no truth to tell it
+  double metres = 1;       ///< metres per unit of the run; other than 1 only with Alignment::Sim3
+  bool has_metres = true;  ///< false: the scale is unknown, and there is no truth to determine it
 
-  /// Where the activity of the cells is measured.
+  /// The trajectory at which the activity of the cells is measured.
   const evaluation::Trajectory& places() const { return metrics.map.scores ? truth : map; }
 };
 
-/// InvalidInput for a record that is damaged or empty. `seed`: of the run, for what chance gives.
+/// InvalidInput if the record is damaged or empty. `seed`: seed of the run, for the scores by
+/// chance.
 Result<RunData> readRun(const record::RunReader& reader, const config::EvaluationSettings& settings,
                         std::uint64_t seed = 1);
 

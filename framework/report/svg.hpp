@@ -18,14 +18,14 @@ inline constexpr const char* kGreen = "#009E73";
 inline constexpr const char* kVermilion = "#D55E00";
 inline constexpr const char* kPurple = "#CC79A7";
 
-// The page shows these otherwise in the dark; each is used for nothing else.
+// The page replaces these colours in dark mode, so each of them has only one use.
 inline constexpr const char* kPaper = "white";
 inline constexpr const char* kFrameLine = "#444444";
 inline constexpr const char* kGridLine = "#e6e6e6";
 inline constexpr const char* kFaintLine = "#bbbbbb";
 inline constexpr const char* kPaleBlue = "#cfe3f1";
 
-/// `text` with the special characters of XML and HTML replaced by entities, and what
+/// `text` with the special characters of XML and HTML replaced by entities, and characters that
 /// cannot be printed by U+FFFD.
 std::string escaped(std::string_view text);
 
@@ -53,7 +53,7 @@ class Svg {
               std::string_view stroke = "none");
   void rectangle(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view fill,
                  std::string_view stroke = "none");
-  /// `url` of the picture, as of pngUrl().
+  /// Draws a picture; `url` is from pngUrl().
   void image(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, std::string_view url);
   void text(const Eigen::Vector2d& at, std::string_view text, const TextStyle& style = {});
 

@@ -16,7 +16,7 @@ std::string templateFigure(const std::vector<PlaceObservation>& places) {
   Svg svg(900, 380);
   Axes axes(svg, {"Local view template over time", "data time (s)", "template", time, templates,
                   frame(70.0, 60.0, 880.0, 330.0)});
-  // Novel ones last: each is followed by familiar ones that would hide it.
+  // Draws novel ones last, because the familiar ones after each would cover it.
   for (const Recognition kind : {Recognition::Familiar, Recognition::Novel}) {
     for (const PlaceObservation& place : places) {
       if (place.recognition != kind) continue;

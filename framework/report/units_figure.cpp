@@ -18,15 +18,15 @@ using evaluation::axisAngle;
 using evaluation::PopulationHistory;
 using evaluation::RateMap;
 
-constexpr double kModulePanel = 900;  // px, of the maps of a module; two stand beside each other
+constexpr double kModulePanel = 900;  // px, of the maps of a module; two are side by side
 constexpr double kMargin = 30;
 constexpr double kColumn = kModulePanel + 2 * kMargin;
-constexpr double kDial = 105;  // px, of a tuning curve
+constexpr double kDial = 105;  // px, size of a tuning curve
 constexpr double kTitle = 60;
 constexpr double kBelow = 50;
 constexpr int kGap = 1;  // px between rate maps
 constexpr std::uint32_t kClear = 0;
-constexpr std::uint32_t kUnvisited = 0xff1a0a24;  // less than any colour of a rate
+constexpr std::uint32_t kUnvisited = 0xff1a0a24;  // a number below that of any rate's colour
 
 void drawTitle(Svg& svg, const Eigen::Vector2d& middle, const std::string& title,
                const std::string& scores) {
@@ -34,7 +34,7 @@ void drawTitle(Svg& svg, const Eigen::Vector2d& middle, const std::string& title
   svg.text(middle + Eigen::Vector2d(0, 20), scores, {TextAnchor::Middle, 13});
 }
 
-std::string scoreText(const char* name, const std::optional<evaluation::UnitScore>& score) {
+std::string scoreText(const std::string& name, const std::optional<evaluation::UnitScore>& score) {
   if (!score) return fmt::format("{} not measurable here", name);
   return fmt::format("{} {:.2f} in the median, chance {:.2f}, {:.0f} % above", name, score->median,
                      score->chance, 100 * score->share_above);
@@ -62,7 +62,7 @@ void drawDial(Svg& svg, const Eigen::Vector2d& centre, const evaluation::TuningC
            {TextAnchor::Middle, 10});
 }
 
-/// Returns its lower end.
+/// Draws the tuning curves of a ring. Returns the y of its lower end, px.
 double drawRing(Svg& svg, double top, const PopulationHistory& ring,
                 const evaluation::RingFigures& figures) {
   const auto& width = figures.scores.half_width_deg;
@@ -81,7 +81,8 @@ double drawRing(Svg& svg, double top, const PopulationHistory& ring,
   return centre.y() + kDial / 2 + kBelow;
 }
 
-/// The rate maps of a module, units of a row of the sheet above each other: forward is up in each.
+/// The rate maps of a module. Units of one row of the sheet are above each other; in each map
+/// forward is up.
 Pixels tiled(const std::vector<RateMap>& maps, Eigen::Index rows, double most) {
   const auto columns = static_cast<Eigen::Index>(maps.size()) / rows;
   const Eigen::Index right = maps[0].rate.rows() + kGap;
@@ -94,7 +95,7 @@ Pixels tiled(const std::vector<RateMap>& maps, Eigen::Index rows, double most) {
   return pixels;
 }
 
-/// What directions, lengths and colours mean. `tile`: px, width of a rate map.
+/// Draws the key of directions, lengths and colours. `tile`: width of a rate map, px.
 void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, const RateMap& map,
              double tile, double peak, double metres_per_unit) {
   const double bin = map.bin * metres_per_unit;
@@ -111,16 +112,17 @@ void drawKey(Svg& svg, const Eigen::Vector2d& corner, const ArrayInfo& info, con
   colourBar(svg, {corner.x() + kModulePanel - 110, y}, "rate 0", fmt::format("peak {:.2g}", peak));
 }
 
-/// Returns its lower end.
+/// Draws the rate maps of a grid module. Returns the y of its lower end, px.
 double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistory& sheet,
                  const evaluation::SheetFigures& figures, const evaluation::StampedPoses& poses,
                  double metres_per_unit) {
   const ArrayAxis& axis = sheet.info.axes[0];
   const double period = axis.period * (axis.unit == "m" ? metres_per_unit : 1);
+  const evaluation::LatticeScore lattice = evaluation::bestLattice(figures.scores);
   drawTitle(svg, corner + Eigen::Vector2d(kModulePanel / 2, 25),
             fmt::format("{}: {} grid units, period {:.4g} {}", sheet.info.name, figures.units,
                         period, axis.unit),
-            scoreText("grid score square", figures.scores.square));
+            scoreText(fmt::format("{} score", lattice.name), lattice.score));
   const auto units = unitsAt(sheet, poses, measuredUnits(sheet));
   std::vector<RateMap> maps;
   double peak = 1e-12;

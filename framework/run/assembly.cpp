@@ -15,8 +15,8 @@ std::uint64_t seedOf(std::int64_t run_seed, const std::string& instance) {
   return RandomStream(detail::fnv1a(start, instance)).bits();
 }
 
-/// The kind of failure when configure() fails: a bad value is the configuration's, other failures
-/// of a source are its data's.
+/// The kind of a failure of configure(): Configuration for a bad value, Dataset for other failures
+/// of a source.
 FailureKind configureFailure(Role role, const Status& status) {
   const StatusCode code = status.code();
   if (code == StatusCode::InvalidParameter) return FailureKind::Configuration;
@@ -49,7 +49,7 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
     require(status, configureFailure(stage.role, status), stage.instance);
     instances_.push_back(instance.get());
     add(std::move(instance), stage);
-    if (stage.role != Role::Source) continue;  // the first, for stages are in the flow's order
+    if (stage.role != Role::Source) continue;  // it is the first stage
     require(source().info(info_), FailureKind::Dataset, stage.instance);
   }
 }
@@ -57,8 +57,8 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
 void Assembly::add(std::unique_ptr<host::Instance> instance, const config::StageConfig& stage) {
   switch (stage.role) {
     case Role::Source:
-      source_ = std::make_unique<pipeline::RectifiedSource>(std::move(instance),
-                                                            checked_.config.rectification);
+      source_ = std::make_unique<pipeline::RectifiedSource>(
+          std::move(instance), checked_.config.rectification, checked_.config.images);
       break;
     case Role::Odometry:
       odometry_ = std::make_unique<host::OdometryStage>(std::move(instance));
@@ -86,7 +86,7 @@ void Assembly::openArtefacts(const std::filesystem::path& run_directory) {
         std::make_unique<record::ArtefactFolder>(run_directory, services->instance);
   }
   for (const auto& remote : checked_.remotes) {
-    // The failure of a process that has ended is reported by the next call.
+    // If the process has ended, the next call reports the failure.
     if (remote) (void)isolation::openArtefacts(*remote, run_directory.string());
   }
 }

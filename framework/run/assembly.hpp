@@ -19,7 +19,7 @@ namespace tolman::run {
 /// Holds the stages that are in the scope of the checked system.
 class Assembly {
  public:
-  struct Observer {
+  struct RunningObserver {
     host::ObserverStage stage;
     config::FailurePolicy policy;
   };
@@ -28,21 +28,22 @@ class Assembly {
   Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
            const Cancellation& cancellation);
 
-  /// From here on plugins can write artefacts, into the run directory.
+  /// From now on plugins can write artefacts into the run directory.
   void openArtefacts(const std::filesystem::path& run_directory);
-  /// Destroys all stages in the reverse order of the flow; returns what their destructors threw.
+  /// Destroys all stages in the reverse order of the flow; returns the exceptions of their
+  /// destructors.
   std::vector<Status> teardown();
 
   const CheckedSystem& system() const { return checked_; }
   const SourceInfo& sourceInfo() const { return info_; }
   /// Appends descriptions of the source's sensors and of the arrays of the cells.
   Status describeArrays(std::vector<ArrayInfo>& arrays);
-  /// The name of a stage in the configuration; that of the role where there is none.
+  /// The name of a stage in the configuration; the name of the role if there is no such stage.
   std::string stageName(Role role) const;
   Failure failureOf(const pipeline::StageFailure& failure) const;
-  /// Of odometry, place, cells and map.
+  /// The failure policies of odometry, place, cells and map.
   pipeline::Policies policies() const;
-  /// Of the whole chain, which must be in the scope.
+  /// The stages of the whole chain, which must be in the scope.
   pipeline::Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
   pipeline::CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
   pipeline::RectifiedSource& source() { return *source_; }
@@ -51,12 +52,12 @@ class Assembly {
   host::PlaceStage& place() { return *place_; }
   host::CellsStage& cells() { return *cells_; }
   host::MapStage& map() { return *map_; }
-  std::vector<Observer>& observers() { return observers_; }
-  /// Of all stages, in the order of the configuration.
+  std::vector<RunningObserver>& observers() { return observers_; }
+  /// The instances of all stages, in the order of CheckedSystem::config.stages.
   const std::vector<host::Instance*>& instances() const { return instances_; }
 
  private:
-  /// What one stage's Context refers to.
+  /// The services that the Context of one stage refers to.
   struct Services {
     std::string instance;
     StageLogger log;
@@ -76,7 +77,7 @@ class Assembly {
   std::unique_ptr<host::PlaceStage> place_;
   std::unique_ptr<host::CellsStage> cells_;
   std::unique_ptr<host::MapStage> map_;
-  std::vector<Observer> observers_;
+  std::vector<RunningObserver> observers_;
 };
 
 }  // namespace tolman::run

@@ -35,7 +35,7 @@ void confine(config::Loaded& loaded, Scope scope, config::Problems& problems) {
   loaded.complete = false;  // the other stages may be missing
 }
 
-/// Appends observers, by the ids of their plugins, that the configuration does not name itself.
+/// Appends observers by the ids of their plugins, unless the configuration names them already.
 void addObservers(config::Loaded& loaded, const std::vector<std::string>& plugins) {
   for (const std::string& plugin : plugins) {
     config::Node* list = loaded.tree.find("observers");
@@ -77,7 +77,7 @@ host::Manifest programOf(const host::Catalogue& catalogue, const config::StageCo
   return require(catalogue.program(std::get<std::string>(values.at(schema[0].name))));
 }
 
-/// A program tells its role when it is open. Throws Failed.
+/// Refuses a program of another role: its role is known only when it is open. Throws Failed.
 void requireRole(const host::Manifest& manifest, Role role) {
   if (manifest.role == role) return;
   require(host::OrRefusal<bool>(host::Refusal{
@@ -87,7 +87,7 @@ void requireRole(const host::Manifest& manifest, Role role) {
       "derive its class from the class of the stage's role"}));
 }
 
-/// Throws Failed.
+/// Opens a plugin in a process of its own. Throws Failed.
 Opened openApart(const host::Manifest& manifest, Role role, const config::SystemConfig& config,
                  const SystemOptions& options) {
   const isolation::LaunchOptions launch{options.stage_program, config.isolation.deadline,
@@ -100,7 +100,7 @@ Opened openApart(const host::Manifest& manifest, Role role, const config::System
   return {{remote->manifest(), nullptr, std::move(schema)}, remote};
 }
 
-/// Throws Failed.
+/// Opens the plugin of a stage. Throws Failed.
 Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
             const config::SystemConfig& config, const SystemOptions& options) {
   const auto manifest = manifestOf(catalogue, stage, config);
@@ -110,7 +110,8 @@ Opened open(const host::Catalogue& catalogue, const config::StageConfig& stage,
   return {require(host::loadPlugin(manifest, host::HostIdentity::ofThisBuild())), nullptr};
 }
 
-/// Whether a plugin saves its state is known only of its object, which is therefore created here.
+/// Enables restarts of a remote plugin. Creates its object, because only the object shows whether
+/// the plugin saves its state.
 void prepareRestart(const config::StageConfig& stage, isolation::RemotePlugin& remote,
                     config::Problems& problems) {
   const config::Origin origin = stage.given.find("on_failure")->origin;
@@ -125,7 +126,7 @@ void prepareRestart(const config::StageConfig& stage, isolation::RemotePlugin& r
   }
 }
 
-/// Whether there is a flag of this name.
+/// Whether there is a Bool parameter with this name.
 bool declares(const Schema& schema, std::string_view name) {
   return std::ranges::any_of(schema, [&](const ParameterInfo& p) {
     return p.name == name && p.type == ParameterType::Bool;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a configuration file to a system whose plugins are loaded and whose every value is checked
-// against their declarations. No plugin object exists yet; Assembly makes them.
+// Turns a configuration file into a system with loaded plugins and checked values. No plugin object
+// exists yet; Assembly creates them.
 #pragma once
 
 #include <cstdint>
@@ -18,18 +18,18 @@
 
 namespace tolman::run {
 
-/// What a caller chooses; the rest stands in the configuration.
+/// Choices of the caller; all others are in the configuration.
 struct SystemOptions {
   std::string config;                       ///< YAML file
   std::vector<std::string> overrides{};     ///< "a.b=c", as by --set
   std::vector<std::string> plugin_paths{};  ///< folders or libraries to search first for plugins
-  std::vector<std::string> observers{};     ///< ids of plugins that observe, too
+  std::vector<std::string> observers{};     ///< ids of plugins that are added as observers
   bool quiet = false;  ///< set the parameter `quiet` of the observers that declare it
-  /// Open every plugin in a process of its own: a library that crashes or hangs when it is opened
-  /// is then a refusal.
+  /// Open every plugin in a process of its own, so that a library that crashes or hangs when it is
+  /// opened becomes a refusal.
   bool apart = false;
-  /// Program and arguments that become the process of a stage with `isolation: process`. A program
-  /// without the command `run-stage` names the installed `tolman` here.
+  /// Program and arguments for the process of a stage with `isolation: process`. A program that
+  /// does not have the command `run-stage` must give the installed `tolman` here.
   std::vector<std::string> stage_program{"/proc/self/exe", "run-stage"};
 };
 
@@ -37,13 +37,14 @@ struct SystemOptions {
 /// tree of this program.
 host::Catalogue openCatalogue(const std::vector<std::string>& plugin_paths);
 
-/// Finds, gates and opens one plugin. Throws Failed.
+/// Finds one plugin, checks the gate and opens it. Throws Failed.
 host::LoadedPlugin loadFrom(const host::Catalogue& catalogue, const std::string& id, Role role);
 
 /// The manifest of the plugin of a stage, or of the program that it runs. Throws Failed.
 host::Manifest manifestOf(const host::Catalogue& catalogue, const config::StageConfig& stage,
                           const config::SystemConfig& config);
-/// Opens it for its parameters and files; a program in a process that ends again. Throws Failed.
+/// Opens a plugin to read its parameters and files; a program is opened in a temporary process.
+/// Throws Failed.
 host::LoadedPlugin describeFrom(const host::Manifest& manifest, Role role,
                                 const config::SystemConfig& config);
 

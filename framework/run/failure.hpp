@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why something of a run failed, as data: what kind of failure, in which stage, and the message for
-// a person. The command line derives its exit codes from the kind (docs/errors.md).
+// A failure of a run as data: its kind, its stage, and the message for a person. The command line
+// derives its exit codes from the kind (docs/errors.md).
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ enum class FailureKind : std::uint8_t {
   Configuration,  ///< a file, an override or a parameter is wrong
   Plugin,         ///< a plugin cannot be loaded, created or configured
   Dataset,        ///< the data of the source are missing, damaged or inconsistent
-  Stage,          ///< a plugin failed while the run was going
+  Stage,          ///< a plugin failed during the run
   Record,         ///< the run directory or the record in it cannot be written
   Continuation,   ///< the map of an earlier run cannot be continued
 };

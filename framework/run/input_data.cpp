@@ -3,36 +3,71 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
 namespace tolman::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All texts and paths that a stage has as parameters.
+using VisitText = std::function<void(const ParameterInfo&, const std::string&)>;
+
+void visitTexts(const config::StageConfig& stage, const config::StageValues& values,
+                const StageSchemas& schemas, const VisitText& visit) {
+  const auto schema = schemas.find(stage.instance);
+  const auto own = values.find(stage.instance);
+  if (schema == schemas.end() || own == values.end()) return;
+  for (const ParameterInfo& info : *schema->second) {
+    const auto value = own->second.find(info.name);
+    if (value == own->second.end()) continue;
+    const auto* text = std::get_if<std::string>(&value->second);
+    if (text != nullptr && !text->empty()) visit(info, *text);
+  }
+}
+
+bool exists(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored);
+}
+
+bool isFile(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+}  // namespace
 
 std::vector<std::string> inputPaths(const config::SystemConfig& config,
                                     const config::StageValues& values,
-                                    const std::vector<const Schema*>& schemas) {
-  namespace fs = std::filesystem;
+                                    const StageSchemas& schemas) {
   std::vector<std::string> paths;
   const auto add = [&](const std::string& path) {
-    std::error_code ignored;
-    if (path.empty() || !fs::exists(path, ignored)) return;
-    if (std::ranges::find(paths, path) == paths.end()) paths.push_back(path);
+    if (!path.empty() && exists(path) && std::ranges::find(paths, path) == paths.end()) {
+      paths.push_back(path);
+    }
   };
   add(config.general.continue_from);
-  for (std::size_t i = 0; i < config.stages.size() && i < schemas.size(); ++i) {
-    const config::StageConfig& stage = config.stages[i];
-    const auto own = values.find(stage.instance);
-    if (stage.role == Role::Observer || own == values.end()) continue;
-    for (const ParameterInfo& info : *schemas[i]) {
-      const auto value = own->second.find(info.name);
-      if (value == own->second.end()) continue;
-      const auto* text = std::get_if<std::string>(&value->second);
-      if (text == nullptr) continue;
-      std::error_code ignored;
-      const bool names_file =
-          info.type == ParameterType::Text && fs::is_regular_file(*text, ignored);
-      if (info.type == ParameterType::Path || names_file) add(*text);
-    }
+  for (const config::StageConfig& stage : config.stages) {
+    if (stage.role == Role::Observer) continue;
+    visitTexts(stage, values, schemas, [&](const ParameterInfo& info, const std::string& text) {
+      const bool names_file = info.type == ParameterType::Text && isFile(text);
+      if (info.type == ParameterType::Path || names_file) add(text);
+    });
   }
   return paths;
+}
+
+std::set<std::string> missingPaths(const config::SystemConfig& config,
+                                   const config::StageValues& values, const StageSchemas& schemas) {
+  std::set<std::string> missing;
+  for (const config::StageConfig& stage : config.stages) {
+    if (stage.role != Role::Source) continue;
+    visitTexts(stage, values, schemas, [&](const ParameterInfo& info, const std::string& text) {
+      if (info.type == ParameterType::Path && !exists(text)) missing.insert(text);
+    });
+  }
+  return missing;
 }
 
 }  // namespace tolman::run

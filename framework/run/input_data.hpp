@@ -2,6 +2,9 @@
 // The files that a configuration reads.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,10 +13,17 @@
 
 namespace tolman::run {
 
+/// What the plugins of the stages declare, by the name of the stage; not of stages without a
+/// plugin.
+using StageSchemas = std::map<std::string, const Schema*, std::less<>>;
+
 /// Files and folders that parameters of the stages name, and the run that is continued; each once,
-/// in order. A text that is the path of a file counts, too.
+/// in order. A text parameter that is the path of a file counts as well.
 std::vector<std::string> inputPaths(const config::SystemConfig& config,
-                                    const config::StageValues& values,
-                                    const std::vector<const Schema*>& schemas);
+                                    const config::StageValues& values, const StageSchemas& schemas);
+
+/// Paths of the source that do not exist (yet). A run that reads one of them will fail.
+std::set<std::string> missingPaths(const config::SystemConfig& config,
+                                   const config::StageValues& values, const StageSchemas& schemas);
 
 }  // namespace tolman::run

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The first entry of that name in /proc/cpuinfo.
+/// The first entry with this name in /proc/cpuinfo.
 std::string processorEntry(std::string_view name) {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
@@ -33,7 +33,7 @@ std::string processorEntry(std::string_view name) {
   return "unknown";
 }
 
-/// Those by which libraries choose among their implementations, whose results may differ.
+/// Features by which libraries choose their implementations, whose results may differ.
 Json processorFeatures() {
   Json features = Json::array();
   const std::string flags = " " + processorEntry("flags") + " ";
@@ -45,12 +45,14 @@ Json processorFeatures() {
   return features;
 }
 
-/// Of more than kMostDigested bytes names, sizes and times only: reading them takes longer than
-/// the first frames.
+/// The input data with their digests. Above kMostDigested bytes contents are not digested, because
+/// reading them would delay the run.
 Json dataList(const CheckedSystem& system) {
   constexpr std::int64_t kMostDigested = std::int64_t{1} << 30U;
-  std::vector<const Schema*> schemas;
-  for (const host::LoadedPlugin& plugin : system.plugins) schemas.push_back(&plugin.schema);
+  StageSchemas schemas;
+  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
+    schemas[system.config.stages[i].instance] = &system.plugins[i].schema;
+  }
   Json list = Json::array();
   for (const std::string& path : inputPaths(system.config, system.values, schemas)) {
     const auto digest = record::digestData(path, {}, kMostDigested);
@@ -93,6 +95,9 @@ Json pluginList(const CheckedSystem& system) {
     if (!manifest.program.empty()) {
       entry["program"] = manifest.program.string();
       entry["program_sha256"] = digestOf(manifest.program);
+      for (const std::string& file : manifest.program_files) {
+        entry["program_files"][file] = digestOf(file);
+      }
     }
     list.push_back(std::move(entry));
   }
@@ -123,6 +128,7 @@ Json sourceJson(const Assembly& assembly) {
                {"has_truth", source.has_truth},     {"width", source.rig.width},
                {"height", source.rig.height},       {"baseline_m", source.rig.baseline}};
   const pipeline::RectifiedSource& rectified = assembly.source();
+  if (!rectified.cutText().empty()) json["part_of_images"] = rectified.cutText();
   if (rectified.text().empty()) return json;
   json["rectification"] = rectified.text();
   for (const RawCamera& camera : rectified.rawRig().cameras) {
@@ -192,6 +198,12 @@ void addOutcome(Json& json, const Outcome& outcome) {
     if (ns > 0) finish[std::string(kRoleNames[role])] = 1e-9 * static_cast<double>(ns);
   }
   json["finish_s"] = finish;
+  const pipeline::Latency& latency = outcome.latency;
+  if (latency.frames == 0) return;
+  json["latency"] = {{"frames", latency.frames},
+                     {"median_ms", latency.median_ms},
+                     {"p99_ms", latency.p99_ms},
+                     {"exposure", enumName(latency.clock)}};
 }
 
 }  // namespace tolman::run

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contents of run.json: what was run, by which versions, on which machine, and how it ended.
+// The contents of run.json: configuration, versions, machine and outcome of a run.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@
 namespace tolman::run {
 
 /// Versions, machine, seeds, command line, plugins with the SHA-256 of their files, data set, raw
-/// cameras and what was done to their images.
+/// cameras, and how their images were rectified and cut.
 nlohmann::ordered_json provenance(const Assembly& assembly,
                                   const std::vector<std::string>& command_line);
 

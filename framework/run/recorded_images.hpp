@@ -11,15 +11,15 @@ namespace tolman::run {
 
 class RecordedImages {
  public:
-  /// Of the run in `directory`. When its source cannot be created, there are no images, and
-  /// problem() says why.
+  /// Opens the source of the run in `directory`. If that fails, there are no images, and problem()
+  /// says why.
   RecordedImages(const std::filesystem::path& directory, std::vector<std::string> plugin_paths,
                  const Clock& clock, const Cancellation& cancellation);
 
-  /// Adds the images to a recorded frame. Frames come in order. After the first one that does not
-  /// match the source there are no images any more.
+  /// Adds the images to a recorded frame. Frames must come in order. After the first frame that
+  /// does not match the source no more images are added.
   void restore(Frame& recorded);
-  /// Why there are no images; empty while there are.
+  /// Why there are no images; empty while there are images.
   const std::string& problem() const { return problem_; }
 
  private:

@@ -110,8 +110,8 @@ void ReplayServer::show(record::RecordedFrame& recorded, const MapGraph* graph) 
   listener_.frame();
 }
 
-/// Passes on all frames that are new in the record. Of the graph the record has the newest version
-/// only, so the first of these frames carries it.
+/// Passes on all frames that are new in the record. The first of them carries the graph, because
+/// the record has only its newest version.
 void ReplayServer::showNewFrames(const record::RunReader& reader, bool running) {
   graph_ = readable(reader.graph());
   const auto replay = readable(record::Replay::open(reader, position_, running));

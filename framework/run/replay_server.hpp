@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replays a recorded run to an observer that serves a page, frame by frame as if it were running. A
-// run that is still being recorded is followed to its end.
+// Replays a recorded run, frame by frame, to an observer that serves a page. A run that is still
+// being recorded is followed to its end.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@ struct ReplayOptions {
   std::string viewer;         ///< id of the observer; empty: the first that serves a page
   int port = -1;              ///< -1: the plugin's own default
   std::string bind;           ///< empty: the plugin's own default
-  bool images = true;         ///< read those of the run's source again
+  bool images = true;         ///< read the images again from the source of the run
   std::vector<std::string> plugin_paths;
 };
 

@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The defaults where there are problems.
+/// The parsed configuration; the defaults if it has problems.
 config::SystemConfig systemOf(const config::Loaded& loaded) {
   config::Problems problems = loaded.problems;
   config::SystemConfig system = config::parse(loaded, problems);
   return problems.empty() ? system : config::SystemConfig{};
 }
 
-/// The page of a run, evaluated by the settings of its configuration, or the default ones where it
+/// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
 /// cannot be read.
 Result<report::RunPage> pageOf(const fs::path& run, const report::UnitChoice& units) {
   const config::Loaded loaded = config::load(run / "config.resolved.yaml", {},
@@ -41,7 +41,7 @@ class FigureFolder {
   FigureFolder(fs::path folder, bool pixels, std::vector<fs::path>& written)
       : folder_(std::move(folder)), pixels_(pixels), written_(written) {
     std::error_code ignored;
-    fs::create_directories(folder_, ignored);  // the first file reports a missing folder
+    fs::create_directories(folder_, ignored);  // on failure writing the first file fails
   }
 
   Status add(const std::string& name, const std::string& svg) {
@@ -77,7 +77,7 @@ Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, con
                                           const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
   const std::vector<std::string> names = distinctNames(runs);
-  for (std::size_t i = 0; i < runs.size(); ++i) {  // all before the first file
+  for (std::size_t i = 0; i < runs.size(); ++i) {  // reads all runs before it writes a file
     auto page = pageOf(runs[i], units);
     if (!page.isOk()) return page.status();
     page.value().directory = names[i];

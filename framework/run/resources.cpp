@@ -26,7 +26,7 @@ std::int64_t numberIn(const fs::path& file, const std::string& name) {
   return -1;
 }
 
-/// The number that a file consists of; -1 for "max", or where there is none.
+/// The number that is the content of a file; -1 for "max", or if there is none.
 std::int64_t numberOf(const fs::path& file) {
   std::ifstream stream(file);
   std::int64_t number = -1;
@@ -41,7 +41,7 @@ std::optional<Memory> ofProcess() {
   return Memory{all - used, all};
 }
 
-/// Of control groups version 2; files that are only cached can be given up.
+/// Memory of the control group (version 2). Cached files do not count as used.
 std::optional<Memory> ofControlGroup() {
   std::ifstream stream("/proc/self/cgroup");
   std::string line;
@@ -83,7 +83,7 @@ std::optional<Memory> memoryLeft() {
 std::optional<std::int64_t> diskLeft(const fs::path& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(directory, error);
-  if (error || space.capacity == 0) return std::nullopt;  // a file system that does not say
+  if (error || space.capacity == 0) return std::nullopt;  // the file system does not report it
   return static_cast<std::int64_t>(space.available);
 }
 

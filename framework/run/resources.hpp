@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a run may still use of memory and disk.
+// The memory and disk space that a run may still use.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@ struct Memory {
   std::int64_t limit = 0;  ///< bytes
 };
 
-/// Nothing where the system does not say.
+/// None if the system does not report it.
 std::optional<Memory> memoryLeft();
 
-/// Gives freed memory back to the system. What map and record keep lies between buffers of images
-/// that were freed, whose pages glibc holds: without this the process grows by twice what it uses.
+/// Returns freed memory to the system. Long-lived data of map and record are between freed image
+/// buffers, whose pages glibc keeps: without this the process grows twice as fast as its data.
 void returnFreedMemory();
 
-/// Bytes that an ordinary user may still write below `directory`.
+/// Bytes that an unprivileged user may still write below `directory`; none if not known.
 std::optional<std::int64_t> diskLeft(const std::filesystem::path& directory);
 
-/// Bytes that the run in `directory` needs to end well: the log of the record is merged into
+/// Bytes that the run in `directory` needs for its end: the log of the record is merged into
 /// run.sqlite, a state is saved, and results, figures and report are written.
 std::int64_t diskNeeded(const std::filesystem::path& directory);
 

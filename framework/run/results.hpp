@@ -13,14 +13,14 @@
 
 namespace tolman::run {
 
-/// What the files were made from, for the report.
+/// The data of the result files, for the report.
 struct Results {
   std::unique_ptr<record::RunReader> reader;
   report::RunData data;
 };
 
-/// From run.sqlite alone writes trajectory.*, odometry.*, map.g2o, metrics.json, map.svg and
-/// results.sha256 into `directory`. `seed`: of the run, for what chance gives.
+/// Writes trajectory.*, odometry.*, map.g2o, metrics.json, map.svg and results.sha256 into
+/// `directory`, from run.sqlite alone. `seed`: seed of the run, for the scores by chance.
 Result<Results> writeResults(const std::filesystem::path& directory,
                              const config::EvaluationSettings& settings, std::uint64_t seed);
 

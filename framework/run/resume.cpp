@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The record of the last frame of a checkpoint.
+/// The record of frame `frame`, the last one of a checkpoint. Throws Failed if there is none.
 template <Record R>
 R recordOf(const std::vector<R>& records, std::int64_t frame, const fs::path& directory) {
   const auto found = std::ranges::find(records, frame, &R::frame);
@@ -31,7 +31,7 @@ bool isSameMotion(const Motion& a, const Motion& b) {
   return a.T_previous_current.isApprox(b.T_previous_current, kRounding);
 }
 
-/// Stamp and truth; the record holds a rotation as a quaternion.
+/// Compares stamp, source index and truth; the record holds a rotation as a quaternion.
 bool isSameFrame(const Frame& a, const Frame& b) {
   constexpr double kRounding = 1e-9;
   return a.stamp_ns == b.stamp_ns && a.source_index == b.source_index &&
@@ -39,7 +39,7 @@ bool isSameFrame(const Frame& a, const Frame& b) {
          (!a.has_truth || a.T_world_camera_truth.isApprox(b.T_world_camera_truth, kRounding));
 }
 
-/// Tracks the frames that were recorded; one that a realtime run dropped is skipped again.
+/// Tracks the recorded frames again; frames that a realtime run dropped are skipped again.
 class RepeatedOdometry {
  public:
   RepeatedOdometry(Assembly& assembly, const std::vector<Motion>& recorded,
@@ -85,7 +85,7 @@ class RepeatedOdometry {
     Motion motion;
     pipeline::Impossible impossible;
     const bool failed = !assembly_.checkedOdometry().track(frame, motion, impossible).isOk();
-    last_ = failed ? before : motion;  // recorded after a failure is the predicted motion
+    last_ = failed ? before : motion;  // after a failure the record has the predicted motion
     if (isSameMotion(last_, before)) return;
     refuseToContinue(fmt::format(
         "{}: gives another motion at frame {} than was recorded; data, plugin or parameters have "
@@ -117,7 +117,7 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   point.checkpoint = loadCheckpoint(assembly, directory);
   const std::int64_t last = point.checkpoint.frame;
   const auto motions = require(reader->records<Motion>(), kKind);
-  (void)recordOf(motions, last, directory);  // it has all frames that are repeated
+  (void)recordOf(motions, last, directory);  // throws if frames to be repeated are missing
   point.decision = recordOf(require(reader->records<Decision>(), kKind), last, directory);
   point.map = recordOf(require(reader->records<MapUpdate>(), kKind), last, directory);
   MapGraph graph;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "config/resolved.hpp"
@@ -27,13 +28,30 @@ Failure recordFailure(const Status& status) { return {FailureKind::Record, statu
 constexpr const char* kResolvedConfig = "config.resolved.yaml";
 constexpr const char* kConfigDigest = "config_sha256";
 
-/// The first half of a resumed run was made with the configuration that was written then.
+/// Refuses to resume a run whose config.resolved.yaml was changed since it was written.
 void refuseOtherConfig(const std::filesystem::path& run, const nlohmann::ordered_json& run_file) {
   const auto recorded = run_file.find(kConfigDigest);
   const auto digest = record::fileDigest(run / kResolvedConfig);
   if (recorded == run_file.end() || (digest.isOk() && *recorded == digest.value())) return;
   refuseToContinue((run / kResolvedConfig).string() +
                    ": has changed since the run was recorded; put it back, or run it again");
+}
+
+/// Refuses to resume a run whose data have changed: its results would be of two data sets.
+void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_json& before,
+                     const nlohmann::ordered_json& now) {
+  if (!before.contains("data")) return;
+  const nlohmann::json recorded = before["data"];  // not ordered: equal in any order of keys
+  const nlohmann::json found = now["data"];
+  if (recorded == found) return;
+  std::string path = "the list of files";
+  for (const auto& data : found) {
+    if (std::ranges::find(recorded, data) != recorded.end()) continue;
+    path = data["path"].get<std::string>();
+    break;
+  }
+  refuseToContinue(path + ": has other contents than when the run began (" +
+                   (run / "run.json").string() + "); put them back, or run it again");
 }
 
 }  // namespace
@@ -46,7 +64,7 @@ Outcome Run::execute(CheckedSystem system) {
     outcome.failure = failed.failure;
   }
   if (directory_) outcome.directory = directory_->path();
-  if (resume_ && !directory_) {  // nothing was changed
+  if (resume_ && !directory_) {  // resuming failed or was cancelled: nothing was changed
     outcome.interrupted = !outcome.failure;
     return outcome;
   }
@@ -102,8 +120,8 @@ void Run::continueEarlierRun() {
   assembly_->cells().expect(before.experiences);
 }
 
-/// Brings the stages to the state of the last checkpoint of the run that `resume` names. Until that
-/// has succeeded its directory stays as it is.
+/// Brings the stages to the state of the last checkpoint of the run that `resume` names. If that
+/// fails, its directory is unchanged.
 void Run::resumeRun() {
   const std::filesystem::path& path = options_.resume;
   auto before = record::RunDirectory::readRunFile(path);
@@ -116,20 +134,22 @@ void Run::resumeRun() {
                      "a new run use --continue");
   }
   refuseOtherConfig(path, before);
+  nlohmann::ordered_json now = provenance(*assembly_, options_.command_line);
+  refuseOtherData(path, before, now);
   record::RunDirectory directory =
       require(record::RunDirectory::reopen(path), FailureKind::Continuation);
   log_.write(LogLevel::Info, "resume", "source and odometry repeat the recorded frames");
   resume_ = resumeAt(*assembly_, directory.path(), stop_);
   if (stop_.requested()) return;
   directory_ = std::make_unique<record::RunDirectory>(std::move(directory));
-  reopenRecord(std::move(before));
+  reopenRecord(std::move(before), std::move(now));
 }
 
-void Run::reopenRecord(nlohmann::ordered_json before) {
+void Run::reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now) {
   const std::int64_t next_frame = resume_->checkpoint.frame + 1;
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
-  run_file_ = provenance(*assembly_, options_.command_line);
+  run_file_ = std::move(now);
   for (const char* kept : {"started", "command_line", kConfigDigest, "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
@@ -147,7 +167,7 @@ void Run::reopenRecord(nlohmann::ordered_json before) {
   require(recorder_->graph(graph), FailureKind::Record);
 }
 
-/// The earlier sessions, and this one.
+/// Records the earlier sessions and this one.
 void Run::recordSessions() {
   record::RecordedSession session{0, first_frame_, config().general.name,
                                   assembly_->sourceInfo().description};
@@ -228,6 +248,7 @@ void Run::drive(Outcome& outcome) {
   outcome.interrupted = result.interrupted;
   outcome.counters = result.counters;
   outcome.finish_times_ns = result.finish_times_ns;
+  outcome.latency = result.latency;
   outcome.wall_s = 1e-9 * static_cast<double>(clock_.steadyNs() - begin_ns);
 }
 
@@ -252,8 +273,8 @@ std::optional<Failure> Run::failureOf(const std::optional<pipeline::StageFailure
   return failure;
 }
 
-/// For a later run that continues this one. After a failure no state is saved. Stages that offer no
-/// state are left out; one that offers it and fails has failed the run.
+/// Saves the state for a later run that continues this one. After a failure no state is saved.
+/// Stages without StateKeeper are left out; if another one cannot save its state, the run fails.
 std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunListener& listener) {
   const pipeline::RunCounters& n = result.counters;
   if (result.failure || n.frames == 0 || !listener.recordStatus().isOk() ||
@@ -288,7 +309,8 @@ void Run::conclude(Outcome& outcome) {
   if (reported.isOk()) return;
   check(outcome, reported);
   if (writeRunFile(outcome)) return;
-  std::error_code ignored;  // it has the status "finished", and a full disk keeps no other one
+  // run.json has the status "finished", which cannot be replaced, for example on a full disk.
+  std::error_code ignored;
   std::filesystem::remove(directory_->path() / "run.json", ignored);
 }
 
@@ -300,8 +322,8 @@ bool Run::writeRunFile(Outcome& outcome) {
   return written.isOk();
 }
 
-/// A result file that cannot be written completely makes the run fail. The first failure is in the
-/// outcome, which the caller shows.
+/// Makes the run fail if a result file cannot be written completely. The outcome keeps the first
+/// failure, which the caller shows.
 void Run::check(Outcome& outcome, const Status& written) {
   if (written.isOk()) return;
   log_.write(LogLevel::Error, "record", written.message(), outcome.failure.has_value());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One recorded run: from a checked system to the outcome. The stages are created and driven over
-// all frames of the source, and everything is recorded in a run directory. The engine
-// prints only through the log that is handed in, so any program can embed a run; docs/embed.md.
+// all frames of the source, and everything is recorded in a run directory. Messages go only to the
+// log that the caller passes, so any program can embed a run (docs/embed.md).
 #pragma once
 
 #include <filesystem>
@@ -30,31 +30,31 @@ namespace tolman::run {
 struct Outcome {
   std::optional<Failure> failure;
   bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
-  std::filesystem::path directory;  ///< absolute; empty when the run failed before it had one
-  pipeline::RunCounters counters;   ///< among them whether odometry was lost at the end
+  std::filesystem::path directory;  ///< absolute; empty if the run failed before it was created
+  pipeline::RunCounters counters;   ///< including whether odometry was lost at the end
   StageTimes finish_times_ns{};     ///< time that finish() of each stage took
+  pipeline::Latency latency{};      ///< of a realtime run
   std::optional<evaluation::Metrics> metrics;  ///< of the recorded frames, if there are any
   double wall_s = 0;  ///< s, from the start of the observers until run.sqlite is closed
 };
 
 struct RunOptions {
   std::filesystem::path out{};  ///< run directory; empty: runs/NAME-TIME in the working directory
-  bool replace = false;         ///< the run that `out` holds is removed
-  /// Directory of an interrupted or killed run to go on with, in place of `out`; the system must be
+  bool replace = false;         ///< replace an earlier run in `out`
+  /// Directory of an interrupted or killed run to resume, instead of `out`. The system must be
   /// checked from its config.resolved.yaml. The results are those of a run without interruption,
   /// except for frames that a realtime run drops.
   std::filesystem::path resume{};
   std::vector<std::string> command_line{};  ///< for run.json
-  /// Record the answers of the front end as with record.replay, if there are images.
+  /// Record the answers of the front end, as with record.replay, if there are images.
   bool share_answers = false;
-  /// For run.json: the exit code that the program will give this outcome. Null: none is written.
+  /// The exit code of the program for an outcome, for run.json. Null: none is written.
   std::function<int(const Outcome&)> exit_code{};
 };
 
 class Run {
  public:
-  /// The objects behind the references must outlive this one. Cancellation ends the run between two
-  /// frames.
+  /// The referenced objects must outlive this one. Cancellation ends the run between two frames.
   Run(RunLog& log, const Clock& clock, const Cancellation& cancellation, RunOptions options = {})
       : log_(log), clock_(clock), stop_(cancellation), options_(std::move(options)) {}
 
@@ -67,7 +67,7 @@ class Run {
   void prepare(CheckedSystem system);
   void continueEarlierRun();
   void resumeRun();
-  void reopenRecord(nlohmann::ordered_json before);
+  void reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now);
   void openDirectory();
   void openRecord();
   void recordSessions();

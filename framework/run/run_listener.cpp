@@ -20,7 +20,7 @@ RunListener::RunListener(record::Recorder& recorder, Assembly& assembly,
 
 template <class Call>
 Status RunListener::callObservers(std::int64_t frame, Call&& call) {
-  for (Assembly::Observer& observer : observers_) {
+  for (Assembly::RunningObserver& observer : observers_) {
     if (!failed_observer_.empty()) break;
     const Status status = call(observer.stage);
     if (status.isOk()) continue;
@@ -78,7 +78,7 @@ Status RunListener::onFrame(const Snapshot& snapshot) {
 }
 
 void RunListener::onEvent(const pipeline::Event& event) {
-  // A failure that stops the run is in the outcome, which the caller shows.
+  // Errors are not shown here: they stop the run and are in the outcome, which the caller shows.
   log_.write(event.level, event.source, event.message, event.level != LogLevel::Error);
   (void)recorder_.event(event.frame, event.level, event.source, event.message);
   if (observers_.empty()) return;
@@ -94,7 +94,7 @@ bool RunListener::checkpointDue() {
   return true;
 }
 
-/// The record is made safe first: a checkpoint must not be ahead of it.
+/// Syncs the record before the checkpoint, which must not be newer than the record.
 Status RunListener::onCheckpoint(const pipeline::Checkpoint& checkpoint) {
   if (settings_.state_every == 0 || !record_status_.isOk()) return record_status_;
   record_status_ = directory_.stillInPlace();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Passes what happens in a run to the recorder, the log and the observers.
+// Passes frames and events of a run to the recorder, the log and the observers.
 #pragma once
 
 #include <mutex>
@@ -24,15 +24,15 @@ class RunListener : public pipeline::Listener {
   Status begin(const RunInfo& run);
   Status onFrame(const Snapshot& snapshot) override;
   void onEvent(const pipeline::Event& event) override;
-  /// Every `record.state_every` seconds.
+  /// True every `record.state_every` seconds.
   bool checkpointDue() override;
   Status onCheckpoint(const pipeline::Checkpoint& checkpoint) override;
   Status onTrajectory(const std::vector<pipeline::FramePose>& poses) override;
   Status onFinish(const std::vector<MotionRevision>& revisions, const MapGraph& graph) override;
 
-  /// The answers of the front end go there, too; it must outlive this object.
+  /// Also records the answers of the front end in `answers`, which must outlive this object.
   void recordAnswers(record::AnswersFile& answers) { answers_ = &answers; }
-  /// For a run that goes on: the last frame that is recorded already.
+  /// For a resumed run: `frame` is the last frame that is recorded already.
   void startAfter(std::int64_t frame) { last_recorded_ = frame; }
   /// One more than the last frame that was recorded.
   std::int64_t nextFrame() const { return last_recorded_ + 1; }
@@ -51,18 +51,18 @@ class RunListener : public pipeline::Listener {
   record::Recorder& recorder_;
   record::AnswersFile* answers_ = nullptr;
   Assembly& assembly_;
-  std::vector<Assembly::Observer>& observers_;
+  std::vector<Assembly::RunningObserver>& observers_;
   const record::RunDirectory& directory_;
   RunLog& log_;
   const Clock& clock_;
   config::RecordSettings settings_;
-  std::int64_t last_checkpoint_ns_;  ///< when the last one was asked for
+  std::int64_t last_checkpoint_ns_;  ///< time at which the last one was due
   std::int64_t last_recorded_ = -1;  ///< frame
   Status record_status_;
   pipeline::FailureTally failures_;  // by observer
   std::mutex events_mutex_;          // they come from any thread
   std::vector<RunEvent> events_;     ///< not yet passed to observers
-  std::string failed_observer_;  ///< observers are not called any more; frames are still recorded
+  std::string failed_observer_;      ///< if set, observers are no longer called; recording goes on
 };
 
 }  // namespace tolman::run

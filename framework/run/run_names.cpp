@@ -10,7 +10,7 @@ namespace {
 namespace fs = std::filesystem;
 using Parts = std::vector<std::string>;
 
-/// Also of "runs/demo/"; none of "".
+/// The parts of the absolute path, without an empty last part as of "runs/demo/"; none for "".
 Parts partsOf(const fs::path& run) {
   Parts parts;
   std::error_code error;

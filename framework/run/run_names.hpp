@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Short names that tell run directories apart.
+// Short, distinct names of run directories.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace tolman::run {
 
-/// The last part of each path, without parts that end all of them: "a" and "b" for sweeps/a/run and
-/// sweeps/b/run. Where two are equal, with as many parts before it as make all differ, joined by
-/// '-'; a number tells the same directory given twice.
+/// The last part of each path, after removing last parts that all paths have in common: "a" and "b"
+/// for sweeps/a/run and sweeps/b/run. If two names are equal, earlier parts are added, joined by
+/// '-', until all differ. A directory that is given twice gets a number.
 std::vector<std::string> distinctNames(const std::vector<std::filesystem::path>& runs);
 
 }  // namespace tolman::run

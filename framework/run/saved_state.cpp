@@ -21,7 +21,7 @@ fs::path checkpointFile(const fs::path& directory) {
   return directory / "state" / "checkpoint.json";
 }
 
-/// Of the files of one checkpoint.
+/// The common prefix of the files of one checkpoint.
 std::string prefixOf(std::int64_t frame) {
   return std::string(kCheckpoint) + "-" + std::to_string(frame) + "-";
 }
@@ -53,7 +53,7 @@ SessionProgress loadSession(Assembly& assembly, const fs::path& file) {
   return progress;
 }
 
-/// Calls `load(file)`, with JSON of a wrong shape as a damaged file.
+/// Calls `load(file)`, and reports JSON of a wrong shape as a damaged file.
 template <class Load>
 auto loaded(const fs::path& file, const Load& load) {
   try {
@@ -63,9 +63,9 @@ auto loaded(const fs::path& file, const Load& load) {
   }
 }
 
-/// All files of checkpoints but that of `frame`; -1: of all.
+/// Removes the files of all checkpoints except that of `frame`; -1: of all.
 void removeCheckpointsBut(const fs::path& folder, std::int64_t frame) {
-  std::error_code ignored;  // what stays is removed the next time
+  std::error_code ignored;  // remaining files are removed the next time
   for (const auto& entry : fs::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
     if (name.starts_with(std::string(kCheckpoint) + "-") && !name.starts_with(prefixOf(frame))) {
@@ -145,7 +145,7 @@ pipeline::Checkpoint loadCheckpoint(Assembly& assembly, const fs::path& director
 }
 
 void removeCheckpoint(const fs::path& directory) {
-  std::error_code ignored;  // it does no harm
+  std::error_code ignored;  // a remaining checkpoint does no harm
   if (!fs::exists(sessionFile(directory), ignored)) return;
   fs::remove(checkpointFile(directory), ignored);
   removeCheckpointsBut(sessionFile(directory).parent_path(), -1);

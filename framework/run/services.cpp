@@ -42,8 +42,8 @@ struct RunLog::Implementation {
     std::string text;
   };
 
-  /// A line on the terminal, over a progress line that may stand there. The lock of stderr keeps
-  /// the two parts together: others write there by std::cerr, which takes it as well.
+  /// Writes a line on the terminal over a progress line, if there is one. The lock of stderr keeps
+  /// both parts together: std::cerr, which other code uses, takes it as well.
   void show(spdlog::level::level_enum level, const std::string& text) {
     if (!terminal.should_log(level)) return;
     ::flockfile(stderr);
@@ -55,7 +55,7 @@ struct RunLog::Implementation {
   std::mutex mutex;
   spdlog::logger terminal{"tolman", std::make_shared<spdlog::sinks::stderr_color_sink_mt>()};
   std::unique_ptr<spdlog::logger> file;
-  std::vector<Line> backlog;  // until there is a file
+  std::vector<Line> backlog;  // lines before the file is opened
   Status status;              // of the file
 };
 
@@ -108,11 +108,11 @@ Status RunLog::status() const {
 }
 
 void StageLogger::write(LogLevel level, std::string_view message) {
-  constexpr std::size_t kAroundMessage = 64;  // time, level and source of its line, about
+  constexpr std::size_t kAroundMessage = 64;  // about the size of time, level and source
   const std::size_t size = message.size() + kAroundMessage;
   const std::size_t before = bytes_.fetch_add(size);
   if (before + size <= kMostBytes) return log_.write(level, source_, message);
-  bytes_ = kMostBytes;  // many more must not overflow it
+  bytes_ = kMostBytes;  // so that further messages do not overflow it
   if (before >= kMostBytes) return;
   log_.write(LogLevel::Warning, source_,
              "has written 16 MiB of messages; further ones are left out");
@@ -125,7 +125,7 @@ std::int64_t SteadyClock::steadyNs() const {
 
 Interrupts::Interrupts() {
   const sigset_t signals = interruptSignals();
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // threads made later inherit this
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // later threads inherit this
   thread_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
 }
 

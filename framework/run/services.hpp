@@ -12,8 +12,8 @@
 
 namespace tolman::run {
 
-/// The log of one run: warnings and errors go to stderr (with `quiet` errors only), everything goes
-/// to log.txt; lines that are written before the file is opened are kept and written then.
+/// The log of one run: warnings and errors go to stderr (with `quiet` errors only), all lines go to
+/// log.txt. Lines from before the file is opened are kept until then.
 class RunLog {
  public:
   explicit RunLog(bool quiet = false);
@@ -24,7 +24,7 @@ class RunLog {
              bool on_terminal = true);
   enum class Open : bool { Fresh, Append };
   Status openFile(const std::filesystem::path& file, Open open = Open::Fresh);
-  /// Whether the file has all lines.
+  /// Fails if the file could not be opened or does not have all lines.
   Status status() const;
 
  private:
@@ -32,8 +32,9 @@ class RunLog {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The logger of one plugin: writes to the run's log under the name of the stage. After
-/// kMostBytes of messages it says so once and leaves out the rest: no plugin fills the disk.
+/// The logger of one plugin: writes to the run's log under the name of the stage. After kMostBytes
+/// of messages it writes one warning and no further messages, so that a plugin cannot fill the
+/// disk.
 class StageLogger : public Logger {
  public:
   static constexpr std::size_t kMostBytes = 16 << 20;
@@ -44,7 +45,7 @@ class StageLogger : public Logger {
  private:
   RunLog& log_;
   std::string source_;
-  std::atomic<std::size_t> bytes_ = 0;  ///< of the messages so far
+  std::atomic<std::size_t> bytes_ = 0;  ///< size of the messages so far
 };
 
 class SteadyClock : public Clock {
@@ -52,10 +53,10 @@ class SteadyClock : public Clock {
   std::int64_t steadyNs() const override;
 };
 
-/// Cancellation by SIGINT, SIGTERM and SIGHUP (unless ignored, as by nohup): the first signal
-/// requests cancellation, the second ends the process; a closed terminal may send SIGHUP several
-/// times, so that it never ends the process. A thread of its own waits for them. Create it before
-/// any other thread, so that all threads inherit the signal mask.
+/// Cancellation by SIGINT, SIGTERM and SIGHUP (unless ignored, as by nohup). The first signal
+/// requests cancellation, the second ends the process. SIGHUP never ends it, because a closed
+/// terminal may send it several times. A separate thread waits for the signals. Create this object
+/// before any other thread, so that all threads inherit the signal mask.
 class Interrupts : public Cancellation {
  public:
   Interrupts();

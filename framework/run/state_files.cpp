@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iterator>
 
 #include "config/json_integer.hpp"
 #include "record/atomic_file.hpp"
-#include "record/sha256.hpp"
+#include "record/digest.hpp"
+#include "record/regular_file.hpp"
 #include "run/value_json.hpp"
 
 namespace tolman::run {
@@ -47,16 +47,8 @@ std::string fileOf(const std::string& prefix, const SavedStage& stage) {
   return prefix + std::string(enumName(stage.config->role)) + ".bin";
 }
 
-std::string digestOf(const std::string& bytes) {
-  record::Sha256 sha;
-  sha.add(bytes);
-  return sha.digest();
-}
-
 std::string textOf(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream stream;
-  if (fs::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
+  std::ifstream stream = record::openRegular(file);
   if (!stream.is_open())
     refuseToContinue(file.string() + ": cannot be read; the saved session is not complete");
   return {std::istreambuf_iterator<char>(stream), {}};
@@ -72,7 +64,7 @@ const Json& entryOf(const Json& contents, const SavedStage& stage, const fs::pat
                    "configs/motion.yaml");
 }
 
-/// The first parameter that differs: "cells.period is 12, and was 15".
+/// Throws Failed for the first parameter that differs: "cells.period is 12, and was 15".
 void compareParameters(const Json& then, const Json& now, const std::string& stage,
                        const std::string& remedy) {
   for (const auto& [name, value] : now.items()) {
@@ -109,7 +101,7 @@ void loadStage(const Json& contents, const std::string& prefix, const SavedStage
   checkEntry(entry, stage, folder);
   const fs::path file = folder / fileOf(prefix, stage);
   const std::string bytes = textOf(file);
-  if (digestOf(bytes) != entry.at("sha256").get<std::string>()) {
+  if (record::textDigest(bytes) != entry.at("sha256").get<std::string>()) {
     refuseToContinue(file.string() +
                      ": is damaged, its digest does not agree; run the earlier session again");
   }
@@ -134,7 +126,8 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
                    const std::map<Role, std::string>& states, Json contents) {
   const fs::path folder = file.parent_path();
   std::error_code error;
-  // Where it cannot be made, writing fails. Not its parents: the run directory may just be moved.
+  // Does not create parents, because the run directory may have been moved. On failure writing the
+  // files fails.
   fs::create_directory(folder, error);
   contents["format"] = kFormat;
   contents["stages"] = Json::array();
@@ -150,7 +143,7 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
                                   {"parameters", parametersOf(stage)},
                                   {"file", name},
                                   {"bytes", state->second.size()},
-                                  {"sha256", digestOf(state->second)}});
+                                  {"sha256", record::textDigest(state->second)}});
   }
   return record::writeAtomically(file, contents.dump(2) + "\n");
 }

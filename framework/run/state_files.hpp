@@ -12,20 +12,20 @@
 
 namespace tolman::run {
 
-/// Of each of place, cells and map that can save its state.
+/// The states of those of place, cells and map that can save one.
 Result<std::map<Role, std::string>> savedStates(Assembly& assembly);
 
-/// Writes PREFIXstage.bin for each state, and at last `file`: `contents` with the description of
-/// the states. Each file appears whole or not at all.
+/// Writes PREFIXstage.bin for each state, and then `file`: `contents` with the description of the
+/// states. Each file is written atomically.
 Status writeStates(Assembly& assembly, const std::filesystem::path& file, const std::string& prefix,
                    const std::map<Role, std::string>& states, nlohmann::ordered_json contents);
 
-/// What writeStates() wrote into `file`. Throws Failed.
+/// The JSON that writeStates() wrote into `file`. Throws Failed.
 nlohmann::ordered_json readContents(const std::filesystem::path& file);
 
-/// Loads the states of place, cells and map into a fresh assembly. Throws Failed where a state is
-/// missing or damaged, or where a stage is not the one that saved it; and nlohmann's exceptions
-/// where `contents` is not what writeStates() writes.
+/// Loads the states of place, cells and map into a new assembly. Throws Failed if a state is
+/// missing or damaged, or if plugin, version or parameters of a stage differ; and exceptions of
+/// nlohmann if `contents` does not have the shape that writeStates() writes.
 void loadStates(Assembly& assembly, const std::filesystem::path& file, const std::string& prefix,
                 const nlohmann::ordered_json& contents);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a run ends early.
+// A request to stop a run, with its reason.
 #pragma once
 
 #include <atomic>
@@ -17,13 +17,13 @@ class StopRequest : public Cancellation {
   explicit StopRequest(const Cancellation& caller) : caller_(caller) {}
   bool requested() const override { return stopped_ || caller_.requested(); }
 
-  /// The first reason stays.
+  /// Stops the run. If it is called again, the first reason is kept.
   void stop(Failure reason) {
     const std::lock_guard lock(mutex_);
     if (!reason_) reason_ = std::move(reason);
     stopped_ = true;
   }
-  /// Nothing where the caller cancelled, or nobody.
+  /// Why the run stopped itself; none if it was not stopped, or cancelled by the caller.
   std::optional<Failure> reason() const {
     const std::lock_guard lock(mutex_);
     return reason_;

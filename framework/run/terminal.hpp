@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The line of a terminal on which a progress display may stand.
+// Text for a terminal: its width, lines beside a progress display, and printable text.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@ namespace tolman::run {
 /// Columns of the terminal behind `descriptor`; 80 where that is not known.
 int terminalWidth(int descriptor);
 
-/// What must precede a line on `descriptor`, so that nothing of a progress line stays beside it: on
-/// a terminal blanks over the present line, elsewhere nothing. Blanks work on every terminal.
+/// Text to write before a line on `descriptor`, so that it replaces a progress line: on a terminal
+/// blanks over the present line (they work on every terminal), elsewhere nothing.
 std::string wipedLine(int descriptor);
 
-/// The text without control characters, which a terminal would obey: `?` in their place, and in the
-/// place of bytes that are no UTF-8. Line ends and tabs stay.
+/// Replaces control characters, which a terminal would execute, and bytes that are not UTF-8 by
+/// `?`. Line ends and tabs are kept.
 std::string printable(std::string_view text);
 
 }  // namespace tolman::run

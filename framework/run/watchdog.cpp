@@ -11,10 +11,10 @@
 namespace tolman::run {
 namespace {
 
-/// Observers are left out: one that serves a page works until someone ends the run.
+/// Observers are not watched, because one that serves a page works until the user ends the run.
 constexpr std::array kWatched = {Role::Source, Role::Odometry, Role::Place, Role::Cells, Role::Map};
 
-constexpr double kMemoryShare = 0.05;  // less of the limit than this is short
+constexpr double kMemoryShare = 0.05;  // memory is short below this share of the limit
 
 double mebibytes(std::int64_t bytes) { return static_cast<double>(bytes) / (1 << 20); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman bench places, as a person meets it: two passes, one drive with pairs, one with true poses.
+// tolman bench places on the command line: two passes, one drive with pairs, one with true poses.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

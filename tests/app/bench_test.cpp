@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman bench: what it must print. Times are whatever they are.
+// tolman bench: the text that it must print. Times are not checked.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>

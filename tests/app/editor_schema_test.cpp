@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tolman plugins describe --json-schema` judges as the host does; the judge here is a validator
-// that is not ours (python3-jsonschema).
+// The schema of `tolman plugins describe --json-schema` accepts and refuses the same configurations
+// as the host. It is checked with another validator (python3-jsonschema).
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <utility>

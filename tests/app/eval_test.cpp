@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman eval: which poses are compared, and what is refused instead of compared.
+// tolman eval: which poses are compared, and which inputs are refused.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>

@@ -10,6 +10,7 @@
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
+#include "support/ros1_tool.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -128,6 +129,36 @@ TEST_CASE("init writes a configuration for a video, which runs", "[data]") {
   written.run(20);
 }
 
+TEST_CASE("init writes a configuration for a ROS 1 bag, which runs", "[data]") {
+  const auto clip = dataOrSkip("kitti_clips/03_left");
+  if (!clip || !ros1OrSkip()) return;
+  const TemporaryFolder folder;
+  Ros1List uncalibrated(folder.path());
+  Ros1List calibrated(folder.path());
+  const std::vector<double> K = {721.5377, 0, 609.5593, 0, 721.5377, 172.854, 0, 0, 1};
+  calibrated.camera("/front/camera_info", 1242, 375, "plumb_bob", {}, K,
+                    {1, 0, 0, 0, 1, 0, 0, 0, 1}, {K[0], 0, K[2], 0, 0, K[4], K[5], 0, 0, 0, 1, 0});
+  for (int i = 0; i < 20; ++i) {
+    const fs::path image = *clip / fmt::format("image_0/{:06}.jpg", i);
+    for (Ros1List* list : {&uncalibrated, &calibrated}) {
+      list->compressed("/front/image_rect/compressed", 1'000'000'000 + i * 100'000'000LL, "jpeg",
+                       image);
+    }
+  }
+  const auto write = [&](const Ros1List& list, const std::string& compression) {
+    const fs::path bag = folder.path() / (compression + ".bag");
+    REQUIRE(list.call("bag", bag, compression));
+    const Written written(bag);
+    CHECK(contains(written.text, "name: " + compression + "\n"));
+    CHECK(contains(written.text, "plugin: ros_bag\n"));
+    CHECK_FALSE(contains(written.text, "frame rate"));  // a bag has its own
+    written.run(20);
+    return written.text;
+  };
+  CHECK(contains(write(uncalibrated, "bz2"), "plugin: scanline\n"));
+  CHECK(contains(write(calibrated, "lz4"), "plugin: direct_sparse_mono\n"));
+}
+
 TEST_CASE("init says why no source reads a recording, and takes parameters", "[data]") {
   const auto bag = dataOrSkip("ros2_bags/test_bag_mcap");
   if (!bag) return;
@@ -145,6 +176,36 @@ TEST_CASE("init says why no source reads a recording, and takes parameters", "[d
   INFO(skipped.finished.err);
   CHECK(skipped.finished.exit_code == 0);
   CHECK(contains(skipped.text, "left: /test/sensor_msgs/image\n  on_corrupt: skip\n"));
+}
+
+TEST_CASE("init names the folders of images that it leaves out, and takes a pair first") {
+  const TemporaryFolder folder;
+  const fs::path rig = folder.path() / "rig";
+  writeTinyKitti(folder.path() / "sequence", 3);
+  const auto add = [&](const std::string& name, const char* images) {
+    fs::create_directories(rig / name);
+    fs::copy(folder.path() / "sequence" / images, rig / name, fs::copy_options::recursive);
+  };
+  add("aerial", "image_0");
+  add("forward/data", "image_1");
+  const Written single(rig);
+  REQUIRE(single.finished.exit_code == 0);
+  CHECK(contains(single.text, "  left: aerial\n"));
+  CHECK(contains(single.text, "which camera: there are images also in forward/data (source.left"));
+  add("left", "image_0");
+  add("right", "image_1");
+  std::ofstream(rig / "pair.yaml")
+      << "cam0:\n  camera_model: pinhole\n  intrinsics: [100, 100, 80, 30]\n"
+         "  distortion_model: none\n  resolution: [160, 60]\n"
+         "cam1:\n  camera_model: pinhole\n  intrinsics: [100, 100, 80, 30]\n"
+         "  distortion_model: none\n  resolution: [160, 60]\n"
+         "  T_cn_cnm1: [1, 0, 0, -0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]\n";
+  const Written pair(rig);
+  REQUIRE(pair.finished.exit_code == 0);
+  CHECK(contains(pair.text, "  left: left\n  right: right\n"));
+  CHECK(contains(pair.text, "  calibration: pair.yaml\n"));
+  CHECK(contains(pair.text, "there are images also in aerial, forward/data (source.left"));
+  CHECK_FALSE(contains(Written(folder.path() / "sequence").text, "which camera"));
 }
 
 TEST_CASE("init takes what carries the camera, keeps a file, and prints without one") {

@@ -64,6 +64,16 @@ TEST_CASE("calibrated pairs go before single cameras, and those before uncalibra
   CHECK(uncalibrated.rank() > motion.rank());
 }
 
+TEST_CASE("folders of images that are not read are named") {
+  RecordingSearch search;
+  search.best = pairOf(0.11);
+  CHECK_THAT(initText("/data/boxes", search, CarriedBy::Car, ""), !Contains("which camera"));
+  search.other_folders = {"rear", "roof/images"};
+  CHECK_THAT(initText("/data/boxes", search, CarriedBy::Car, ""),
+             Contains("#   - which camera: there are images also in rear, roof/images "
+                      "(source.left, source.right)\n"));
+}
+
 TEST_CASE("the text has the source, the stages, and what is not known") {
   const std::string guessed = textOf(pairOf(0.11));
   CHECK_THAT(guessed, Contains("# 20 pairs of boxes\n# Not known:\n"));
@@ -82,4 +92,28 @@ TEST_CASE("a camera is read in real time") {
   CHECK_THAT(textOf(pairOf(0.11), CarriedBy::Hand, "/dev/null"),
              Contains("\npipeline:\n  mode: realtime "));
   CHECK_THAT(textOf(pairOf(0.11), CarriedBy::Hand, "/"), !Contains("pipeline"));
+}
+
+TEST_CASE("a fast recording is thinned, and large images are scaled") {
+  Probe fast = pairOf(0.11);
+  fast.rate = 120;
+  const auto recorded = [](const Probe& probe) {
+    return textOf(probe, CarriedBy::Unknown, "/usr");
+  };
+  CHECK_THAT(recorded(fast), Contains("  path: /data/boxes\n  step: 4 ") &&
+                                 Contains("# of 120 frames a second 30 are used\n"));
+  CHECK_THAT(recorded(fast), !Contains("images:"));
+  CHECK_THAT(textOf(fast, CarriedBy::Unknown, "/dev/zero"), !Contains("step:"));  // a live one
+  fast.values.emplace_back("step", "2");
+  CHECK_THAT(recorded(fast), !Contains("step: 4"));
+  Probe usual = pairOf(0.11);
+  for (const double rate : {0.0, 10.0, 20.0, 30.0, 45.0}) {
+    usual.rate = rate;
+    CHECK_THAT(recorded(usual), !Contains("step:"));
+  }
+  Probe large = singleOf(1920, 1080);
+  CHECK_THAT(recorded(large), Contains("\nimages:\n  scale: 0.50 ") && Contains("1920x1080 px"));
+  large = singleOf(3840, 2160);
+  CHECK_THAT(recorded(large), Contains("  scale: 0.25 "));
+  CHECK_THAT(recorded(singleOf(1280, 720)), !Contains("images:"));
 }

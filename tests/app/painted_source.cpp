@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A source plugin for tests: formulas for pixels and depth, driven around a circle.
+// A source plugin for tests: pixels and depth by formulas, on a drive around a circle.
 #include "app/painted_source.hpp"
 
 #include "tolman/plugin.hpp"

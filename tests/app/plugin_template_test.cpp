@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Names of new plugins, placeholders, and what is written where.
+// Names of new plugins, placeholders, and the files that are written.
 #include "app/plugin_template.hpp"
 
 #include <catch2/catch.hpp>

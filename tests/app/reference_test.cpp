@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// docs/reference is generated; this fails when a declaration changed and the pages did not.
+// docs/reference is generated: fails if a declaration changed and the pages did not.
 #include "record/reference.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman dataset render: what a source gives comes back, bit for bit, through the kitti source.
+// tolman dataset render: the source kitti reads the rendered frames again, bit for bit.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -25,6 +25,15 @@ TEST_CASE("health comes first, in one block") {
         "time      5.0 s, 10.0 frames/s; final optimisation of the map 1.3 s\n");
 }
 
+TEST_CASE("a realtime run tells how old its poses are") {
+  run::Outcome outcome;
+  outcome.counters.frames = 50;
+  CHECK_THAT(app::healthText(outcome), !Catch::Contains("latency"));
+  outcome.latency = {50, 12.34, 45.67, pipeline::ExposureClock::Pace};
+  CHECK_THAT(app::healthText(outcome),
+             Catch::EndsWith("latency   exposure to pose median 12.3 ms, 99 % 45.7 ms\n"));
+}
+
 TEST_CASE("that a run never tracked is its first line") {
   run::Outcome outcome;
   outcome.counters.frames = 50;
@@ -69,6 +78,10 @@ TEST_CASE("figures name their alignment, coverage and segments") {
   scored.scores->horizontal_m.rmse = 0.1167;
   CHECK(app::trajectoryText("odometry", scored)
             .find("horizontal rmse 0.117 m, vertical rmse 0.040 m\n") != std::string::npos);
+  scored.scores->vertical_m = scored.scores->horizontal_m = {};
+  scored.scores->no_horizontal = "the path is straight";
+  CHECK_THAT(app::trajectoryText("odometry", scored),
+             Catch::Contains("\n          horizontal and vertical error: the path is straight\n"));
 }
 
 TEST_CASE("without truth there are no error figures, and the reason is said") {
@@ -98,4 +111,6 @@ TEST_CASE("one line tells what the cells said and how they are tuned") {
         "cells     heading error median 3.6, 90 % 7.0 deg; mean vector 0.75, 100 % above chance; "
         "half width 45 deg; position error median 12.0, 90 % 20.0 m (modulo 60 m); square grid "
         "1.10, 50 % above chance\n");
+  cells.sheets[0].scores.sargolini = {1.28, 0.3, 0, 1};
+  CHECK_THAT(app::cellsText(cells), Catch::Contains("; hexagonal grid 1.28, 100 % above chance"));
 }

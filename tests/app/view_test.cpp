@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman view: what is served is what the record says, of runs that are over, go on, or are broken.
+// tolman view serves what the record contains, of finished, running and damaged runs.
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>

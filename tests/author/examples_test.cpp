@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SDK's examples, built from the installed package as a stranger would, do what they promise:
-// on a drive that goes forth, back and forth again, places are recognised and loops closed.
+// The SDK's examples, built against the installed package: on a drive forwards, backwards and
+// forwards again they recognise places and close loops.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>

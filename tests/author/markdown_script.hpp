@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a page tells its reader to do, as a script: commands are run, files are written.
+// The instructions of a page as a script that runs its commands and writes its files.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// `tolman plugins new` for each role: what it writes builds, passes its own test and runs in a
-// chain at once, all by the commands of its own README.
+// `tolman plugins new` for each role: with the commands of its README the new plugin builds, passes
+// its test and runs in a chain.
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>

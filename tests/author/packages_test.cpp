@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Debian packages: what they contain, what they depend on, and that they work from where dpkg
-// puts them. Skipped, visibly, where there is no dpkg-deb.
+// The Debian packages: their contents, their dependencies, and that they work where dpkg installs
+// them. Reported as skipped without dpkg-deb.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
@@ -13,6 +13,8 @@ using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
+
+bool hasRos1() { return fs::exists(inBuild("plugins/support/ros1_node/libtolman_ros1_node.a")); }
 
 bool hasDpkg() {
   if (run({"dpkg-deb", "--version"}).exit_code == 0) return true;
@@ -95,6 +97,25 @@ TEST_CASE("the packages say what they need and hold what they should") {
   }
 }
 
+TEST_CASE("what needs ROS is in a package of its own, the rest the same with and without it") {
+  if (!hasDpkg()) return;
+  const Workshop workshop;
+  makePackages(workshop);
+  CHECK_FALSE(contains(field(workshop, "tolman", "Depends"), "ros"));
+  CHECK_FALSE(contains(workshop.shell("dpkg-deb -c packages/tolman.deb").out, "_ros1"));
+  const Finished packed = workshop.shell("mv packages/tolman-ros1_*.deb packages/tolman-ros1.deb");
+  REQUIRE((packed.exit_code == 0) == hasRos1());
+  if (!hasRos1()) return;
+  const std::string needs = field(workshop, "tolman-ros1", "Depends");
+  INFO(needs);
+  CHECK(contains(needs, "libroscpp"));
+  CHECK(contains(needs, "tolman (= "));
+  const std::string held = workshop.shell("dpkg-deb -c packages/tolman-ros1.deb").out;
+  CHECK(contains(held, "/tolman/plugins/tolman_source_ros1.so\n"));
+  CHECK(contains(held, "/tolman/plugins/tolman_observer_ros1_publisher.so\n"));
+  CHECK(contains(held, "./usr/share/doc/tolman-ros1/copyright\n"));
+}
+
 TEST_CASE("packages of the same sources are the same bytes at any hour") {
   if (!hasDpkg()) return;
   const Workshop workshop;
@@ -134,7 +155,9 @@ TEST_CASE("unpacked packages work from their folder") {
   CHECK(installed.out.ends_with("2\n"));
   checkUse(workshop, "installed");
   const Finished removed = workshop.shell(
-      "dpkg --root=\"$PWD/installed\" --force-depends -P python3-tolman tolman libtolman-sdk-dev\n"
+      "dpkg --root=\"$PWD/installed\" --force-depends -P python3-tolman tolman libtolman-sdk-dev" +
+      std::string(hasRos1() ? " tolman-ros1" : "") +
+      "\n"
       "find installed -path '*/usr/*' -type f");
   INFO(removed.out << removed.err);
   CHECK(removed.exit_code == 0);

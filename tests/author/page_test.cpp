@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// docs/write-a-plugin.md does what it says: every command of the page is run, every file that it
-// shows is written, in the page's order, by someone whose home is empty.
+// docs/write-a-plugin.md works: every command of the page is run and every file is written, in the
+// order of the page, with an empty home directory.
 #include <catch2/catch.hpp>
 
 #include "author/markdown_script.hpp"

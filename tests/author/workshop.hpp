@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An author's desk: Tolman installed below a prefix of its own, and a shell that finds it.
+// The environment of a plugin author: Tolman below its own prefix, and a shell that finds it.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves from files, and where the figure draws them.
+// Curves from files, and their positions in the figure.
 #include "bench/place_curves.hpp"
 
 #include <catch2/catch.hpp>

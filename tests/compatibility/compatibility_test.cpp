@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plugin built against the headers of SDK 0.1 meets hosts: that of today, and, compiled from the
-// same source against changed headers, that of tomorrow (CMakeLists.txt says what is new there).
+// A plugin that was built against the headers of SDK 0.1 is loaded by the present host, and by a
+// host compiled from the same source against changed headers, as of a later version (the changes
+// are listed in CMakeLists.txt).
 #include <catch2/catch.hpp>
 #include <sstream>
 

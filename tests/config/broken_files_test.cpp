@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Golden messages: what a person reads for each way to break a configuration. They are part of the
-// product; a change here is a change of what users see.
+// The expected message for each kind of error in a configuration. They are part of the interface: a
+// change here changes what users read.
 #include <catch2/catch.hpp>
 
 #include "config/toy_system.hpp"
@@ -23,7 +23,7 @@ TEST_CASE("Misspelt keys are refused with the nearest known name, at every level
         "broken/typos.yaml:2:1: piepline: unknown key; did you mean 'pipeline'? (keys: name, "
         "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
         "evaluation, "
-        "record, isolation, checks, rectification, extends)\n"
+        "record, isolation, checks, rectification, images, extends)\n"
         "broken/typos.yaml:3:12: pipeline.mod: unknown key; did you mean 'mode'? (keys: mode, "
         "queue, input_policy, place_policy, speed, stage_deadline)\n"
         "broken/typos.yaml:5:3: odometry.activ_points: unknown parameter; did you mean "
@@ -91,7 +91,7 @@ TEST_CASE("Missing and malformed stages are refused with a remedy") {
         "broken/stages.yaml:1:1: odomtry: unknown key; did you mean 'odometry'? (keys: name, "
         "seed, threads, continue, source, odometry, place, cells, map, observers, pipeline, "
         "evaluation, "
-        "record, isolation, checks, rectification, extends)\n"
+        "record, isolation, checks, rectification, images, extends)\n"
         "broken/stages.yaml:1:1: source: the stage is missing; add 'source: {plugin: ...}' "
         "('tolman plugins list' shows the plugins)\n"
         "broken/stages.yaml:1:1: cells: the stage is missing; add 'cells: {plugin: ...}' ('tolman "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Integers of JSON are taken as they are, or refused.
+// Integers in JSON are read exactly, or refused.
 #include "config/json_integer.hpp"
 
 #include <catch2/catch.hpp>

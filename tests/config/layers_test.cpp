@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// extends: which layer wins, and that every value remembers its own.
+// extends: which layer takes precedence, and that every value keeps its place of origin.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

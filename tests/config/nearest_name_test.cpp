@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Edit distance by known values and by its definition, and what counts as near.
+// Edit distance against known values and its definition, and which names are near.
 #include "config/nearest_name.hpp"
 
 #include <algorithm>

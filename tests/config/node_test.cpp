@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Merging trees by hand-made cases.
+// Merging of trees, on hand-made cases.
 #include "config/node.hpp"
 
 #include <catch2/catch.hpp>

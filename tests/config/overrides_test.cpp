@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// --set: what it changes, in which order, and how it fails.
+// --set: its changes, their order, and its failures.
 #include "config/overrides.hpp"
 
 #include <catch2/catch.hpp>

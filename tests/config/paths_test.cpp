@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What paths in a configuration mean.
+// Resolution of paths in a configuration.
 #include "config/paths.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How problems read, and in which order.
+// Text and order of problems.
 #include "config/problem.hpp"
 
 #include <catch2/catch.hpp>

@@ -42,6 +42,7 @@ pipeline:
   stage_deadline: 10
 evaluation:
   alignment: se3
+  loop_height: 0
   segment_lengths: [5, 10.5]
   segments: auto
   sessions: own
@@ -61,6 +62,9 @@ checks:
 rectification:
   field_of_view: 90
   mode: auto
+  scale: 1
+images:
+  crop: []
   scale: 1
 source:
   plugin: toy_source

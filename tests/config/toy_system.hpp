@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A catalogue of toy plugins, so that whole configurations can be checked without loading any.
+// A catalogue of toy plugins, to check whole configurations without loading plugins.
 #pragma once
 
 #include <map>

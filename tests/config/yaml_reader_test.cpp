@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// YAML text to nodes, and that no bytes whatsoever bring the reader down.
+// YAML text to nodes; no input crashes the reader.
 #include "config/yaml_reader.hpp"
 
 #include <catch2/catch.hpp>

@@ -122,8 +122,12 @@ TEST_CASE("invalid answers are found") {
       {"role_faults", "unknown_template", "answers", "which was never made"},
       {"role_faults", "stays_elsewhere", "answers", "stays at experience 0, but was at 1"},
       {"role_faults", "unknown_frame", "answers", "a frame that was never given must be"},
-      {"role_faults", "counts_more", "answers",
-       "counts of experiences and links differ from graph()"},
+      {"role_faults", "counts_more", "answers", "the graph has 0 links, the last update 3"},
+      {"role_faults", "more_loops", "answers", "the graph has 0 loop links, the last update 1"},
+      {"role_faults", "placed_elsewhere", "answers", "graph: is 5 m and 0 rad from the pose by"},
+      {"role_faults", "told_elsewhere", "answers", "poseOf, frame 3: not the T_world_camera of"},
+      {"role_faults", "moved_at_the_end", "answers",
+       "is 5 m and 0 rad from the pose by graph() of experience 2, which was made there"},
       {"role_faults", "watches_null_graph", "answers", "died of SIGSEGV"},
   });
 }

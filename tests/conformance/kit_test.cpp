@@ -65,6 +65,22 @@ TEST_CASE("a check without its required data is skipped and names the missing --
   CHECK(given.check("answers")["result"] == "ok");
 }
 
+TEST_CASE("a live source is not asked for the same images twice") {
+  const std::string library = fixtureLibrary("live_pictures");
+  const Validation live = validate(library, {"--id", "live_pictures"});
+  INFO(live.reports.dump(1));
+  CHECK(live.exit_code == 0);
+  for (const char* check :
+       {"deterministic", "interleaved", "reset", "life-again", "threads", "migration"}) {
+    CHECK(live.check(check)["result"] == "skip");
+  }
+  CHECK(contains(live.messages(), "live images do not come twice"));
+  const Validation silent = validate(library, {"--id", "once_only"});
+  CHECK(silent.exit_code == 4);
+  CHECK(silent.check("life-again")["result"] == "error");
+  CHECK(silent.check("deterministic")["result"] == "error");
+}
+
 TEST_CASE("the seed determines the draws") {
   const auto draw = [](const char* seed) {
     return validate(fixtureLibrary("answer_faults"),

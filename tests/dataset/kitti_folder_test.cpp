@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The text files of a rendered folder, and what becomes of a folder that holds something.
+// The text files of a rendered folder, and the handling of a folder that is not empty.
 #include "dataset/kitti_folder.hpp"
 
 #include <catch2/catch.hpp>

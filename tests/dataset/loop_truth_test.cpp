@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Revisits against hand-made routes, an exhaustive search, and real drives.
+// Revisits compared with hand-made routes, an exhaustive search, and real drives.
 #include "dataset/loop_truth.hpp"
 
 #include <catch2/catch.hpp>

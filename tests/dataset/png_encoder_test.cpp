@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What we encode, OpenCV decodes to the same pixels.
+// OpenCV decodes the encoded images to the same pixels.
 #include "dataset/png_encoder.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Data sets and configurations that are wrong: one clear message, the right exit code.
+// Invalid data sets and configurations: one clear message and the right exit code.
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -74,6 +74,28 @@ TEST_CASE("data sets that are wrong are refused before frame 0, with exit code 5
     data.write("poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 nan 0 0 0 0 1 1\n");
     data.refused("poses.txt:2");
   }
+}
+
+TEST_CASE("a calibration with a key given twice is refused at the second, with exit code 5") {
+  const Damaged data;
+  data.write("rig.yaml",
+             "cam0:\n  camera_model: pinhole\n  intrinsics: [100, 100, 80, 30]\n"
+             "  distortion_model: none\n  resolution: [160, 60]\n\n"
+             "  intrinsics: [200, 200, 80, 30]\n");
+  const std::vector<std::string> source = {
+      "dataset",      "check", data.sequence.string(), "--source", "images", "--set",
+      "left=image_0", "--set", "calibration=rig.yaml", "--set",    "rate=10"};
+  const Finished checked = tolman::test::tolman(source);
+  INFO(checked.out << checked.err);
+  CHECK(checked.exit_code == 5);
+  const std::string wrong = (data.sequence / "rig.yaml").string() +
+                            ":7: 'intrinsics' is given twice, first in line 3; remove one of";
+  CHECK(contains(checked.out + checked.err, wrong));
+  const Finished ran =
+      data.run({"--set", "source={plugin: images, path: " + data.sequence.string() +
+                             ", left: image_0, calibration: rig.yaml, rate: 10}"});
+  CHECK(ran.exit_code == 5);
+  CHECK(contains(ran.err, wrong));
 }
 
 TEST_CASE("a corrupt image stops the run with what was done recorded, or is skipped as told") {

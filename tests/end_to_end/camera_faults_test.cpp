@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faults of cameras on a real drive: each has a defined outcome, and none is silently wrong. The
-// limits of the checks were chosen with 06 in view; 01, a highway, was only looked at afterwards.
+// Faults of cameras on a real drive: each has a defined outcome, and none gives wrong results
+// without a report. The limits of the checks were chosen on 06; 01, a highway, was evaluated
+// afterwards.
 #include <array>
 #include <catch2/catch.hpp>
 #include <fstream>

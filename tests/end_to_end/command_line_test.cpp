@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Command lines at random: words that exist, values that do not fit, options out of place. The end
-// is always an exit code of the table, with a text unless all went well.
+// Random command lines of existing words, wrong values and misplaced options. All end with an exit
+// code of the table, and with a message unless they succeed.
 #include <catch2/catch.hpp>
 #include <set>
 

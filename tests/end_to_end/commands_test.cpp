@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The commands beside `run`, as a person meets them.
+// The other commands than `run`, on the command line.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -143,6 +143,34 @@ TEST_CASE("dataset check tells what is there and what is wrong, all at once") {
   CHECK(none.exit_code == 5);
   CHECK(contains(none.out, "has neither image_0 nor image_2"));
   CHECK(none.err.empty());  // once is enough
+}
+
+TEST_CASE("dataset check sees the part and size of the images that a run would use") {
+  TemporaryFolder folder;
+  const auto sequence = folder.path() / "sequence";
+  writeTinyKitti(sequence, 4);
+  const auto check = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"dataset", "check", sequence.string(), "--decode"};
+    words.insert(words.end(), more.begin(), more.end());
+    return tolman::test::tolman(words);
+  };
+  const Finished whole = check({"--set", "step=2"});
+  CHECK(contains(whole.out, "2 frames decode"));
+  CHECK_FALSE(contains(whole.out, "images: "));
+  const Finished cut = check(
+      {"--set", "images.crop=[16, 4, 128, 48]", "--set", "images.scale=0.75", "--set", "step=2"});
+  INFO(cut.out << cut.err);
+  CHECK(cut.exit_code == 0);
+  CHECK(contains(cut.out, "note     images: "));
+  CHECK(contains(cut.out, "128x48"));
+  CHECK(contains(cut.out, "2 frames decode"));
+  const Finished outside = check({"--set", "images.crop=[100, 0, 100, 60]"});
+  CHECK(outside.exit_code == 5);
+  CHECK(
+      contains(outside.out, "images.crop is not inside of the images; the images have 160x60 px"));
+  const Finished unknown = check({"--set", "images.size=0.5"});
+  CHECK(unknown.exit_code == 3);
+  CHECK(contains(unknown.err, "images.size"));
 }
 
 TEST_CASE("eval gives the published figures of two systems on KITTI 00", "[data]") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whichever write, sync, rename or opening of a run fails, the run says so; and whichever it is
-// killed at, its record stays readable and the run can be resumed, or that is refused in a
-// sentence.
+// For every write, sync, rename or opening of a file: if it fails, the run reports it. If the run
+// is killed there, its record is readable, and the run can be resumed or this is refused with a
+// message.
 #ifdef TOLMAN_COUNTED_WRITES
 #include <algorithm>
 #include <catch2/catch.hpp>

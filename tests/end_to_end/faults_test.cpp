@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Disks that are full, for one file at a time: a run never ends with success when a file of it is
-// not whole.
+// A full disk, for one file at a time: a run never succeeds if one of its files is incomplete.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A map must not spoil odometry that is better than its loops: a real street driven forward,
-// backward, forward and backward, where each way meets old places again.
+// A map must not degrade odometry that is more accurate than its loops: a real street that is
+// driven forwards and backwards twice, so that every pass revisits places.
 #include <catch2/catch.hpp>
 
 #include "end_to_end/process.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Interrupted and killed runs: what was recorded is readable and exports.
+// Interrupted and killed runs: their records can be read and exported.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>

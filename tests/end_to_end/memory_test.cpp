@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Less memory than is needed: one clear message and the exit code of the table, never a signal.
+// Too little memory: one clear message and the exit code of the table, never a signal.
 #include <catch2/catch.hpp>
 #include <fstream>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that people give, changed at random: every command ends with an exit code that
-// docs/errors.md has for them and says why; none crashes, hangs, or calls it a defect of its own.
+// Randomly changed input files: every command ends with an exit code of docs/errors.md for inputs
+// and a message. None crashes, hangs, or reports an internal error.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Tolman opens to look at it: plugins that crash, hang or pretend, and pipes in place of
-// files.
+// Files that Tolman opens for inspection: plugins that crash, hang or pretend success, and pipes in
+// place of files.
 #include <sys/stat.h>
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs programs as a person would, and looks at what they leave behind.
+// Runs programs, and checks their output and files.
 #pragma once
 
 #include <sys/types.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers from a run's record, by SQL.
+// Numbers from the record of a run, by SQL.
 #pragma once
 
 #include <filesystem>

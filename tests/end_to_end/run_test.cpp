@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One configuration file runs the whole chain, every stage from its own library.
+// One configuration file runs the whole chain, with every stage from its own library.
 #include <catch2/catch.hpp>
 #include <regex>
 

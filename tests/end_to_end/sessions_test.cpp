@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps live on: real motion cut in two, the second session on the map of the first.
+// Sessions: real motion in two parts, the second one on the map of the first.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program on a terminal of its own, and what a person sees there.
+// Runs a program on its own pseudo-terminal, and reads the visible text.
 #pragma once
 
 #include <sys/types.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a person sees on a terminal while a run draws its progress line there: every other line
-// stands by itself.
+// The visible text of a terminal on which a run draws its progress line: every other line is
+// separate.
 #include "end_to_end/terminal.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A KITTI folder of tiny images, made on the spot, and configurations that run on it.
+// A generated KITTI folder of tiny images, and configurations that run on it.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The town through the whole host: the shipped configurations, the demo's drive, rendering to
+// The town in the whole system: the shipped configurations, the drive of the demo, rendering to
 // KITTI.
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Against closed forms.
+// Firing rates against closed forms.
 #include "evaluation/firing_rate.hpp"
 
 #include <catch2/catch.hpp>

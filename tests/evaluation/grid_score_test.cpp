@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Against ideal lattices, whose symmetry is known.
+// Grid scores of ideal lattices, whose symmetry is known.
 #include "evaluation/grid_score.hpp"
 
 #include <catch2/catch.hpp>

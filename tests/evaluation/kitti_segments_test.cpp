@@ -50,6 +50,42 @@ TEST_CASE("segment errors do not depend on where the worlds lie") {
   CHECK(one.r_rel_deg_per_100m == Approx(two.r_rel_deg_per_100m));
 }
 
+TEST_CASE("gaps do not raise the drift: 1 percent too long, with poses missing") {
+  const Trajectory truth = test::straightPath(400);
+  const Trajectory whole = test::straightPath(400, 1.01);
+  Trajectory gap = whole;
+  gap.erase(gap.begin() + 100, gap.begin() + 300);
+  const SegmentErrors one_gap = segmentErrors(test::paired(truth, gap), kittiLengths());
+  CHECK(one_gap.segments > 0);
+  CHECK(one_gap.segments_in_gaps > 0);
+  CHECK(one_gap.t_rel_percent == Approx(1.01).margin(0.02));
+
+  Trajectory sparse;  // steps of 7 m: no segment ends at the first true pose beyond its length
+  for (std::size_t i = 0; i < whole.size(); i += 7) sparse.push_back(whole[i]);
+  const SegmentErrors steps = segmentErrors(test::paired(truth, sparse), kittiLengths());
+  CHECK(steps.segments > 0);
+  CHECK(steps.segments_in_gaps == 0);
+  CHECK(steps.t_rel_percent == Approx(1).margin(1e-9));
+}
+
+TEST_CASE("the way through a gap is that of the whole truth") {
+  // Out and back over 150 m each, and on; the estimate lacks the turn. The chord of the gap is
+  // short.
+  Trajectory truth = test::straightPath(500);
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double s = static_cast<double>(i);
+    const double x = s < 150 ? s : s < 300 ? 300 - s : s - 300;
+    truth[i].T_world_camera.translation() = Eigen::Vector3d(0, 0, x);
+  }
+  Trajectory estimate = truth;
+  for (auto& pose : estimate) pose.T_world_camera.translation() *= 1.01;
+  estimate.erase(estimate.begin() + 100, estimate.begin() + 200);
+  const Matches matches = test::paired(truth, estimate);
+  CHECK(matches.driven[100] - matches.driven[99] == Approx(101));
+  CHECK(segmentErrors(matches, kittiLengths()).segments_in_gaps > 0);
+  CHECK(segmentErrors(matches, kittiLengths()).t_rel_percent < 1.03);
+}
+
 TEST_CASE("short paths have their own, named lengths") {
   CHECK(lengthsFor(4000).name == "kitti");
   CHECK(lengthsFor(60).name == "short");

@@ -62,6 +62,23 @@ TEST_CASE("loop links between near places are true, others false") {
   CHECK(loopFigures(graph, {}, {}).true_links == 0);
 }
 
+TEST_CASE("places of different storeys are different where heights count") {
+  Trajectory truth = twoDrives();
+  for (TrajectoryPose& pose : truth)
+    pose.T_world_camera.translation().y() = pose.frame < 100 ? 0 : -3;
+  const MapGraph graph = graphWith({{11, 1}, {12, 2}, {12, 11}});
+  CHECK(loopFigures(graph, {}, truth).false_links == 0);
+  const std::vector<PlaceObservation> places = {view(10, 0, Recognition::Novel),
+                                                view(12, 0, Recognition::Familiar),
+                                                view(110, 0, Recognition::Familiar)};
+  const LoopFigures figures = loopFigures(graph, places, truth, 1.5);
+  CHECK(figures.true_links == 1);  // along the upper storey
+  CHECK(figures.false_links == 2);
+  CHECK(figures.true_views == 1);
+  CHECK(figures.false_views == 1);
+  CHECK(loopFigures(graph, places, truth, 3.5).false_links == 0);
+}
+
 TEST_CASE("views are judged by where they were learned, and closed near a true loop") {
   std::vector<PlaceObservation> places;
   for (int i = 0; i < 10; ++i) places.push_back(view(10 * i, i, Recognition::Novel));

@@ -103,6 +103,23 @@ TEST_CASE("the error is told apart by horizontal and vertical; both give the who
   const auto json = toJson(scoreTrajectory(truth, estimate, Alignment::Se2));
   CHECK(json["ate"] == json["ate_horizontal"]);
   CHECK(json["ate_vertical"]["rmse_m"].is_null());
+  CHECK(json["ate_vertical"]["reason"] == "se2 compares on the plane");
+}
+
+TEST_CASE("relative errors that have no pairs say why") {
+  const Trajectory truth = test::straightPath(50);
+  Trajectory every_second;
+  for (std::size_t i = 0; i < truth.size(); i += 2) every_second.push_back(truth[i]);
+  const auto json = toJson(scoreTrajectory(truth, every_second, Alignment::Se3));
+  CHECK(json["rpe"]["frame"]["translation"]["rmse_m"].is_null());
+  CHECK(json["rpe"]["frame"]["pairs"] == 0);
+  CHECK(json["rpe"]["frame"]["reason"] == "no two poses that match are one frame apart");
+  CHECK(json["rpe"]["metre"]["reason"].is_null());
+  const Trajectory slow = test::straightPath(50, 0.01);
+  const auto crept = toJson(scoreTrajectory(slow, slow, Alignment::Se3));
+  CHECK(crept["rpe"]["frame"]["reason"].is_null());
+  CHECK(crept["rpe"]["metre"]["reason"] == "the path is shorter than 1 m");
+  CHECK(toJson(scoreTrajectory({}, truth, Alignment::Se3))["rpe"]["metre"]["reason"].is_null());
 }
 
 TEST_CASE("planar alignment scores the plane, Sim(3) reports its scale") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trajectories made by hand for the tests of evaluation.
+// Hand-made trajectories for the tests of evaluation.
 #pragma once
 
 #include <cmath>

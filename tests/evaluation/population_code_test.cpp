@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Against populations whose state is known: von Mises rings, Gaussian bumps on tori.
+// Decoding of populations whose state is known: von Mises rings, Gaussian bumps on tori.
 #include "evaluation/population_code.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Precision and recall in closed form, with ties, and against counting at every threshold.
+// Precision and recall against closed forms, with ties, and against counts at every threshold.
 #include "evaluation/precision_recall.hpp"
 
 #include <algorithm>

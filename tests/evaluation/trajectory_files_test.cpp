@@ -112,7 +112,7 @@ TEST_CASE("broken trajectory files are refused with file and line") {
   CHECK(folder.kittiRefusal("2 0 0 0 0 2 0 0 0 0 2 0\n") ==
         "poses.txt:1: the rotation part is not a rotation matrix");
   CHECK(readTrajectory("/nowhere/at/all").status().message() ==
-        "/nowhere/at/all: is no file that can be read; check the path");
+        "/nowhere/at/all: not a readable file; check the path");
   CHECK_FALSE(readTrajectory("/tmp").isOk());
 }
 

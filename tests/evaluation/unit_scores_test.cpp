@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ideal units score far above chance, noise as chance has it.
+// Scores of ideal units are far above chance, those of noise at chance.
 #include "evaluation/unit_scores.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The archive of a sweep runs again where the data lie elsewhere, and tells what differs.
+// The archive of a sweep can be run again with the data in another folder, and reports differences.
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
@@ -51,4 +51,41 @@ TEST_CASE("an archive runs elsewhere, with the same results") {
   CHECK(changed.exit_code == 1);
   CHECK(contains(changed.out, "same     sequence=a,seed=1"));
   CHECK(contains(changed.out, "differs  sequence=b,seed=1"));
+  std::string said;
+  for (const auto& entry : fs::directory_iterator(other.path() / "out/again")) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("sequence=b,seed=1") && name.ends_with(".txt")) {
+      said = readText(entry.path());
+    }
+  }
+  CHECK(contains(said, "has other contents"));
+
+  // Data that are not there are no difference.
+  fs::remove_all(other.path() / "b");
+  const Finished without = run(rerun);
+  CHECK(without.exit_code == 2);
+  CHECK(contains(without.out, "not run  sequence=b,seed=1"));
+  CHECK_FALSE(contains(without.out, "differs"));
+  // The folder of the archive is a table.
+  const Finished table = tolman::test::tolman({"compare", (other.path() / "out").string()});
+  INFO(table.err);
+  CHECK(table.exit_code == 0);
+  CHECK(contains(table.out, "map.ate.rmse_m"));
+}
+
+TEST_CASE("paths of the data are relative to where the script is called") {
+  const Study study;
+  study.writeAll("sequences: {a: a}\n");
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path file = study.folder.path() / "study.tar.gz";
+  REQUIRE(tolman::test::tolman({"sweep", "archive", study.out().string(), "--out", file.string()})
+              .exit_code == 0);
+  const TemporaryFolder other;
+  REQUIRE(run({"tar", "-C", other.path().string(), "-xzf", file.string()}).exit_code == 0);
+  fs::rename(study.folder.path() / "a", other.path() / "a");
+  const Finished again =
+      run({"env", "-C", other.path().string(), "TOLMAN=" + tolmanProgram().string(), "DATA_1=a",
+           "sh", "out/rerun.sh"});
+  INFO(again.out << again.err);
+  CHECK(again.exit_code == 0);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Comparisons of made-up runs, whose numbers are known.
+// Comparisons of synthetic runs, whose numbers are known.
 #include "experiment/comparison.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "experiment/comparison_figure.hpp"
+#include "experiment/comparison_json.hpp"
 #include "experiment/comparison_text.hpp"
 
 using namespace tolman;
@@ -56,7 +58,27 @@ TEST_CASE("levels, and differences paired over sequences and seeds") {
   REQUIRE(difference->test);
   CHECK(difference->test->n == 2);  // sequences, not runs
   CHECK(difference->test->p == Approx(0.5));
-  CHECK(c.notes.empty());
+  REQUIRE(c.notes.size() == 1);
+  CHECK(c.notes[0].starts_with("With 2 sequences p cannot be below 0.5, and"));
+}
+
+TEST_CASE("without --by the levels are those of all factors that vary") {
+  std::vector<RunRow> all;
+  for (const RunRow& r : rows()) {
+    for (const char* model : {"a", "b"}) {
+      RunRow more = r;
+      more.factors.push_back({"model", model});
+      more.factors.push_back({"map", "always this"});
+      more.results += model;
+      all.push_back(more);
+    }
+  }
+  const auto compared = compareRuns(all, {});
+  REQUIRE(compared.isOk());
+  CHECK(compared.value().by == std::vector<std::string>{"cells.period", "model"});
+  ComparisonOptions options;
+  options.only = {{"cells.period", "75"}};
+  CHECK(compareRuns(all, options).value().by == std::vector<std::string>{"model"});
 }
 
 TEST_CASE("one sequence: the test is over its seeds") {
@@ -127,8 +149,10 @@ TEST_CASE("a factor that changes nothing is told") {
   for (RunRow& r : same) r.results = r.label("sequence") + r.label("seed");
   const auto compared = compareRuns(same, {});
   REQUIRE(compared.isOk());
-  REQUIRE(compared.value().notes.size() == 1);
-  CHECK(compared.value().notes[0].starts_with("Only 6 of 12 runs have results of their own"));
+  REQUIRE(compared.value().notes.size() == 2);
+  CHECK(
+      compared.value().notes[0] ==
+      "Only 6 of 12 runs have results of their own, byte for byte: cells.period changes nothing.");
 }
 
 TEST_CASE("what must not be averaged is refused") {
@@ -153,6 +177,10 @@ TEST_CASE("what must not be averaged is refused") {
   CHECK(compareRuns(all, options).status().message().find("factors: cells.period") !=
         std::string::npos);
   options = {};
+  options.baseline = "1500";
+  CHECK(compareRuns(rows(), options).status().message() ==
+        "no level '1500'; did you mean '150'?; levels: 75, 150");
+  options = {};
   options.metric = "map.atee";
   CHECK(compareRuns(rows(), options).status().code() == StatusCode::InvalidParameter);
 }
@@ -170,10 +198,33 @@ TEST_CASE("tables as Markdown, LaTeX and CSV") {
   CHECK(csv.find(",,,,,,\n") != std::string::npos);  // the baseline has no difference
 }
 
+TEST_CASE("as JSON, with exact numbers, and null for what too few runs do not tell") {
+  std::vector<RunRow> few = rows();
+  std::erase_if(few, [](const RunRow& run) { return run.label("seed") == "3"; });
+  const auto json = nlohmann::json::parse(jsonOf(compareRuns(few, {}).value()));
+  CHECK(json["by"] == std::vector<std::string>{"cells.period"});
+  REQUIRE(json["levels"].size() == 2);
+  const auto& level = json["levels"][1];
+  CHECK(level["label"] == "150");
+  CHECK(level["runs"] == 4);
+  CHECK(level["values"].size() == 4);
+  CHECK(level["interval"].is_null());
+  CHECK(level["difference"]["pairs"] == 4);
+  CHECK(level["difference"]["mean"] == Approx(2));
+  CHECK(json["levels"][0]["difference"].is_null());  // the baseline
+  CHECK_FALSE(json["notes"].empty());
+}
+
+TEST_CASE("a table as JSON has its cells by their headings") {
+  const auto json =
+      nlohmann::json::parse(jsonOf(TextTable{{"drive", "m"}, {{"00", "1.5"}}, {"n"}}));
+  CHECK(json == nlohmann::json{{"rows", {{{"drive", "00"}, {"m", "1.5"}}}}, {"notes", {"n"}}});
+}
+
 TEST_CASE("numbers give a line with a band, names give boxes") {
   const std::string line = comparisonFigure(compareRuns(rows(), {}).value()).value();
   CHECK(line.find("<polyline") != std::string::npos);
-  CHECK(line.find("map.ate.rmse_m") != std::string::npos);
+  CHECK(line.find("ATE of the map, RMSE (m)") != std::string::npos);
   std::vector<RunRow> named = rows();
   for (RunRow& r : named) r.factors[0].label = r.factors[0].label == "75" ? "paper" : "full";
   const Comparison boxes = compareRuns(named, {}).value();
@@ -190,7 +241,7 @@ TEST_CASE("a success curve steps from no run to all") {
   const std::string figure =
       comparisonFigure(compareRuns(rows(), {}).value(), FigureKind::Success).value();
   CHECK(figure.find("runs within (%)") != std::string::npos);
-  CHECK(figure.find("limit of map.ate.rmse_m") != std::string::npos);
+  CHECK(figure.find("limit: ATE of the map, RMSE (m)") != std::string::npos);
   CHECK(figure.find(">150<") != std::string::npos);  // the legend
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sweeps when things go wrong: what went wrong is told, concerns one run, and nothing is lost.
+// Failures in sweeps: each is reported, affects one run only, and no results are lost.
 #include <sys/mount.h>
+#include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -77,4 +78,60 @@ TEST_CASE("a full disk: told, and with room the sweep goes on to the same result
   INFO(rest.out << rest.err);
   CHECK(rest.exit_code == 0);
   CHECK(results == study.results("whole"));
+}
+
+TEST_CASE("a run whose folder is gone is missing, in all that a sweep tells of its runs") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path point = study.point("period=100,sequence=a,seed=1");
+  fs::remove(point / "point.json");
+  const std::string missing =
+      "missing      1 without a readable point.json\n  " + point.filename().string() + "\n";
+  CHECK(contains(study.status(), missing));
+  const std::string warning = "1 have no readable point.json, and are not in the table";
+  const Finished table = tolman::test::tolman({"sweep", "collect", study.out().string()});
+  CHECK(table.exit_code == 0);
+  CHECK(contains(table.err, warning));
+  const Finished archive = tolman::test::tolman({"sweep", "archive", study.out().string()});
+  CHECK(archive.exit_code == 0);
+  CHECK(contains(archive.err, warning));
+}
+
+TEST_CASE("an outcome that is a pipe or no outcome concerns its run only") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path outcome = study.point("period=100,sequence=a,seed=1") / "outcome.json";
+  fs::remove(outcome);
+  REQUIRE(::mkfifo(outcome.c_str(), 0600) == 0);
+  CHECK(contains(study.status(), "interrupted  1\n"));
+  fs::remove(outcome);
+  std::ofstream(outcome) << "{\"state\": 3}";
+  CHECK(contains(study.status(), "outcome.json: is damaged; remove it"));
+}
+
+TEST_CASE("a sweep without any run that is done gives no empty table") {
+  const Study study;
+  REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
+  const Finished table = tolman::test::tolman({"sweep", "collect", study.out().string()});
+  CHECK(table.exit_code == 5);
+  CHECK(contains(table.err, "no run is done"));
+}
+
+TEST_CASE("a run is not repeated onto itself, by whatever name") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path run = study.point("period=100,sequence=a,seed=1") / "run";
+  const fs::path link = study.folder.path() / "link";
+  fs::create_directory_symlink(run, link);
+  for (const fs::path& out : {run, link}) {
+    const Finished again =
+        tolman::test::tolman({"rerun", run.string(), "--verify", "--force", "--out", out.string()});
+    CHECK(again.exit_code == 2);
+    CHECK(contains(again.err, "is the run itself; give another folder with --out"));
+  }
+  fs::remove(run / "results.sha256");
+  const Finished blind = tolman::test::tolman({"rerun", run.string(), "--verify"});
+  CHECK(blind.exit_code == 5);
+  CHECK(contains(blind.err, "results.sha256: has no digests"));
+  CHECK_FALSE(fs::exists(run.string() + "-again"));  // said before the run was made
 }

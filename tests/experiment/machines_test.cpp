@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sweeps by Slurm, GNU parallel and Snakemake: the same results, and nothing of ours stays behind.
+// Sweeps by Slurm, GNU parallel and Snakemake: the same results, and no files or processes remain.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small motion log: twice round a square of 200 m, with loop candidates on the second lap.
+// A small motion log: two laps of a square of 200 m, with loop candidates on the second lap.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tables of the pages are what their sweeps said, and a page that says otherwise is told.
+// The tables of the pages equal the results of their sweeps; a different page is reported.
 #include <catch2/catch.hpp>
 #include <fstream>
 

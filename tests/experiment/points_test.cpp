@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a sweep file to named points; mistakes are told with their line.
+// From a sweep file to named points; errors are reported with their line.
 #include "experiment/points.hpp"
 
 #include <algorithm>
@@ -14,12 +14,12 @@ using namespace tolman::experiment;
 namespace {
 
 struct Read {
-  std::vector<Point> points;
+  std::vector<SweepPoint> points;
   std::string problems;
 
   std::vector<std::string> names() const {
     std::vector<std::string> names;
-    for (const Point& point : points) names.push_back(point.name);
+    for (const SweepPoint& point : points) names.push_back(point.name);
     return names;
   }
 };
@@ -55,7 +55,7 @@ TEST_CASE("the product of grid, lists, sequences and seeds, the last fastest") {
             "period=150,model=paper,sequence=00,seed=1",
             "period=150,model=paper,sequence=00,seed=2", "period=150,model=full,sequence=00,seed=1",
             "period=150,model=full,sequence=00,seed=2"});
-  const Point& first = sweep.points.front();
+  const SweepPoint& first = sweep.points.front();
   REQUIRE(first.settings.size() == 5);
   CHECK(first.settings[3].key == "source.path");
   CHECK(first.settings[4].value->text == "1");
@@ -93,7 +93,7 @@ TEST_CASE("random and Sobol' samples lie in their ranges") {
     REQUIRE(sweep.points.size() == 64);
     int below = 0;
     std::vector<std::string> counts;
-    for (const Point& point : sweep.points) {
+    for (const SweepPoint& point : sweep.points) {
       const double p = std::stod(point.settings[0].value->text);
       CHECK(p >= 1);
       CHECK(p <= 1000);
@@ -124,4 +124,24 @@ TEST_CASE("mistakes are told with line and remedy") {
   told("base: motion\nrandom: {count: 5, keys: {a: {min: 2, max: 1}}}\n", "is no range");
   told("base: motion\nrandom: {count: 5, keys: {a: 3}}\n", "expects a range such as");
   told("base: motion\nset: {name: x}\n", "points have names of their own");
+}
+
+TEST_CASE("what varies in two ways is refused, as one of them would win in silence") {
+  CHECK_THAT(
+      read("base: motion\ngrid: {seed: [7, 8]}\nseeds: 2\n").problems,
+      Catch::Contains("study.yaml: seed: varies in two ways, and a run has one value of it"));
+  const std::string period = "base: motion\ngrid: {cells.period: [75, 150]}\n";
+  CHECK_THAT(read(period + "list: {size: {small: {cells.period: 10}, large: {cells.rings: 3}}}\n")
+                 .problems,
+             Catch::Contains("study.yaml:3:") && Catch::Contains("cells.period: is set at ") &&
+                 Catch::Contains("study.yaml:2:") && Catch::Contains("for the same runs"));
+  CHECK_THAT(read(period + "list: {size: {a: {cells: {plugin: x, period: 10}}}}\n").problems,
+             Catch::Contains("for the same runs"));
+  CHECK_THAT(read(period + "sequences: {a: {source.path: x, cells.period: 3}}\n").problems,
+             Catch::Contains("for the same runs"));
+  CHECK_THAT(read("base: motion\nsequences: {a: x}\ninclude: [{source.path: y}]\n").problems,
+             Catch::Contains("source.path: is set at "));
+  CHECK(read(period + "list: {size: {a: {cells: {plugin: x, rings: 3}}}}\nseeds: 2\n")
+            .problems.empty());
+  CHECK(read(period + "include: [{cells.period: 9}]\n").problems.empty());  // other runs
 }

@@ -72,6 +72,26 @@ TEST_CASE("a column for each of several metrics") {
   CHECK(pivotOf(rows(), asked).value().rows.size() == 3);
 }
 
+TEST_CASE("runs of one cell must not differ in alignment, truth or coverage") {
+  const auto refusal = [](const auto& change, const PivotOptions& asked) {
+    std::vector<RunRow> all = rows();
+    change(all[1]);
+    return pivotOf(all, asked).status().message();
+  };
+  const auto lost = [](RunRow& r) { r.metrics["map.coverage"] = 0.6; };
+  CHECK_THAT(refusal(lost, options()), Catch::Contains("cover 100.0 % and 60.0 % of the truth"));
+  PivotOptions mixed = options();
+  mixed.mixed_coverage = true;
+  CHECK(refusal(lost, mixed).empty());
+  PivotOptions apart = options();
+  apart.by = {"model", "seed"};
+  CHECK(refusal(lost, apart).empty());  // cells of one run each
+  CHECK_THAT(refusal([](RunRow& r) { r.alignment = "sim3"; }, options()),
+             Catch::Contains("are aligned by se2 and sim3"));
+  CHECK_THAT(refusal([](RunRow& r) { r.truth = "other"; }, options()),
+             Catch::Contains("have different true poses"));
+}
+
 TEST_CASE("what is no table is refused") {
   const auto message = [](const PivotOptions& asked) {
     const auto table = pivotOf(rows(), asked);
@@ -85,6 +105,12 @@ TEST_CASE("what is no table is refused") {
   CHECK(message(asked) == "no run has the metric 'map.ate.rmse'");
   asked.cell = "{map.ate.rmse_m:.2q}";
   CHECK(message(asked).starts_with("'{:.2q}': "));
+  asked.cell = "{map.ate.rmse_m:2000000000.2f}";
+  CHECK(message(asked) == "'{:2000000000.2f}': a width or a number of digits above 100");
+  asked.cell = "{map.ate.rmse_m:.99999999999999999999f}";
+  CHECK(message(asked).find("a width or a number of digits above 100") != std::string::npos);
+  asked.cell = "{map.ate.rmse_m:100.17f}";
+  CHECK(message(asked) == "none");
   asked.cell = "{map.ate.rmse_m";
   CHECK(message(asked).find("'}' is missing") != std::string::npos);
   asked = options();
@@ -119,10 +145,6 @@ TEST_CASE("a table of runs is read as it was written") {
   CHECK(refusal().ends_with("line 3, ate: 'nan' is no number"));
   std::ofstream(file) << "name,model,alignment,truth,results,ate\na,b,se2\n";
   CHECK(refusal().ends_with("line 2 has 3 fields, the first 6"));
-}
-
-TEST_CASE("quoted fields of CSV") {
-  const std::string field = "a \"b\", c\nd";
-  CHECK(csvRows(csvField(field) + ",x\n\n") ==
-        std::vector<std::vector<std::string>>{{field, "x"}, {""}});
+  std::ofstream(file) << "name,model,alignment,truth,results,ate,ate\na,b,se2,t,r,1,2\n";
+  CHECK(refusal().ends_with("line 1 has two columns 'ate'; rename or remove one of them"));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Debian's slurmctld and slurmd on the loopback, as an ordinary user: without munge, without
+// Debian's slurmctld and slurmd on the loopback interface, as an ordinary user, without munge and
 // accounts.
 #pragma once
 

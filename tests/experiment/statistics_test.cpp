@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Statistics against closed forms and scipy 1.10.
+// Statistics compared with closed forms and scipy 1.10.
 #include "experiment/statistics.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small sweep over two motion logs in a folder of its own.
+// A small sweep over two motion logs in a temporary folder.
 #pragma once
 
 #include <filesystem>

@@ -93,7 +93,7 @@ TEST_CASE("a run that fails is told, left alone, and tried again on demand") {
   study.write("list: {log: {right: {}, wrong: {source.odometry: none.g2o}}}\n");
   const Finished first = study.sweep();
   CHECK(first.exit_code == 7);
-  CHECK(contains(first.err, "none.g2o is no file that can be read"));
+  CHECK(contains(first.err, "none.g2o is not a readable file"));
   CHECK(study.results().size() == 4);
   const Finished status = tolman::test::tolman({"sweep", "status", study.out().string()});
   CHECK(contains(status.out, "done         4\nfailed       4\n"));
@@ -123,13 +123,58 @@ TEST_CASE("data that change after planning are told; planning again makes new ru
   CHECK(contains(again.out, "done      6\n"));
   CHECK(contains(again.out, "6 runs in the folder are not in the file"));
   CHECK(study.results().size() == 12);
-  // The six runs on the earlier data stay, and are not compared.
+  // The six runs on the earlier data stay, and are neither counted nor compared.
+  CHECK(contains(study.status(), "done         12\nnot counted  6 of earlier plans\n"));
   const auto csv = (study.folder.path() / "now.csv").string();
   CHECK(tolman::test::tolman({"sweep", "collect", study.out().string(), "--out", csv}).exit_code ==
         0);
   const std::string rows = readText(csv);
   CHECK(std::ranges::count(rows, '\n') == 1 + 12);
   CHECK(rows.find("\n\"period=100,sequence=a,seed=1\"") < rows.find("period=100,sequence=b"));
+  const std::string one = (study.folder.path() / "one.csv").string();
+  REQUIRE(tolman::test::tolman({"sweep", "collect", study.out().string(), "--out", one, "--metric",
+                                "map.ate.rmse_m"})
+              .exit_code == 0);
+  CHECK(contains(readText(one), ",map.ate.rmse_m,map.coverage\n"));  // what compare refuses by
+  const fs::path none = study.folder.path() / "nothing";
+  fs::create_directories(none);
+  CHECK(tolman::test::tolman({"sweep", "archive", none.string()}).exit_code != 0);
+  CHECK(std::distance(fs::directory_iterator(study.folder.path()), {}) ==
+        std::ranges::count_if(fs::directory_iterator(study.folder.path()), [](const auto& entry) {
+          return !entry.path().string().ends_with(".files");
+        }));
+}
+
+TEST_CASE("a frozen configuration that was edited refuses to run") {
+  const Study study;
+  REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
+  fs::path point;
+  for (const auto& entry : fs::directory_iterator(study.out())) {
+    if (fs::exists(entry.path() / "point.json")) point = entry.path();
+  }
+  std::ofstream(point / "config.yaml", std::ios::app) << "# edited\n";
+  const Finished edited = tolman::test::tolman({"sweep", "point", point.string()});
+  CHECK(edited.exit_code == 3);
+  CHECK(contains(edited.err, "config.yaml has changed since the run was planned"));
+  CHECK_FALSE(fs::exists(point / "run/run.json"));
+  fs::remove_all(point);
+  CHECK(study.sweep().exit_code == 0);
+  CHECK(fs::exists(point / "run/run.json"));
+}
+
+TEST_CASE("a run whose directory was removed is run again, with the same results") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const auto before = study.results();
+  for (const auto& entry : fs::directory_iterator(study.out())) {
+    if (!fs::exists(entry.path() / "point.json")) continue;
+    fs::remove_all(entry.path() / "run");
+    break;
+  }
+  CHECK(study.results().size() + 1 == before.size());
+  CHECK(contains(study.status(), "planned      1\n"));
+  CHECK(study.sweep().exit_code == 0);
+  CHECK(study.results() == before);
 }
 
 TEST_CASE("a front end is run once, and its noise follows the seed") {
@@ -203,6 +248,23 @@ TEST_CASE("results are collected and compared") {
   CHECK(tolman::test::tolman({"compare", out, "--metric", "map.ate.rmse"}).exit_code == 2);
   CHECK(tolman::test::tolman({"compare", out, "--format", "latex"}).out.find("\\toprule") !=
         std::string::npos);
+  const std::string copy = (study.folder.path() / "copy").string();
+  std::filesystem::copy(study.out(), copy, std::filesystem::copy_options::recursive);
+  const Finished twice = tolman::test::tolman({"compare", out, copy});
+  CHECK(contains(twice.out, "| 150 | 6 | "));
+  CHECK(contains(twice.out, "12 of 24 runs were given twice"));
+}
+
+TEST_CASE("options of a comparison that would have no effect are refused") {
+  for (const Words& unused :
+       {Words{"--columns", "sequence", "--figure", "figure.svg"}, Words{"--cell", "{frames:.0f}"},
+        Words{"--head", "a={frames:.0f}"}, Words{"--over", "sequence"}}) {
+    Words words = {"compare", "runs"};
+    words.insert(words.end(), unused.begin(), unused.end());
+    const Finished refused = tolman::test::tolman(words);
+    INFO(refused.err);
+    CHECK(refused.exit_code == 2);
+  }
 }
 
 TEST_CASE("figures from the records: error over distance, and maps over the true path") {
@@ -230,6 +292,15 @@ TEST_CASE("figures from the records: error over distance, and maps over the true
   }
   CHECK(tolman::test::tolman({"compare", study.out().string()}).exit_code == 0);
   CHECK(draw("maps", "x.svg", of_a).exit_code != 0);
+}
+
+TEST_CASE("data that are not there are told before anything runs") {
+  const Study study;
+  fs::remove_all(study.folder.path() / "b");
+  const Finished planned = study.sweep({"--dry-run"});
+  CHECK(planned.exit_code == 0);
+  CHECK(contains(planned.out, "warning   " + (study.folder.path() / "b").string() +
+                                  " does not exist: the runs that read it will fail"));
 }
 
 TEST_CASE("ten thousand points are planned") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: a bag in an .mcap file. What is visited can be read again, and is the same.
+// Fuzz target: a bag in an .mcap file. A visited message can be read again and is the same.
 #include "bag_reading.hpp"
 #include "file_bytes.hpp"
 #include "mcap_file.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: one message of a bag, taken for each of the types that are read, and its image and
+// Fuzz target: one message of ROS 1 or 2, decoded as each of the supported types, and its image and
 // calibration.
 #include <string>
 
@@ -11,15 +11,16 @@
 namespace {
 
 using namespace tolman;
-using ros_bag::Bytes;
+using ros_messages::Bytes;
+using ros_messages::Message;
 
-void tryImage(std::string_view type, Bytes message) {
+void tryImage(std::string_view type, const Message& message) {
   // Larger ones are allowed, and take as much time and memory as their size: nothing to find here.
   constexpr std::int64_t kMostPixels = 1 << 18;
-  const auto size = ros_bag::imageSize(std::string(type), message);
+  const auto size = ros_messages::imageSize(std::string(type), message);
   if (!size.isOk() || std::int64_t{size.value().width} * size.value().height > kMostPixels) return;
   for (const bool colour : {false, true}) {
-    const auto image = ros_bag::convertImage(std::string(type), message, colour);
+    const auto image = ros_messages::convertImage(std::string(type), message, colour);
     if (!image.isOk()) continue;
     fuzz::require(image.value().width() == size.value().width &&
                       image.value().height() == size.value().height,
@@ -31,37 +32,42 @@ void tryImage(std::string_view type, Bytes message) {
     }
     fuzz::require(sum <= 255U * static_cast<unsigned>(row * image.value().height()), "impossible");
   }
-  ros_bag::ImageSize depth_size;
-  const auto depth = ros_bag::convertDepth(message, depth_size);
+  ros_messages::ImageSize depth_size;
+  const auto depth = ros_messages::convertDepth(message, depth_size);
   if (!depth.isOk()) return;
   for (const float metres : depth.value()) fuzz::require(metres >= 0, "a depth that is none");
 }
 
-void tryCalibration(const ros_bag::CameraInfoMessage& info) {
+void tryCalibration(const ros_messages::CameraInfoMessage& info) {
   for (const bool pair : {false, true}) {
-    ros_bag::CameraInfos infos{info, std::nullopt};
+    ros_messages::CameraInfos infos{info, std::nullopt};
     if (pair) infos.right = info;
     const int width = static_cast<int>(info.width % 5000);
     const int height = static_cast<int>(info.height % 5000);
-    (void)ros_bag::isRectified("/image", infos);
-    const auto rig = ros_bag::rectifiedRig(infos, width, height);
+    (void)ros_messages::isRectified("/image", infos);
+    const auto rig = ros_messages::rectifiedRig(infos, width, height);
     if (rig.isOk()) {
       fuzz::require(rig.value().pinhole.fx > 0 && rig.value().baseline >= 0, "a rig that is none");
     }
-    const auto raw = ros_bag::rawRig(infos, width, height);
+    const auto raw = ros_messages::rawRig(infos, width, height);
     if (raw.isOk()) fuzz::require(raw.value().cameras.size() == (pair ? 2U : 1U), "lost a camera");
   }
+}
+
+void tryMessage(const Message& message) {
+  (void)ros_messages::headerStamp(message);
+  (void)ros_messages::readImu(message);
+  (void)ros_messages::readOdometry(message);
+  tryImage(ros_messages::kImage, message);
+  tryImage(ros_messages::kCompressedImage, message);
+  if (const auto info = ros_messages::readCameraInfo(message)) tryCalibration(*info);
 }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const Bytes message(data, size);
-  (void)ros_bag::headerStamp(message);
-  (void)ros_bag::readImu(message);
-  (void)ros_bag::readOdometry(message);
-  tryImage(ros_bag::kImage, message);
-  tryImage(ros_bag::kCompressedImage, message);
-  if (const auto info = ros_bag::readCameraInfo(message)) tryCalibration(*info);
+  for (const auto encoding : {ros_messages::Encoding::Cdr, ros_messages::Encoding::Ros1}) {
+    tryMessage({Bytes(data, size), encoding});
+  }
   return 0;
 }

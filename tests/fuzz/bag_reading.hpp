@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visits the messages of a bag, and reads some of them again. `checked`: the format has check sums
-// or places that cannot lie, so that a message read again is the same; else it has the same size,
+// Visits the messages of a bag, and reads some of them again. `checked`: the format has checksums
+// or reliable places, so a message that is read again is the same. Otherwise it has the same size,
 // or is refused.
 #pragma once
 

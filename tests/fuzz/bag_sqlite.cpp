@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: a bag in a .db3 file. What is visited can be read again, and is the same.
+// Fuzz target: a bag in a .db3 file. A visited message can be read again and is the same.
 #include "bag_reading.hpp"
 #include "sqlite_file.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: calibrations of raw cameras, in all formats. Accepted cameras have finite numbers,
-// positive focal lengths and rotations that are rotations.
+// positive focal lengths and orthonormal rotations.
 #include "camera_files.hpp"
 
 #include <cmath>

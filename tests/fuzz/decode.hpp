@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads an input as an image file, grey and coloured, in the size that its header claims.
+// Reads an input as an image file, in grey and colour, of the size in its header.
 #pragma once
 
 #include "image_file.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recorded run whose run.sqlite was changed by a stranger: without the types, keys and conditions
-// of our tables.
+// A recorded run with a changed run.sqlite, without the types, keys and conditions of its tables.
 //
 // Each line of an input changes values or removes rows:
 //   TABLE.COLUMN ROW KIND VALUE     KIND: i integer, r real, t text, b blob as hex digits, n NULL
 //   - TABLE ROW                     removes the row
 //   + TABLE ROW                     adds a copy of the row
-// ROW counts from 1; * is all. What names no table, column or row changes nothing.
+// ROW counts from 1; * is all. Lines without an existing table, column or row have no effect.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: what a client of the viewer sends, from the first byte on.
+// Fuzz target: the bytes of a client of the viewer, from the first one on.
 #include "input.hpp"
 #include "viewer_connection.hpp"
 

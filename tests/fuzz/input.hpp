@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What fuzz targets need: numbers and texts from the input's bytes, inputs as files, and a check
-// that counts as a crash.
+// Tools for fuzz targets: numbers and texts from the bytes of the input, inputs as files, and a
+// check whose failure is a crash.
 #pragma once
 
 #include <unistd.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fuzz target: a motion log. The input is three g2o files, divided by lines "%%": odometry, truth,
-// loop candidates. All frames of what is accepted are taken.
+// loop candidates. If they are accepted, all frames are read.
 #include "motion_log.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: PNG images. Every chunk has a check sum, so changes are given right ones: otherwise
-// only their refusal would be tried.
+// Fuzz target: PNG images. Every chunk has a checksum, which is corrected after changes; otherwise
+// only the refusal of wrong checksums would be tested.
 #include <zlib.h>
 
 #include "decode.hpp"

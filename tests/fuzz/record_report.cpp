@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: the same changed records, as metrics, figures and page of a report.
+// Fuzz target: metrics, figures and page of a report on changed records. See edited_record.hpp.
 #include "edited_record.hpp"
 #include "input.hpp"
 #include "report/page.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plugins with small states, as the fuzz targets load them and make_corpus saves them; and frames
-// that they are driven with.
+// Plugins with small states, which the fuzz targets load and make_corpus saves, and frames for
+// them.
 #pragma once
 
 #include <stdexcept>

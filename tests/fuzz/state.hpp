@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saved states as inputs. The envelope has a check sum, so an input is the contents of one, and
-// gets a right envelope; an input that begins with the magic word is loaded as it is.
+// Saved states as inputs. The envelope has a checksum, so an input is only the payload and gets a
+// valid envelope. An input that begins with the magic word is loaded without change.
 #pragma once
 
 #include <sstream>

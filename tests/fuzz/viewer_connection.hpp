@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One connection to the viewer, without a network: the bytes of a client, and its end.
+// One connection to the viewer, without a network: the bytes of a client, then the end.
 #pragma once
 
 #include <string_view>

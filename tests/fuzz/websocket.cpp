@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: what a client of the viewer sends after a right WebSocket handshake.
+// Fuzz target: the bytes of a client of the viewer after a valid WebSocket handshake.
 #include <string>
 
 #include "input.hpp"

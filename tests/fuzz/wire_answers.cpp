@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fuzz target: what the process of an isolated plugin answers, as the host reads it: the shared
+// Fuzz target: the answers of the process of an isolated plugin, as the host reads them: the shared
 // buffer, the record in it, and the checks of the contract. The first byte of an input chooses the
-// call, the next eight are the size that the message claims, the rest is the shared memory.
+// call, the next eight are the size in the message, the rest is the shared memory.
 #include <algorithm>
 
 #include "host/stages.hpp"

@@ -231,4 +231,47 @@ TEST_CASE("a graph is that of the last update") {
         "the version of the map decreased");
   CHECK(checkGraph(graph, {.version = 3, .experiences = 2}).message() ==
         "the graph has 0 experiences, the last update 2");
+  CHECK(checkGraph(graph, {.links = 0, .loops = 0}).isOk());
+  CHECK(checkGraph(graph, {.links = 5}).message() == "the graph has 0 links, the last update 5");
+  graph.experiences.resize(1);
+  graph.experiences[0].id = graph.experiences[0].frame = 0;
+  Link& link = graph.links.emplace_back();
+  link.id = link.from = link.to = link.frame = 0;
+  CHECK(checkGraph(graph, {.links = 1, .loops = 0}).isOk());
+  CHECK(checkGraph(graph, {.links = 1, .loops = 1}).message() ==
+        "the graph has 0 loop links, the last update 1");
+  link.kind = LinkKind::Loop;
+  graph.rejected = {0};
+  CHECK(checkGraph(graph, {.links = 1, .loops = 1}).isOk());  // rejected ones count
+}
+
+TEST_CASE("an update has the frame where the graph puts it") {
+  MapGraph graph;
+  graph.experiences.resize(2);
+  graph.experiences[1].T_world_experience = fromPlanar({3, 4, 1});
+  MapUpdate update;
+  update.experience = 1;
+  update.T_experience_camera = fromPlanar({1, 0, 0.5});
+  update.T_world_camera = graph.experiences[1].T_world_experience * update.T_experience_camera;
+  CHECK(checkPlaced(update, graph).isOk());
+  update.T_world_camera.translation().y() += 0.5;
+  CHECK(checkPlaced(update, graph).message() ==
+        "is 0.5 m and 0 rad from the pose by experience 1 of graph() and T_experience_camera of "
+        "the update");
+  update.experience = -1;  // of no experience yet
+  CHECK(checkPlaced(update, graph).isOk());
+}
+
+TEST_CASE("poses that are kept in single precision are the same, others are not") {
+  const Eigen::Isometry3d far = fromPlanar({12345.678, -9876.543, 2.345});
+  const Eigen::Isometry3d rounded(far.cast<float>().cast<double>());
+  CHECK(checkSamePose(far, rounded, "it").isOk());
+  Eigen::Isometry3d moved = far;
+  moved.translation().x() += 1;
+  CHECK(checkSamePose(far, moved, "it").message() == "is 1 m and 0 rad from the pose by it");
+  const Eigen::Isometry3d here = fromPlanar({1, 2, 0});
+  CHECK(checkSamePose(here, fromPlanar({1, 2.0009, 0}), "it").isOk());
+  CHECK_FALSE(checkSamePose(here, fromPlanar({1, 2.0011, 0}), "it").isOk());
+  CHECK(checkSamePose(here, fromPlanar({1, 2, 0.25}), "it").message() ==
+        "is 0 m and 0.25 rad from the pose by it");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the fixture plugins were built, and short ways through the host's loading steps.
+// Paths of the fixture plugins, and shortcuts for the loading steps of the host.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images that a source must not give.
+// Invalid images of a source.
 #include "host/frame_images.hpp"
 
 #include <catch2/catch.hpp>

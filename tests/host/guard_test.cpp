@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls into plugins: whatever they throw becomes a failure that names stage, plugin, call and
-// frame.
+// Calls into plugins: any exception becomes a failure that names stage, plugin, call and frame.
 #include "host/guard.hpp"
 
 #include <sys/resource.h>
@@ -40,6 +39,7 @@ TEST_CASE("what is thrown is told, of any type") {
   CHECK(thrown(std::logic_error("")) == site + ": ");
   CHECK(thrown(3) == site + " something that is not a std::exception");
   CHECK(thrown("text") == site + " something that is not a std::exception");
+  CHECK(thrown(FailedCall(Status::failed("threw: no numbers"))) == site + ": no numbers");
 }
 
 TEST_CASE("a failure keeps its code and gets its place; without a frame none is named") {

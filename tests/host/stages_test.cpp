@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Contracts at the plugin boundary, with plugins that break them.
+// Contracts at the plugin boundary, with plugins that violate them.
 #include "host/stages.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Faults of cameras as they come and go in a run.
+// Faults of cameras that begin and end during a run.
 #include "imaging/frame_check.hpp"
 
 #include <catch2/catch.hpp>

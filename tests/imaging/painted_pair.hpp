@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stereo pairs of a made-up scene: smooth random texture at depths that grow towards the top.
+// Stereo pairs of a synthetic scene: smooth random texture at depths that increase towards the top.
 #pragma once
 
 #include <cmath>

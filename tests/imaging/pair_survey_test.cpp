@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of pairs with known faults.
+// The report on pairs with known faults.
 #include "imaging/pair_survey.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rectified cameras against what rectification means: rows and disparities of points in space.
+// Rectified cameras against the definition of rectification: rows and disparities of points.
 #include "imaging/rectified_view.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Odometry after the way through distorted images and back.
+// Odometry on images that were distorted and rectified again.
 #include <catch2/catch.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The measure against scenes whose misalignment is known.
+// The measured misalignment of scenes whose misalignment is known.
 #include "imaging/stereo_check.hpp"
 
 #include <catch2/catch.hpp>

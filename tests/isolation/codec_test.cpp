@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All arguments are decoded to what was encoded; damaged bytes are refused.
+// All arguments are decoded to the encoded values; damaged bytes are refused.
 #include "isolation/codec.hpp"
 
 #include <catch2/catch.hpp>

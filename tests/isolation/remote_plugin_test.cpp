@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plugins in their own process: equal answers, and failures when the process ends.
+// Plugins in a separate process: equal answers, and failures when the process ends.
 #include "isolation/remote_plugin.hpp"
 
 #include <catch2/catch.hpp>
@@ -127,6 +127,17 @@ TEST_CASE("an exception is reported as in the host") {
         "stage (throws_in_track), track, frame 3: threw: track gives up");
   CHECK(messageOf("misbehaving", "throws_an_integer") ==
         "stage (throws_an_integer), track, frame 3: threw something that is not a std::exception");
+}
+
+TEST_CASE("what fails while arrays are read is told once") {
+  Isolated<host::CellsStage> isolated("role_faults", "array_throws");
+  std::vector<NamedArray> arrays;
+  Motion motion;
+  motion.frame = 3;
+  Decision decision;
+  REQUIRE(isolated.stage->step(motion, {}, decision).isOk());
+  CHECK(isolated.stage->instance().arrays(3, arrays).message() ==
+        "stage (array_throws), arrays, frame 3: threw: no numbers");
 }
 
 TEST_CASE("a crash is reported with plugin, call, frame and signal") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Checkpoints: the states of all stages after one frame, while the flow goes on.
+// Checkpoints: the states of all stages after one frame, without stopping the pipeline.
 #include "pipeline/checkpoint.hpp"
 
 #include <algorithm>

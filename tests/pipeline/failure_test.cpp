@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one failing stage does to a run, by policy.
+// Effect of a failing stage on a run, for each policy.
 #include <chrono>
 #include <thread>
 
@@ -128,4 +128,40 @@ TEST_CASE("a map that does not know frames it took fails the run, or is told of"
   const auto policy = FailurePolicy::Skip;
   CHECK_FALSE(skipping.drive({}, 2, {policy, policy, policy, policy}).failure);
   CHECK(skipping.diary.events.back().message.find("no pose of 2 frames") != std::string::npos);
+}
+
+TEST_CASE("after a failure no graph is told that names a frame without a record") {
+  Hooks hooks;
+  hooks.map_grows = true;  // an experience a frame
+  bool fails = true;
+  SECTION("a graph that is wrong once") {
+    hooks.graph = [&](std::int64_t experiences) {
+      if (experiences < 6 || !std::exchange(fails, false)) return Status::ok();
+      return Status::failed("torn");
+    };
+  }
+  SECTION("an update that fails once it has made the experience") {
+    hooks.map = [](std::int64_t frame) {
+      return frame == 5 ? Status::failed("torn") : Status::ok();
+    };
+  }
+  ToySystem system(hooks);
+  const auto result = system.drive({}, 2);
+  REQUIRE(result.failure);
+  CHECK(result.failure->role == Role::Map);
+  CHECK_THAT(result.failure->status.message(), Catch::Contains("torn"));
+  CHECK(system.diary.entries.back().frame == 4);
+  CHECK(system.diary.graphs.back().second == 5);
+  CHECK(system.diary.final_size == 0);  // the graph has frame 5
+}
+
+TEST_CASE("after a failure of another stage the map of the frames before is told") {
+  Hooks hooks;
+  hooks.map_grows = true;
+  hooks.cells = [](std::int64_t frame) {
+    return frame == 5 ? Status::failed("torn") : Status::ok();
+  };
+  ToySystem system(hooks);
+  REQUIRE(system.drive({}, 2).failure);
+  CHECK(system.diary.final_size == 5);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When the map's graph is published: it costs time in proportion to its size.
+// When the graph of the map is published; its cost is proportional to its size.
 #include <numeric>
 
 #include "pipeline/toy_stages.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which motions are possible, and what becomes of the others.
+// Which motions are possible, and the handling of others.
 #include "pipeline/motion_check.hpp"
 
 #include "pipeline/toy_stages.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A motion over frames at which odometry failed: what was predicted for them is not driven twice.
+// A motion over frames at which odometry failed: their predicted motions do not count twice.
 #include "pipeline/predicted_way.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stages that fail at frames drawn at random: what is published, counted and said follows from the
-// draws alone, for any number of threads.
+// Stages that fail at random frames: published records, counts and messages depend only on the
+// random numbers, for any number of threads.
 #include <algorithm>
 #include <map>
 #include <set>

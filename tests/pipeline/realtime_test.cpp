@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drop policies, made repeatable: odometry waits in frame 0 until the source has given everything.
+// Drop policies, repeatable: odometry waits in frame 0 until the source has given all frames.
 #include <chrono>
 #include <thread>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The source as the stages see it: cameras and images after rectification.
+// The source after rectification: cameras and images that the stages get.
 #include "pipeline/rectified_source.hpp"
 
 #include <catch2/catch.hpp>
@@ -13,8 +13,10 @@ namespace {
 
 /// Two raw pairs of 64x48 px, with the coefficient k1.
 struct RawPair {
-  explicit RawPair(const config::RectificationSettings& settings = {}, double k1 = -0.1)
-      : context({{"k1", k1}}), source(test::fixtureInstance("raw_pair", "raw_pair"), settings) {
+  explicit RawPair(const config::RectificationSettings& settings = {}, double k1 = -0.1,
+                   const config::ImageSettings& images = {})
+      : context({{"k1", k1}}),
+        source(test::fixtureInstance("raw_pair", "raw_pair"), settings, images) {
     REQUIRE(source.instance().configure(context).isOk());
   }
   test::TestContext context;
@@ -64,4 +66,27 @@ TEST_CASE("a calibration that cannot be is refused before the first frame") {
   CHECK(status.code() == StatusCode::InvalidInput);
   CHECK_THAT(status.message(), Catch::StartsWith("the images cannot be rectified: ") &&
                                    Catch::Contains("rectification.mode: off"));
+}
+
+TEST_CASE("rectified images are cropped and scaled, and the cameras follow") {
+  RawPair whole;
+  REQUIRE(whole.source.info(whole.info).isOk());
+  RawPair part({}, -0.1, {{2, 1, 48, 40}, 0.8});
+  REQUIRE(part.source.info(part.info).isOk());
+  CHECK(part.info.rig.width == 38);
+  CHECK(part.info.rig.height == 32);
+  CHECK(part.info.rig.pinhole.fx == Approx(whole.info.rig.pinhole.fx * 38 / 48));
+  CHECK(part.info.rig.baseline == whole.info.rig.baseline);
+  CHECK_THAT(part.info.description, Catch::EndsWith(" scaled to 38x32 px"));
+  Frame frame;
+  REQUIRE(part.source.next(frame).isOk());
+  CHECK(frame.left.width() == 38);
+  CHECK(frame.right.height() == 32);
+}
+
+TEST_CASE("a crop outside of the images is refused before the first frame") {
+  RawPair part({}, -0.1, {{40, 0, 64, 40}, 1});
+  const Status status = part.source.info(part.info);
+  CHECK(status.code() == StatusCode::InvalidParameter);
+  CHECK_THAT(status.message(), Catch::StartsWith("images.crop is not inside of the images"));
 }

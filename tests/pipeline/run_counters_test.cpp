@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of a run without motion.
+// The report on a run without motion.
 #include "pipeline/run_counters.hpp"
 
 #include <algorithm>

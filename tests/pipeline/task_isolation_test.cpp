@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stage that waits for its own parallel loop takes no tasks of other stages.
+// A stage that waits for its own parallel loop executes no tasks of other stages.
 #include "pipeline/task_isolation.hpp"
 
 #include <oneapi/tbb/parallel_for.h>

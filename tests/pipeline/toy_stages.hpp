@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Five tiny stages in memory, a listener that remembers, and a way to run them.
+// Five tiny stages in memory, a listener that stores all records, and a function to run them.
 #pragma once
 
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -18,6 +19,7 @@ namespace tolman::test {
 struct Hooks {
   std::int64_t frames = 30;
   std::function<Status(std::int64_t)> source, odometry, place, cells, map, pose_of;
+  std::function<Status(std::int64_t)> graph;  ///< called with the number of experiences
   bool place_needs_motion = false;
   std::function<void()> map_finish;
   bool keeps_state = false;        ///< place, cells and map are StateKeepers
@@ -163,17 +165,27 @@ struct ToyMap : Map, ToyState<double> {
     update.stamp_ns = motion.stamp_ns;
     update.experience = decision.experience;
     value += motion.v;
-    update.T_world_camera.translation().z() = value;
+    update.T_world_camera.translation().z() = z[motion.frame] = value;
+    update.T_experience_camera = update.T_world_camera;  // of the first, at the origin
     experiences = hooks.map_grows ? motion.frame + 1 : 1;
     update.experiences = experiences;
     return Hooks::call(hooks.map, motion.frame);
   }
-  Status poseOf(std::int64_t frame, Eigen::Isometry3d&) const override {
+  Status poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const override {
+    T_world_camera = knownPose(frame);
     return Hooks::call(hooks.pose_of, frame);
   }
   Status graph(MapGraph& graph) const override {
-    for (std::int64_t id = 0; id < experiences; ++id) graph.experiences.push_back({id, id});
-    return Status::ok();
+    for (std::int64_t id = 0; id < experiences; ++id) {
+      graph.experiences.push_back({id, id, -1, knownPose(id)});
+    }
+    return Hooks::call(hooks.graph, experiences);
+  }
+  Eigen::Isometry3d knownPose(std::int64_t frame) const {
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    const auto found = z.find(frame);
+    if (found != z.end()) T.translation().z() = found->second;
+    return T;
   }
   Status finish(const std::vector<MotionRevision>&) override {
     ++hooks.finished;
@@ -182,6 +194,7 @@ struct ToyMap : Map, ToyState<double> {
   }
   Hooks& hooks;
   std::int64_t experiences = 1;
+  std::map<std::int64_t, double> z;  ///< by frame; not saved
 };
 
 /// Remembers what was told, for comparison.

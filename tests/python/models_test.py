@@ -105,7 +105,7 @@ class PlaceCellsTest(unittest.TestCase):
     def peak(self, model, half):
         """Where along x the first cell fires most."""
         xs = np.linspace(-half + 0.01, half - 0.01, 400)
-        return xs[np.argmax([model.drive(np.array([x, 0.0]))[0] for x in xs])]
+        return xs[np.argmax([model.drive(model.room(np.array([x, 0.0])))[0] for x in xs])]
 
     def test_a_field_keeps_its_distance_from_its_wall_when_the_room_is_stretched(self):
         for width in (1.0, 1.5, 3.0):
@@ -118,7 +118,7 @@ class PlaceCellsTest(unittest.TestCase):
         for model in (narrow, wide):
             model.preferred, model.distance = np.array([[0.0, math.pi]]), np.array([[0.3, 0.3]])
         def drives(model, x):
-            return model.drive(np.array([x, 0.0]))[0]
+            return model.drive(model.room(np.array([x, 0.0])))[0]
 
         self.assertGreater(drives(narrow, 0), drives(narrow, 0.2))  # one field in the middle
         self.assertLess(drives(wide, 0), 0.5 * drives(wide, 0.9))  # two, each at its wall

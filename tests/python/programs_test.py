@@ -109,6 +109,22 @@ class ProgramsTest(Systems):
         self.assertEqual(refused.returncode, 4, refused.stderr)
         self.assertIn("gains.py has changed since the run was planned", refused.stderr)
 
+    def test_a_rerun_names_what_the_program_is_made_of_that_has_changed(self):
+        gains = self.write("gains.py", "DOUBLE = 2\n")
+        other = self.write("other.py", CELLS.replace("import math", "import math\n    import gains", 1))
+        ran = self.run_system(cells="{plugin: python, file: other.py}")
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        again = tolman("rerun", self.folder / "run", "--verify")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("plugins:", again.stdout)
+        gains.write_text("DOUBLE = 3\n")
+        self.assertIn(f"plugins: {gains} has other contents", self.rerun())
+        other.write_text(other.read_text() + "\n# edited\n")
+        self.assertIn(f"plugins: {other} has other contents", self.rerun())
+
+    def rerun(self):
+        return tolman("rerun", self.folder / "run", "--verify", "--force").stdout
+
     def test_a_sweep_tells_programs_that_cannot_be_opened(self):
         self.write("broken.py", "import nothing_of_this_name\n")
         self.config(cells=STAGE % "")

@@ -44,6 +44,33 @@ class SpatialTest(unittest.TestCase):
         self.assertAlmostEqual(hexagonal.spacing, 10, delta=1)
         self.assertAlmostEqual(square.spacing, 10, delta=1)
 
+    def test_by_the_definition_a_square_lattice_is_far_below_zero_in_every_ring(self):
+        """min(r60, r120) - max(r30, r90, r150): r90 of squares is 1, and r60 cannot be. The lattice of peaks of an autocorrelogram is a formula here."""
+        def scores(inner, outer, angle):
+            radius = np.linspace(inner, outer, 40)[:, None]
+            basis = [(math.cos(a), math.sin(a)) for a in (0, math.radians(angle))]
+            peaks = [(i * basis[0][0] + j * basis[1][0], i * basis[0][1] + j * basis[1][1]) for i in range(-4, 5) for j in range(-4, 5)]
+
+            def ring(turn):
+                at = np.radians(np.arange(0, 360, 2) + turn)
+                x, y = radius * np.cos(at), radius * np.sin(at)
+                return sum(np.exp(-((x - p) ** 2 + (y - q) ** 2) / (4 * 0.11**2)) for p, q in peaks)
+
+            first, weight = ring(0), radius * np.ones((1, 180))
+            c = {turn: np.cov(first.ravel(), ring(turn).ravel(), aweights=weight.ravel()) for turn in (30, 60, 90, 120, 150)}
+            c = {turn: of[0, 1] / math.sqrt(of[0, 0] * of[1, 1]) for turn, of in c.items()}
+            return min(c[60], c[120]) - max(c[30], c[90], c[150]), (c[60] + c[120]) / 2 - (c[30] + c[90] + c[150]) / 3
+
+        for inner, outer in ((0, 1.25), (0.3, 1.25), (0.5, 1.25), (0.5, 1.6), (0.5, 2)):
+            by_extremes, by_means = scores(inner, outer, 90)
+            self.assertLess(by_extremes, -0.8, (inner, outer))
+            self.assertGreater(by_extremes, -1.5)
+            self.assertLess(by_means, -0.25, (inner, outer))
+            self.assertGreater(by_means, -0.6)
+            self.assertGreater(scores(inner, outer, 60)[0], 0.8)
+        self.assertAlmostEqual(spatial.grid_scores(lattice(math.radians(90))).sargolini, scores(0.3, 1.25, 90)[0], delta=0.15)
+        self.assertAlmostEqual(spatial.grid_scores(lattice(math.radians(60))).sargolini, scores(0.3, 1.25, 60)[0], delta=0.15)
+
     def test_noise_and_constants_have_no_grid(self):
         rng = np.random.default_rng(9)
         scores = [spatial.grid_scores(rng.random((30, 30))).sargolini for _ in range(20)]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What plugins put into the run directory, and cannot put elsewhere.
+// Files that plugins write into the run directory; other places are refused.
 #include "record/artefacts.hpp"
 
 #include "record/by_hand.hpp"

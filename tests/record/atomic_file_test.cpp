@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are either the old or the new one.
+// Atomic replacement: a file is either the old or the new one.
 #include "record/atomic_file.hpp"
 
 #include <fcntl.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files and databases as a stranger reads them: without the code under test.
+// Reads files and databases without the code under test.
 #pragma once
 
 #include <sqlite3.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Result files from the database alone, against what a stranger computes from the same rows.
+// Result files from the database, compared with an independent computation from the same rows.
 #include "record/export.hpp"
 
 #include <sys/wait.h>

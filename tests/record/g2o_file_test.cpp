@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The experience map for other back ends.
+// The experience map as a g2o file, for other optimisers.
 #include "record/g2o_file.hpp"
 
 #include <map>

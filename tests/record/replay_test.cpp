@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A replay shows what was recorded, of a run that goes on as of one that is over.
+// A replay gives the recorded data, of a running and of a finished run.
 #include "record/replay.hpp"
 
 #include <catch2/catch.hpp>

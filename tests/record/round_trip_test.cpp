@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Records go through SQLite by their field lists alone and come back.
+// Records are written to SQLite and read again by their field lists.
 #include <catch2/catch.hpp>
 
 #include "record/by_hand.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SQLite with owners: what goes in comes out, and failures are sentences.
+// The SQLite wrapper: values are read as written, and failures have messages.
 #include "record/sqlite.hpp"
 
 #include "record/by_hand.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Records into tables and out of them, nested lists included.
+// Records in tables, written and read, with nested lists.
 #include "record/store.hpp"
 
 #include "config/limits.hpp"

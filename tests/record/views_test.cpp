@@ -61,7 +61,7 @@ TEST_CASE("no column of a view must be quoted") {
         std::vector<std::string>{"0 1 loop"});
   CHECK(run.query("SELECT length(data) FROM array_data WHERE name = 'hd.activity'") ==
         std::vector<std::string>{"8"});
-  for (const View& view : views()) {
+  for (const SqlView& view : views()) {
     for (const std::string& column :
          run.query("SELECT name FROM pragma_table_info('" + view.name + "')")) {
       INFO(view.name << "." << column);
@@ -73,7 +73,7 @@ TEST_CASE("no column of a view must be quoted") {
 }
 
 TEST_CASE("the reference page names every view") {
-  for (const View& view : views()) {
+  for (const SqlView& view : views()) {
     CHECK(recordsMarkdown().find("- `" + view.name + "`: " + view.doc) != std::string::npos);
   }
 }

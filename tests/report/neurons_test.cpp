@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of units whose firing is known.
+// Measures of units whose firing is known.
 #include "report/neurons.hpp"
 
 #include <fmt/format.h>

@@ -147,7 +147,7 @@ TEST_CASE("where the scale is free all paths are drawn in metres of the truth") 
   const auto reader = record::RunReader::open(folder.path());
   REQUIRE(reader.isOk());
   config::EvaluationSettings settings;
-  settings.alignment = config::Alignment::Sim3;
+  settings.alignment = config::AlignmentChoice::Sim3;
   RunData data = readRun(*reader.value(), settings).value();
   CHECK(data.metres == Approx(3).epsilon(0.01));
   const MapPicture picture = pictureOf(data, "");
@@ -163,7 +163,7 @@ TEST_CASE("where the scale is free all paths are drawn in metres of the truth") 
   const auto& rates = units[0].rates;
   CHECK(rates.bin * static_cast<double>(rates.rate.cols()) > 30);
 
-  settings.alignment = config::Alignment::Se3;
+  settings.alignment = config::AlignmentChoice::Se3;
   data = readRun(*reader.value(), settings).value();
   CHECK(data.metres == 1);
   data.has_metres = false;

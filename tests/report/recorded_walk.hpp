@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A recorded walk whose ring and grid modules are wrong by known amounts.
+// A recorded walk whose ring and grid modules have known errors.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The engine in a program of its own: what docs/embed.md shows compiles, runs, and gives the same
+// The engine in another program: the code of docs/embed.md compiles, runs, and gives the same
 // results as `tolman run`.
 #include <catch2/catch.hpp>
 #include <cstdlib>

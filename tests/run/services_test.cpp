@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The services of a run: the log keeps every line, artefacts wait for their folder.
+// The services of a run: the log keeps every line, artefacts are kept until their folder exists.
 #include "run/services.hpp"
 
 #include <catch2/catch.hpp>

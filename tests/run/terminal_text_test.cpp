@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texts from files, plugins and names, as a terminal may show them.
+// Texts from files, plugins and names, made safe for a terminal.
 #include <catch2/catch.hpp>
 
 #include "run/terminal.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The watchdog, with a clock and resources of the test's own.
+// The watchdog, with a clock and resources of the test.
 #include "run/watchdog.hpp"
 
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Completion as the shells offer it. Skipped, visibly, where a shell is not installed.
+// Completion in the shells. Reported as skipped for a shell that is not installed.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tree of commands and the manual pages: every command and option has its text, and stands in
-// its page.
+// The tree of commands and the manual pages: every command and option has a text and is in its
+// page.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <functional>

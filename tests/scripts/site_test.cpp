@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A site that is opened from the disk: its search must be a script that the pages load.
+// The site opened from the disk: its search must be a script that the pages load.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frames of a run against lists written by hand and against walking through the data.
+// The frames of a run compared with lists by hand and with an iteration over the data.
 #include "tolman/frame_selection.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is reported and what is revised when keyframes move.
+// Reported and revised motions when keyframes move.
 #include <catch2/catch.hpp>
 #include <map>
 #include <optional>

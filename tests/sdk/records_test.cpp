@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What records compute from their own fields.
+// Values that records compute from their fields.
 #include "tolman/records.hpp"
 
 #include <catch2/catch.hpp>

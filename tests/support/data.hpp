@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the real data lie, and a visible skip where they do not.
+// Paths of the real data; without them a test is reported as skipped.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A variable of the environment, set for as long as the object lives.
+// Sets an environment variable for the lifetime of the object.
 #pragma once
 
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small grey and colour images for tests, by formula or by chance.
+// Small grey and colour images for tests, by formula or random.
 #pragma once
 
 #include <cstdint>

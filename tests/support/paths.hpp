@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the checkout and its build lie. Only paths.cpp is compiled with these paths: a compiler
-// cache finds every other test of another checkout.
+// Paths of the checkout and its build. Only paths.cpp is compiled with these paths, so that a
+// compiler cache can share all other tests between checkouts.
 #pragma once
 
 #include <string>

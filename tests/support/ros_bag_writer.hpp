@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Writes ROS 2 messages and bags, for tests of what reads them.
+// Writes ROS 2 messages and bags, for tests of their readers.
 #pragma once
 
 #include <array>

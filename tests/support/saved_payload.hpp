@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contents of a saved state without its envelope, to damage them under a right checksum.
+// The payload of a saved state, to damage it and keep a valid checksum.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -11,14 +11,14 @@ namespace {
 /// Units of the ring, as drawn in arXiv:2003.03091, and along each side of a module's sheet.
 constexpr int kRingUnits = 36;
 constexpr int kSheetUnits = 30;
-/// Head direction units in the rat fire above half their peak within 45 degrees of the preferred
-/// direction (Taube, Muller, Ranck 1990): concentration of a von Mises tuning curve, log 2 /
-/// (1 - cos 45 degrees).
+/// Concentration of the von Mises tuning curve of a head direction unit, log 2 / (1 - cos 45
+/// degrees): in the rat it fires above half its peak within 45 degrees of its preferred direction
+/// (Taube, Muller, Ranck 1990).
 constexpr double kRingTuning = 2.3665;
-/// Standard deviation of a grid field in periods, as in the rat: fields are half as wide as far
-/// from each other (Hafting et al. 2005).
+/// Standard deviation of a grid field, in periods. In the rat a field is half as wide as its
+/// distance to the next one (Hafting et al. 2005).
 constexpr double kFieldWidth = 0.11;
-/// Bumps with a smaller share are not drawn.
+/// Bumps with a smaller share of the energy add nothing to the rates.
 constexpr double kLeastShare = 1e-3;
 
 struct WeightedBump {

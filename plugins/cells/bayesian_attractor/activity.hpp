@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Firing rates of single units, for recorder and viewers. The network itself needs none.
 //
-// A unit has a preferred phase. Its rate is what its tuning curve expects under the bumps of the
-// integrator and of the hypotheses, each weighted by its share of the energy; 1 at the most.
+// A unit has a preferred phase. Its rate is the expected value of its tuning curve under the bumps
+// of the integrator and of the hypotheses, each weighted by its share of the energy; at most 1.
 #pragma once
 
 #include <vector>

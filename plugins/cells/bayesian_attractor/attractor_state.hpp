@@ -18,7 +18,7 @@ struct ViewLink {
   LearnedPattern learned;
   double travel = 0;            ///< m, when it was learned
   std::int64_t experience = 0;  ///< the experience that the robot was at
-  /// Where it stood in the frame of that experience, by path integration.
+  /// Pose of the template in the frame of that experience, by path integration.
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
 };
 
@@ -26,7 +26,7 @@ struct AttractorState {
   BumpNetwork network;
   ExperienceLog log;
   WaitingLoops waiting;
-  /// By template; one link a storey, those learned later after the others.
+  /// By template id: one link for each storey, in the order of learning.
   std::map<std::int64_t, std::vector<ViewLink>> links = {};
   Upright upright = {};
   bool initialising = true;  ///< odometry had no motion yet

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bayesian_attractor.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "activity.hpp"
@@ -12,10 +13,10 @@ namespace {
 
 constexpr double kNovelSpacing = 1;  // m, between experiences that novel views create
 
-/// Steepness of roads, rise over distance: how far the height of a view without measured pose may
-/// be from that of its template.
+/// Slope of a steep road, rise over distance. It scales the standard deviation of the height of a
+/// view without measured pose.
 constexpr double kSlope = 0.1;
-/// Most storeys that one view is linked to; the oldest link gives way.
+/// Most storeys that one view is linked to; the oldest link is removed first.
 constexpr std::size_t kMostStoreys = 32;
 
 }  // namespace
@@ -110,10 +111,22 @@ BayesianAttractor::SeenPose BayesianAttractor::seenPose(const PlaceObservation& 
   return {fromPlanar({0, 0, view.relative_yaw}), sigma.cwiseAbs2().asDiagonal()};
 }
 
-/// From the template to the camera, which knows where up is.
+/// Step from the template to the camera. The up direction is the one estimated for the camera.
 LevelStep BayesianAttractor::offsetOf(const SeenPose& seen) const {
   return levelled(seen.T_template_current, seen.covariance,
                   seen.T_template_current.linear() * state_->upright.up());
+}
+
+/// Whether the view is linked to several storeys of another part of the world. Such a view does
+/// not tell on which of them the robot is.
+bool BayesianAttractor::isAmbiguous(const std::vector<ViewLink>& links,
+                                    const ViewLink& link) const {
+  const BumpNetwork& network = state_->network;
+  if (parameters_.height_period <= 0 || link.learned.part == network.state().part) return false;
+  return std::ranges::any_of(links, [&](const ViewLink& other) {
+    return other.learned.part == link.learned.part &&
+           !network.onOneStorey(other.learned, link.learned);
+  });
 }
 
 /// The link on the storey that the robot is most likely on; null where it is on none of them.
@@ -121,7 +134,9 @@ const ViewLink* BayesianAttractor::nearestStorey(std::int64_t template_id,
                                                  const Climb& climb) const {
   const ViewLink* nearest = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const ViewLink& link : state_->links.at(template_id)) {
+  const std::vector<ViewLink>& links = state_->links.at(template_id);
+  for (const ViewLink& link : links) {
+    if (isAmbiguous(links, link)) continue;
     const double misfit = state_->network.heightMisfit(link.learned, climb);
     if (misfit >= least) continue;
     least = misfit;
@@ -172,7 +187,7 @@ void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& 
   state_->log.closeLoopTo(link.experience, decision.T_experience_current);
 }
 
-/// `T_template_current`: identity for a new view.
+/// Links the template to the present pattern. `T_template_current`: identity for a new view.
 void BayesianAttractor::learn(std::int64_t template_id,
                               const Eigen::Isometry3d& T_template_current) {
   const Eigen::Isometry3d T_current_template = T_template_current.inverse();

@@ -41,8 +41,9 @@ class BayesianAttractor final : public Cells,
     Matrix6d covariance;
   };
   SeenPose seenPose(const PlaceObservation& view) const;
+  bool isAmbiguous(const std::vector<ViewLink>& links, const ViewLink& link) const;
   const ViewLink* nearestStorey(std::int64_t template_id, const Climb& climb) const;
-  /// The link that a view fed, and what came of it.
+  /// The link whose pattern a view injected at, and the outcome of the injection.
   struct Perception {
     Recalibration calibrated;
     const ViewLink* link = nullptr;

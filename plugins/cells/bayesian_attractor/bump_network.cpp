@@ -11,14 +11,14 @@
 namespace tolman::bayesian_attractor {
 namespace {
 
-/// 99 % of chi-square with three degrees of freedom: a view within it agrees with a bump.
+/// 99 % quantile of chi-square with three degrees of freedom: a view below it agrees with a bump.
 constexpr double kAgrees = 11.345;
-/// Heights agree within three standard deviations.
+/// Squared limit for heights that agree: three standard deviations.
 constexpr double kSameStorey = 9;
 /// m around the path that count as explored, and the smallest explored area, m^2.
 constexpr double kMargin = 20;
 constexpr double kLeastArea = 1e4;
-/// Calibration bumps below this energy are gone: a share of less than 0.04 %.
+/// Calibration bumps below this energy, in nats, are removed: a share of less than 0.04 %.
 constexpr double kGone = -8;
 /// Bounds of the learned share of right views.
 constexpr double kLeastPrior = 0.001;
@@ -80,7 +80,7 @@ void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claim
   std::erase_if(state_.calibration, [](const CalibrationBump& c) { return c.energy < kGone; });
 }
 
-/// A new hypothesis takes the place of the weakest when there are too many. Null: it is weaker.
+/// Adds a hypothesis. Of more than kMostBumps the weakest is removed. Null: that is the new one.
 CalibrationBump* BumpNetwork::found(const CalibrationBump& bump) {
   auto& bumps = state_.calibration;
   if (bumps.size() == kMostBumps) {
@@ -99,7 +99,7 @@ void BumpNetwork::startPart() {
   state_.integrator.height_variance = 0;
   state_.anchor = state_.integrator;
   state_.calibration.clear();
-  // How many views are right has been counted at another place.
+  // The share of right views was counted in another part of the world.
   state_.views = state_.right = 0;
 }
 
@@ -126,15 +126,16 @@ double BumpNetwork::lookAlike() const {
   return -std::log(kTurn * std::max(sides.prod(), kLeastArea));
 }
 
-/// Covariance of the bump's centre, carried on to another pattern.
+/// Covariance of the bump's centre, propagated to another pattern by the Jacobian `carried`.
 Eigen::Matrix3d BumpNetwork::carriedTo(const FiringPattern& there, const Bump& bump) const {
   const Eigen::Matrix3d J = carried(code_.difference(bump.centre, there).head<2>());
   return J * bump.covariance * J.transpose();
 }
 
-/// Covariance of the way from where the view was learned to here: along this stretch of the path,
-/// or over its beginning. Along one way the covariance at the later end contains that at the
-/// earlier one; what it has more is of the way between.
+/// Covariance of the relative pose between where the view was learned and now. Along one stretch
+/// of the path it is the difference of the covariances at its two ends, because the later one
+/// contains the earlier one. For a view of an earlier stretch it is the sum of two terms, through
+/// the beginning of the present stretch.
 Eigen::Matrix3d BumpNetwork::uncertainty(const LearnedPattern& link) const {
   const Bump learned = {link.pattern, link.covariance};
   if (link.stretch == state_.stretch) {
@@ -144,7 +145,7 @@ Eigen::Matrix3d BumpNetwork::uncertainty(const LearnedPattern& link) const {
          absolute(link.covariance - carriedTo(link.pattern, state_.anchor));
 }
 
-/// The same of the height.
+/// Variance of the difference in height between the same two places, m^2.
 double BumpNetwork::heightUncertainty(const LearnedPattern& link) const {
   const double anchor = state_.anchor.height_variance;
   const double here = state_.integrator.height_variance;
@@ -160,10 +161,17 @@ double BumpNetwork::heightMisfit(const LearnedPattern& link, const Climb& climb)
   return misfit > kSameStorey ? std::numeric_limits<double>::infinity() : misfit;
 }
 
-/// Log-likelihood ratio of a view that no bump agrees with: right against look-alike. Of the height
-/// only what speaks against it counts.
+bool BumpNetwork::onOneStorey(const LearnedPattern& a, const LearnedPattern& b) const {
+  const double off = code_.climb(a.pattern, b.pattern);
+  const double variance =
+      std::abs(a.height_variance - b.height_variance) + code_.height().readout();
+  return off * off <= kSameStorey * variance;
+}
+
+/// Log-likelihood ratio, right view against look-alike, of a view that no bump agrees with. A
+/// difference in height only lowers it.
 double BumpNetwork::founding(const LearnedPattern& link, const Bump& seen) const {
-  // Path integration says nothing; that the place is a known one at all has the same prior again.
+  // The position is unknown: the prior is that the robot is in the mapped area at all.
   if (link.part != state_.part) return std::log(settings_.prior);
   const Bump& here = state_.integrator;
   const Eigen::Vector3d difference = code_.difference(here.centre, seen.centre);
@@ -220,7 +228,7 @@ Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& 
   return adopt(winner, link);
 }
 
-/// The integrator takes the place of the winner. A new stretch of the path begins.
+/// Moves the integrator to the winner. A new stretch of the path begins.
 Recalibration BumpNetwork::adopt(const CalibrationBump& winner, const LearnedPattern& link) {
   Recalibration calibrated;
   calibrated.bump = winner.id;

@@ -4,9 +4,9 @@
 // The integrator bump follows path integration alone. Each calibration bump is a hypothesis that
 // the robot is at a known place. Path integration moves and widens all bumps. A familiar view
 // injects energy at the pattern that it is linked to: into the calibration bump that it agrees
-// with, or as a new bump. Energies are in nats: logarithms of odds against the hypothesis of the
-// integrator, whose energy is 0. Global inhibition keeps the shares exp(E) summing up to one. A
-// bump whose share passes the threshold wins: the integrator takes its place.
+// with, or as a new bump. Energies are in nats: log odds against the hypothesis of the integrator,
+// whose energy is 0. Global inhibition keeps the shares exp(E) summing up to one. A bump whose
+// share exceeds the threshold wins: the integrator moves to it.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@
 
 namespace tolman::bayesian_attractor {
 
-/// Most calibration bumps at a time; the weakest gives way.
+/// Most calibration bumps at a time; the weakest is removed first.
 inline constexpr std::size_t kMostBumps = 16;
 
 struct NetworkSettings {
@@ -30,8 +30,8 @@ struct NetworkSettings {
   double drift_height = 0.03;     ///< m / sqrt(m)
   double tail = 4;                ///< degrees of freedom of Student's t
   double prior = 0.05;            ///< share of familiar views that are right, before any was seen
-  double prior_views = 100;       ///< views that weigh as much as this expectation
-  double injection = 1;           ///< of a view's log-likelihood ratio
+  double prior_views = 100;       ///< number of views that weighs as much as `prior`
+  double injection = 1;           ///< factor of a view's log-likelihood ratio
   double agreement = 3;           ///< nats, most that a further view adds
   double inhibition = 0.02;       ///< nats / m that each calibration bump loses
   double threshold = 0.98;        ///< share of the energy at which a bump wins
@@ -41,23 +41,23 @@ struct NetworkSettings {
 /// What a view was linked to when it was learned.
 struct LearnedPattern {
   FiringPattern pattern;
-  std::int64_t part = 0;     ///< of the world: parts are not joined with each other
-  std::int64_t stretch = 0;  ///< of the path: from one won calibration to the next
+  std::int64_t part = 0;     ///< part of the world that the pattern belongs to
+  std::int64_t stretch = 0;  ///< of the path, from one accepted bump to the next
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< from the origin of its part
-  double height_variance = 0;                            ///< m^2, likewise
+  double height_variance = 0;                            ///< m^2, from the same origin
 };
 
 /// A hypothesis.
 struct CalibrationBump {
-  std::int64_t id = -1;  ///< dense from 0 in the order of founding
+  std::int64_t id = -1;  ///< 0, 1, 2 ... in the order of creation
   Bump bump;
   double energy = 0;       ///< nats
-  std::int64_t part = 0;   ///< of the world that the bump stands in
-  std::int64_t views = 0;  ///< that have fed it
-  double fed_at = 0;       ///< m of travel
+  std::int64_t part = 0;   ///< part of the world that the bump is in
+  std::int64_t views = 0;  ///< views that were injected into it
+  double fed_at = 0;       ///< m of travel, at the last injection
 };
 
-/// Everything that changes.
+/// Everything in the network that changes from frame to frame.
 struct NetworkState {
   Bump integrator;
   std::vector<CalibrationBump> calibration;
@@ -66,23 +66,23 @@ struct NetworkState {
   std::int64_t parts = 1;
   std::int64_t stretch = 0;
   Bump anchor;        ///< where the stretch begins, with its covariance from the origin of the part
-  double travel = 0;  ///< m
+  double travel = 0;  ///< m since the start
   Eigen::Vector2d least = Eigen::Vector2d::Zero();  ///< explored rectangle, m from the origin
   Eigen::Vector2d most = Eigen::Vector2d::Zero();
   std::int64_t views = 0;  ///< familiar views that injected
   std::int64_t right = 0;  ///< of these, views of bumps that won
 };
 
-/// Outcome of an injection: the bump that the view fed, and whether it has won. If it has, how the
-/// patterns of a part of the world that has been joined with another move.
+/// Outcome of an injection: the bump that the view was injected into, and whether it has won. A
+/// bump that won in another part of the world joins the two parts: the patterns of one move.
 struct Recalibration {
-  std::int64_t bump = -1;  ///< CalibrationBump::id; -1: the view founded none, it was too weak
+  std::int64_t bump = -1;  ///< CalibrationBump::id; -1: too weak to create a bump
   bool won = false;
-  double share = 0;                                  ///< of the winner in the energy
-  std::int64_t views = 0;                            ///< that fed the winner
-  std::int64_t joined_part = -1;                     ///< patterns of this part move; -1: of none
-  FiringPattern from, to;                            ///< as `from` moves to `to`
-  std::int64_t part = 0;                             ///< the part they are of then
+  double share = 0;               ///< of the winner in the energy
+  std::int64_t views = 0;         ///< injected into the winner
+  std::int64_t joined_part = -1;  ///< patterns of this part move; -1: no patterns move
+  FiringPattern from, to;         ///< they move as `from` moves to `to`
+  std::int64_t part = 0;          ///< the part that they belong to afterwards
   Eigen::Matrix3d origin = Eigen::Matrix3d::Zero();  ///< covariance to add to theirs
   double origin_height = 0;                          ///< m^2, variance to add to theirs
 };
@@ -98,9 +98,11 @@ class BumpNetwork {
   /// A familiar view that puts the robot at `offset` from where it was learned.
   Recalibration inject(const LearnedPattern& link, const PlanarPose& offset,
                        const Eigen::Matrix3d& covariance, const Climb& climb = {});
-  /// How far above or below path integration such a view would put the robot: squared, in standard
-  /// deviations of height. Infinite beyond three of them, which is another storey.
+  /// Squared difference of height, in standard deviations, between the pose that such a view gives
+  /// and path integration. Infinite beyond three standard deviations: that is another storey.
   double heightMisfit(const LearnedPattern& link, const Climb& climb) const;
+  /// Whether the heights of two patterns of the same part agree.
+  bool onOneStorey(const LearnedPattern& a, const LearnedPattern& b) const;
   LearnedPattern present() const;
   /// Moves a learned pattern of a part that has been joined with another.
   void rejoin(const Recalibration& calibrated, LearnedPattern& link) const;

@@ -39,7 +39,7 @@ class ConjunctiveCode {
 
   const GridCode& grid() const { return grid_; }
   const HeightCode& height() const { return height_; }
-  /// Covariance with which ring and modules read a pattern.
+  /// Covariance of the error with which ring and modules read a pattern.
   Eigen::Matrix3d readout() const;
   FiringPattern origin() const { return {0, grid_.origin(), height_.origin()}; }
 
@@ -53,7 +53,7 @@ class ConjunctiveCode {
   /// m upwards from one pattern to another, as the vertical modules read it.
   double climb(const FiringPattern& from, const FiringPattern& to) const;
 
-  /// Path integration: the bump moves, an error of heading leans on position, noise widens it.
+  /// Path integration: moves the bump, propagates its error of heading to position, adds noise.
   /// `noise`: covariance of the step in the robot's own axes.
   void move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
             const Climb& climb = {}) const;
@@ -68,7 +68,7 @@ class ConjunctiveCode {
 
 /// `covariance` of (x, y, heading) seen from axes that are turned by -`angle`.
 Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle);
-/// How an error of the pose (x, y, heading) grows when it is carried on by `way`, m.
+/// Jacobian of a pose (x, y, heading) after the displacement `way`, in m, by the pose before it.
 Eigen::Matrix3d carried(const Eigen::Vector2d& way);
 /// y' S^-1 y, with the chord instead of the arc in heading, as von Mises has it.
 double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance);

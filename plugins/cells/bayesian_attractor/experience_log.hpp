@@ -24,10 +24,11 @@ class ExperienceLog {
 
   void advance(const Eigen::Isometry3d& T_previous_current);
 
-  /// The first one (also of a new part), or the last one was made too far back by path integration,
-  /// or the view is novel. Loops do not count: were one false, the map would have a hole there.
+  /// True for the first one (also of a new part), at `spacing` or `turn` from where the newest one
+  /// was made, or for a novel view. Loops do not reset this distance: a false loop would otherwise
+  /// leave a gap between experiences.
   bool wantsNew(bool view_is_novel) const;
-  /// Not to where the robot is or has just been, and not one after the other.
+  /// Not to the current experience, nor before the settings' distances of travel.
   bool allowsLoopTo(std::int64_t experience) const;
 
   /// The robot was carried to an unknown place: loops to all experiences are allowed.
@@ -40,7 +41,7 @@ class ExperienceLog {
   std::int64_t current() const { return current_; }  ///< -1 before the first
   const Eigen::Isometry3d& fromCurrent() const { return T_experience_current_; }
 
-  /// All that decides the future, for saving.
+  /// All that the next decisions depend on, for saving.
   struct State {
     std::int64_t current = -1;
     Eigen::Isometry3d T_experience_current = Eigen::Isometry3d::Identity();
@@ -61,9 +62,9 @@ class ExperienceLog {
   Eigen::Isometry3d T_experience_current_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_made_current_ = Eigen::Isometry3d::Identity();  ///< from the newest one
   double travel_ = 0;                                                 ///< m since the start
-  double travel_at_loop_ = 0;             ///< when the last loop link was made
-  std::vector<double> travel_when_left_;  ///< of each experience
-  bool new_part_ = false;                 ///< and not at any experience since
+  double travel_at_loop_ = 0;             ///< m, when the last loop link was made
+  std::vector<double> travel_when_left_;  ///< m, of each experience
+  bool new_part_ = false;                 ///< a part began, and no experience was reached since
 };
 
 }  // namespace tolman::bayesian_attractor

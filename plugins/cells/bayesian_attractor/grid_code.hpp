@@ -11,12 +11,12 @@
 
 namespace tolman::bayesian_attractor {
 
-/// One column a module: x and y, m in [0, period).
+/// One column for each module: x and y, m in [0, period).
 using Phases = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, kMaxModules>;
 
 class GridCode {
  public:
-  /// As ResidueCode.
+  /// The modules along x and y; arguments as of ResidueCode, in m and periods.
   GridCode(double period, int modules, double phase_sigma);
 
   int modules() const { return axis_.modules(); }

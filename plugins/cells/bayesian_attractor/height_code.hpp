@@ -18,7 +18,7 @@ struct Climb {
 
 class HeightCode {
  public:
-  /// As ResidueCode. Without modules all heights are the same.
+  /// Arguments as of ResidueCode, in m and periods. Without modules all heights are the same.
   HeightCode(double period, int modules, double phase_sigma)
       : code_(period, modules, phase_sigma) {}
 
@@ -28,9 +28,9 @@ class HeightCode {
 
   /// All modules move by the same climb.
   void move(Residues& heights, double climb) const;
-  /// Climb from one height to another, as the modules read it.
+  /// Climb from one height to another as the modules read it, m.
   double difference(const Residues& from, const Residues& to) const;
-  /// Variance with which the modules read a difference.
+  /// Variance of the error with which the modules read a difference, m^2.
   double readout() const { return modules() > 0 ? code_.sigma() * code_.sigma() : 0; }
 
  private:

@@ -11,7 +11,8 @@ Eigen::Matrix3d levelling(const Eigen::Vector3d& up) {
   return Eigen::Quaterniond::FromTwoVectors(up, kLevelUp).toRotationMatrix();
 }
 
-/// Correlations are dropped. Forward is the camera's z, left its -x, heading turns about -y.
+/// Covariance of (forward, left, heading): the camera's z and -x, and the rotation about -y.
+/// Correlations are dropped.
 Eigen::Matrix3d planarVariance(const Matrix6d& covariance) {
   return Eigen::Vector3d(covariance(2, 2), covariance(0, 0), covariance(4, 4)).asDiagonal();
 }

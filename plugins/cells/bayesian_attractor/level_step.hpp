@@ -17,8 +17,9 @@ struct LevelStep {
   Eigen::Vector3d up = kLevelUp;  ///< unit vector, in the axes of the camera after the step
 };
 
-/// Four degrees of freedom of a motion whose start knows where up is, in its own axes. Pitch and
-/// roll turn `up`, and nothing else. `covariance` is in the tangent space of the end.
+/// Four degrees of freedom of a motion: step on the plane, turn, climb. The up direction is given
+/// in the axes of the start. Pitch and roll only turn `up`. `covariance` is in the tangent space of
+/// the end.
 LevelStep levelStep(const Eigen::Isometry3d& T_from_to, const Matrix6d& covariance,
                     const Eigen::Vector3d& up_from);
 

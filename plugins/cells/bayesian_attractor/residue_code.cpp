@@ -9,9 +9,9 @@ namespace {
 
 /// Ratio of neighbouring modules' periods in the rat (Stensola et al. 2012).
 constexpr double kRatio = 1.42;
-/// Displacements are searched up to this many of the largest period.
+/// Displacements are searched up to this many times the largest period.
 constexpr int kRange = 50;
-/// Squared error, per degree of freedom, up to which phases agree: three standard deviations.
+/// Squared error in standard deviations, per degree of freedom, up to which phases agree: three.
 constexpr double kAgreement = 9;
 
 /// Shortest way round one period.

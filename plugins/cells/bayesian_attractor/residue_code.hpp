@@ -13,7 +13,7 @@ namespace tolman::bayesian_attractor {
 /// Most modules that a code may have.
 inline constexpr int kMaxModules = 8;
 
-/// Of one coordinate, one entry a module: m, in [0, period).
+/// Phases of one coordinate, one entry for each module: m, in [0, period).
 using Residues = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, kMaxModules, 1>;
 
 class ResidueCode {

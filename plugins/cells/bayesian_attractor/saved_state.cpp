@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kMagic = "TLMBAYES";
 constexpr std::uint64_t kStateVersion = 7;
 
-/// Writes what it is called with.
+/// Writes each number that it is called with.
 class Saver {
  public:
   static constexpr bool kLoads = false;
@@ -24,7 +24,7 @@ class Saver {
   StateWriter writer;
 };
 
-/// Reads into what it is called with.
+/// Reads into each number that it is called with.
 class Loader {
  public:
   static constexpr bool kLoads = true;
@@ -32,17 +32,17 @@ class Loader {
   template <class T>
   void operator()(T& number) requires std::is_arithmetic_v<T> {
     number = reader.get<T>();
-    if constexpr (std::is_floating_point_v<T>) {  // squares of it stay finite; false for NaN
+    if constexpr (std::is_floating_point_v<T>) {  // squares must be finite; false for NaN
       constexpr double kLargest = 1e15;
       sound = sound && std::abs(number) <= kLargest;
     }
-    if constexpr (std::is_same_v<T, std::int64_t>) {  // counters go on from there
+    if constexpr (std::is_same_v<T, std::int64_t>) {  // counters are incremented later
       constexpr std::int64_t kMost = std::int64_t{1} << 62U;
       sound = sound && number > -kMost && number < kMost;
     }
   }
   StateReader& reader;
-  bool sound = true;  ///< every number is one
+  bool sound = true;  ///< all numbers were within their bounds
 };
 
 template <class Archive, class Matrix>
@@ -50,7 +50,7 @@ void numbers(Archive& archive, Matrix& matrix) {
   for (Eigen::Index i = 0; i < matrix.size(); ++i) archive(*(matrix.data() + i));
 }
 
-/// Number of elements: what is there when saving, what the file says when loading.
+/// Number of elements: `size` when saving, the number in the file when loading.
 template <class Archive>
 std::int64_t counted(Archive& archive, std::size_t size) {
   auto count = static_cast<std::int64_t>(size);
@@ -150,7 +150,7 @@ bool isPose(const Eigen::Isometry3d& T) {
          T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1);
 }
 
-/// Symmetric, and no variance in any direction is negative, but for rounding.
+/// Symmetric and positive semidefinite, up to rounding.
 bool isCovariance(const Eigen::Matrix3d& covariance) {
   const double rounding = 1e-6 * covariance.cwiseAbs().maxCoeff();
   return (covariance - covariance.transpose()).cwiseAbs().maxCoeff() <= rounding &&
@@ -179,7 +179,7 @@ bool isSoundLink(const ViewLink& link) {
          link.learned.height_variance >= 0 && isPose(link.T_experience_template);
 }
 
-/// Poses are poses, covariances are covariances.
+/// All rotations are orthonormal and all covariances positive semidefinite.
 bool hasSoundValues(const AttractorState& state) {
   const NetworkState& network = state.network.state();
   const ExperienceLog::State log = state.log.state();
@@ -194,7 +194,7 @@ bool hasSoundValues(const AttractorState& state) {
          });
 }
 
-/// Every experience that is named exists.
+/// Whether all experiences that are referred to exist, and all ids and counts are valid.
 bool isSound(const AttractorState& state) {
   const ExperienceLog::State log = state.log.state();
   const auto known = static_cast<std::int64_t>(log.travel_when_left.size());
@@ -240,7 +240,7 @@ void upright(Archive& archive, State& state) {
   }
 }
 
-/// 0: without vertical modules.
+/// Period of the smallest vertical module, m; 0 without vertical modules.
 double heightPeriod(const AttractorState& state) {
   const HeightCode& height = state.network.code().height();
   return height.modules() > 0 ? height.period(0) : 0;

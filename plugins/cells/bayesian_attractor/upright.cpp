@@ -6,12 +6,12 @@
 namespace tolman::bayesian_attractor {
 namespace {
 
-constexpr double kWholeTurn = 0.25;   // rad; shaking and ramps stay below, and add nothing
-constexpr double kOneWay = 0.9;       // least length of the sum of steps to that of the path
-constexpr double kLeastTurns = 0.12;  // rad^2; two whole turns
+constexpr double kWholeTurn = 0.25;   // rad; smaller turns, of shaking and ramps, are not added
+constexpr double kOneWay = 0.9;       // least ratio of the length of the sum of steps to the path
+constexpr double kLeastTurns = 0.12;  // rad^2; about two turns of kWholeTurn
 constexpr double kOneAxis = 4;  // least ratio of turns about one axis to those about the other
 
-/// Rounding of many products of rotations is taken out.
+/// Product of two rotations, orthonormal again after rounding.
 Eigen::Matrix3d composed(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
   return Eigen::Quaterniond(a * b).normalized().toRotationMatrix();
 }
@@ -36,9 +36,10 @@ Eigen::Vector3d Upright::upOfVehicle() const {
   if (!isVehicle()) return kLevelUp;
   const Eigen::Vector3d ahead = forward.normalized();
   const Eigen::Vector3d assumed = kLevelUp - ahead * ahead.dot(kLevelUp);
-  if (assumed.norm() < 1e-3) return kLevelUp;  // it drives up a wall
+  if (assumed.norm() < 1e-3) return kLevelUp;  // forward is vertical
   const Eigen::Vector3d up = assumed.normalized();
-  // Turns about the two axes across the way: pitching up and down ramps is about the other one.
+  // Turns about the two axes perpendicular to forward: yaw about one, pitch of ramps about the
+  // other one.
   Eigen::Matrix<double, 3, 2> across;
   across << up, ahead.cross(up);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> turned(across.transpose() * turns * across);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where up is, from the drive itself: a camera fixed to a vehicle moves along one axis of its own,
-// and turns about another, however it is mounted.
+// The up direction, estimated from the motion: a camera that is fixed to a vehicle moves along one
+// of its own axes and turns about another, however it is mounted.
 #pragma once
 
 #include "level_step.hpp"
 
 namespace tolman::bayesian_attractor {
 
-/// What the motions so far tell of the axes of the vehicle, in the axes of the camera.
+/// Sums over the motions so far, from which the vehicle's axes are estimated, in camera axes.
 struct Upright {
   Eigen::Vector3d forward = Eigen::Vector3d::Zero();  ///< m, sum of steps; backward ones reversed
   double path = 0;                                    ///< m, length of all steps

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loops of views whose calibration bump has not won yet.
 //
-// A bump wins after several views have fed it; each of these views saw a known place. Their loops
-// wait here, at most one per `spacing` metres and bump, until the bump wins or is gone.
+// A bump wins after several views were injected into it; each of these views saw a known place.
+// Their loops are kept here, at most one per `spacing` metres and bump, until the bump wins or is
+// removed.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +26,9 @@ class WaitingLoops {
   explicit WaitingLoops(double spacing) : spacing_(spacing) {}
 
   void add(const WaitingLoop& loop);
-  /// Forgets loops of bumps that are gone.
+  /// Removes the loops of all bumps that are not among `bumps`.
   void keep(std::span<const CalibrationBump> bumps);
-  /// Loops of the bump up to `spacing` before `travel`, in the order of their frames.
+  /// Loops of the bump that are at least `spacing` before `travel`, in the order of their frames.
   std::vector<EarlierLoop> of(std::int64_t bump, double travel) const;
 
   const std::vector<WaitingLoop>& list() const { return loops_; }

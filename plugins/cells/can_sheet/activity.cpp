@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What recorder and viewers see of the sheets.
+// The named arrays of the sheets, for recorder and viewers.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,9 +12,9 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr int kRingUnits = 36;
-/// Head direction units in the rat fire above half their peak within 45 degrees of the preferred
-/// direction (Taube, Muller, Ranck 1990): concentration of a von Mises tuning curve, log 2 /
-/// (1 - cos 45 degrees).
+/// Concentration of the von Mises tuning curve of a head direction unit, log 2 / (1 - cos 45
+/// degrees): in the rat it fires above half its peak within 45 degrees of its preferred direction
+/// (Taube, Muller, Ranck 1990).
 constexpr double kRingTuning = 2.3665;
 
 std::string moduleName(std::size_t module) {

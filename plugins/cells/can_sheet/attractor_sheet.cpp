@@ -10,19 +10,19 @@
 namespace tolman::can_sheet {
 namespace {
 
-constexpr double kPaperUnits = 90;  // of the paper, whose constants hold for so many
+constexpr double kPaperUnits = 90;  // number of units that the paper's constants hold for
 constexpr int kStepsToRest = 60;
 /// Units of a row that are summed at a time: as many as the registers of SSE2 hold.
 constexpr std::size_t kTile = 20;
-constexpr std::size_t kSmallTile = 4;  // what is left
-/// Activity that parameters let die or grow beyond this is set to a bump at rest.
+constexpr std::size_t kSmallTile = 4;  // units at a time in the rest of a row
+/// If the total activity leaves these limits, it is replaced by a bump at rest.
 constexpr double kLeastTotal = 1e-6;
 constexpr double kMostTotal = 1e6;
 constexpr double kStartWidth = 0.14;  // periods
 
 std::size_t unsignedOf(int value) { return static_cast<std::size_t>(value); }
 
-/// Adds to so many units of a row their inputs from one row of units.
+/// Adds to kWidth units of a row their inputs from one row of units.
 template <std::size_t kWidth>
 void addRow(const float* activity, const float* weights, std::size_t units, float* input) {
   std::array<float, kWidth> sum{};

@@ -11,12 +11,13 @@
 
 namespace tolman::can_sheet {
 
-/// The paper's constants. Intensity and shift hold for its 90 units; they are divided among more.
+/// The paper's constants. `intensity` and `inhibition` hold for its 90 units; with N units both are
+/// multiplied by 90 / N.
 struct SheetSettings {
   int units = 40;              ///< along each axis
   double intensity = 0.3;      ///< I: strength of the Gaussian
   double width = 0.24;         ///< sigma, in periods
-  double inhibition = 0.05;    ///< T: taken from all weights
+  double inhibition = 0.05;    ///< T: subtracted from all weights
   double stabilisation = 0.8;  ///< tau: share of the normalised activity
 };
 
@@ -27,7 +28,7 @@ class AttractorSheet {
 
   /// One step of the paper's equations 2 to 5; the bump moves by the difference of phases.
   void step(const Phase& motion);
-  /// Adds a bump of this share of the present activity at a place.
+  /// Adds a bump at a place. `share`: its total activity divided by that of the sheet.
   void inject(const Phase& place, double share);
 
   /// The centre of the activity: the population vector along both axes, and along the axis between
@@ -41,7 +42,7 @@ class AttractorSheet {
   bool restore(std::span<const float> activity);
 
  private:
-  /// The weights to all units from one unit, displaced.
+  /// Computes the weights from one unit to all units, displaced by `motion`.
   void setWeights(const Phase& motion);
   void addInputs();
   void setBump(const Phase& place);
@@ -50,8 +51,8 @@ class AttractorSheet {
   SheetSettings settings_;
   std::vector<float> activity_;
   std::vector<float> input_;
-  /// A row for each difference along v. Each row is written twice, one after the other, so that
-  /// the weights from any unit to a whole row stand together.
+  /// One row for each difference along v. Each row is stored twice, one after the other, so that
+  /// the weights from any unit to a whole row are contiguous.
   std::vector<float> weights_;
 };
 

@@ -85,7 +85,7 @@ void CanSheet::integrate(const Motion& motion, const Eigen::Vector2d& displaceme
   SheetState& state = *state_;
   const bool initialising = motion.state == TrackingState::Initialising;
   if (initialising && !state.initialising && state.current >= 0) {
-    state.new_part = state.relocating = true;  // views from before count at once
+    state.new_part = state.relocating = true;  // earlier views may inject at once
     state.travel += std::max(parameters_.loop_minimum_travel, parameters_.loop_spacing);
   }
   state.initialising = initialising;
@@ -104,21 +104,23 @@ bool CanSheet::injects(const PlaceObservation& view) const {
          state_->travel - state_->travel_at_view >= parameters_.view_spacing;
 }
 
-/// Where the view says that the robot is.
+/// Phase of the robot in the module, by the view's link and its relative pose.
 Phase CanSheet::placeOf(const ViewLink& link, const PlanarPose& seen, std::size_t module) const {
   return link.phases[module] + phaseOf(displacementOf(link.heading, seen), module);
 }
 
-// The sheets have the motion to this frame still to make, so the view's bump begins before it.
+// The motion to this frame is applied to the sheets after this, so the view's bump is placed one
+// displacement back.
 void CanSheet::inject(const ViewLink& link, const PlanarPose& seen,
                       const Eigen::Vector2d& displacement) {
   const bool lost = state_->relocating && parameters_.injection > 0;
   const double share =
-      lost ? 1 : parameters_.injection;  // at an unknown place nothing holds it back
+      lost ? 1 : parameters_.injection;  // position unknown: as much as the present activity
   for (std::size_t i = 0; i < state_->sheets.size(); ++i) {
     state_->sheets[i].inject(placeOf(link, seen, i) - phaseOf(displacement, i), share);
   }
-  // The ring takes up what is near its bump; other activity dies out, as it does in the sheets.
+  // Only a heading near that of the ring has an effect; in the sheets, too, activity far from the
+  // bump decays.
   const double off = wrapAngle(link.heading + seen.theta - state_->heading);
   const double near = std::exp(-0.5 * off * off / (kRingWidth * kRingWidth));
   const double taken = state_->relocating ? 1 : near * share / (1 + share);
@@ -136,8 +138,8 @@ bool CanSheet::agrees(const ViewLink& link, const PlanarPose& seen) const {
   return true;
 }
 
-// The position nearest to the integrated one that has the phases of the modules: each corrects it
-// by less than a period, the smallest and most precise one last.
+// The position nearest to the integrated one that has the phases of the modules. Each module
+// corrects it by less than its period; the smallest, most precise module is the last.
 void CanSheet::decodePosition() {
   const double c = std::cos(parameters_.orientation);
   const double s = std::sin(parameters_.orientation);

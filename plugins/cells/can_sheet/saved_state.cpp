@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::string_view kMagic = "TLMSHEET";
 constexpr std::uint64_t kStateVersion = 1;
-constexpr double kLargest = 1e15;                            // squares of it stay finite
-constexpr std::int64_t kMostCount = std::int64_t{1} << 62U;  // counters go on from there
+constexpr double kLargest = 1e15;                            // bounded so that squares are finite
+constexpr std::int64_t kMostCount = std::int64_t{1} << 62U;  // counters are incremented later
 
-/// Reads numbers, and remembers whether one cannot be.
+/// Reads numbers. `sound` is false after one that is out of bounds.
 struct SoundReader {
   StateReader& reader;
   bool sound = true;
@@ -51,7 +51,7 @@ void linkFields(Archive& archive, Link& link) {
   matrix(archive, link.T_experience_template.matrix());
 }
 
-/// All but sheets and links.
+/// Saves or loads everything but sheets and links.
 template <class Archive, class State>
 void plainFields(Archive& archive, State& state) {
   archive(state.heading);

@@ -10,8 +10,8 @@
 namespace tolman::can_sheet {
 
 Status saveState(const SheetState& state, std::ostream& stream);
-/// Into a fresh state, whose modules and units must be those that were saved. On failure the state
-/// is not usable.
+/// Loads into a fresh state, which must have the modules and units of the saved one. After a
+/// failure the state is not usable.
 Status loadState(std::istream& stream, SheetState& state);
 
 }  // namespace tolman::can_sheet

@@ -30,8 +30,8 @@ inline Phase wrapped(const Phase& phase) {
   return {wrapPeriod(phase.x(), 1), wrapPeriod(phase.y(), 1)};
 }
 
-/// The shortest displacement, in periods, with this difference of phases modulo 1: the norm of the
-/// paper, whose seven images of a unit are those of the sums below.
+/// The shortest displacement, in periods, with this difference of phases modulo 1. Its length is
+/// the paper's distance, the minimum over the periodic images of a unit.
 inline Eigen::Vector2d shortest(const Phase& difference) {
   const Phase near(std::remainder(difference.x(), 1), std::remainder(difference.y(), 1));
   Eigen::Vector2d best = toPlane(near);

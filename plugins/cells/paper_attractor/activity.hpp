@@ -13,8 +13,8 @@ namespace tolman::paper_attractor {
 std::vector<float> ringActivity(const PeriodicBump<1>& bump, double period, int units);
 
 /// Rates of units x units grid cells, row-major; the cell in row r and column c prefers
-/// x = c * period / units and y = r * period / units. A cell answers to places around its own, in a
-/// Gaussian of `width` periods; the rate is what it expects under the bump, 1 at the best.
+/// x = c * period / units and y = r * period / units. Its tuning curve is a Gaussian with a
+/// standard deviation of `width` periods; the rate is the expected value under the bump, at most 1.
 std::vector<float> torusActivity(const PeriodicBump<2>& bump, double period, int units,
                                  double width = 0);
 

@@ -10,7 +10,7 @@
 namespace tolman::paper_attractor {
 
 struct NetworkSettings {
-  double period = 1;                       ///< of every axis
+  double period = 1;                       ///< of every axis: rad on the ring, cells on the torus
   double energy = 1;                       ///< E: the total precision, kept by global inhibition
   double initial_calibration = 0.1;        ///< share of E at the start
   double floor = 1e-4;                     ///< smallest precision of a population
@@ -45,18 +45,18 @@ class AttractorNetwork {
     calibration_ = combine(calibration_, injected_);
   }
 
-  /// Forgets the calibration. The integrator has no rival then, and all the energy.
+  /// Resets the calibration cells. The integrator cells then have all the energy.
   void restartCalibration() {
     calibration_.precision = settings_.floor;
     integrator_.precision = settings_.energy;
   }
 
-  /// Less trust in path integration, as when odometry is lost.
+  /// Multiplies the precision of the integrator cells by `factor`, as when odometry is lost.
   void weakenIntegrator(double factor) {
     integrator_.precision = std::max(settings_.floor, factor * integrator_.precision);
   }
 
-  /// Equation (3), both halves from the same moment, then (2), then (6).
+  /// Equation (3), both populations from the values before it, then (2), then (6).
   void settle() {
     const double integrator =
         std::max(settings_.floor, integrator_.precision -
@@ -70,14 +70,14 @@ class AttractorNetwork {
     estimate();
   }
 
-  /// The paper's familiarity: mu_inte := mu_cc. The calibration has done its work and restarts.
+  /// The paper's step at a familiar place: mu_inte := mu_cc. The calibration cells are reset.
   void adoptEstimate() {
     integrator_.mean = calibration_.mean = estimate_.mean;
     restartCalibration();
     estimate();
   }
 
-  /// |mu_cc - mu_cali|: what the calibration has not yet won.
+  /// |mu_cc - mu_cali|: distance of the estimate from the calibration cells.
   double disagreement() const {
     return distance<Axes>(estimate_.mean, calibration_.mean, settings_.period);
   }

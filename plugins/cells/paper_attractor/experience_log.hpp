@@ -24,10 +24,10 @@ class ExperienceLog {
 
   void advance(const Eigen::Isometry3d& T_previous_current);
 
-  /// The first one (also of a new part), or the distance on the manifold (by path integration) is
-  /// above its threshold, or the view is novel.
+  /// True for the first one (also of a new part), at `spacing` or `turn` from the current one by
+  /// path integration, or for a novel view at `novel_spacing`.
   bool wantsNew(bool view_is_novel) const;
-  /// Not to where the robot is or has just been, and not one after the other.
+  /// Not to the current experience, nor before the settings' distances of travel.
   bool allowsLoopTo(std::int64_t experience) const;
 
   /// The robot was carried to an unknown place: loops to all experiences are allowed.
@@ -47,9 +47,9 @@ class ExperienceLog {
   std::int64_t current_ = -1;
   Eigen::Isometry3d T_experience_current_ = Eigen::Isometry3d::Identity();
   double travel_ = 0;                     ///< m since the start
-  double travel_at_loop_ = 0;             ///< when the last loop link was made
-  std::vector<double> travel_when_left_;  ///< of each experience
-  bool new_part_ = false;                 ///< and not at any experience since
+  double travel_at_loop_ = 0;             ///< m, when the last loop link was made
+  std::vector<double> travel_when_left_;  ///< m, of each experience
+  bool new_part_ = false;                 ///< a part began, and no experience was reached since
 };
 
 }  // namespace tolman::paper_attractor

@@ -13,13 +13,13 @@ class GridTorus : public AttractorNetwork<2> {
   GridTorus(const NetworkSettings& settings, double metres_per_cell)
       : AttractorNetwork<2>(settings), metres_per_cell_(metres_per_cell) {}
 
-  /// Path integration of a step (m, forward and left) of who looked in direction `heading` before
-  /// it. The paper has speed along the new heading; the step as measured needs no small angle.
+  /// Path integration of a step (m, forward and left) that began with `heading` (rad). The paper
+  /// moves along the new heading; the measured step does not need its assumption of small turns.
   void move(double forward, double left, double heading) {
     integrate(toCells(forward, left, heading));
   }
 
-  /// A step on the plane (m) seen from direction `heading`, as a displacement in cells.
+  /// Displacement in cells of a step (m) in the axes of `heading` (rad).
   Phase<2> toCells(double forward, double left, double heading) const {
     const double c = std::cos(heading);
     const double s = std::sin(heading);

@@ -15,7 +15,7 @@ class HeadDirectionRing : public AttractorNetwork<1> {
 
   /// Path integration of a turn (rad, positive to the left).
   void turn(double yaw) { integrate(Phase<1>(yaw)); }
-  /// Where the integrator cells point, rad in [0, 2 pi).
+  /// Heading of the integrator cells, rad in [0, 2 pi).
   double integratedHeading() const { return integrator().mean(0); }
 
  private:

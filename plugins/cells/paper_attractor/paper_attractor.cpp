@@ -17,7 +17,7 @@ NetworkSettings networkSettings(const PaperAttractorParameters& p, double energy
   return settings;
 }
 
-/// Where the view puts the robot, seen from its template.
+/// Pose of the camera in the frame of the view's template.
 Eigen::Isometry3d fromTemplate(const PlaceObservation& observation) {
   return observation.has_relative_pose ? observation.T_template_current
                                        : fromPlanar({0, 0, observation.relative_yaw});
@@ -49,8 +49,8 @@ Status PaperAttractor::reset() {
   return Status::ok();
 }
 
-/// Frames arrive with the motion that leads to their view, so path integration comes before
-/// injection; the other order would inject one step behind.
+/// A frame comes with the motion that ends at it, so path integration comes before injection; in
+/// the other order views would inject one step late.
 Status PaperAttractor::step(const Motion& motion, const PlaceObservation& observation,
                             Decision& decision) {
   const bool seen = observation.recognition != Recognition::None;
@@ -84,7 +84,7 @@ Status PaperAttractor::step(const Motion& motion, const PlaceObservation& observ
 
 void PaperAttractor::integrate(const Motion& motion) {
   const bool initialising = motion.state == TrackingState::Initialising;
-  if (initialising && !state_->initialising) {  // the robot was carried away
+  if (initialising && !state_->initialising) {  // odometry has restarted: position unknown
     state_->cells.restartCalibrations();
     state_->log.startPart();
     state_->links.startPart();

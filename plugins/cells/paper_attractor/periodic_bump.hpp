@@ -21,14 +21,14 @@ Phase<Axes> wrapped(const Phase<Axes>& phase, double period) {
   return phase.unaryExpr([period](double value) { return wrapPeriod(value, period); });
 }
 
-/// The short way from one phase to another, each axis in [-period / 2, period / 2).
+/// Shortest difference from one phase to another, each axis in [-period / 2, period / 2).
 template <int Axes>
 Phase<Axes> shortWay(const Phase<Axes>& from, const Phase<Axes>& to, double period) {
   const Phase<Axes> ahead = to - from + period / 2;
   return wrapped<Axes>(ahead, period) - period / 2;
 }
 
-/// Length of the short way.
+/// Length of the shortest difference.
 template <int Axes>
 double distance(const Phase<Axes>& a, const Phase<Axes>& b, double period) {
   return shortWay<Axes>(a, b, period).matrix().norm();
@@ -43,8 +43,8 @@ struct PeriodicBump {
 };
 
 /// Equations (5) and (6): precisions add, the mean is the precision-weighted one. The paper
-/// averages raw means; across the seam that gives the opposite side, so b is unwrapped to within
-/// half a period of a first.
+/// averages the means as they are. Where they are on two sides of the wrap that average is wrong by
+/// half a period, so `b` is first unwrapped to within half a period of `a`.
 template <int Axes>
 PeriodicBump<Axes> combined(const PeriodicBump<Axes>& a, const PeriodicBump<Axes>& b,
                             double period) {

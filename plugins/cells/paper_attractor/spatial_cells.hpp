@@ -35,7 +35,7 @@ class SpatialCells {
 
   /// The estimate is near the calibration on ring and torus.
   bool familiar() const;
-  /// The integrators take the estimate; the calibration restarts.
+  /// Moves the integrator cells to the estimate and resets the calibration cells.
   void adoptEstimate();
   void restartCalibrations();
 

@@ -29,7 +29,7 @@ bool ViewLinks::activate(std::int64_t template_id) {
   const bool repeated = previous_ == template_id;
   previous_ = template_id;
 
-  // All links recover at every view; counted only when one is looked at.
+  // All links recover at every view; the recovery is computed when a link is used.
   const auto rested = static_cast<double>(views_ - link.last_view);
   link.decay = std::max(kRestingDecay, link.decay - settings_.recovery * rested);
   link.last_view = views_;

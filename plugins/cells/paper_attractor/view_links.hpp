@@ -11,8 +11,8 @@
 namespace tolman::paper_attractor {
 
 struct HabituationSettings {
-  double increment = 1.0;   ///< per immediate repetition
-  double recovery = 0.04;   ///< per view
+  double increment = 1.0;   ///< of the decay, per immediate repetition
+  double recovery = 0.04;   ///< of the decay, per view
   int newest_ignored = 10;  ///< templates too new to inject
   int first_views_ignored = 50;
 };
@@ -22,7 +22,7 @@ struct ViewLink {
   CellPose learned;             ///< the estimate at that moment
   std::int64_t order = 0;       ///< how many links were made before
   std::int64_t experience = 0;  ///< the experience the robot was at
-  /// Where it stood in the frame of that experience, by path integration.
+  /// Pose of the template in the frame of that experience, by path integration.
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
   double decay = 1;  ///< habituation, as of view number `last_view`
   std::int64_t last_view = 0;
@@ -48,7 +48,7 @@ class ViewLinks {
   std::map<std::int64_t, ViewLink> links_;  ///< by template id
   std::int64_t views_ = 0;
   std::int64_t previous_ = -1;
-  std::int64_t settled_ = 0;  ///< links from before the last gap
+  std::int64_t settled_ = 0;  ///< number of links from before the last gap
 };
 
 }  // namespace tolman::paper_attractor

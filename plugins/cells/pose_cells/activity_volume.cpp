@@ -16,7 +16,7 @@ namespace {
 
 int wrapped(int value, int size) { return ((value % size) + size) % size; }
 
-/// A shift in whole cells and the share of the cell after that.
+/// A shift in whole cells, and its fraction of a cell.
 struct Shift {
   int cells;
   float rest;
@@ -205,7 +205,7 @@ void ActivityVolume::move(double forward, double left) {
       const std::size_t from = rowOf(y, theta);
       if (now_.active[from] == 0) continue;
       const float* cells = row(now_, from);
-      int source = wrapped(-right.cells - 1, side_);  // shifted by whole cells, and one beyond
+      int source = wrapped(-right.cells - 1, side_);  // one cell further than the whole shift
       for (int x = 0; x < side_; ++x) {
         const float before = cells[source];
         source = source + 1 == side_ ? 0 : source + 1;

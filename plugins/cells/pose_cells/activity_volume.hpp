@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A block of cells over (x, y, theta) that wraps on all three axes: RatSLAM's continuous attractor.
-// Most of it is silent most of the time, so work is done row by row (along x) where there is any.
+// Most cells are inactive, so only the rows (along x) with activity are processed.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ std::vector<float> gaussianKernel(int width, double variance);
 
 class ActivityVolume {
  public:
-  /// `side` cells in x and y, `headings` in theta; all silent.
+  /// `side` cells in x and y, `headings` in theta; none is active.
   ActivityVolume(int side, int headings);
 
   int side() const { return side_; }
@@ -34,27 +34,27 @@ class ActivityVolume {
   /// Activity of the cells at most `radius` away on each axis.
   float around(int x, int y, int theta, int radius) const;
 
-  /// Every cell spreads its activity: a product of three kernels, so one axis after the other.
+  /// Convolves the activity with the kernel along each axis.
   void excite(std::span<const float> kernel);
-  /// The same spread is taken away. May leave negative cells.
+  /// Subtracts the convolution with the kernel. Cells may become negative.
   void inhibit(std::span<const float> kernel);
-  /// Takes a constant from every cell, stopping at zero.
+  /// Subtracts a constant from every cell; negative cells become zero.
   void inhibitAll(float amount);
-  /// Total activity one; an empty volume stays empty.
+  /// Scales the total activity to one; an empty volume does not change.
   void normalise();
 
-  /// Path integration: each layer moves by (forward, left) cells seen along its own heading, then
-  /// all layers turn. Any length; what falls between cells is split.
+  /// Path integration: moves each layer by (forward, left) cells in the axes of its own heading, of
+  /// any length; fractions are split between two neighbours.
   void move(double forward, double left);
   void turn(double headings);
 
-  /// The activity round the strongest cell, each axis as a population vector.
+  /// Population vector along each axis, over the cells at most `radius` from the strongest one.
   CellPose peak(int radius) const;
-  /// Length of the short way, theta included.
+  /// Shortest distance in cells, theta included.
   double distance(const CellPose& a, const CellPose& b) const;
 
  private:
-  /// All cells, and which rows are not silent.
+  /// All cells, and which rows have activity.
   struct Sheet {
     std::vector<float> values;
     std::vector<std::uint8_t> active;

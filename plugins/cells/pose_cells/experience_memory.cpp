@@ -18,7 +18,7 @@ Action ExperienceMemory::decide(const ActivityVolume& volume, const CellPose& he
                                 std::int64_t template_id) {
   const bool changed = template_id != previous_template_;
   previous_template_ = template_id;
-  // As the template saw it: without the turn by which the view differs from it.
+  // The pose at which the robot looks as in the template: without the view's turn against it.
   CellPose straight = here;
   straight.theta = wrapPeriod(here.theta - turned, volume.headings());
   const auto attached = of_template_.find(template_id);

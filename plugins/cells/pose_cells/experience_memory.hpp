@@ -25,14 +25,14 @@ class ExperienceMemory {
   std::int64_t current() const { return current_; }  ///< -1 before the first
 
  private:
-  struct Experience {
+  struct StoredPose {
     CellPose place;
     std::int64_t template_id = -1;
   };
   Action create(const CellPose& place, std::int64_t template_id);
 
   double threshold_;
-  std::vector<Experience> experiences_;
+  std::vector<StoredPose> experiences_;
   std::map<std::int64_t, std::vector<std::int64_t>> of_template_;
   std::int64_t current_ = -1;
   std::int64_t previous_template_ = -1;

@@ -34,11 +34,12 @@ Status PoseCells::configure(const Context& context) {
 
 Status PoseCells::reset() {
   const Parameters& p = parameters_;
-  state_.emplace(State{ActivityVolume(p.side, p.headings),
-                       ViewMemory({p.injected_energy, p.active_decay, p.restore, p.newest_ignored}),
-                       ExperienceMemory(p.experience_threshold),
-                       {},
-                       {}});
+  state_.emplace(State{
+      ActivityVolume(p.side, p.headings),
+      HabituatingViews<CellPose>({p.injected_energy, p.active_decay, p.restore, p.newest_ignored}),
+      ExperienceMemory(p.experience_threshold),
+      {},
+      {}});
   // In the middle, heading along x, as RatSLAM starts.
   state_->volume.add(p.side / 2, p.side / 2, 0, 1);
   state_->estimate = {0.5 * (p.side - p.side % 2), 0.5 * (p.side - p.side % 2), 0};
@@ -57,8 +58,8 @@ void PoseCells::attract() {
   volume.normalise();
 }
 
-// A shift by a small part of a cell is mostly undone by the attractor, so motions are added up
-// first.
+// The attractor mostly undoes a shift by a small part of a cell, so motions are added up until they
+// reach `least_shift`.
 void PoseCells::integrate(const Motion& motion) {
   PlanarPose& pending = state_->pending;
   pending = compose(pending, toPlanar(motion.T_previous_current));
@@ -87,10 +88,10 @@ CellPose PoseCells::estimate() const {
   return moved(state_->volume.peak(kPeakRadius), state_->pending);
 }
 
-// The packet has the pending motion still to make, so the energy goes where that motion ends at the
-// view's place. Views that agree with activity add all of it: look-alikes contradict, and each
-// other.
-void PoseCells::inject(const ViewMemory::Injection& injection, double turned) {
+// The pending motion is not yet applied to the packet, so the energy is added where that motion
+// would end at the view's place. A view near activity adds all of its energy, others less:
+// look-alikes contradict the packet and each other.
+void PoseCells::inject(const HabituatingViews<CellPose>::Injection& injection, double turned) {
   CellPose place = injection.place;
   place.theta += turned;
   place = moved(place, between(state_->pending, {}));
@@ -112,7 +113,7 @@ Status PoseCells::step(const Motion& motion, const PlaceObservation& observation
   State& state = *state_;
   decision.frame = motion.frame;
   decision.stamp_ns = motion.stamp_ns;
-  integrate(motion);  // the motion leads to the view, so it comes first
+  integrate(motion);  // before the view, which is taken at the end of the motion
   const double turned = seen ? headingCells(observation.relative_yaw) : 0;
   if (seen) {
     const auto injection = state.views.see(observation.template_id, estimate());
@@ -142,7 +143,7 @@ void PoseCells::arrays(std::vector<NamedArray>& arrays) const {
   const auto layer = static_cast<std::size_t>(side) * static_cast<std::size_t>(side);
   std::vector<float> ring(static_cast<std::size_t>(headings));
   std::vector<float> sheet(layer);
-  ActivityVolume volume = state_->volume;  // as it is after the pending motion
+  ActivityVolume volume = state_->volume;  // moved below by the pending motion
   const PlanarPose& pending = state_->pending;
   volume.move(pending.x / parameters_.cell_size, pending.y / parameters_.cell_size);
   volume.turn(headingCells(pending.theta));

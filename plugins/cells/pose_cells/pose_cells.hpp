@@ -7,9 +7,9 @@
 
 #include "activity_volume.hpp"
 #include "experience_memory.hpp"
+#include "habituating_views.hpp"
 #include "parameters.hpp"
 #include "tolman/plugin.hpp"
-#include "view_memory.hpp"
 
 namespace tolman::pose_cells {
 
@@ -29,15 +29,15 @@ class PoseCells final : public Cells, public ArraySource, public ArrayDescriptio
  private:
   struct State {
     ActivityVolume volume;
-    ViewMemory views;
+    HabituatingViews<CellPose> views;
     ExperienceMemory experiences;
-    PlanarPose pending;  ///< motion that the packet has not made yet, seen from the packet
+    PlanarPose pending;  ///< m, rad: motion not yet applied to the packet, in its axes
     CellPose estimate;
   };
 
   void attract();
   void integrate(const Motion& motion);
-  void inject(const ViewMemory::Injection& injection, double turned);
+  void inject(const HabituatingViews<CellPose>::Injection& injection, double turned);
   /// The cell reached from `place` by a motion.
   CellPose moved(const CellPose& place, const PlanarPose& motion) const;
   CellPose estimate() const;

@@ -147,7 +147,7 @@ class CeresProblem {
     return summary;
   }
 
-  /// Falling values of mu for graduated non-convexity.
+  /// Decreasing values of mu for graduated non-convexity.
   std::vector<double> easing() const {
     double worst = 0;
     for (std::size_t k = 0; k < links_.size(); ++k) {

@@ -7,7 +7,8 @@
 
 namespace tolman::experience_map {
 
-/// See optimise(). The initial weights are not used, but those that the loss gives at `nodes`.
+/// See optimise(). Starts with the weights that the loss gives at `nodes`, not with those of
+/// `links`.
 template <class G>
 Result<OptimiserOutcome> optimiseWithCeres(const OptimiserOptions& options,
                                            std::vector<typename G::Pose>& nodes,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses as Ceres knows them: blocks of numbers on a manifold.
+// Poses as parameter blocks of Ceres, on a manifold.
 #pragma once
 
 #include <ceres/manifold.h>
@@ -26,7 +26,7 @@ struct CeresPose<Plane> {
   static Block blockOf(const PlanarPose& pose) { return {pose.x, pose.y, pose.theta}; }
   /// Derivative of the step by the block.
   static RowMatrix<3, 3> stepByBlock(const double*) { return RowMatrix<3, 3>::Identity(); }
-  /// Derivative of the block by the step, at none.
+  /// Derivative of the block by the step, at the zero step.
   static RowMatrix<3, 3> blockByStep(const double*) { return RowMatrix<3, 3>::Identity(); }
   static Eigen::Vector3d between(const PlanarPose& from, const PlanarPose& to) {
     return {to.x - from.x, to.y - from.y, wrapAngle(to.theta - from.theta)};

@@ -11,7 +11,7 @@
 namespace tolman::experience_map {
 namespace {
 
-/// A loop with a smaller residual after two parts were aligned starts with full weight: the
+/// A loop with a smaller residual after two parts were aligned starts with full weight: its
 /// residual may come from drift within the parts, which is not yet corrected.
 constexpr double kNearTranslation = 20;  // m
 constexpr double kNearRotation = 0.5;    // rad
@@ -27,7 +27,7 @@ bool isNear(const PoseLink<G>& link, const std::vector<typename G::Pose>& nodes)
   return metresOf(off) < kNearTranslation && radiansOf(off) < kNearRotation;
 }
 
-/// The motion of the world that moves `from` to `to`.
+/// The motion in world coordinates that moves the pose `from` to the pose `to`.
 template <class G>
 typename G::Pose transform(const typename G::Pose& from, const typename G::Pose& to) {
   return compose(to, between(from, G::identity()));
@@ -65,8 +65,8 @@ PathParts ExperienceChain::parts() const {
   return parts;
 }
 
-/// If the visit is the first one between two parts (`before`: without it), moves the later part,
-/// with all parts joined to it, so that the visit's loop has no residual.
+/// If the visit is the first one between two parts, moves the later part, with all parts joined to
+/// it, so that the visit's loop has no residual. `before`: the parts without this visit.
 void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& before,
                                 std::size_t visit) {
   const std::size_t here = before.first(before.of(visit));
@@ -92,46 +92,52 @@ Eigen::Isometry3d ExperienceChain::shiftOf(const DeadReckoning& log, std::size_t
   return lifted(partShift(loop, poseAt(loop.from), poseAt(loop.to), visit_is_later));
 }
 
-/// Tries the relative poses that rejected loops between parts propose; keeps the least energy.
+/// Tries the relative poses that rejected loops between parts propose. Keeps the arrangement of
+/// least energy.
 template <class G>
-void ExperienceChain::rearrange(const PathParts& parts, const ChainProblem<G>& start,
+void ExperienceChain::rearrange(const PathParts& parts, const std::vector<typename G::Pose>& start,
                                 OptimiserOptions options, std::size_t attempts,
-                                ChainProblem<G>& best, OptimiserOutcome& outcome) const {
+                                ChainProblem<G>& best, OptimiserOutcome& outcome,
+                                ChainSystem<G>& system) const {
   if (parts.count() == 1) return;
-  const std::vector<PoseLink<G>> judged = best.links;
-  for (std::size_t k = judged.size(); k-- > anchors_.size() - 1 && attempts > 0;) {
-    const std::size_t from = parts.of(judged[k].from);
-    const std::size_t to = parts.of(judged[k].to);
-    if (from == to || judged[k].weight >= parameters_.min_loop_weight) continue;
+  std::vector<PoseLink<G>>& links = best.links;
+  const std::vector<double> judged = weightsOf(links);
+  std::vector<double> kept = judged;
+  for (std::size_t k = links.size(); k-- > anchors_.size() - 1 && attempts > 0;) {
+    const std::size_t from = parts.of(links[k].from);
+    const std::size_t to = parts.of(links[k].to);
+    if (from == to || judged[k] >= parameters_.min_loop_weight) continue;
     --attempts;
-    ChainProblem<G> other = start;
+    std::vector<typename G::Pose> nodes = start;
     const typename G::Pose shift =
-        partShift(judged[k], other.nodes[judged[k].from], other.nodes[judged[k].to], to > from);
-    for (std::size_t i = 0; i < other.nodes.size(); ++i) {
-      if (parts.of(i) == std::max(from, to)) other.nodes[i] = compose(shift, other.nodes[i]);
+        partShift(links[k], nodes[links[k].from], nodes[links[k].to], to > from);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (parts.of(i) == std::max(from, to)) nodes[i] = compose(shift, nodes[i]);
     }
-    for (PoseLink<G>& link : other.links) {
-      if (link.robust) link.weight = isNear(link, other.nodes) ? 1 : kRejectedWeight;
+    for (PoseLink<G>& link : links) {
+      if (link.robust) link.weight = isNear(link, nodes) ? 1 : kRejectedWeight;
     }
-    const Result<OptimiserOutcome> found = optimise<G>(options, other.nodes, other.links);
+    const Result<OptimiserOutcome> found = optimise<G>(options, nodes, links, system);
     if (!found.isOk() || found.value().energy >= outcome.energy) continue;
     outcome = found.value();
-    best = std::move(other);
+    best.nodes = std::move(nodes);
+    kept = weightsOf(links);
   }
+  setWeights(links, kept);
 }
 
-template void ExperienceChain::rearrange<Plane>(const PathParts&, const ChainProblem<Plane>&,
+template void ExperienceChain::rearrange<Plane>(const PathParts&, const std::vector<PlanarPose>&,
                                                 OptimiserOptions, std::size_t, ChainProblem<Plane>&,
-                                                OptimiserOutcome&) const;
-template void ExperienceChain::rearrange<Space>(const PathParts&, const ChainProblem<Space>&,
+                                                OptimiserOutcome&, ChainSystem<Plane>&) const;
+template void ExperienceChain::rearrange<Space>(const PathParts&,
+                                                const std::vector<Eigen::Isometry3d>&,
                                                 OptimiserOptions, std::size_t, ChainProblem<Space>&,
-                                                OptimiserOutcome&) const;
+                                                OptimiserOutcome&, ChainSystem<Space>&) const;
 
 void ExperienceChain::restore(const DeadReckoning& log, State state) {
   anchors_ = std::move(state.anchors);
-  links_ = state.links;
-  loops_ = state.loops;
   pending_ = state.pending;
+  drift_ = state.drift;
   begins_ = {0};
   of_experience_.clear();
   last_visit_ = 0;
@@ -144,6 +150,7 @@ void ExperienceChain::restore(const DeadReckoning& log, State state) {
     measured_ = measured_ || (anchor.visit && !anchor.assumed);
     if (!anchor.visit && anchor.experience >= 0) of_experience_.push_back(i);
   }
+  countLinks();
 }
 
 }  // namespace tolman::experience_map

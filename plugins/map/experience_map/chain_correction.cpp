@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The correction of the chain: its links as a problem of the optimiser, and the solution back.
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "experience_chain.hpp"
 
 namespace tolman::experience_map {
 namespace {
 
-/// Coordinates of a step that are lengths; they come first.
+/// Number of coordinates of a step that are lengths; they come first.
 template <class G>
 constexpr int kLengths = G::kSize == 3 ? 2 : 3;
 
-/// The motion over a gap is unknown. Where a loop joins the segment to an earlier one, the
-/// variance is so large that the link has no influence; if none does yet, a unit covariance fixes
-/// the otherwise free pose of the segment.
+/// Covariance of the unknown motion over a gap. If a loop joins the part to an earlier one, it is
+/// so large that the link has no influence; otherwise a unit covariance fixes the free pose of the
+/// part.
 template <class G>
 MatrixOf<G> gapCovariance(bool unjoined) {
   constexpr double kLooseVariance = 1e6;      // m^2
@@ -40,6 +43,7 @@ Status ExperienceChain::correctFinally(const DeadReckoning& log, int iterations,
   for (Anchor& anchor : anchors_) {
     anchor.rejected = anchor.visit && anchor.offset_weight < parameters_.min_loop_weight;
   }
+  countLinks();  // the odometry link after a rejected visit starts before that visit
   return status;
 }
 
@@ -57,6 +61,9 @@ Status ExperienceChain::optimiseAll(const DeadReckoning& log, OptimiserOptions o
 template <class G>
 ChainProblem<G> ExperienceChain::problem(const DeadReckoning& log) const {
   ChainProblem<G> problem;
+  problem.reckoned.reserve(anchors_.size());
+  problem.nodes.reserve(anchors_.size());
+  problem.links.reserve(2 * anchors_.size());
   for (const Anchor& anchor : anchors_) {
     problem.reckoned.push_back(poseIn<G>(log[anchor.slot].T_start_camera));
     problem.nodes.push_back(compose(poseIn<G>(anchor.correction), problem.reckoned.back()));
@@ -75,24 +82,66 @@ template <class G>
 Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions options,
                                    Effort effort) {
   constexpr std::size_t kFinalAttempts = 10;  // bounds the time of the final correction
+  constexpr double kToleranceBeforeLearning = 1e-6;
   options.solver = parameters_.solver;
   options.loss = parameters_.loss;
-  // The squared residual of a right link is as large as the residual has dimensions; the parameters
-  // are for three.
+  // The expected squared residual of a right link is its number of dimensions; the parameters are
+  // for three dimensions.
   options.delta =
       std::sqrt(G::kSize / 3.0) *
       (options.loss == Loss::Huber ? parameters_.huber_delta : parameters_.geman_mcclure_scale);
-  const ChainProblem<G> start = problem<G>(log);
-  ChainProblem<G> found = start;
+  const bool learns =
+      std::is_same_v<G, Space> && effort == Effort::Final && parameters_.learn_drift;
+  OptimiserOptions first = options;  // coarser if another optimisation follows
+  if (learns) first.tolerance = std::max(options.tolerance, kToleranceBeforeLearning);
+  ChainProblem<G> found = problem<G>(log);
+  const PathParts joined = parts();
+  std::vector<typename G::Pose> start;  // the other arrangements of the parts begin there
+  if (joined.count() > 1) start = found.nodes;
+  ChainSystem<G> system;
   const Result<OptimiserOutcome> outcome =
       effort == Effort::Online
-          ? optimise<G>(options, found.nodes, found.links)
-          : optimiseMultiStart<G>(options, found.reckoned, found.nodes, found.links);
+          ? optimise<G>(first, found.nodes, found.links, system)
+          : optimiseMultiStart<G>(first, found.reckoned, found.nodes, found.links, system);
   if (!outcome.isOk()) return outcome.status();
   OptimiserOutcome best = outcome.value();
-  rearrange<G>(parts(), start, options, effort == Effort::Online ? 1 : kFinalAttempts, found, best);
+  rearrange<G>(joined, start, first, effort == Effort::Online ? 1 : kFinalAttempts, found, best,
+               system);
+  if constexpr (std::is_same_v<G, Space>) {
+    if (learns) {
+      Status status = learnDriftAndCorrect(log, options, found, best, system);
+      if (!status.isOk()) return status;
+    }
+  }
   pending_ = !best.converged;
   apply<G>(found);
+  return Status::ok();
+}
+
+/// Learns the drift from the loops that were not rejected, then optimises all links again under it.
+Status ExperienceChain::learnDriftAndCorrect(const DeadReckoning& log,
+                                             const OptimiserOptions& options,
+                                             ChainProblem<Space>& found, OptimiserOutcome& outcome,
+                                             ChainSystem<Space>& system) {
+  const PathParts joined = parts();
+  const auto adopt = [&](const DriftModel& drift) {
+    drift_ = drift;
+    for (std::size_t i = 1; i < anchors_.size(); ++i) {
+      const double weight = found.links[i - 1].weight;
+      found.links[i - 1] = wayLink<Space>(log, i, joined);
+      found.links[i - 1].weight = weight;
+    }
+  };
+  std::vector<double> lengths;
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    lengths.push_back(anchors_[i].gap ? 0 : anchors_[i].way.length);
+  }
+  const DriftPrior prior = {parameters_.drift_rotation, parameters_.steady_drift};
+  adopt({prior.rotation, Eigen::Vector3d::Zero()});
+  adopt(learnDrift(found.nodes, found.links, lengths, prior, system));
+  const Result<OptimiserOutcome> again = optimise<Space>(options, found.nodes, found.links, system);
+  if (!again.isOk()) return again.status();
+  outcome = again.value();
   return Status::ok();
 }
 
@@ -118,6 +167,9 @@ PoseLink<G> ExperienceChain::wayLink(const DeadReckoning& log, std::size_t i,
   PoseLink<G> link = linkOf<G>(T_start_from, {T_from_to, anchor.way.covariance});
   link.from = i - 1;
   link.to = i;
+  if constexpr (std::is_same_v<G, Space>) {
+    link = withDrift(link, anchor.way.length, parameters_.drift_rotation, drift_);
+  }
   if (anchor.gap) link.covariance = gapCovariance<G>(parts.first(parts.of(i)) == parts.of(i));
   link.robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber;
   link.weight = anchor.way_weight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The optimiser's problem in a geometry, and how poses of the map become those of the geometry.
+// The optimiser's problem in a geometry G, and the conversion of the map's poses to those of G.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@ namespace tolman::experience_map {
 
 template <class G>
 struct ChainProblem {
-  std::vector<typename G::Pose> reckoned;  ///< of the anchors by dead reckoning
+  std::vector<typename G::Pose> reckoned;  ///< poses of the anchors by dead reckoning
   std::vector<typename G::Pose> nodes;
   std::vector<PoseLink<G>> links;  ///< odometry links, then loop links
 };
@@ -31,8 +31,9 @@ inline Eigen::Isometry3d poseIn<Space>(const Eigen::Isometry3d& T_world_camera) 
 inline Eigen::Isometry3d lifted(const PlanarPose& pose) { return fromPlanar(pose); }
 inline Eigen::Isometry3d lifted(const Eigen::Isometry3d& pose) { return normalised(pose); }
 
-/// A motion from T_start_from on, as a link has it. In the plane it is measured in the plane of the
-/// world, not of the tilted camera, so that dead reckoning has no residual.
+/// The pose and covariance of a link over a motion that starts at T_start_from. In the plane the
+/// motion is projected to the plane of the world, not to that of the tilted camera, so that dead
+/// reckoning has no residual.
 template <class G>
 PoseLink<G> linkOf(const Eigen::Isometry3d& T_start_from, const UncertainPose& motion);
 template <>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elimination from knot to knot, the sparse rest, and the way back.
+// Elimination between the knots, factorisation of the knots, and back-substitution.
+//
+// Products are written so that the left factor is stored by columns (transposed factors are copied
+// first), because Eigen vectorises only these.
 #include "chain_system.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <map>
 #include <utility>
 
+#include "block_inverse.hpp"
 #include "planar_link.hpp"
 #include "spatial_link.hpp"
 
@@ -21,174 +24,230 @@ bool isStep(const PoseLink<G>& link) {
 }  // namespace
 
 template <class G>
-ChainSystem<G>::ChainSystem(std::size_t nodes, const std::vector<PoseLink<G>>& links)
-    : diagonal_(nodes),
-      chain_(nodes),
-      gradient_(nodes),
-      pivot_(nodes),
-      left_(nodes),
-      right_(nodes) {
-  knots_.push_back(0);
+void ChainSystem<G>::build(std::size_t nodes, const std::vector<PoseLink<G>>& links) {
+  for (auto* blocks : {&diagonal_, &chain_, &pivot_, &left_}) blocks->resize(nodes);
+  gradient_.resize(nodes);
+  takeCovariances(links);
+  joints_.clear();
+  knots_ = {0};
   for (const PoseLink<G>& link : links) {
-    information_.push_back(informationOf(link.covariance));
     if (isStep(link)) continue;
     knots_.push_back(link.from);
     knots_.push_back(link.to);
   }
   std::ranges::sort(knots_);
   knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
+  if (knots_.size() < 2) return;
+  findJoints(links);
+  std::vector<Entry> entries;
+  for (std::size_t k = 2; k < knots_.size(); ++k) entries.emplace_back(k - 1, k - 2);
+  for (const Joint& joint : joints_) {
+    if (joint.column > 0) entries.emplace_back(joint.row - 1, joint.column - 1);
+  }
+  knot_factors_ = BlockCholesky<G::kSize>(knots_.size() - 1, entries);
+}
 
+template <class G>
+void ChainSystem<G>::findJoints(const std::vector<PoseLink<G>>& links) {
   const auto knotOf = [&](std::size_t node) {
     return static_cast<std::size_t>(std::ranges::lower_bound(knots_, node) - knots_.begin());
   };
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> seen;
-  for (const PoseLink<G>& link : links) {
-    if (isStep(link)) {
-      joint_of_.push_back(0);
-      continue;
-    }
-    const std::size_t column = knotOf(std::min(link.from, link.to));
-    const std::size_t row = knotOf(std::max(link.from, link.to));
+  joint_of_.resize(links.size());
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    if (isStep(links[k])) continue;
+    const std::size_t column = knotOf(std::min(links[k].from, links[k].to));
+    const std::size_t row = knotOf(std::max(links[k].from, links[k].to));
     const auto [place, fresh] = seen.try_emplace({row, column}, joints_.size());
     if (fresh) joints_.push_back({row, column, Block::Zero()});
-    joint_of_.push_back(place->second);
+    joint_of_[k] = place->second;
+  }
+}
+
+template <class G>
+void ChainSystem<G>::takeCovariances(const std::vector<PoseLink<G>>& links) {
+  information_.resize(links.size());
+  log_information_.resize(links.size());
+  for (std::size_t k = 0; k < links.size(); ++k) {
+    information_[k] = informationOf(links[k].covariance, log_information_[k]);
   }
 }
 
 template <class G>
 void ChainSystem<G>::linearise(const std::vector<Pose>& nodes,
-                               const std::vector<PoseLink<G>>& links) {
+                               const std::vector<PoseLink<G>>& links, std::span<const double> bends,
+                               const Visit& visit) {
   std::ranges::fill(diagonal_, Block::Zero());
   std::ranges::fill(chain_, Block::Zero());
   std::ranges::fill(gradient_, Step::Zero());
   for (Joint& joint : joints_) joint.block.setZero();
   for (std::size_t k = 0; k < links.size(); ++k) {
     const PoseLink<G>& link = links[k];
-    const Pose& from = nodes[link.from];
-    const Pose& to = nodes[link.to];
-    const LinkDerivatives<G> by = derivativesOf(link, from, to);
-    const Block information = link.weight * information_[k];
-    const Step pull = information * residualOf(link, from, to);
-    const Block from_information = by.by_from.transpose() * information;
-    diagonal_[link.from] += from_information * by.by_from;
-    diagonal_[link.to] += by.by_to.transpose() * information * by.by_to;
-    gradient_[link.from] += by.by_from.transpose() * pull;
-    gradient_[link.to] += by.by_to.transpose() * pull;
-    const Block across = from_information * by.by_to;  // rows of `from`
-    if (isStep(link)) {
-      chain_[link.to] += across;
-    } else if (link.from > link.to) {
-      joints_[joint_of_[k]].block += across;
-    } else {
-      joints_[joint_of_[k]].block += across.transpose();
+    const LinkDerivatives<G> by = derivativesOf(link, nodes[link.from], nodes[link.to]);
+    const Step whitened = information_[k] * by.residual;
+    Block information = information_[k];
+    if (!bends.empty() && bends[k] > 0) {
+      information.noalias() -= (bends[k] * whitened) * whitened.transpose();
     }
+    add(link, link.weight * information, by, link.weight * whitened, k);
+    if (visit) visit(k, by);
+  }
+}
+
+template <class G>
+void ChainSystem<G>::add(const PoseLink<G>& link, const Block& information,
+                         const LinkDerivatives<G>& by, const Step& pull, std::size_t k) {
+  const Block from_transposed = by.by_from.transpose();
+  const Block to_transposed = by.by_to.transpose();
+  const Block weighed_to = information * by.by_to;
+  const Block weighed_from = information * by.by_from;
+  diagonal_[link.from].noalias() += from_transposed * weighed_from;
+  diagonal_[link.to].noalias() += to_transposed * weighed_to;
+  gradient_[link.from].noalias() += from_transposed * pull;
+  gradient_[link.to].noalias() += to_transposed * pull;
+  const Block across = from_transposed * weighed_to;  // rows of `from`
+  if (isStep(link)) {
+    chain_[link.to] += across;
+  } else if (link.from > link.to) {
+    joints_[joint_of_[k]].block += across;
+  } else {
+    joints_[joint_of_[k]].block += across.transpose();
   }
 }
 
 template <class G>
 bool ChainSystem<G>::solve(double damping, std::vector<Step>& step) {
+  return factorise(damping) && solveFor<1>(gradient_, step);
+}
+
+template <class G>
+bool ChainSystem<G>::factorise(double damping) {
   for (std::size_t k = 0; k < diagonal_.size(); ++k) {
     pivot_[k] = diagonal_[k];
     pivot_[k].diagonal() *= 1 + damping;
-    right_[k] = -gradient_[k];
   }
-  eliminateTail();
-  eliminate();
-  step.assign(diagonal_.size(), Step::Zero());
-  if (!solveKnots(step)) return false;
-  substitute(step);
-  return std::ranges::all_of(step, [](const Step& s) { return s.allFinite(); });
+  log_determinant_ = 0;
+  return eliminateTail() && eliminate() && factoriseKnots();
 }
 
-/// Behind the last knot, from the end.
 template <class G>
-void ChainSystem<G>::eliminateTail() {
+template <int kColumns>
+bool ChainSystem<G>::solveFor(const Columns<kColumns>& right, Columns<kColumns>& x) {
+  x.resize(right.size());
+  for (std::size_t k = 0; k < right.size(); ++k) x[k] = -right[k];
+  reduceRight<kColumns>(x);
+  x[0].setZero();  // node 0 is fixed
+  solveKnots<kColumns>(x);
+  substitute<kColumns>(x);
+  return std::ranges::all_of(x, [](const auto& part) { return part.allFinite(); });
+}
+
+template <class G>
+double ChainSystem<G>::logDeterminant() const {
+  return log_determinant_ + (knots_.size() > 1 ? knot_factors_.logDeterminant() : 0);
+}
+
+/// Eliminates the nodes after the last knot, from the end.
+template <class G>
+bool ChainSystem<G>::eliminateTail() {
   for (std::size_t k = diagonal_.size() - 1; k > knots_.back(); --k) {
-    pivot_[k] = pivot_[k].inverse().eval();
-    const Block factor = chain_[k] * pivot_[k];
-    pivot_[k - 1] -= factor * chain_[k].transpose();
-    right_[k - 1] -= factor * right_[k];
+    if (!invertPositive(pivot_[k], log_determinant_)) return false;
+    const Block across = chain_[k] * pivot_[k];
+    pivot_[k - 1].noalias() -= across * chain_[k].transpose();
   }
+  return true;
 }
 
-/// Between two knots, from the left. Afterwards left_ of a knot joins it to the knot before.
+/// Eliminates the nodes between two knots, in ascending order. Afterwards left_ of a knot joins it
+/// to the knot before.
 template <class G>
-void ChainSystem<G>::eliminate() {
+bool ChainSystem<G>::eliminate() {
   for (std::size_t knot = 1; knot < knots_.size(); ++knot) {
     const std::size_t first = knots_[knot - 1];
     left_[first + 1] = chain_[first + 1];
     for (std::size_t k = first + 1; k < knots_[knot]; ++k) {
-      pivot_[k] = pivot_[k].inverse().eval();
+      if (!invertPositive(pivot_[k], log_determinant_)) return false;
+      const Block back = chain_[k + 1].transpose();
       const Block to_left = left_[k] * pivot_[k];
-      const Block to_next = chain_[k + 1].transpose() * pivot_[k];
-      pivot_[first] -= to_left * left_[k].transpose();
-      pivot_[k + 1] -= to_next * chain_[k + 1];
-      left_[k + 1] = -to_left * chain_[k + 1];
-      right_[first] -= to_left * right_[k];
-      right_[k + 1] -= to_next * right_[k];
+      const Block to_next = back * pivot_[k];
+      pivot_[first].noalias() -= to_left * left_[k].transpose();
+      pivot_[k + 1].noalias() -= to_next * chain_[k + 1];
+      left_[k + 1].noalias() = -to_left * chain_[k + 1];
     }
-  }
-}
-
-/// The system of the knots. Knot 0 is node 0, which is held, so knot k
-/// has the unknowns from G::kSize (k - 1) on.
-template <class G>
-Eigen::SparseMatrix<double> ChainSystem<G>::knotMatrix(Eigen::VectorXd& right) const {
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto add = [&](std::size_t row, std::size_t column, const Block& block) {
-    for (int i = 0; i < G::kSize; ++i) {
-      for (int j = 0; j < G::kSize; ++j) {
-        if (row == column && j > i) continue;
-        entries.emplace_back(static_cast<int>(indexOf(row)) + i,
-                             static_cast<int>(indexOf(column)) + j, block(i, j));
-      }
-    }
-  };
-  right.resize(indexOf(knots_.size()));
-  for (std::size_t k = 1; k < knots_.size(); ++k) {
-    add(k, k, pivot_[knots_[k]]);
-    if (k > 1) add(k, k - 1, left_[knots_[k]].transpose());
-    right.template segment<G::kSize>(indexOf(k)) = right_[knots_[k]];
-  }
-  for (const Joint& joint : joints_) {
-    if (joint.column > 0) add(joint.row, joint.column, joint.block);
-  }
-  Eigen::SparseMatrix<double> matrix(right.size(), right.size());
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return matrix;
-}
-
-template <class G>
-bool ChainSystem<G>::solveKnots(std::vector<Step>& step) {
-  if (knots_.size() < 2) return true;
-  Eigen::VectorXd right;
-  const Eigen::SparseMatrix<double> matrix = knotMatrix(right);
-  if (!analysed_) solver_.analyzePattern(matrix);
-  analysed_ = true;
-  solver_.factorize(matrix);
-  if (solver_.info() != Eigen::Success) return false;
-  const Eigen::VectorXd solution = solver_.solve(right);
-  for (std::size_t k = 1; k < knots_.size(); ++k) {
-    step[knots_[k]] = solution.template segment<G::kSize>(indexOf(k));
   }
   return true;
 }
 
 template <class G>
-void ChainSystem<G>::substitute(std::vector<Step>& step) const {
+bool ChainSystem<G>::factoriseKnots() {
+  if (knots_.size() < 2) return true;
+  knot_factors_.setZero();
+  std::size_t entry = 0;
+  for (std::size_t k = 1; k < knots_.size(); ++k) {
+    knot_factors_.diagonal(k - 1) = pivot_[knots_[k]];
+    if (k > 1) knot_factors_.add(entry++, left_[knots_[k]].transpose());
+  }
+  for (const Joint& joint : joints_) {
+    if (joint.column > 0) knot_factors_.add(entry++, joint.block);
+  }
+  return knot_factors_.factorise();
+}
+
+/// Applies the eliminations to the right-hand side x.
+template <class G>
+template <int kColumns>
+void ChainSystem<G>::reduceRight(Columns<kColumns>& x) const {
+  using Part = Eigen::Matrix<double, G::kSize, kColumns>;
+  for (std::size_t k = x.size() - 1; k > knots_.back(); --k) {
+    const Part solved = pivot_[k] * x[k];
+    x[k - 1].noalias() -= chain_[k] * solved;
+  }
+  for (std::size_t knot = 1; knot < knots_.size(); ++knot) {
+    const std::size_t first = knots_[knot - 1];
+    for (std::size_t k = first + 1; k < knots_[knot]; ++k) {
+      const Part solved = pivot_[k] * x[k];
+      x[first].noalias() -= left_[k] * solved;
+      x[k + 1].noalias() -= chain_[k + 1].transpose() * solved;
+    }
+  }
+}
+
+/// Replaces the right-hand sides of the knots by their solutions.
+template <class G>
+template <int kColumns>
+void ChainSystem<G>::solveKnots(Columns<kColumns>& x) const {
+  if (knots_.size() < 2) return;
+  Columns<kColumns> solution(knots_.size() - 1);
+  for (std::size_t k = 1; k < knots_.size(); ++k) solution[k - 1] = x[knots_[k]];
+  knot_factors_.solve(solution);
+  for (std::size_t k = 1; k < knots_.size(); ++k) x[knots_[k]] = solution[k - 1];
+}
+
+/// Replaces the right-hand sides of the eliminated nodes by their solutions.
+template <class G>
+template <int kColumns>
+void ChainSystem<G>::substitute(Columns<kColumns>& x) const {
+  using Part = Eigen::Matrix<double, G::kSize, kColumns>;
   for (std::size_t knot = 1; knot < knots_.size(); ++knot) {
     const std::size_t first = knots_[knot - 1];
     for (std::size_t k = knots_[knot] - 1; k > first; --k) {
-      step[k] = pivot_[k] *
-                (right_[k] - left_[k].transpose() * step[first] - chain_[k + 1] * step[k + 1]);
+      Part rest = x[k];
+      rest.noalias() -= left_[k].transpose() * x[first];
+      rest.noalias() -= chain_[k + 1] * x[k + 1];
+      x[k].noalias() = pivot_[k] * rest;
     }
   }
-  for (std::size_t k = knots_.back() + 1; k < step.size(); ++k) {
-    step[k] = pivot_[k] * (right_[k] - chain_[k].transpose() * step[k - 1]);
+  for (std::size_t k = knots_.back() + 1; k < x.size(); ++k) {
+    Part rest = x[k];
+    rest.noalias() -= chain_[k].transpose() * x[k - 1];
+    x[k].noalias() = pivot_[k] * rest;
   }
 }
 
 template class ChainSystem<Plane>;
 template class ChainSystem<Space>;
+template bool ChainSystem<Space>::solveFor<1>(const Columns<1>&, Columns<1>&);
+template bool ChainSystem<Space>::solveFor<4>(const Columns<4>&, Columns<4>&);
+template bool ChainSystem<Plane>::solveFor<1>(const Columns<1>&, Columns<1>&);
 
 }  // namespace tolman::experience_map

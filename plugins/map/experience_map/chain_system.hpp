@@ -5,11 +5,13 @@
 // (knots). Exact, and linear in the length of the chain.
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <tolman/geometry.hpp>
 #include <vector>
 
+#include "block_cholesky.hpp"
 #include "pose_link.hpp"
 
 namespace tolman::experience_map {
@@ -19,19 +21,45 @@ class ChainSystem {
  public:
   using Pose = typename G::Pose;
   using Step = StepOf<G>;
+  using Visit = std::function<void(std::size_t, const LinkDerivatives<G>&)>;
+  /// kColumns right-hand sides or solutions: a block of rows for each node.
+  template <int kColumns>
+  using Columns = std::vector<Eigen::Matrix<double, G::kSize, kColumns>>;
 
-  /// The links may join any nodes, but each node k > 0 needs a link from k - 1.
-  ChainSystem(std::size_t nodes, const std::vector<PoseLink<G>>& links);
+  ChainSystem() = default;
+  ChainSystem(std::size_t nodes, const std::vector<PoseLink<G>>& links) { build(nodes, links); }
 
-  /// Sets up the normal equations at `nodes`, the links with their weights.
-  void linearise(const std::vector<Pose>& nodes, const std::vector<PoseLink<G>>& links);
-  /// The step of each node; node 0 is held. `damping` is a share of the diagonal.
-  /// False when the system is singular.
+  /// Prepares for these nodes and links, in the memory of an earlier system: the first use of new
+  /// memory takes longer than a step. The links may join any nodes, but each node k > 0 needs a
+  /// link from k - 1.
+  void build(std::size_t nodes, const std::vector<PoseLink<G>>& links);
+
+  /// Updates the covariances of the links; their ends must be the same as before.
+  void takeCovariances(const std::vector<PoseLink<G>>& links);
+  /// Sets up the normal equations at `nodes`, the links with their weights. `bends`, if not empty,
+  /// adds the curvature of the robust loss: the information W of a link with residual r becomes
+  /// W - bend * W r r' W. `visit` is called with each link's number and derivatives.
+  void linearise(const std::vector<Pose>& nodes, const std::vector<PoseLink<G>>& links,
+                 std::span<const double> bends = {}, const Visit& visit = {});
+  /// Eliminates and factorises. `damping`: this share of the diagonal is added to it. False when
+  /// the system is not positive definite.
+  bool factorise(double damping);
+  /// factorise(), then the step of each node; node 0 is fixed.
   bool solve(double damping, std::vector<Step>& step);
+  /// Solves H x = -right with the factorised H, for right-hand sides of the caller.
+  template <int kColumns>
+  bool solveFor(const Columns<kColumns>& right, Columns<kColumns>& x);
+  /// Logarithm of the determinant of the factorised system.
+  double logDeterminant() const;
+  const std::vector<Step>& gradient() const { return gradient_; }
+  /// Inverse covariance of each link.
+  const std::vector<MatrixOf<G>>& information() const { return information_; }
+  /// Logarithm of the determinant of each link's information.
+  const std::vector<double>& logInformation() const { return log_information_; }
 
  private:
   using Block = MatrixOf<G>;
-  using Solver = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
+  using Entry = typename BlockCholesky<G::kSize>::Entry;
   /// Two knots joined by loops, and the sum of their blocks.
   struct Joint {
     std::size_t row;  ///< knot, the later one
@@ -39,18 +67,23 @@ class ChainSystem {
     Block block = Block::Zero();
   };
 
-  void eliminate();
-  void eliminateTail();
-  static Eigen::Index indexOf(std::size_t knot) {
-    return static_cast<Eigen::Index>(G::kSize * (knot - 1));
-  }
-  Eigen::SparseMatrix<double> knotMatrix(Eigen::VectorXd& right) const;
-  bool solveKnots(std::vector<Step>& step);
-  void substitute(std::vector<Step>& step) const;
+  void findJoints(const std::vector<PoseLink<G>>& links);
+  void add(const PoseLink<G>& link, const Block& information, const LinkDerivatives<G>& by,
+           const Step& pull, std::size_t k);
+  bool eliminateTail();
+  bool eliminate();
+  bool factoriseKnots();
+  template <int kColumns>
+  void reduceRight(Columns<kColumns>& x) const;
+  template <int kColumns>
+  void solveKnots(Columns<kColumns>& x) const;
+  template <int kColumns>
+  void substitute(Columns<kColumns>& x) const;
 
-  std::vector<Block> information_;     ///< of each link
+  std::vector<Block> information_;  ///< of each link
+  std::vector<double> log_information_;
   std::vector<std::size_t> knots_;     ///< nodes with loops, and node 0; ascending
-  std::vector<std::size_t> joint_of_;  ///< of each link that is no step of the chain
+  std::vector<std::size_t> joint_of_;  ///< joint of each link that is not of the chain
   std::vector<Joint> joints_;
 
   // Normal equations; chain block k joins node k - 1 (rows) and node k (columns).
@@ -58,12 +91,13 @@ class ChainSystem {
   std::vector<Block> chain_;
   std::vector<Step> gradient_;
 
-  // The same while it is being eliminated.
-  std::vector<Block> pivot_;  ///< inverse for eliminated nodes
-  std::vector<Block> left_;   ///< joins a node to the knot before it
-  std::vector<Step> right_;   ///< right-hand side
-  Solver solver_;
-  bool analysed_ = false;
+  // The same after the elimination.
+  std::vector<Block> pivot_;    ///< inverse for eliminated nodes
+  std::vector<Block> left_;     ///< joins a node to the knot before it
+  double log_determinant_ = 0;  ///< of the eliminated nodes
+  /// Factorisation of the system of the knots. Knot 0 is node 0, which is fixed, so row k belongs
+  /// to knot k + 1. The entries are those of neighbouring knots, then those of the joints.
+  BlockCholesky<G::kSize> knot_factors_;
 };
 
 extern template class ChainSystem<Plane>;

@@ -7,7 +7,7 @@
 namespace tolman::experience_map {
 namespace {
 
-/// Without height, pitch and roll, up to rounding.
+/// Whether the motion has no height, pitch and roll, up to rounding.
 bool isInPlane(const Eigen::Isometry3d& motion) {
   constexpr double kRounding = 1e-9;
   return std::abs(motion.translation().y()) <= kRounding &&
@@ -81,19 +81,18 @@ std::optional<std::size_t> DeadReckoning::slotOf(std::int64_t frame) const {
   return static_cast<std::size_t>(found - frames_.begin());
 }
 
-UncertainPose DeadReckoning::between(std::size_t from, std::size_t to) const {
-  UncertainPose way;
-  double length = 0;
+Way DeadReckoning::between(std::size_t from, std::size_t to) const {
+  Way way;
   for (std::size_t slot = from + 1; slot <= to; ++slot) {
     const UncertainPose motion = motions_[slot];
-    way = compose(way, motion);
-    length += motion.T.translation().norm();
+    static_cast<UncertainPose&>(way) = compose(way, motion);
+    way.length += motion.T.translation().norm();
   }
   way.T = frames_[from].T_start_camera.inverse() * frames_[to].T_start_camera;
   // Systematic drift, which covariances between frames do not contain. The minimal length keeps the
   // covariance of a link at standstill regular.
   constexpr double kLeast = 0.01;  // m
-  const double drifting = std::max(length, kLeast);
+  const double drifting = std::max(way.length, kLeast);
   way.covariance +=
       isotropic(parameters_.drift_translation * drifting, parameters_.drift_rotation * drifting);
   return way;

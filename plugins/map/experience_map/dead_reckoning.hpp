@@ -33,7 +33,7 @@ class DeadReckoning {
  public:
   explicit DeadReckoning(const Parameters& parameters = {}) : parameters_(parameters) {}
 
-  /// InvalidInput where `motion` cannot follow the motions appended so far.
+  /// InvalidInput if `motion` cannot follow the motions appended so far.
   Status check(const Motion& motion) const;
   /// A motion in state Initialising after one in another state is a gap: tracking restarted at an
   /// unknown pose.
@@ -44,21 +44,22 @@ class DeadReckoning {
 
   std::optional<std::size_t> slotOf(std::int64_t frame) const;
   /// Motion from one slot to a later one, with its covariance.
-  UncertainPose between(std::size_t from, std::size_t to) const;
+  Way between(std::size_t from, std::size_t to) const;
   double seconds(std::size_t from, std::size_t to) const;
 
   const ReckonedFrame& operator[](std::size_t slot) const { return frames_[slot]; }
-  /// From the previous slot; the identity at slot 0. Reads a file where the slot is old.
+  /// Motion from the previous slot; the identity at slot 0. For an old slot it is read from a file.
   UncertainPose motionTo(std::size_t slot) const { return motions_[slot]; }
   void moveTo(std::size_t slot, std::int64_t anchor) { frames_[slot].anchor = anchor; }
   std::size_t size() const { return frames_.size(); }
   std::size_t last() const { return frames_.size() - 1; }
-  /// Whether no motion so far has left the plane of the first camera, as recorded planar motion.
+  /// Whether all motions so far were in the plane of the first camera, as recorded planar motion
+  /// is.
   bool isPlanar() const { return planar_; }
   /// Whether the scale of all motions so far was known.
   bool isMetric() const { return metric_; }
   void setMetric(bool metric) { metric_ = metric; }
-  /// The next frame of a saved state; T_start_camera is recomputed.
+  /// Appends the next frame of a saved state; T_start_camera is recomputed.
   void restore(ReckonedFrame frame, const UncertainPose& motion);
 
  private:

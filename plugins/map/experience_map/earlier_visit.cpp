@@ -6,16 +6,7 @@
 
 namespace tolman::experience_map {
 
-/// Adds (+1) or removes (-1) the link that graph() makes of anchor i in the counts.
-void ExperienceChain::countLink(std::size_t i, int sign) {
-  if (i == 0 || i >= anchors_.size() || anchors_[i].gap) return;
-  const std::int64_t from = anchors_[i - 1].experience;
-  if (from < 0 || from == anchors_[i].experience) return;
-  links_ += sign;
-  if (anchors_[i].visit) loops_ += sign;
-}
-
-/// Anchors from index `i` on have moved up by one: all that refers to them follows.
+/// Updates all references to anchors after an anchor was inserted at index `i`.
 void ExperienceChain::renumber(DeadReckoning& log, std::size_t i) {
   for (std::size_t& created : of_experience_) created += created >= i ? 1 : 0;
   for (std::size_t& begin : begins_) begin += begin >= i ? 1 : 0;
@@ -31,7 +22,7 @@ void ExperienceChain::insertVisit(DeadReckoning& log, std::size_t slot, std::int
                                   const UncertainPose& measured) {
   const auto i = static_cast<std::size_t>(log[slot].anchor) + 1;
   const Anchor before = anchors_[i - 1];
-  if (before.slot == slot && before.visit) return;  // this frame's loop is known
+  if (before.slot == slot && before.visit) return;  // this frame has a loop already
   Anchor visit;
   visit.slot = slot;
   visit.experience = experience;
@@ -40,17 +31,15 @@ void ExperienceChain::insertVisit(DeadReckoning& log, std::size_t slot, std::int
   measured_ = true;
   visit.way = log.between(before.slot, slot);
   visit.correction = before.correction;
-  countLink(i, -1);
   anchors_.insert(anchors_.begin() + static_cast<std::ptrdiff_t>(i), visit);
   renumber(log, i);
   if (i + 1 < anchors_.size() && !anchors_[i + 1].gap) {
     anchors_[i + 1].way = log.between(slot, anchors_[i + 1].slot);
   }
-  countLink(i, 1);
-  countLink(i + 1, 1);
+  countLinks();
   pending_ = true;
   if (begins_.size() == 1) return;
-  anchors_[i].offset_weight = 0;  // the parts as they are without this visit
+  anchors_[i].offset_weight = 0;  // for the parts without this visit
   const PathParts without = parts();
   anchors_[i].offset_weight = 1;
   alignPart(log, without, i);

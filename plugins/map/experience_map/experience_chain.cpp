@@ -22,11 +22,11 @@ void ExperienceChain::addExperience(const DeadReckoning& log, std::int64_t templ
   Anchor& anchor = begins_part ? anchors_.back() : append(log);
   anchor.experience = experiences();
   anchor.template_id = template_id;
-  countLink(static_cast<std::size_t>(current()), 1);
+  countLastLink();
   of_experience_.push_back(static_cast<std::size_t>(current()));
 }
 
-/// Place recognition reports covariances that tend to be too small.
+/// Adds the parameters' variances: the covariances of place recognition tend to be too small.
 UncertainPose ExperienceChain::withModel(const UncertainPose& measured) const {
   return {measured.T, measured.covariance + isotropic(parameters_.measured_sigma_translation,
                                                       parameters_.measured_sigma_rotation)};
@@ -39,10 +39,10 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
 
 void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
                                double relative_yaw) {
-  // The unknown offsets of successive visits are correlated (a match may always come 2 m early, for
-  // example). The factor keeps many such visits from outweighing good odometry, where cells close a
-  // loop at every frame. Those of this tree do not: for them 1 to 9 are alike on all drives at
-  // hand.
+  // The unknown offsets of successive visits are correlated: for example, each match may come 2 m
+  // early. The factor keeps many such visits from outweighing good odometry if cells close a loop
+  // at every frame. No cells of this repository do so: with them 1 to 9 give the same results on
+  // all available drives.
   constexpr int kLongestRun = 3;
   int run = 1;
   for (std::size_t i = anchors_.size(); i-- > 0 && anchors_[i].assumed; ++run) {
@@ -63,7 +63,7 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
   measured_ = measured_ || !assumed;
   anchor.offset = offset;
   last_visit_ = static_cast<std::size_t>(current());
-  countLink(last_visit_, 1);
+  countLastLink();
   pending_ = true;
   if (before.count() > 1) alignPart(log, before, last_visit_);
 }
@@ -102,6 +102,32 @@ ExperiencePose ExperienceChain::experiencePose(const DeadReckoning& log, std::si
   return {anchor.experience, T_experience_camera};
 }
 
+bool ExperienceChain::isLinked(std::size_t previous, std::size_t i) const {
+  const std::int64_t from = anchors_[previous].experience;
+  return from >= 0 && from != anchors_[i].experience && !anchors_[i].gap;
+}
+
+void ExperienceChain::countLastLink() {
+  const std::size_t last = anchors_.size() - 1;
+  if (last == 0) return;
+  std::size_t previous = last - 1;
+  while (anchors_[previous].rejected) --previous;  // ends at the first anchor, which is not a visit
+  if (!isLinked(previous, last)) return;
+  ++links_;
+  if (anchors_[last].visit) ++loops_;
+}
+
+void ExperienceChain::countLinks() {
+  links_ = loops_ = 0;
+  std::size_t before = 0;
+  for (std::size_t i = 1; i < anchors_.size(); ++i) {
+    const std::size_t previous = anchors_[i].rejected ? before : std::exchange(before, i);
+    if (!isLinked(previous, i)) continue;
+    ++links_;
+    if (anchors_[i].visit) ++loops_;
+  }
+}
+
 Link ExperienceChain::foldedLink(const DeadReckoning& log, std::size_t before,
                                  std::size_t i) const {
   constexpr double kLeastWeight = 1e-6;
@@ -138,8 +164,7 @@ void ExperienceChain::graph(const DeadReckoning& log, MapGraph& graph) const {
   std::size_t before = 0;
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     const std::size_t previous = anchors_[i].rejected ? before : std::exchange(before, i);
-    const std::int64_t from = anchors_[previous].experience;
-    if (from < 0 || from == anchors_[i].experience || anchors_[i].gap) continue;
+    if (!isLinked(previous, i)) continue;
     Link link = foldedLink(log, previous, i);
     link.id = static_cast<std::int64_t>(graph.links.size());
     const bool loop = link.kind == LinkKind::Loop;

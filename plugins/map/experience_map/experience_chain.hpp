@@ -20,6 +20,7 @@
 
 #include "chain_problem.hpp"
 #include "dead_reckoning.hpp"
+#include "drift_model.hpp"
 #include "graph_optimiser.hpp"
 #include "parameters.hpp"
 #include "path_parts.hpp"
@@ -28,23 +29,23 @@
 namespace tolman::experience_map {
 
 struct Anchor {
-  std::size_t slot = 0;          ///< its frame, see DeadReckoning
+  std::size_t slot = 0;          ///< slot of its frame, see DeadReckoning
   std::int64_t experience = -1;  ///< created or visited here; -1 for neither
   std::int64_t template_id = -1;
-  UncertainPose way;  ///< odometry from the previous anchor
+  Way way;  ///< odometry from the previous anchor
   double way_weight = 1;
-  bool gap = false;  ///< begins a part of the path; the motion to it is unknown
+  bool gap = false;  ///< first of a part of the path; the motion to it is unknown
   bool visit = false;
   bool assumed = false;  ///< the offset was not measured
   UncertainPose offset;  ///< of a visit: T_experience_anchor as given with the decision
   double offset_weight = 1;
   bool rejected = false;  ///< a visit whose loop the final correction has rejected
-  /// T_world_camera = correction * T_start_camera of dead reckoning; in the plane without height,
+  /// T_world_camera = correction * T_start_camera of dead reckoning. In the plane it has no height,
   /// pitch and roll.
   Eigen::Isometry3d correction = Eigen::Isometry3d::Identity();
 };
 
-/// Pose of a frame relative to an experience; stays valid when the experience is moved.
+/// Pose of a frame relative to an experience; remains valid when the experience moves.
 struct ExperiencePose {
   std::int64_t experience = -1;  ///< -1: relative to the world
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
@@ -52,7 +53,9 @@ struct ExperiencePose {
 
 class ExperienceChain {
  public:
-  explicit ExperienceChain(const Parameters& parameters = {}) : parameters_(parameters) {}
+  explicit ExperienceChain(const Parameters& parameters = {}) : parameters_(parameters) {
+    drift_.rotation = parameters.drift_rotation;
+  }
 
   /// Index of the last anchor.
   std::int64_t current() const { return static_cast<std::int64_t>(anchors_.size()) - 1; }
@@ -68,13 +71,13 @@ class ExperienceChain {
   void startPart(const DeadReckoning& log);
   /// The last frame creates the next experience.
   void addExperience(const DeadReckoning& log, std::int64_t template_id);
-  /// The last frame visits an earlier experience, at a measured offset ...
+  /// The last frame visits an earlier experience, at a measured offset.
   void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& measured);
-  /// ... or at an unknown offset of which only the heading is known.
+  /// The same at an unknown offset: only its heading (rad) is known.
   void addVisit(const DeadReckoning& log, std::int64_t experience, double relative_yaw);
 
-  /// The frame at an earlier slot, at which the experience was already known, visited it at a
-  /// measured offset. Moves the frames of `log` to the renumbered anchors.
+  /// Adds a visit at an earlier slot, at a measured offset. The experience must be older than the
+  /// slot. Updates the anchors of the frames of `log`.
   void insertVisit(DeadReckoning& log, std::size_t slot, std::int64_t experience,
                    const UncertainPose& measured);
 
@@ -93,7 +96,7 @@ class ExperienceChain {
   std::size_t slotOf(std::int64_t experience) const { return origin(experience).slot; }
   Eigen::Isometry3d T_world_camera(const DeadReckoning& log, std::size_t slot) const;
   Eigen::Isometry3d T_world_experience(const DeadReckoning& log, std::int64_t experience) const;
-  /// Relative to the experience of the last anchor whose loop is not rejected.
+  /// Pose of a frame relative to the experience of the last anchor whose loop is not rejected.
   ExperiencePose experiencePose(const DeadReckoning& log, std::size_t slot) const;
   /// The graph of experiences alone: each visit is merged with its experience. A rejected loop
   /// keeps its link, but the odometry link after it starts at the anchor before the visit. Only
@@ -106,8 +109,9 @@ class ExperienceChain {
     std::int64_t links = 0;
     std::int64_t loops = 0;
     bool pending = false;
+    DriftModel drift;
   };
-  State state() const { return {anchors_, links_, loops_, pending_}; }
+  State state() const { return {anchors_, links_, loops_, pending_, drift_}; }
   /// `state` must have passed the checks of saved_map.
   void restore(const DeadReckoning& log, State state);
 
@@ -117,15 +121,22 @@ class ExperienceChain {
   PathParts parts() const;
   std::size_t originOf(const Anchor& visit) const;
   void alignPart(const DeadReckoning& log, const PathParts& before, std::size_t visit);
-  void countLink(std::size_t i, int sign);
+  /// Whether graph() has a link to anchor `i`. `previous`: the last anchor before it whose loop is
+  /// not rejected.
+  bool isLinked(std::size_t previous, std::size_t i) const;
+  /// Adds the link to the last anchor to the counts of links and loops.
+  void countLastLink();
+  /// Counts all links again.
+  void countLinks();
   void renumber(DeadReckoning& log, std::size_t i);
   /// Whether the map is corrected in space; otherwise in the plane (parameter `space`).
   bool isSpatial(const DeadReckoning& log) const;
   template <class G>
   ChainProblem<G> problem(const DeadReckoning& log) const;
   template <class G>
-  void rearrange(const PathParts& parts, const ChainProblem<G>& start, OptimiserOptions options,
-                 std::size_t attempts, ChainProblem<G>& best, OptimiserOutcome& outcome) const;
+  void rearrange(const PathParts& parts, const std::vector<typename G::Pose>& start,
+                 OptimiserOptions options, std::size_t attempts, ChainProblem<G>& best,
+                 OptimiserOutcome& outcome, ChainSystem<G>& system) const;
   template <class G>
   Eigen::Isometry3d shiftOf(const DeadReckoning& log, std::size_t visit, bool visit_is_later) const;
   void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& offset,
@@ -142,6 +153,9 @@ class ExperienceChain {
   Link foldedLink(const DeadReckoning& log, std::size_t before, std::size_t i) const;
   template <class G>
   void apply(const ChainProblem<G>& problem);
+  Status learnDriftAndCorrect(const DeadReckoning& log, const OptimiserOptions& options,
+                              ChainProblem<Space>& found, OptimiserOutcome& outcome,
+                              ChainSystem<Space>& system);
 
   Parameters parameters_;
   std::deque<Anchor> anchors_;  ///< a deque grows without copies, which long drives need
@@ -152,6 +166,7 @@ class ExperienceChain {
   std::size_t last_visit_ = 0;  ///< anchor; 0 for none
   bool measured_ = false;       ///< a visit has a measured offset
   bool pending_ = false;
+  DriftModel drift_;  ///< of odometry links in space
 };
 
 }  // namespace tolman::experience_map

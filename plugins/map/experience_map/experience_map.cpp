@@ -11,7 +11,7 @@ namespace {
 
 // Relative change of the energy that ends a correction.
 constexpr double kOnlineTolerance = 1e-6;
-// Converged long before: twice or half as many change nothing on any drive at hand.
+// More than needed: twice or half as many give the same results on all available drives.
 constexpr int kFinalIterations = 100;
 constexpr double kFinalTolerance = 1e-10;
 
@@ -71,7 +71,7 @@ Status ExperienceMap::check(const Motion& motion, const Decision& decision) cons
   return Status::ok();
 }
 
-/// The map keeps the order of creation: an experience cannot be visited before it is made.
+/// The experience of a loop must exist, and must have existed at the loop's frame.
 Status ExperienceMap::check(const EarlierLoop& loop) const {
   const bool known = loop.experience >= 0 && loop.experience < chain_.experiences();
   const std::optional<std::size_t> slot = motions_.slotOf(loop.frame);
@@ -81,7 +81,7 @@ Status ExperienceMap::check(const EarlierLoop& loop) const {
                               ", which did not exist then");
 }
 
-/// After the decision of this frame, so that parts of the path are joined as it says.
+/// Called after the decision of this frame is applied, because that may join parts of the path.
 void ExperienceMap::insertEarlier(const std::vector<EarlierLoop>& loops) {
   std::size_t unknown = 0;
   for (const EarlierLoop& loop : loops) {
@@ -137,8 +137,8 @@ bool ExperienceMap::correctionDue() const {
 
 void ExperienceMap::correct() {
   noteCorrection(chain_.correct(motions_, parameters_.online_iterations, kOnlineTolerance));
-  // The time of a correction grows with the number of nodes. An interval that grows alike bounds
-  // the mean time per frame.
+  // The time of a correction grows with the number of nodes. The interval grows in proportion,
+  // which bounds the mean time per frame.
   const auto growth = parameters_.interval_growth * static_cast<double>(chain_.current());
   next_correction_ = motions_.last() + static_cast<std::size_t>(parameters_.interval) +
                      static_cast<std::size_t>(growth);

@@ -49,7 +49,7 @@ class ExperienceMap final : public Map, public StateKeeper {
   DeadReckoning motions_;
   ExperienceChain chain_;
   std::int64_t version_ = 0;
-  /// First frame, counted in the order of arrival, at which the map may be corrected again.
+  /// Slot of the first frame at which the map may be corrected again.
   std::size_t next_correction_ = 0;
 };
 

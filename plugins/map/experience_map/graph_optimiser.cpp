@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "ceres_optimiser.hpp"
-#include "chain_system.hpp"
 #include "planar_link.hpp"
 #include "spatial_link.hpp"
 
@@ -16,20 +15,40 @@ namespace {
 
 constexpr double kAcceptedWeight = 0.5;  ///< with all weights above it, other starts are not tried
 
+void moveAll(const std::vector<PlanarPose>& start, const std::vector<Eigen::Vector3d>& step,
+             std::vector<PlanarPose>& nodes) {
+  for (std::size_t k = 0; k < nodes.size(); ++k) nodes[k] = moved(start[k], step[k]);
+}
+
+/// Equal to moved() of each node to first order. Each node is composed from the moved node before
+/// it and the difference of their steps. So the links of the chain change by no more than these
+/// differences, also where a small turn moves the rest of a long path.
+void moveAll(const std::vector<Eigen::Isometry3d>& start, const std::vector<Vector6d>& step,
+             std::vector<Eigen::Isometry3d>& nodes) {
+  nodes[0] = moved(start[0], step[0]);
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const Eigen::Isometry3d T_before_here = start[k - 1].inverse() * start[k];
+    const Vector6d more = step[k] - adjointSe3(T_before_here.inverse()) * step[k - 1];
+    nodes[k] = moved(nodes[k - 1] * T_before_here, more);
+  }
+}
+
 template <class G>
 class GaussNewton {
  public:
   using Pose = typename G::Pose;
   using PoseLinks = std::vector<PoseLink<G>>;
 
-  GaussNewton(const OptimiserOptions& options, std::vector<Pose>& nodes, PoseLinks& links)
-      : options_(options), nodes_(nodes), links_(links), system_(nodes.size(), links) {
-    for (const PoseLink<G>& link : links) information_.push_back(informationOf(link.covariance));
+  GaussNewton(const OptimiserOptions& options, std::vector<Pose>& nodes, PoseLinks& links,
+              ChainSystem<G>& system)
+      : options_(options), nodes_(nodes), links_(links), system_(system) {
+    system_.build(nodes.size(), links);
     chi_square_.resize(links.size());
+    bends_.resize(links.size());
     measure();
   }
 
-  /// Graduated non-convexity: mu falls from a convex loss to 1, the Geman-McClure loss itself.
+  /// Graduated non-convexity: mu decreases from a convex loss to 1, the Geman-McClure loss itself.
   Result<bool> anneal() {
     for (PoseLink<G>& link : links_) link.weight = 1;
     if (Status rough = descendRoughly(); !rough.isOk()) return rough;
@@ -63,7 +82,7 @@ class GaussNewton {
     return false;
   }
 
-  /// sum of rho; does not depend on the weights.
+  /// Sum of rho; does not depend on the weights.
   double energy() const {
     const double bound = options_.delta * options_.delta;
     double sum = 0;
@@ -100,7 +119,7 @@ class GaussNewton {
     for (std::size_t k = 0; k < links_.size(); ++k) {
       const PoseLink<G>& link = links_[k];
       const StepOf<G> error = residualOf(link, nodes_[link.from], nodes_[link.to]);
-      chi_square_[k] = error.dot(information_[k] * error);
+      chi_square_[k] = error.dot(system_.information()[k] * error);
     }
   }
 
@@ -118,10 +137,19 @@ class GaussNewton {
       if (options_.loss == Loss::Huber) {
         links_[k].weight = std::min(1.0, delta / std::max(std::sqrt(chi), 1e-300));
       } else {
-        const double root = mu * delta * delta / (mu * delta * delta + chi);
+        const double bound = mu * delta * delta;
+        const double root = bound / (bound + chi);
         links_[k].weight = root * root;
+        bends_[k] = bendOf(chi, bound);
       }
     }
+  }
+
+  /// -2 rho'' / rho' of the Geman-McClure loss, which makes the steps Newton's. It is limited so
+  /// that at least half of the curvature of the least squares remains: then a step that lowers the
+  /// energy lowers the least squares too.
+  static double bendOf(double chi, double bound) {
+    return std::min(4 / (bound + chi), 0.5 / std::max(chi, 1e-300));
   }
 
   /// Weighted sum of squared residuals.
@@ -135,20 +163,20 @@ class GaussNewton {
   Status step() {
     constexpr double kLeastDamping = 1e-4;
     constexpr double kMostDamping = 1e8;
-    const std::vector<Pose> start = nodes_;
+    start_ = nodes_;
     const double before = leastSquares();
-    system_.linearise(nodes_, links_);
+    system_.linearise(nodes_, links_, bends_);
     for (double damping = damping_; damping < kMostDamping;
          damping = std::max(kLeastDamping, 10 * damping)) {
       if (!system_.solve(damping, step_)) continue;
-      for (std::size_t k = 0; k < nodes_.size(); ++k) nodes_[k] = moved(start[k], step_[k]);
+      moveAll(start_, step_, nodes_);
       measure();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
         damping_ = damping > kLeastDamping ? 0.1 * damping : 0;
         return Status::ok();
       }
     }
-    nodes_ = start;  // at a minimum, up to rounding
+    nodes_ = start_;  // at a minimum, up to rounding
     measure();
     if (before == 0 || system_.solve(0, step_)) return Status::ok();
     return Status::failed("the normal equations of the map are singular");
@@ -157,9 +185,10 @@ class GaussNewton {
   OptimiserOptions options_;
   std::vector<Pose>& nodes_;
   PoseLinks& links_;
-  ChainSystem<G> system_;
-  std::vector<MatrixOf<G>> information_;
+  ChainSystem<G>& system_;
   std::vector<double> chi_square_;  ///< of each link
+  std::vector<double> bends_;       ///< of each link, see ChainSystem
+  std::vector<Pose> start_;         ///< the nodes before a step
   std::vector<StepOf<G>> step_;
   double damping_ = 0;
 };
@@ -169,65 +198,72 @@ class GaussNewton {
 template <class G>
 Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
                                   std::vector<typename G::Pose>& nodes,
-                                  std::vector<PoseLink<G>>& links) {
+                                  std::vector<PoseLink<G>>& links, ChainSystem<G>& system) {
   if (options.solver == Solver::Ceres) return optimiseWithCeres<G>(options, nodes, links);
-  std::vector<typename G::Pose> improved = nodes;
-  std::vector<PoseLink<G>> weighed = links;
-  GaussNewton<G> descent(options, improved, weighed);
+  std::vector<typename G::Pose> start = nodes;
+  const std::vector<double> weights = weightsOf(links);
+  GaussNewton<G> descent(options, nodes, links, system);
   const bool annealed = options.annealed && options.loss == Loss::GemanMcclure;
   const Result<bool> converged = annealed ? descent.anneal() : descent.descend();
-  if (!converged.isOk()) return converged.status();
-  const OptimiserOutcome outcome = {converged.value(), descent.energy()};
-  nodes = std::move(improved);
-  links = std::move(weighed);
-  return outcome;
+  if (converged.isOk()) return OptimiserOutcome{converged.value(), descent.energy()};
+  nodes = std::move(start);
+  setWeights(links, weights);
+  return converged.status();
 }
 
 template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,
                                             std::vector<typename G::Pose>& nodes,
-                                            std::vector<PoseLink<G>>& links) {
+                                            std::vector<PoseLink<G>>& links,
+                                            ChainSystem<G>& system) {
   using Poses = std::vector<typename G::Pose>;
-  using PoseLinks = std::vector<PoseLink<G>>;
+  using Weights = std::vector<double>;
   const Poses start = nodes;
-  const PoseLinks initial_links = links;
-  Result<OptimiserOutcome> best = optimise<G>(options, nodes, links);
+  const Weights initial = weightsOf(links);
+  Result<OptimiserOutcome> best = optimise<G>(options, nodes, links, system);
   if (options.loss == Loss::Huber) return best;  // convex: no other starts are needed
   const bool all_accepted = std::ranges::all_of(
       links, [](const PoseLink<G>& link) { return link.weight > kAcceptedWeight; });
   if (best.isOk() && best.value().converged && all_accepted) return best;
-  const auto attempt = [&](Poses from, PoseLinks weighted) {
+  Weights kept = weightsOf(links);
+  const auto attempt = [&](Poses from, const Weights& weights) {
+    setWeights(links, weights);
     if (best.isOk()) options.energy_bound = best.value().energy;
-    const Result<OptimiserOutcome> outcome = optimise<G>(options, from, weighted);
+    const Result<OptimiserOutcome> outcome = optimise<G>(options, from, links, system);
     if (!outcome.isOk()) return;
     if (best.isOk() && best.value().energy <= outcome.value().energy) return;
     best = outcome;
     nodes = std::move(from);
-    links = std::move(weighted);
+    kept = weightsOf(links);
   };
   options.annealed = true;
-  attempt(start, initial_links);
+  attempt(start, initial);
   options.annealed = false;
-  PoseLinks without_loops = initial_links;
-  for (PoseLink<G>& link : without_loops) link.weight = link.robust ? kRejectedWeight : 1;
-  attempt(reckoned, std::move(without_loops));
+  Weights without_loops;
+  for (const PoseLink<G>& link : links) without_loops.push_back(link.robust ? kRejectedWeight : 1);
+  attempt(reckoned, without_loops);
+  setWeights(links, kept);
   return best;
 }
 
 template Result<OptimiserOutcome> optimise<Plane>(const OptimiserOptions&,
                                                   std::vector<Plane::Pose>&,
-                                                  std::vector<PoseLink<Plane>>&);
+                                                  std::vector<PoseLink<Plane>>&,
+                                                  ChainSystem<Plane>&);
 template Result<OptimiserOutcome> optimiseMultiStart<Plane>(OptimiserOptions,
                                                             const std::vector<Plane::Pose>&,
                                                             std::vector<Plane::Pose>&,
-                                                            std::vector<PoseLink<Plane>>&);
+                                                            std::vector<PoseLink<Plane>>&,
+                                                            ChainSystem<Plane>&);
 template Result<OptimiserOutcome> optimise<Space>(const OptimiserOptions&,
                                                   std::vector<Space::Pose>&,
-                                                  std::vector<PoseLink<Space>>&);
+                                                  std::vector<PoseLink<Space>>&,
+                                                  ChainSystem<Space>&);
 template Result<OptimiserOutcome> optimiseMultiStart<Space>(OptimiserOptions,
                                                             const std::vector<Space::Pose>&,
                                                             std::vector<Space::Pose>&,
-                                                            std::vector<PoseLink<Space>>&);
+                                                            std::vector<PoseLink<Space>>&,
+                                                            ChainSystem<Space>&);
 
 }  // namespace tolman::experience_map

@@ -17,11 +17,12 @@
 #include <tolman/status.hpp>
 #include <vector>
 
+#include "chain_system.hpp"
 #include "pose_link.hpp"
 
 namespace tolman::experience_map {
 
-/// Initial weight of a loop that is left out.
+/// Initial weight of a loop that is excluded.
 inline constexpr double kRejectedWeight = 1e-6;
 
 /// rho as a function of r, the length of a residual in standard deviations.
@@ -46,7 +47,8 @@ struct OptimiserOptions {
   double delta = 1;          ///< Huber: r up to which the loss is quadratic; Geman-McClure: c
   bool annealed = false;     ///< Geman-McClure: graduated non-convexity from weights of 1
   double tolerance = 1e-10;  ///< relative change of the energy that ends the iterations
-  /// Stops when the energy, at its present rate of decrease, will not fall below this bound.
+  /// Stops when the energy, at its present rate of decrease, cannot reach this bound within the
+  /// remaining iterations.
   double energy_bound = std::numeric_limits<double>::infinity();
 };
 
@@ -56,11 +58,11 @@ struct OptimiserOutcome {
 };
 
 /// Minimises the energy from the given nodes and weights (1 for new links); node 0 is fixed. On
-/// failure nothing changes.
+/// failure nothing changes. `system` is working memory, which several calls share.
 template <class G>
 Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
                                   std::vector<typename G::Pose>& nodes,
-                                  std::vector<PoseLink<G>>& links);
+                                  std::vector<PoseLink<G>>& links, ChainSystem<G>& system);
 
 /// A redescending loss has many minima. Takes the best of three: from `nodes` as given, by
 /// graduated non-convexity, and from dead reckoning without loops, so that the result is never
@@ -69,6 +71,24 @@ template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,
                                             std::vector<typename G::Pose>& nodes,
-                                            std::vector<PoseLink<G>>& links);
+                                            std::vector<PoseLink<G>>& links,
+                                            ChainSystem<G>& system);
+
+/// Both with working memory of their own.
+template <class G>
+Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
+                                  std::vector<typename G::Pose>& nodes,
+                                  std::vector<PoseLink<G>>& links) {
+  ChainSystem<G> system;
+  return optimise<G>(options, nodes, links, system);
+}
+template <class G>
+Result<OptimiserOutcome> optimiseMultiStart(const OptimiserOptions& options,
+                                            const std::vector<typename G::Pose>& reckoned,
+                                            std::vector<typename G::Pose>& nodes,
+                                            std::vector<PoseLink<G>>& links) {
+  ChainSystem<G> system;
+  return optimiseMultiStart<G>(options, reckoned, nodes, links, system);
+}
 
 }  // namespace tolman::experience_map

@@ -9,7 +9,7 @@ namespace tolman::experience_map {
 namespace {
 
 constexpr std::size_t kBlock = 256;      // slots
-constexpr std::size_t kInMemory = 1024;  // slots: more than any odometry's window revises
+constexpr std::size_t kInMemory = 1024;  // slots; more than the window of any odometry
 constexpr std::size_t kNumbers = 16 + 36;
 constexpr std::size_t kBytes = kNumbers * sizeof(double);
 

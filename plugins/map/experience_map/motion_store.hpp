@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The motions of all frames, by slot. The map needs the newest for links and revisions, and older
-// ones seldom: for loops told later, for the last revisions and to save. So the newest stay in
-// memory and older ones lie in a temporary file. Where that cannot be written, for example on a
-// full disk, they stay in memory as well.
+// The motions of all frames, by slot. The map needs the newest for links and revisions. It seldom
+// needs older ones: for loops to earlier frames, for the last revisions, and to save. So the newest
+// are kept in memory and older ones in a temporary file. If that cannot be written, for example on
+// a full disk, they are kept in memory as well.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ class MotionStore {
 
   ScratchFile file_;
   std::size_t filed_ = 0;              ///< slots in the file, a multiple of the block
-  std::vector<UncertainPose> recent_;  ///< of the slots from filed_ on
-  /// The block of the file that was read last, so that its neighbours cost nothing.
+  std::vector<UncertainPose> recent_;  ///< motions of the slots from filed_ on
+  /// The block of the file that was read last, a cache for neighbouring slots.
   mutable std::vector<UncertainPose> block_;
   mutable std::size_t block_first_ = 0;
 };

@@ -9,7 +9,7 @@
 
 namespace tolman::experience_map {
 
-/// In which poses are corrected.
+/// The geometry in which poses are corrected.
 enum class Geometry : std::uint8_t { Auto, Plane, Space };
 inline constexpr std::array<std::string_view, 3> kGeometryNames = {"auto", "plane", "space"};
 constexpr std::span<const std::string_view> enumNames(Geometry) { return kGeometryNames; }
@@ -28,6 +28,8 @@ struct Parameters {
   bool huber_odometry = false;
   double drift_translation = 0.01;
   double drift_rotation = 0.0005;
+  bool learn_drift = true;
+  double steady_drift = 0.003;
   double lost_sigma_translation = 1.0;
   double lost_sigma_rotation = 0.1;
   double assumed_sigma_translation = 3.0;
@@ -85,6 +87,13 @@ struct Parameters {
                           .range(1e-9, 1)
                           .unit("rad/m")
                           .doc("The same for its rotation."),
+                      parameter("learn_drift", &P::learn_drift)
+                          .doc("In space, after the last frame: loops may lower drift_rotation, "
+                               "and tell the part of the drift that is the same all along."),
+                      parameter("steady_drift", &P::steady_drift)
+                          .range(0, 1)
+                          .doc("Standard deviation, m per m travelled, of that part along each "
+                               "axis of the camera; 0: there is none."),
                       parameter("lost_sigma_translation", &P::lost_sigma_translation)
                           .range(0, 1e6)
                           .unit("m")

@@ -10,12 +10,13 @@ Eigen::Vector3d residualOf(const PlanarLink& link, const PlanarPose& from, const
   return {seen.x - link.pose.x, seen.y - link.pose.y, wrapAngle(seen.theta - link.pose.theta)};
 }
 
-LinkDerivatives<Plane> derivativesOf(const PlanarLink&, const PlanarPose& from,
+LinkDerivatives<Plane> derivativesOf(const PlanarLink& link, const PlanarPose& from,
                                      const PlanarPose& to) {
   const PlanarPose seen = between(from, to);
   const double c = std::cos(from.theta);
   const double s = std::sin(from.theta);
   LinkDerivatives<Plane> by;
+  by.residual = residualOf(link, from, to);
   by.by_to << c, s, 0, -s, c, 0, 0, 0, 1;
   by.by_from = -by.by_to;
   by.by_from.block<2, 1>(0, 2) << seen.y, -seen.x;

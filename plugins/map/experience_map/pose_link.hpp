@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Links between poses, in the plane and in space: what the optimisers know of a geometry G.
+// Links between poses, and the two geometries G of the optimisers: the plane and space.
 #pragma once
 
+#include <Eigen/LU>
+#include <cmath>
 #include <cstddef>
 #include <tolman/geometry.hpp>
+#include <vector>
+
+#include "block_inverse.hpp"
 
 namespace tolman::experience_map {
 
@@ -34,24 +39,56 @@ struct PoseLink {
   /// Plane: along the axes of `from`. Space: in the tangent space of `to`, as in the records.
   MatrixOf<G> covariance = MatrixOf<G>::Zero();
   bool robust = true;  ///< under the robust loss; otherwise plain least squares
-  double weight = 1;   ///< weight that the robust loss leaves it, in [0, 1]
+  double weight = 1;   ///< from the robust loss, in [0, 1]
 };
 using PlanarLink = PoseLink<Plane>;
 using SpatialLink = PoseLink<Space>;
 
-/// Derivatives of a link's residual by the steps of its ends.
+/// Weights of all links: what an optimisation changes of them.
+template <class G>
+std::vector<double> weightsOf(const std::vector<PoseLink<G>>& links) {
+  std::vector<double> weights;
+  weights.reserve(links.size());
+  for (const PoseLink<G>& link : links) weights.push_back(link.weight);
+  return weights;
+}
+template <class G>
+void setWeights(std::vector<PoseLink<G>>& links, const std::vector<double>& weights) {
+  for (std::size_t k = 0; k < links.size(); ++k) links[k].weight = weights[k];
+}
+
+/// A link's residual and its derivatives by the steps of its ends.
 template <class G>
 struct LinkDerivatives {
+  StepOf<G> residual;
   MatrixOf<G> by_from;
   MatrixOf<G> by_to;
 };
 
-/// Inverse of a covariance. 1e-12 is added to the variances, so that a singular one has an inverse.
+/// Inverse of a covariance, and the logarithm of its determinant. 1e-12 is added to the variances,
+/// so that a singular one has an inverse.
+template <int kSize>
+Eigen::Matrix<double, kSize, kSize> informationOf(
+    const Eigen::Matrix<double, kSize, kSize>& covariance, double& log_determinant) {
+  constexpr double kLeastVariance = 1e-12;
+  using Block = Eigen::Matrix<double, kSize, kSize>;
+  const Block regular = covariance + kLeastVariance * Block::Identity();
+  Block information = regular;
+  double log_variance = 0;
+  if (invertPositive(information, log_variance)) {
+    log_determinant = -log_variance;
+  } else {  // not positive definite by rounding
+    information = regular.inverse();
+    log_determinant = std::log(std::abs(information.determinant()));
+  }
+  return information;
+}
+
 template <int kSize>
 Eigen::Matrix<double, kSize, kSize> informationOf(
     const Eigen::Matrix<double, kSize, kSize>& covariance) {
-  constexpr double kLeastVariance = 1e-12;
-  return (covariance + kLeastVariance * Eigen::Matrix<double, kSize, kSize>::Identity()).inverse();
+  double unused = 0;
+  return informationOf(covariance, unused);
 }
 
 }  // namespace tolman::experience_map

@@ -12,11 +12,11 @@ namespace tolman::experience_map {
 namespace {
 
 constexpr std::string_view kMagic = "TLMEXMAP";
-constexpr std::uint64_t kStateVersion = 2;
-/// Counters go on from a saved one, and stamps are subtracted.
+constexpr std::uint64_t kStateVersion = 3;
+/// Bound of counters and stamps: counters are incremented later, stamps subtracted.
 constexpr std::int64_t kMost = std::int64_t{1} << 62U;
-/// Metres: no vehicle drives as far, and what is computed from it stays finite. Covariances are
-/// below its square.
+/// Bound of lengths, m: farther than any vehicle drives, and results computed from it are finite.
+/// Covariances are bounded by its square.
 constexpr double kFarthest = 1e9;
 
 void put(StateWriter& writer, const UncertainPose& pose) {
@@ -39,6 +39,11 @@ bool isSound(const UncertainPose& pose) {
          (R.transpose() * R - Eigen::Matrix3d::Identity()).norm() < 1e-6 && R.determinant() > 0 &&
          pose.T.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
          pose.covariance.diagonal().minCoeff() >= 0;
+}
+
+bool isSound(const DriftModel& drift) {
+  return drift.rotation >= 0 && drift.rotation <= 1 && drift.steady.allFinite() &&
+         drift.steady.norm() <= 1;
 }
 
 bool isWeight(double weight) { return weight >= 0 && weight <= 1; }
@@ -97,7 +102,7 @@ Anchor getAnchor(StateReader& reader) {
   return anchor;
 }
 
-/// A list with its size before it; a damaged size cannot exceed the bytes that are left.
+/// Reads a list after its size. Stops at the end of the bytes, whatever the size says.
 template <class T>
 std::deque<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   const auto count = reader.get<std::int64_t>();
@@ -157,6 +162,8 @@ Status saveMap(const DeadReckoning& motions, const ExperienceChain& chain,
   writer.put(state.loops);
   writer.put(std::int64_t{state.pending});
   writer.put(std::int64_t{motions.isMetric()});
+  writer.put(state.drift.rotation);
+  writer.putAll(std::span<const double>(state.drift.steady.data(), 3));
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -174,11 +181,14 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
   state.loops = reader.get<std::int64_t>();
   state.pending = reader.get<std::int64_t>() != 0;
   const bool is_metric = reader.get<std::int64_t>() != 0;
+  state.drift.rotation = reader.get<double>();
+  reader.getAll(std::span<double>(state.drift.steady.data(), 3));
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
   const bool counted =
       std::ranges::all_of(std::array{version, next_correction, state.links, state.loops},
                           [](std::int64_t number) { return number >= 0 && number < kMost; });
-  if (!counted || !areSound(frames, state.anchors.size()) || !areSound(state.anchors, frames)) {
+  if (!counted || !isSound(state.drift) || !areSound(frames, state.anchors.size()) ||
+      !areSound(state.anchors, frames)) {
     return Status::invalidInput("the saved map is damaged: a number is out of range");
   }
   for (const SavedFrame& saved : frames) motions.restore(saved.frame, saved.motion);

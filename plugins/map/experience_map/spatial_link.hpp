@@ -16,7 +16,7 @@ Vector6d residualOf(const SpatialLink& link, const Eigen::Isometry3d& from,
 LinkDerivatives<Space> derivativesOf(const SpatialLink& link, const Eigen::Isometry3d& from,
                                      const Eigen::Isometry3d& to);
 
-/// As for planar poses.
+/// a followed by b, the counterpart of compose() for planar poses.
 inline Eigen::Isometry3d compose(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
   return a * b;
 }

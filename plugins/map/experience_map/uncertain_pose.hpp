@@ -12,6 +12,11 @@ struct UncertainPose {
   Matrix6d covariance = Matrix6d::Zero();  ///< m and rad, in the tangent space of the second frame
 };
 
+/// A motion over several frames.
+struct Way : UncertainPose {
+  double length = 0;  ///< m driven
+};
+
 /// a followed by b, with independent noises.
 UncertainPose compose(const UncertainPose& a, const UncertainPose& b);
 

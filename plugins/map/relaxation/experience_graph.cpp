@@ -11,8 +11,9 @@ PlanarPose toPlanar(const PolarLink& link) {
           link.facing};
 }
 
-std::int64_t ExperienceGraph::add(const PlanarPose& pose) {
+std::int64_t ExperienceGraph::add(const PlanarPose& pose, double height) {
   experiences_.push_back(pose);
+  heights_.push_back(height);
   neighbours_.emplace_back();
   return size() - 1;
 }
@@ -23,10 +24,11 @@ bool ExperienceGraph::joined(std::int64_t a, std::int64_t b) const {
 }
 
 bool ExperienceGraph::link(std::int64_t from, std::int64_t to, const PlanarPose& measured,
-                           double seconds, std::int64_t frame, bool loop) {
+                           double seconds, std::int64_t frame, bool loop, double climb) {
   if (from == to || joined(from, to)) return false;
   links_.push_back({from, to, std::hypot(measured.x, measured.y),
-                    std::atan2(measured.y, measured.x), measured.theta, seconds, loop, frame});
+                    std::atan2(measured.y, measured.x), measured.theta, climb, seconds, loop,
+                    frame});
   neighbours_[static_cast<std::size_t>(from)].push_back(to);
   neighbours_[static_cast<std::size_t>(to)].push_back(from);
   return true;
@@ -44,6 +46,11 @@ void ExperienceGraph::relax(int sweeps, double correction) {
       const double off_theta = correction * wrapAngle(to.theta - from.theta - link.facing);
       from = {from.x + off_x, from.y + off_y, wrapAngle(from.theta + off_theta)};
       to = {to.x - off_x, to.y - off_y, wrapAngle(to.theta - off_theta)};
+      double& from_height = heights_[static_cast<std::size_t>(link.from)];
+      double& to_height = heights_[static_cast<std::size_t>(link.to)];
+      const double off_height = correction * (to_height - from_height - link.climb);
+      from_height += off_height;
+      to_height -= off_height;
     }
   }
 }

@@ -17,7 +17,8 @@ struct PolarLink {
   double distance = 0;  ///< m
   double heading = 0;   ///< rad, direction of `to` against the heading of `from`
   double facing = 0;    ///< rad, heading of `to` against the heading of `from`
-  double seconds = 0;   ///< travelled
+  double climb = 0;     ///< m, of `to` above `from`
+  double seconds = 0;   ///< travel time
   bool loop = false;
   std::int64_t frame = -1;
 };
@@ -32,18 +33,22 @@ class ExperienceGraph {
   }
   const std::vector<PolarLink>& links() const { return links_; }
 
-  std::int64_t add(const PlanarPose& pose);
-  /// Joins two experiences by what odometry measured between them; false when they are joined
-  /// already, in either direction.
+  double height(std::int64_t id) const { return heights_[static_cast<std::size_t>(id)]; }
+
+  std::int64_t add(const PlanarPose& pose, double height = 0);
+  /// Links two experiences with the motion that odometry measured between them; `seconds`: travel
+  /// time, `climb`: m. False when they are linked already, in either direction.
   bool link(std::int64_t from, std::int64_t to, const PlanarPose& measured, double seconds,
-            std::int64_t frame, bool loop);
-  /// Sweeps over all links; each end takes up `correction` of the disagreement, 0.5 being all.
+            std::int64_t frame, bool loop, double climb = 0);
+  /// In each sweep both ends of each link move by the share `correction` of its residual; 0.5 for
+  /// each end removes the residual.
   void relax(int sweeps, double correction);
 
  private:
   bool joined(std::int64_t a, std::int64_t b) const;
 
   std::vector<PlanarPose> experiences_;
+  std::vector<double> heights_;  ///< m
   std::vector<PolarLink> links_;
   std::vector<std::vector<std::int64_t>> neighbours_;
 };

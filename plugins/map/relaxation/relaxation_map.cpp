@@ -5,6 +5,15 @@
 #include <string>
 
 namespace tolman::relaxation {
+namespace {
+
+Eigen::Isometry3d raised(const PlanarPose& pose, double height) {
+  Eigen::Isometry3d T = fromPlanar(pose);
+  T.translation().y() -= height;
+  return T;
+}
+
+}  // namespace
 
 Status RelaxationMap::configure(const Context& context) {
   const Result<Parameters> bound = bindParameters<Parameters>(context.parameters);
@@ -19,6 +28,8 @@ Status RelaxationMap::reset() {
   frames_.clear();
   current_ = -1;
   accumulated_ = {};
+  climbed_ = 0;
+  T_start_camera_.setIdentity();
   left_ns_ = 0;
   loops_ = 0;
   version_ = 0;
@@ -48,16 +59,15 @@ Status RelaxationMap::check(const Motion& motion, const Decision& decision) cons
 
 Status RelaxationMap::update(const Motion& motion, const Decision& decision, MapUpdate& update) {
   if (Status status = check(motion, decision); !status.isOk()) return status;
-  if (!frames_.empty()) {
-    accumulated_ = compose(accumulated_, tolman::toPlanar(motion.T_previous_current));
-  }
+  if (!frames_.empty()) advance(motion);
   applyDecision(motion, decision);
-  frames_.push_back({motion.frame, current_, accumulated_});
+  frames_.push_back({motion.frame, current_, accumulated_, climbed_});
   update.frame = motion.frame;
   update.stamp_ns = motion.stamp_ns;
   update.experience = current_;
-  update.T_world_camera = fromPlanar(poseInWorld(frames_.back()));
-  update.T_experience_camera = current_ < 0 ? update.T_world_camera : fromPlanar(accumulated_);
+  update.T_world_camera = poseInWorld(frames_.back());
+  update.T_experience_camera =
+      current_ < 0 ? update.T_world_camera : raised(accumulated_, climbed_);
   update.version = version_;
   update.experiences = experiences_.size();
   update.links = static_cast<std::int64_t>(experiences_.links().size());
@@ -65,10 +75,23 @@ Status RelaxationMap::update(const Motion& motion, const Decision& decision, Map
   return Status::ok();
 }
 
+void RelaxationMap::advance(const Motion& motion) {
+  if (!parameters_.height) {
+    accumulated_ = compose(accumulated_, tolman::toPlanar(motion.T_previous_current));
+    return;
+  }
+  const Eigen::Isometry3d before = T_start_camera_;
+  T_start_camera_ = normalised(before * motion.T_previous_current);
+  const PlanarPose level = between(tolman::toPlanar(before), tolman::toPlanar(T_start_camera_));
+  accumulated_ = compose(accumulated_, level);
+  climbed_ += before.translation().y() - T_start_camera_.translation().y();
+}
+
 void RelaxationMap::arriveAt(std::int64_t experience, const PlanarPose& offset,
                              std::int64_t stamp_ns) {
   current_ = experience;
   accumulated_ = offset;
+  climbed_ = 0;
   left_ns_ = stamp_ns;  // start of the next link's duration
 }
 
@@ -78,17 +101,20 @@ void RelaxationMap::applyDecision(const Motion& motion, const Decision& decision
   if (decision.action == Action::CreateExperience) {
     const PlanarPose here =
         current_ < 0 ? accumulated_ : compose(experiences_[current_], accumulated_);
-    const std::int64_t made = experiences_.add(here);
+    const double height = current_ < 0 ? climbed_ : experiences_.height(current_) + climbed_;
+    const std::int64_t made = experiences_.add(here, height);
     creations_.push_back({motion.frame, decision.template_id});
     if (current_ >= 0) {
-      experiences_.link(current_, made, accumulated_, seconds, motion.frame, false);
+      experiences_.link(current_, made, accumulated_, seconds, motion.frame, false, climbed_);
     }
     arriveAt(made, {}, motion.stamp_ns);
   } else {
-    // The robot's position becomes that of the old experience; only the heading is measured.
+    // The robot is assumed to be at the position of the old experience; only the heading is
+    // measured.
     PlanarPose link = accumulated_;
     link.theta = wrapAngle(link.theta - decision.relative_yaw);
-    if (experiences_.link(current_, decision.experience, link, seconds, motion.frame, true)) {
+    if (experiences_.link(current_, decision.experience, link, seconds, motion.frame, true,
+                          climbed_)) {
       ++loops_;
     }
     arriveAt(decision.experience, {0, 0, decision.relative_yaw}, motion.stamp_ns);
@@ -97,18 +123,20 @@ void RelaxationMap::applyDecision(const Motion& motion, const Decision& decision
   ++version_;
 }
 
-/// Relaxation moves every experience; the first frame is the origin of the world.
-PlanarPose RelaxationMap::inWorld(const PlanarPose& pose) const {
-  if (experiences_.size() == 0) return pose;
+/// Relaxation also moves the first experience, so poses are given relative to the first frame, the
+/// origin of the world.
+Eigen::Isometry3d RelaxationMap::inWorld(const PlanarPose& pose, double height) const {
+  if (experiences_.size() == 0) return raised(pose, height);
   const PlacedFrame& first = frames_.front();
-  const PlanarPose start =
-      first.experience < 0 ? PlanarPose{} : compose(experiences_[0], first.relative_to_experience);
-  return between(start, pose);
+  if (first.experience < 0) return raised(pose, height);
+  const PlanarPose start = compose(experiences_[0], first.relative_to_experience);
+  return raised(between(start, pose), height - experiences_.height(0) - first.climbed);
 }
 
-PlanarPose RelaxationMap::poseInWorld(const PlacedFrame& placed) const {
-  if (placed.experience < 0) return placed.relative_to_experience;
-  return inWorld(compose(experiences_[placed.experience], placed.relative_to_experience));
+Eigen::Isometry3d RelaxationMap::poseInWorld(const PlacedFrame& placed) const {
+  if (placed.experience < 0) return raised(placed.relative_to_experience, placed.climbed);
+  return inWorld(compose(experiences_[placed.experience], placed.relative_to_experience),
+                 experiences_.height(placed.experience) + placed.climbed);
 }
 
 Status RelaxationMap::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_camera) const {
@@ -116,7 +144,7 @@ Status RelaxationMap::poseOf(std::int64_t frame, Eigen::Isometry3d& T_world_came
   if (found == frames_.end() || found->frame != frame) {
     return Status::invalidParameter("the map has not seen frame " + std::to_string(frame));
   }
-  T_world_camera = fromPlanar(poseInWorld(*found));
+  T_world_camera = poseInWorld(*found);
   return Status::ok();
 }
 
@@ -125,8 +153,8 @@ Status RelaxationMap::graph(MapGraph& graph) const {
   graph.version = version_;
   for (std::int64_t id = 0; id < experiences_.size(); ++id) {
     const Creation& creation = creations_[static_cast<std::size_t>(id)];
-    graph.experiences.push_back(
-        {id, creation.frame, creation.template_id, fromPlanar(inWorld(experiences_[id]))});
+    graph.experiences.push_back({id, creation.frame, creation.template_id,
+                                 inWorld(experiences_[id], experiences_.height(id))});
   }
   for (const PolarLink& polar : experiences_.links()) {
     Link link;
@@ -135,7 +163,7 @@ Status RelaxationMap::graph(MapGraph& graph) const {
     link.to = polar.to;
     link.kind = polar.loop ? LinkKind::Loop : LinkKind::Odometry;
     link.frame = polar.frame;
-    link.T_from_to = fromPlanar(toPlanar(polar));
+    link.T_from_to = raised(toPlanar(polar), polar.climb);
     link.covariance = Matrix6d::Identity();  // all links have equal weight
     link.duration = polar.loop ? 0 : polar.seconds;
     graph.links.push_back(link);

@@ -94,7 +94,7 @@ Status Progress::finish(const MapGraph& graph) {
 void Progress::count(const Snapshot& snapshot) {
   ++state_.frames;
   if (snapshot.frame != nullptr) {  // some frames may have been left out
-    if (first_frame_ < 0) first_frame_ = snapshot.frame->frame;  // later sessions count on
+    if (first_frame_ < 0) first_frame_ = snapshot.frame->frame;  // not 0 in later sessions
     state_.frames = std::max(state_.frames, snapshot.frame->frame - first_frame_ + 1);
   }
   if (snapshot.place != nullptr) {
@@ -110,7 +110,7 @@ bool Progress::isLineDue() const {
   const double silent = state_.seconds - static_cast<double>(shown_ns_ - begin_ns_) * kSecondsPerNs;
   if (parameters_.every_seconds > 0 && silent >= parameters_.every_seconds) return true;
   if (parameters_.every_percent <= 0 || state_.total <= 0) return false;
-  // A line when a multiple of every_percent was passed since the last one.
+  // Write a line when the percentage has passed a multiple of every_percent since the last line.
   const auto multiple = [this](std::int64_t frames) {
     return std::int64_t(100.0 * static_cast<double>(frames) /
                         (static_cast<double>(state_.total) * parameters_.every_percent));
@@ -122,7 +122,7 @@ void Progress::redraw(const std::string& line) {
   // Blanks erase the rest of the old line; unlike control codes they work on every terminal.
   const std::size_t before = std::min(drawn_, static_cast<std::size_t>(std::max(width_() - 1, 0)));
   const std::string wipe(before > line.size() ? before - line.size() : 0, ' ');
-  // In one piece, so that a line of the log from another thread does not get between.
+  // A single write, so that a log line of another thread cannot come in between.
   out_ << "\r" + (colour_ ? coloured(line) : line) + wipe + (line.empty() ? "\r" : "")
        << std::flush;
   drawn_ = line.size();

@@ -61,8 +61,8 @@ class Progress final : public Observer {
 
   ProgressState state_;
   std::int64_t begin_ns_ = 0;
-  std::int64_t shown_ns_ = 0;      ///< when something was last shown
-  std::int64_t shown_frames_ = 0;  ///< and at which count
+  std::int64_t shown_ns_ = 0;      ///< ns, time of the last output
+  std::int64_t shown_frames_ = 0;  ///< number of frames at the last output
   std::int64_t first_frame_ = -1;  ///< of this session; -1 before it
   std::size_t drawn_ = 0;          ///< characters of the line on the terminal
 };

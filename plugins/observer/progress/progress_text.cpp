@@ -15,7 +15,7 @@ std::string count(std::int64_t number, std::string_view what) {
   return std::to_string(number) + " " + std::string(what) + (number == 1 ? "" : "s");
 }
 
-/// "3.7 s", from a minute on "1:04 min", from an hour on "1:02 h".
+/// "3.7 s"; from one minute "1:04 min"; from one hour "1:02 h".
 std::string duration(double seconds) {
   const double known = std::clamp(seconds, 0.0, 1e9);
   char text[48];

@@ -7,19 +7,19 @@
 
 namespace tolman::progress {
 
-/// How far a run is.
+/// Counts of a run so far.
 struct ProgressState {
   std::int64_t frames = 0;  ///< done
   std::int64_t total = -1;  ///< -1 when not known
   double seconds = 0;       ///< since the run began
   std::int64_t templates = 0;
   std::int64_t experiences = 0;
-  std::int64_t loop_decisions = 0;  ///< while the run is going
+  std::int64_t loop_decisions = 0;  ///< so far, during the run
   std::int64_t loop_links = 0;      ///< of the final map
 };
 
-/// One line for a terminal of `width` columns, at most width - 1 of them used: what does not fit is
-/// left out, counts first.
+/// One line of at most `width` - 1 columns, for a terminal of `width` columns. Parts that do not
+/// fit are left out, counts first.
 std::string barLine(const ProgressState& state, int width);
 
 /// The same line with a green bar.

@@ -14,7 +14,7 @@ struct BundleFile {
 
 std::span<const BundleFile> bundle();
 
-/// By the ending of the name; application/octet-stream for unknown endings.
+/// Media type by the extension of the name; application/octet-stream for unknown extensions.
 std::string_view mediaType(std::string_view path);
 
 }  // namespace tolman::web_viewer

@@ -20,7 +20,7 @@ class EventLog {
   }
   std::size_t end() const { return end_; }
 
-  /// The newest from number `next` on, at most `count`.
+  /// The newest events from number `next` on, at most `count`.
   std::vector<RunEvent> since(std::size_t next, std::size_t count) const {
     const std::size_t missed = end_ - std::min(next, end_);
     const std::size_t sent = std::min({missed, count, events_.size()});

@@ -17,11 +17,15 @@ void FlatGraph::assign(const MapGraph& graph, std::int64_t at_frame) {
   link.clear();
   link_kind.clear();
   link_rejected.clear();
+  link_metres.clear();
+  link_seconds.clear();
   for (const Link& l : graph.links) {
     link.push_back(static_cast<std::int32_t>(l.from));
     link.push_back(static_cast<std::int32_t>(l.to));
     link_kind.push_back(static_cast<std::uint8_t>(l.kind));
     link_rejected.push_back(graph.isRejected(l) ? 1 : 0);
+    link_metres.push_back(static_cast<float>(l.T_from_to.translation().norm()));
+    link_seconds.push_back(static_cast<float>(l.duration));
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the viewer keeps of one frame until it is encoded. Pixels are shared, the rest is copied.
+// The data of one frame until it is encoded. Pixels are shared, the rest is copied.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct FrameCopy {
   Eigen::Matrix<float, 4, Eigen::Dynamic> points;  ///< as Motion::points
   std::vector<NamedArray> cells;
 
-  /// Copies from the snapshot, into the memory of the copy before.
+  /// Copies from the snapshot; reuses the memory of the previous copy.
   void assign(const Snapshot& snapshot) {
     frame = snapshot.frame->frame;
     left = snapshot.frame->left;

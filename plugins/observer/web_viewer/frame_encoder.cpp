@@ -12,7 +12,7 @@ namespace {
 
 // Points of older frames are not sent: they no longer fit the present image.
 constexpr std::int64_t kRecentFrames = 10;
-// Limits of a message: about 5 MB, ten times a second on the loopback interface.
+// Limits of a message: about 5 MB, which the loopback interface carries ten times a second.
 constexpr Eigen::Index kMaxPoints = 20'000;
 constexpr std::size_t kMaxCells = 1U << 20U;  // values in all arrays
 constexpr std::size_t kMaxText = 1000;        // bytes of an event's message
@@ -35,9 +35,9 @@ void addCells(const std::vector<NamedArray>& cells, std::vector<PackedArray>& ar
   }
 }
 
-/// At most `width` wide, reduced by an integer factor: means over whole pixels cost a tenth of
-/// other interpolations. The remainder at the right and the bottom, less than a pixel of the
-/// result, is cut off.
+/// Reduces an image by an integer factor to at most `width` px: means over whole pixels take a
+/// tenth of the time of other interpolations. The remainder at the right and the bottom, less than
+/// a pixel of the result, is cut off.
 cv::Mat shrunk(const cv::Mat& pixels, int width) {
   const int factor = std::min((pixels.cols + width - 1) / width, pixels.rows);
   if (factor <= 1) return pixels;

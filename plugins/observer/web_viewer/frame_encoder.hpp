@@ -15,7 +15,7 @@ struct EncodedFrame {
 };
 
 struct JpegOptions {
-  int width = 640;   ///< px at most
+  int width = 640;   ///< px, at most
   int quality = 70;  ///< in percent
 };
 

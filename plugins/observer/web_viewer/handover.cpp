@@ -8,7 +8,8 @@ namespace tolman::web_viewer {
 namespace {
 
 constexpr std::size_t kMaxEvents = 100;
-constexpr std::size_t kMaxImages = 16;  // each is an image of full size
+constexpr std::size_t kMaxMessages = 1000;
+constexpr std::size_t kMaxImages = 16;  // images of full size
 constexpr std::size_t kWakeAtImages = 8;
 constexpr std::size_t kMaxValues = 1U << 21U;     // of rows: 16 MiB, about 50,000 rows
 constexpr std::size_t kWakeAtValues = 1U << 15U;  // of rows: 256 KiB
@@ -27,11 +28,13 @@ bool Handover::put(const Snapshot& snapshot) {
   fresh_frame_ = true;
   if (snapshot.events != nullptr) putEvents(*snapshot.events);
   putTemplateImage(snapshot);
+  putMessages(snapshot);
   if (snapshot.graph != nullptr) {
     graph_.assign(*snapshot.graph, snapshot.frame->frame);
     fresh_graph_ = true;
   }
-  return every_frame_ || rows_.size() >= kWakeAtValues || template_images_.size() >= kWakeAtImages;
+  return every_frame_ || wakes_always_ || rows_.size() >= kWakeAtValues ||
+         template_images_.size() >= kWakeAtImages;
 }
 
 void Handover::putEvents(const std::vector<RunEvent>& events) {
@@ -47,6 +50,14 @@ void Handover::putTemplateImage(const Snapshot& snapshot) {
   template_images_.push_back({snapshot.place->template_id, snapshot.frame->left});
 }
 
+/// If the viewer does not take them in time, the oldest are dropped.
+void Handover::putMessages(const Snapshot& snapshot) {
+  pose_.assign(snapshot);
+  appendMessages(snapshot, messages_);
+  if (messages_.size() <= kMaxMessages) return;
+  messages_.erase(messages_.begin(), messages_.end() - static_cast<std::ptrdiff_t>(kMaxMessages));
+}
+
 void Handover::putGraph(const MapGraph& graph) {
   const std::lock_guard lock(mutex_);
   graph_.assign(graph, -1);
@@ -56,11 +67,14 @@ void Handover::putGraph(const MapGraph& graph) {
 void Handover::take(PendingData& pending, bool frame, bool graph) {
   pending.rows.clear();
   pending.events.clear();
+  pending.messages.clear();
   pending.template_images.clear();
   {
     const std::lock_guard lock(mutex_);
     std::swap(pending.rows, rows_);
     std::swap(pending.events, events_);
+    std::swap(pending.messages, messages_);
+    pending.pose = pose_;
     std::swap(pending.template_images, template_images_);
     pending.has_frame = frame && std::exchange(fresh_frame_, false);
     pending.has_graph = graph && std::exchange(fresh_graph_, false);

@@ -3,10 +3,12 @@
 // every frame is to be shown (`rate: 0`).
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <vector>
 
+#include "api_messages.hpp"
 #include "flat_graph.hpp"
 #include "frame_copy.hpp"
 #include "history_row.hpp"
@@ -21,8 +23,10 @@ struct TemplateImage {
 
 /// Data that the viewer has not processed yet.
 struct PendingData {
-  std::vector<double> rows;      ///< all values of all rows; see rowColumns()
-  std::vector<RunEvent> events;  ///< the newest
+  std::vector<double> rows;           ///< all values of all rows; see rowColumns()
+  std::vector<RunEvent> events;       ///< the newest events
+  std::vector<std::string> messages;  ///< of /api/events
+  LatestPose pose;
   std::vector<TemplateImage> template_images;
   bool has_frame = false;
   bool has_graph = false;
@@ -32,24 +36,29 @@ struct PendingData {
 
 class Handover {
  public:
-  /// `every_frame`: put() waits until the frame before was taken.
+  /// `every_frame`: put() waits until the previous frame was taken.
   explicit Handover(bool every_frame) : every_frame_(every_frame) {}
 
-  /// True when the viewer should take the data now: there are many, or every frame is to be shown.
+  /// True if the viewer should take the data now: there is much of it, or every frame is to be
+  /// shown.
   bool put(const Snapshot& snapshot);
   void putGraph(const MapGraph& graph);
 
   /// Moves the data into `pending`, and reuses its memory for the next data. Frame and graph are
-  /// moved only when asked for; otherwise they wait, and newer ones replace them.
+  /// moved only on request; until then newer ones replace them.
   void take(PendingData& pending, bool frame, bool graph);
-  /// put() no longer waits; call it when nobody calls take() any more.
+  /// Whether put() asks to take the data of every frame.
+  void wakeAlways(bool always) { wakes_always_ = always; }
+  /// After this put() no longer waits. To be called after the last take().
   void close();
 
  private:
   void putEvents(const std::vector<RunEvent>& events);
   void putTemplateImage(const Snapshot& snapshot);
+  void putMessages(const Snapshot& snapshot);
 
   const bool every_frame_;
+  std::atomic<bool> wakes_always_ = false;
   RowMaker row_maker_;
   std::mutex mutex_;
   std::condition_variable taken_;
@@ -60,6 +69,8 @@ class Handover {
   FlatGraph graph_;
   std::vector<double> rows_;
   std::vector<RunEvent> events_;
+  std::vector<std::string> messages_;
+  LatestPose pose_;
   std::vector<TemplateImage> template_images_;
 };
 

@@ -14,7 +14,7 @@ constexpr std::size_t kTimedStages = 5;  // all roles but the observers
 
 using Choices = std::span<const std::string_view>;
 
-/// Frame index and time are equal in all records of a frame; "frame" and "time" are columns once.
+/// Frame index and time are equal in all records of a frame, so each has only one column.
 bool isJoinKey(std::string_view field) { return field == "frame" || field == "stamp_ns"; }
 
 /// Calls visit(record name, Field, choices, value) for each scalar field. The fields of a missing
@@ -50,7 +50,7 @@ struct RowPoses {
   std::optional<Eigen::Isometry3d> truth;
 };
 
-/// The one list of columns: visits each with its value, always in the same order.
+/// Visits each column with its value, always in the same order.
 template <class Visit>
 void visitColumns(const Snapshot& snapshot, const RowPoses& poses, const Visit& visit) {
   const Frame& frame = *snapshot.frame;

@@ -7,6 +7,7 @@
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <utility>
 
+#include "event_client.hpp"
 #include "live_client.hpp"
 #include "request_check.hpp"
 
@@ -84,18 +85,27 @@ void HttpConnection::serve() {
   }
   if (!comesFromOwnPage()) return reply(errorResponse(403), false);
   if (beast::websocket::is_upgrade(request)) return upgrade();
-  if (view(request.target()) == "/live") return reply(errorResponse(400), keep_alive);
-  reply(respond(view(request.method_string()), view(request.target()), state_->store), keep_alive);
+  const std::string_view target = view(request.target());
+  if (target == "/live" || target == "/api/events") return reply(errorResponse(400), keep_alive);
+  if (state_->refresh && target.starts_with("/api/")) state_->refresh();
+  reply(respond(view(request.method_string()), target, state_->store), keep_alive);
 }
 
 void HttpConnection::upgrade() {
   constexpr std::size_t kKeyLength = 24;  // 16 bytes in base64, RFC 6455
-  if (view(parser_->get().target()) != "/live") return reply(errorResponse(404), false);
+  const std::string_view target = view(parser_->get().target());
+  if (target != "/live" && target != "/api/events") return reply(errorResponse(404), false);
   if (header(http::field::sec_websocket_key).size() != kKeyLength) {
     return reply(errorResponse(400), false);
   }
   if (state_->clients.size() >= state_->most_clients) return reply(errorResponse(503), false);
-  std::make_shared<LiveClient>(std::move(stream_), state_)->start(parser_->get());
+  // A client gets no messages from before its connection.
+  if (state_->refresh && target == "/api/events") state_->refresh();
+  if (target == "/live") {
+    std::make_shared<LiveClient>(std::move(stream_), state_)->start(parser_->get());
+  } else {
+    std::make_shared<EventClient>(std::move(stream_), state_)->start(parser_->get());
+  }
 }
 
 void HttpConnection::reply(HttpResponse answer, bool keep_alive) {

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kMaxRows = 4096;  // of one response
 constexpr const char* kBinary = "application/octet-stream";
 
-/// A non-negative decimal number; nothing for any other text.
+/// A non-negative decimal number; empty for any other text.
 std::optional<std::int64_t> number(std::string_view text) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -57,12 +57,19 @@ HttpResponse templateImage(std::string_view text, const RunStore& store) {
   return {200, "image/jpeg", *std::move(image)};
 }
 
+HttpResponse json(ApiAnswer answer) {
+  return {answer.status, "application/json", std::move(answer.json) + "\n"};
+}
+
 HttpResponse api(std::string_view path, std::string_view query, const RunStore& store) {
   constexpr std::string_view kFrame = "/api/frame/";
   constexpr std::string_view kTemplate = "/api/template/";
   if (path == "/api/history") return history(query, store);
+  if (path == "/api/plan") return json(planAnswer(store.flatGraph(), store.pose(), query));
   if (!query.empty()) return errorResponse(400);
   if (path == "/api/run") return {200, "application/json", jsonText(headerJson(store.hello()))};
+  if (path == "/api/pose") return json(poseAnswer(store.pose()));
+  if (path == "/api/map") return json(mapAnswer(store.flatGraph()));
   if (path.starts_with(kFrame)) return storedFrame(path.substr(kFrame.size()), store);
   if (path.starts_with(kTemplate)) return templateImage(path.substr(kTemplate.size()), store);
   if (path != "/api/graph") return errorResponse(404);

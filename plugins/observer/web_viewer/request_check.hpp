@@ -9,8 +9,8 @@
 namespace tolman::web_viewer {
 
 /// Whether a Host header names this server: localhost, a loopback address, or the address that the
-/// connection was made to. Other host names are refused, since any site's DNS can resolve to this
-/// machine. The port is not compared, so that tunnels work.
+/// connection was made to. Other host names are refused, because the DNS of any site can resolve to
+/// this machine. The port is not compared, so that tunnels work.
 bool isOwnHost(std::string_view host, const boost::asio::ip::address& local);
 
 /// Whether an Origin header names the page that `host` serves.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All history rows of a run, in a temporary file: none is ever dropped, and memory stays constant.
+// All history rows of a run, in a temporary file: no row is dropped, and memory is constant.
 #pragma once
 
 #include <string>

@@ -18,7 +18,12 @@ RunStore::RunStore(const JpegOptions& jpeg_options, std::uint64_t spool_bytes)
 void RunStore::add(const PendingData& pending) {
   rows_.append(pending.rows);
   events_.append(pending.events);
-  if (pending.has_graph) graph_ = std::make_shared<const std::string>(pending.graph.encode());
+  messages_.append(pending.messages);
+  pose_ = pending.pose;
+  if (pending.has_graph) {
+    graph_ = std::make_shared<const std::string>(pending.graph.encode());
+    flat_graph_ = pending.graph;
+  }
   if (pending.has_frame) {
     const auto frame =
         std::make_shared<const EncodedFrame>(encodeFrame(pending.newest, jpeg_options_));

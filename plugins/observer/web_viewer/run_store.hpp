@@ -9,6 +9,7 @@
 #include "event_log.hpp"
 #include "frame_encoder.hpp"
 #include "handover.hpp"
+#include "message_log.hpp"
 #include "row_store.hpp"
 #include "spool.hpp"
 
@@ -18,7 +19,7 @@ class RunStore {
  public:
   RunStore(const JpegOptions& jpeg_options, std::uint64_t spool_bytes);
 
-  /// `recorded`: the run had ended before.
+  /// `recorded`: the run had ended before it was shown.
   void begin(const RunInfo& run, bool recorded) {
     hello_.run = run;
     hello_.recorded = recorded;
@@ -32,11 +33,16 @@ class RunStore {
   HelloHeader hello() const;
   bool hasEnded() const { return !hello_.live; }
   std::string endMessage() const;
+  const std::string& endState() const { return end_state_; }
   const RowStore& rows() const { return rows_; }
   const Spool& frames() const { return frames_; }
   const Spool& templateImages() const { return template_images_; }
   const EventLog& events() const { return events_; }
-  /// Null before the first frame; shared, because a client may still be sending it.
+  const MessageLog& messages() const { return messages_; }
+  const LatestPose& pose() const { return pose_; }
+  const FlatGraph& flatGraph() const { return flat_graph_; }
+  /// The newest frame, null before the first; shared, because it may still be being sent to a
+  /// client.
   const std::shared_ptr<const EncodedFrame>& newest() const { return newest_; }
   /// The encoded graph; null before the first.
   const std::shared_ptr<const std::string>& graph() const { return graph_; }
@@ -49,6 +55,9 @@ class RunStore {
   Spool frames_;
   Spool template_images_;
   EventLog events_;
+  MessageLog messages_;
+  LatestPose pose_;
+  FlatGraph flat_graph_;
   std::shared_ptr<const EncodedFrame> newest_;
   std::shared_ptr<const std::string> graph_;
 };

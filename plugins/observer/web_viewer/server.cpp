@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "http_connection.hpp"
-#include "live_client.hpp"
+#include "socket_client.hpp"
 
 namespace tolman::web_viewer {
 namespace {
@@ -13,7 +13,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using namespace std::chrono_literals;
 
-// HTTP connections in addition to the live clients.
+// HTTP connections, not counting the live clients.
 constexpr std::size_t kMaxHttpConnections = 64;
 
 std::string portText(const ListenAddress& address, int port) {
@@ -88,19 +88,23 @@ void Server::accept() {
 }
 
 void Server::publishFrame() {
-  for (LiveClient* client : std::set(state_->clients)) client->newFrame();
+  for (SocketClient* client : std::set(state_->clients)) client->newFrame();
 }
 
 void Server::publishGraph() {
-  for (LiveClient* client : std::set(state_->clients)) client->newGraph();
+  for (SocketClient* client : std::set(state_->clients)) client->newGraph();
+}
+
+void Server::publishNumbers() {
+  for (SocketClient* client : std::set(state_->clients)) client->newNumbers();
 }
 
 void Server::publishEnd() {
-  for (LiveClient* client : std::set(state_->clients)) client->runEnded();
+  for (SocketClient* client : std::set(state_->clients)) client->runEnded();
 }
 
 bool Server::dropStalledClients() {
-  for (LiveClient* client : std::set(state_->clients)) {
+  for (SocketClient* client : std::set(state_->clients)) {
     if (client->isStalled(200ms)) client->disconnect();
   }
   return state_->clients.empty();

@@ -36,6 +36,7 @@ class Server {
   void accept();
   void publishFrame();
   void publishGraph();
+  void publishNumbers();
   void publishEnd();
   /// Disconnects clients that do not read; true when no client is left.
   bool dropStalledClients();

@@ -4,7 +4,7 @@
 namespace tolman::web_viewer {
 namespace {
 
-// Only whole blocks can be freed.
+// Bytes; only whole blocks of the file system can be freed.
 constexpr std::uint64_t kBlock = 4096;
 
 std::uint64_t blocks(std::uint64_t size) { return (size + kBlock - 1) / kBlock * kBlock; }
@@ -31,7 +31,7 @@ Spool::Extents::iterator Spool::drop(Extents::iterator extent) {
   return extents_.erase(extent);
 }
 
-/// Drops the second, fourth, ... message; a single message is dropped, too.
+/// Drops the second, fourth, ... message; if there is only one message, drops it.
 void Spool::thin() {
   auto extent = extents_.begin();
   if (extents_.size() > 1) ++extent;

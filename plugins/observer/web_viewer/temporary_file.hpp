@@ -11,7 +11,7 @@ namespace tolman::web_viewer {
 /// All functions throw std::system_error on failure.
 class TemporaryFile {
  public:
-  /// In the system's folder for temporary files ($TMPDIR).
+  /// Creates the file in the folder for temporary files ($TMPDIR).
   TemporaryFile();
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -19,7 +19,7 @@ class TemporaryFile {
 
   void write(std::uint64_t offset, std::span<const char> bytes);
   void read(std::uint64_t offset, std::span<char> bytes) const;
-  /// Frees the blocks; false when the file system cannot.
+  /// Frees the blocks; false if the file system does not support this.
   bool release(std::uint64_t offset, std::uint64_t size);
 
  private:

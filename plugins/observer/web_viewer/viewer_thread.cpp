@@ -27,7 +27,9 @@ ViewerThread::ViewerThread(const ViewerOptions& options, Logger& log)
       server_(io_, state_),
       frame_period_(options.rate > 0 ? std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(1 / options.rate))
-                                     : Clock::duration(0)) {}
+                                     : Clock::duration(0)) {
+  state_->refresh = [this] { take(false); };
+}
 
 ViewerThread::~ViewerThread() {
   handover_.close();
@@ -44,7 +46,7 @@ Status ViewerThread::start() {
   return status;
 }
 
-/// An exception of one connection or frame is logged and does not end the others.
+/// Runs the event loop. An exception of one connection or frame is logged and does not end it.
 void ViewerThread::work() {
   for (;;) {
     try {
@@ -79,6 +81,8 @@ void ViewerThread::take(bool everything) {
   state_->store.add(pending_);
   if (pending_.has_graph) server_.publishGraph();
   if (pending_.has_frame) server_.publishFrame();
+  server_.publishNumbers();
+  handover_.wakeAlways(state_->event_clients > 0);
 }
 
 void ViewerThread::begin(const RunInfo& run) {

@@ -19,7 +19,7 @@ struct ViewerOptions {
   ListenAddress address;
   std::size_t clients = 8;
   double rate = 10;       ///< frame messages per second; 0 for every frame
-  bool recorded = false;  ///< the run had ended before
+  bool recorded = false;  ///< the run had ended before it was shown
   JpegOptions jpeg_options;
   std::uint64_t spool_bytes = 0;
 };
@@ -41,8 +41,8 @@ class ViewerThread {
 
   void begin(const RunInfo& run);
   void observe(const Snapshot& snapshot);
-  /// Sends the remaining data and the end message, and waits half a second at most for clients to
-  /// receive them. Serves on while `stays` returns true.
+  /// Sends the remaining data and the end message, and waits at most half a second for clients to
+  /// receive them. Then continues to serve while `stays` returns true.
   void finish(const MapGraph* graph, const char* state, const std::function<bool()>& stays);
 
  private:

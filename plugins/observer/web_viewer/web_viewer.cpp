@@ -25,8 +25,8 @@ ViewerOptions optionsOf(const WebViewer::Parameters& p) {
   return options;
 }
 
-/// A line on the terminal, over a progress line that may stand there: in one piece, so that the
-/// next drawing comes before or after it.
+/// Prints a line on the terminal over a possible progress line. A single write, so that the
+/// progress line is drawn before or after it.
 void printLine(const std::string& text) {
   winsize size{};
   const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
@@ -38,7 +38,7 @@ void printLine(const std::string& text) {
 
 WebViewer::WebViewer() = default;
 
-/// Without finish() before, the run has failed: clients get its end as "interrupted".
+/// If finish() was not called, the run has failed: clients get its end as "interrupted".
 WebViewer::~WebViewer() {
   if (viewer_) viewer_->finish(nullptr, "interrupted", {});
 }

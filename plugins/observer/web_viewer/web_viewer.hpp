@@ -86,7 +86,7 @@ class WebViewer final : public Observer, public PageServer {
   Logger* log_ = nullptr;
   ArtefactWriter* artefacts_ = nullptr;
   const Cancellation* cancellation_ = nullptr;
-  bool prints_ = false;  ///< a person watches the terminal and did not ask for silence
+  bool prints_ = false;  ///< stderr is a terminal, and output is not disabled
   std::unique_ptr<ViewerThread> viewer_;
 };
 

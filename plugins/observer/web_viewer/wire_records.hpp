@@ -32,7 +32,7 @@ struct HelloHeader {
   }
 };
 
-/// Of a frame: image, points, arrays of the cells, and the rows that the client has not got yet.
+/// Header of a frame: image, points, arrays of the cells, and the rows not yet sent to the client.
 struct FrameHeader {
   static constexpr const char* kRecord = "frame";
   std::int64_t frame = -1;
@@ -51,7 +51,7 @@ struct FrameHeader {
   }
 };
 
-/// Of the answer of /api/history.
+/// Header of the answer of /api/history.
 struct HistoryHeader {
   static constexpr const char* kRecord = "history";
   std::int64_t from = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spacing, refinement in parallel, and the move into the window.
+// Adaptation of the spacing, refinement in parallel, and insertion into the window.
 #include "activation.hpp"
 
 #include <tbb/parallel_for.h>
@@ -32,6 +32,9 @@ constexpr int kGone = 1000;  // failures: marks a candidate for removal
 enum class Readiness { Ready, Wait, Hopeless };
 
 Readiness readiness(const ImmaturePoint& point) {
+  // Chosen on clip 06. The refinement linearises in the inverse depth and converges from errors of
+  // about a fifth. Far points never have this relative accuracy; for them 0.01 1/m is enough. A
+  // candidate that three epipolar searches have not found is occluded or on repeated texture.
   constexpr int kMostFailures = 3;
   constexpr float kLargestRelativeSigma = 0.2F;
   constexpr float kFarSigma = 0.01F;  // 1/m
@@ -68,8 +71,10 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
                                      const Window& window, int host,
                                      const std::vector<PairGeometry>& pairs,
                                      const ImmaturePoint& candidate) {
+  // Both values are those of Engel et al. 2018 (DSO). For residuals with a noise of one grey level
+  // an information of 100 m^2 is a standard deviation of the inverse depth of 0.1 1/m.
   constexpr int kIterations = 3;
-  constexpr float kLeastInformation = 100;
+  constexpr float kLeastInformation = 100;  // m^2
   const Keyframe& keyframe = window.keyframe(host);
   Point point;
   point.u = candidate.u;
@@ -112,9 +117,10 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
     }
     // A point that projects into no other keyframe needs only its residual in the right image.
     const bool right_only = seen == 0 && keyframe.has_right;
-    if (right_only && settings.lambda == 0) return point;  // its match is all there is
+    if (right_only && settings.lambda == 0) return point;  // it has no residual to refine it with
     const bool enough = good > 0 || (right_only && point.stereo == ResidualState::Good);
     if (!enough || information < kLeastInformation) return std::nullopt;
+    // Limits a step to a little more than the initial error of a candidate (see readiness()).
     const float limit = 0.3F * point.inverse_depth + 0.01F;
     const float step = std::clamp(-gradient / information, -limit, limit);
     point.inverse_depth = std::max(point.inverse_depth + step, 1e-5F);
@@ -124,6 +130,10 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
   return point;
 }
 
+// Sequential placing at random of points at least s apart ends when discs of diameter s cover about
+// 0.55 of the area. The factor 0.6 of the first spacing gives about the wanted number. From
+// keyframe to keyframe the spacing changes by a fifth at most, so that one view with little texture
+// has little influence.
 void Activator::adaptSpacing(const CameraRig& rig, int wanted) {
   if (spacing_ == 0) {
     spacing_ = static_cast<float>(
@@ -181,7 +191,7 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
   });
   for (std::size_t i = 0; i < chosen_.size(); ++i) {
     Keyframe& keyframe = window.keyframe(chosen_[i].host);
-    keyframe.immature[chosen_[i].index].failures = kGone;  // used up, or wrong
+    keyframe.immature[chosen_[i].index].failures = kGone;  // activated, or wrong
     if (!refined_[i]) continue;
     keyframe.points.push_back(*refined_[i]);
     ++keyframe.points_made;

@@ -29,13 +29,13 @@ class Occupancy {
   std::vector<Cell> cells_;
 };
 
-/// Gauss-Newton on the inverse depth over all keyframes; none without enough good residuals.
+/// Gauss-Newton on the inverse depth over all keyframes; empty without enough good residuals.
 std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings& settings,
                                      const Window& window, int host,
                                      const std::vector<PairGeometry>& pairs,
                                      const ImmaturePoint& candidate);
 
-/// Holds the spacing and buffers from keyframe to keyframe.
+/// Keeps the spacing and the buffers from keyframe to keyframe.
 class Activator {
  public:
   void reset() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levenberg-Marquardt over pose and brightness, all samples in lanes of eight.
+// Levenberg-Marquardt over pose and brightness, eight samples at a time (SIMD).
 #include "alignment.hpp"
 
 #include <tbb/parallel_for.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kLanes = ReferenceLevel::kGroup;
 constexpr std::size_t kGroupsPerChunk = 128;  // fixed, for the same sums with any thread count
-// Grey levels; larger residuals are outliers (the value of the published program of Engel et al.).
+// Grey levels; larger residuals are outliers. The value of the published program of Engel et al.
 constexpr float kCutoff = 20;
 constexpr std::array<int, ImagePyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
 
@@ -27,7 +27,7 @@ struct LevelView {
   float gain, offset;
 };
 
-constexpr double kLargestFlow = 0.06;  // of width + height; 97 px on KITTI
+constexpr double kLargestFlow = 0.06;  // share of width + height; 97 px on KITTI
 
 /// Grid over the image that records which parts have samples.
 class CoverageGrid {
@@ -73,10 +73,10 @@ LevelView levelView(const CameraRig& rig, int l, const AlignmentState& state) {
   return view;
 }
 
-/// Eight samples in the image.
+/// Eight samples projected into the image.
 struct Seen {
   Eight grey;
-  Eight weight;  ///< 0 where out of view; such samples look at the pixel (1, 1)
+  Eight weight;  ///< 0 out of view; such samples read the pixel (1, 1)
 };
 
 /// Bilinear grey levels at u, v; two neighbours are read at once.

@@ -22,7 +22,7 @@ struct AlignmentResult {
   AlignmentState state;
   double rms = 0;              ///< grey levels, of all samples in view, large residuals truncated
   double inlier_fraction = 0;  ///< of the samples in view
-  double in_view = 0;          ///< fraction of all samples
+  double in_view = 0;          ///< fraction of all samples that are in view
   int samples = 0;             ///< inliers at the finest level
   Eigen::Matrix<double, 8, 8> information = Eigen::Matrix<double, 8, 8>::Zero();
   double flow = 0;              ///< px, root mean square image motion since the reference
@@ -36,7 +36,7 @@ class Aligner {
   static constexpr std::size_t kColumns = 9;
   static constexpr std::size_t kSums = kColumns * (kColumns + 1) / 2 + 4;
 
-  /// Levels from `coarsest` down to `finest`, starting at `guess`.
+  /// Aligns on the levels from `coarsest` down to `finest`, starting at `guess`.
   AlignmentResult align(const CameraRig& rig, const AlignmentReference& reference,
                         const ImagePyramid& image, const AlignmentState& guess, int coarsest,
                         int finest);
@@ -50,7 +50,7 @@ class Aligner {
     double inliers = 0;
     double in_view = 0;
   };
-  /// Derivatives hardly change within a level, so H is needed once; the gradient always is.
+  /// H hardly changes within a level, so it is computed once; the gradient in every iteration.
   enum class Sought : std::uint8_t { GradientAndH, Gradient };
   void evaluate(const CameraRig& rig, const ReferenceLevel& level, const GrayLevel& image, int l,
                 const AlignmentState& state, float cutoff, Sought sought, NormalEquations& normal);

@@ -17,7 +17,8 @@ struct Offset {
   float u;
   float v;
 };
-/// Neighbours share the point's depth: diagonal ones where pixels are small, closer ones above.
+/// Offsets, px, of the samples of a point, which share its depth: diagonal neighbours on fine
+/// levels, direct neighbours on coarse ones.
 constexpr std::array<Offset, 5> kFine = {{{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 constexpr std::array<Offset, 5> kCoarse = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 

@@ -19,7 +19,7 @@ struct ReferenceLevel {
   std::vector<float> x, y, d;  ///< ray (x, y, 1) and inverse depth in the keyframe
   std::vector<float> value;    ///< grey level
   std::vector<float> weight;
-  std::array<std::vector<float>, 6> by_twist;  ///< of the value, when the scene point is moved
+  std::array<std::vector<float>, 6> by_twist;  ///< derivative by the motion of the point
   std::size_t count = 0;                       ///< without padding
 
   std::size_t groups() const { return (count + kGroup - 1) / kGroup; }
@@ -48,7 +48,7 @@ class AlignmentReference {
 
   std::array<ReferenceLevel, ImagePyramid::kMostLevels> samples_;
   std::vector<Projected> projected_;
-  /// By level: pixels that have a sample.
+  /// For each level: which pixels have a sample.
   std::array<std::vector<unsigned char>, ImagePyramid::kMostLevels> taken_;
   int levels_ = 0;
   std::int64_t frame_ = -1;

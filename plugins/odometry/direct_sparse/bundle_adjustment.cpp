@@ -23,7 +23,7 @@ StepSize apply(Window& window, const SystemVector& step) {
     Keyframe& keyframe = window.keyframe(slot);
     const Vector8d part = step.segment<kFrameVariables>(kFrameVariables * slot);
     keyframe.change += part;
-    // No prior is linearised at its first estimate yet, so the estimate may move.
+    // No prior is linearised at the first estimate of this keyframe yet, so it may change.
     if (!keyframe.has_prior) keyframe.relinearise();
     size.metres += part.head<3>().squaredNorm();
     size.radians += part.segment<3>(3).squaredNorm();
@@ -38,7 +38,7 @@ StepSize apply(Window& window, const SystemVector& step) {
 
 using Poses = std::array<Eigen::Isometry3d, kSlots>;
 
-/// Poses of the keyframes in the oldest one.
+/// Poses of the keyframes in the camera frame of the oldest one, by slot.
 Poses posesInOldest(const Window& window) {
   Poses poses;
   const Eigen::Isometry3d T_oldest_world = window.keyframe(window.order().front()).T_camera_world();
@@ -99,7 +99,7 @@ void dropOutliers(Window& window) {
       }
       if (point.stereo != ResidualState::Good) point.stereo = ResidualState::Absent;
       left += point.stereo == ResidualState::Good ? 1 : 0;
-      return had > 0 && left == 0;  // a new one may wait for its first residual
+      return had > 0 && left == 0;  // a new point may have no residual yet
     });
   }
 }

@@ -19,7 +19,7 @@ TOLMAN_INLINE void add(Eight value, float* sum) {
   std::memcpy(sum, &value, sizeof value);
 }
 
-/// Fills up the eight columns behind those of the slots.
+/// The column after that of the offset, within the padding behind the columns of the slots.
 constexpr std::size_t kGradientIndex = kOffsetIndex + 1;
 static_assert(kGradientIndex < kPadded);
 
@@ -94,7 +94,7 @@ TOLMAN_WIDE_LANES void ChunkSystem::addSighting(int target, const PairGeometry& 
   const float by_depth = -focal_baseline * sighting.by_depth;
   const auto slot = static_cast<std::size_t>(target);
   RelativeBlock& block = relative_[slot];
-  for (std::size_t i = 2; i < 5; ++i) {  // only forward motion, pitch and yaw change the depth
+  for (std::size_t i = 2; i < 5; ++i) {  // only z, pitch and yaw change the depth
     add(by_twist[i] * xx * by_twist, block[i].data());
     block[i][8] += by_twist[i] * xr;
     block[i][9] += by_twist[i] * xx;
@@ -108,7 +108,8 @@ TOLMAN_WIDE_LANES void ChunkSystem::addSighting(int target, const PairGeometry& 
   couple(target, pair, by_depth * xx * by_twist, terms);
 }
 
-/// Adds the coupling of a depth with a relative twist and brightness to those of both keyframes.
+/// Adds the coupling of a depth with the relative variables to its couplings with the variables of
+/// both keyframes.
 TOLMAN_INLINE void ChunkSystem::couple(int target, const PairGeometry& pair, const Eight& by_depth,
                                        PointTerms& terms) const {
   Eight by_host{};
@@ -150,7 +151,8 @@ void ChunkSystem::eliminate(std::span<PointTerms> points) {
   }
 }
 
-/// Adds to the rows and columns of all variables that any of the four couples with.
+/// Adds the Schur complement of four points, in the rows and columns of all variables that any of
+/// the four is coupled with.
 TOLMAN_WIDE_LANES void ChunkSystem::eliminateFour(const FourPoints& points) {
   constexpr std::size_t n = kFrameVariables;
   constexpr std::uint32_t kLast = 1U << kSlots;  // the disparity offset and the gradient

@@ -17,12 +17,12 @@ namespace tolman::direct_sparse {
 inline constexpr std::size_t kPadded = 72;
 static_assert(kPadded >= kVariables && kPadded % 8 == 0);
 
-/// How one point's inverse depth couples with all other variables (first estimate).
+/// Terms of the inverse depth of one point in the normal equations, at the first estimates.
 struct PointTerms {
   alignas(32) std::array<float, kPadded> coupling{};
   float information = 0;    ///< H_dd
   float gradient = 0;       ///< b_d
-  std::uint32_t slots = 0;  ///< bit mask: whose variables have a coupling
+  std::uint32_t slots = 0;  ///< bit mask of the slots whose variables have a coupling
   int good = 0;             ///< residuals in the sums
 };
 
@@ -36,16 +36,16 @@ class ChunkSystem {
   ResidualState judge(const PixelSums& sums, float threshold);
   void addTemporal(int target, const PairGeometry& pair, const PixelSums& sums,
                    const CentreJacobian& J, PointTerms& terms);
-  /// `sums` of stereoSums, `coupling` is the paper's lambda.
+  /// Static residual in the host's right image. `sums`: of stereoSums(); `lambda`: the paper's.
   void addStereo(const PixelSums& sums, float focal_baseline, float lambda, PointTerms& terms);
-  /// The right image of the target instead of the host's.
+  /// Static residual in the right image of the target.
   void addSighting(int target, const PairGeometry& pair, const PixelSums& sums,
                    const Sighting& sighting, float focal_baseline, float lambda, PointTerms& terms);
-  /// After the points' residuals: their Schur complement.
+  /// Computes the Schur complement of the points, after all their residuals were added.
   void eliminate(std::span<PointTerms> points);
 
-  /// Sum over points: relative variables (rows 0 to 7: twist, a, b; column 8: gradient;
-  /// column 9: coupling with the disparity offset).
+  /// Sums over points. Rows 0 to 7 are the relative variables (twist, a, b); column 8 is the
+  /// gradient, column 9 the coupling with the disparity offset.
   using RelativeBlock = std::array<std::array<float, 12>, 8>;
   const RelativeBlock& relative(int target) const {
     return relative_[static_cast<std::size_t>(target)];
@@ -59,7 +59,7 @@ class ChunkSystem {
   float offset_gradient = 0;
   double energy = 0;
   int residuals = 0;
-  std::array<int, 128> histogram{};  ///< of square roots of pattern energies, outliers too
+  std::array<int, 128> histogram{};  ///< of square roots of pattern energies, with outliers
 
  private:
   void couple(int target, const PairGeometry& pair, const Eight& by_depth, PointTerms& terms) const;

@@ -19,7 +19,7 @@ Affine absolute(const Affine& reference, const Affine& relative) {
 }
 
 /// Tracking and the window use the same images, so an adjustment moves keyframes by centimetres and
-/// fractions of a degree. A larger move means that the window is wrong.
+/// fractions of a degree. A larger change means that the window is wrong.
 bool isSound(const AdjustmentResult& adjustment, double largest_metres) {
   constexpr double kLargestRadians = 0.05;  // 3 degrees
   return adjustment.metres < largest_metres && adjustment.radians < kLargestRadians;
@@ -172,7 +172,7 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
   if (visible && (!can_track_ || unrecognised_ >= patience)) restart(frame, motion);
 }
 
-/// By direct alignment from the expected motion, or else from that of features.
+/// Direct alignment from the expected motion; if that fails, from the pose found by features.
 std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt) {
   const Expectation expectation = expect(dt);
   if (mapper_.isDraft()) return trackDraft(expectation);
@@ -189,15 +189,15 @@ std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt
   return isGood(refined) ? refined : std::nullopt;
 }
 
-/// Few samples, or road marks and fences after a gap, may fit at a wrong place as well. There the
-/// robot would have changed its speed by more than one g. A clip that is played to and fro turns
-/// the velocity round.
+/// Few samples, or road marks and fences after a gap, may also fit at a wrong place, which would
+/// need an acceleration of more than one g. The reversed velocity is allowed too, for clips that
+/// are played forwards and backwards.
 bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
   const bool in_metres = cameras_ == Cameras::Stereo;
   if (!has_velocity_ || !in_metres) return true;
   constexpr double kAcceleration = 10;  // m/s^2
   constexpr double kSlack = 0.2;        // m
-  constexpr double kShare = 0.1;        // of the way since the last frame
+  constexpr double kShare = 0.1;        // of the expected translation since the last frame
   const Eigen::Vector3d moved = (history_.lastPose().inverse() * poseOf(tracked)).translation();
   const Eigen::Vector3d expected = expSe3(velocity_ * dt).translation();
   const double error = std::min((moved - expected).norm(), (moved + expected).norm());
@@ -205,7 +205,7 @@ bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
   return error < 0.5 * kAcceleration * since * since + kSlack + kShare * expected.norm();
 }
 
-/// After a gap the frame may have been aligned at a wrong place; its own stereo tells.
+/// After a gap the frame may have been aligned at a wrong place: compares with its static stereo.
 bool DirectSparse::isDoubtful(const AlignmentResult& tracked, const Frame& frame) {
   if (first_lost_ < 0) return false;
   buildRight(frame);
@@ -224,7 +224,7 @@ std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation)
     mapper_.observe(T_world_camera, absolute(mapper_.window().newest().affine(), brightness),
                     current_);
     const bool enough = tracker_.setReference(rig_, mapper_.window());
-    candidates = before;  // observe() counts the frame once, when its pose is known
+    candidates = before;  // the frame is observed again when its pose is final
     if (!enough) return std::nullopt;
     expectation.T_previous_current = history_.lastPose().inverse() * T_world_camera;
     expectation.brightness = brightness;
@@ -289,7 +289,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
       return;
     }
     T_world_final = mapper_.window().newest().T_world_camera();
-    // Frames tracked against assumed depths have motions of wrong length.
+    // Motions of frames tracked against assumed depths have a wrong scale.
     if (draft >= 0) history_.interpolate(draft + 1, T_world_final);
     pose_covariance_.setZero();
     motion.revisions = history_.removeOld(findKeyframe());
@@ -297,7 +297,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
     mapper_.observe(T_world_camera, brightness_, current_);
     if (mapper_.isDraft()) can_track_ = tracker_.setReference(rig_, mapper_.window());
   }
-  // After a gap the reported motion contains what the predicted ones were wrong by.
+  // After a gap the reported motion also corrects the error of the predicted motions.
   const Eigen::Isometry3d step = history_.lastPose().inverse() * T_world_final;
   motion.T_previous_current = remember(T_world_final, mapper_.window().newest(), motion);
   reference_brightness_ = relative(mapper_.window().newest().affine(), brightness_);
@@ -331,7 +331,7 @@ bool DirectSparse::makeKeyframe(const Frame& frame, const Eigen::Isometry3d& T_w
   // Without a right image depth comes from motion only. In a sharp turn every frame is a keyframe,
   // so keyframes too must refine the depths of the candidates.
   if (right_.empty()) mapper_.observe(T_world_camera, affine, current_);
-  const bool was_draft = mapper_.isDraft();  // its assumed depths may change by any amount
+  const bool was_draft = mapper_.isDraft();  // assumed depths may change by any amount
   mapper_.addKeyframe(frame.frame, T_world_camera, affine, current_, right_);
   const bool is_sound = isSound(mapper_.adjustment(), parameters_.largest_adjustment);
   if (!was_draft && !is_sound) return false;
@@ -349,7 +349,7 @@ void DirectSparse::abandonWindow(const Frame& frame, Motion& motion) {
   motion.tracked = 0;
   const Window& window = mapper_.window();
   answerPredicted(window.keyframe(window.order().front()), motion);
-  buildLeft(frame);  // addKeyframe() has taken the pyramid
+  buildLeft(frame);  // again: addKeyframe() has moved the pyramid into the window
   restart(frame, motion);
 }
 
@@ -390,9 +390,9 @@ void DirectSparse::restart(const Frame& frame, Motion& motion) {
 
 Matrix6d DirectSparse::motionCovariance(const AlignmentResult& tracked,
                                         const Eigen::Isometry3d& T_previous_current) {
-  // Errors of neighbouring samples are correlated, and they share those of the depths; the variance
-  // is multiplied by the number of samples per independent one. Chosen on the first 200 frames of
-  // the town along KITTI 07 (20 left 8 % of the errors outside their 99 % ellipsoid).
+  // Number of samples per independent sample: errors of neighbouring samples are correlated, and
+  // samples share the errors of depths. It multiplies the variance. Chosen on the first 200 frames
+  // of the town along KITTI 07 (with 20, 8 % of the errors were outside of their 99 % ellipsoid).
   constexpr double kCorrelation = 30;
   Eigen::Matrix<double, 8, 8> information = tracked.information;
   information.diagonal().array() += 1e-6;

@@ -56,7 +56,7 @@ class DirectSparse : public Odometry {
   void abandonWindow(const Frame& frame, Motion& motion);
   /// Builds right_; empty when the image is missing or has no contrast.
   void buildRight(const Frame& frame);
-  /// The function from the frame index of a keyframe to its pose that the history needs.
+  /// For the history: a function from the frame index of a keyframe to its pose.
   auto findKeyframe() const {
     return [this](std::int64_t frame) -> std::optional<Eigen::Isometry3d> {
       const Keyframe* keyframe = mapper_.window().find(frame);
@@ -85,12 +85,12 @@ class DirectSparse : public Odometry {
   Affine brightness_;                            ///< of the last measured frame
   Affine reference_brightness_;                  ///< against the reference
   Vector6d velocity_ = Vector6d::Zero();         ///< twist per second, of the last measured motion
-  Matrix6d pose_covariance_ = Matrix6d::Zero();  ///< of the last frame against its keyframe
+  Matrix6d pose_covariance_ = Matrix6d::Zero();  ///< of the last frame relative to its keyframe
   bool has_velocity_ = false;
   bool can_track_ = false;
   std::int64_t last_stamp_ns_ = -1;  ///< -1 before the first frame
   std::int64_t first_lost_ = -1;     ///< frame index; -1 while tracking
-  double gap_s_ = 0;                 ///< s that were predicted since
+  double gap_s_ = 0;                 ///< s, duration of the predicted motions since then
   int lost_frames_ = 0;
   int draft_frames_ = 0;       ///< frames tracked against the assumed depths of the start
   bool had_keyframe_ = false;  ///< a keyframe with measured depths has existed

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMostSteps = 128;
 constexpr float kMargin = kPatternRadius + 3;
 
-/// Where the point lies in the frame for each inverse depth: (start + shift * d), dehomogenised.
+/// The epipolar line: a point of inverse depth d projects to start + shift * d, dehomogenised.
 struct Epipolar {
   Eigen::Vector3f start;
   Eigen::Vector3f shift;
@@ -22,7 +22,7 @@ struct Epipolar {
   Eigen::Vector2f pixel(float d) const {
     return (start.head<2>() + shift.head<2>() * d) / (start.z() + shift.z() * d);
   }
-  /// Inverse depth of a pixel on the line, from the coordinate that moves more.
+  /// Inverse depth of a pixel on the line, from the coordinate that changes more along it.
   float inverseDepth(const Eigen::Vector2f& p) const {
     const Eigen::Vector2f slope = shift.head<2>() - p * shift.z();
     const Eigen::Vector2f rest = p * start.z() - start.head<2>();
@@ -114,7 +114,7 @@ Found searchLine(const GrayLevel& image, const TurnedPattern& pattern, const Eig
   return {from + static_cast<float>(best) * along, std::min(ratio, 100.0F), true};
 }
 
-/// Product of two Gaussians; a measurement three deviations off counts as a failure.
+/// Product of two Gaussians; a measurement that differs by more than three deviations is a failure.
 void fuse(float measured, float sigma, ImmaturePoint& point) {
   if (!point.has_depth) {
     point.inverse_depth = measured;
@@ -146,7 +146,7 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
       {pair.shift[0], pair.shift[1], pair.shift[2]}};
   const float reach = 2 * point.sigma;
   const float low = point.has_depth ? std::max(point.inverse_depth - reach, 1e-5F) : 1e-5F;
-  // Depths at which the frame would be five times nearer to the point than the host are skipped.
+  // Skips depths at which the point would be five times nearer to the frame than to the host.
   constexpr float kNearest = 0.2F;
   const float ahead_limit = line.shift.z() < 0
                                 ? (kNearest * line.start.z() - line.start.z()) / line.shift.z()
@@ -174,7 +174,7 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
     p += fit.shift * along;
     if (std::fabs(fit.shift) < 0.05F) break;
   }
-  float gradients = 1;  // of the pattern in the host, squared
+  float gradients = 1;  // sum of squared gradients of the pattern in the host
   for (const float weight : point.pattern.weight) {
     gradients += kGradientConstant2 * (1 / weight - 1);
   }

@@ -9,6 +9,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
+// Gives 30 inliers even if 94 % of the points are lost.
 constexpr std::size_t kMostFollowed = 500;
 
 cv::Mat asMat(const GrayLevel& image) {
@@ -42,8 +43,10 @@ Followed pointsInView(const CameraRig& rig, const Window& window,
   return followed;
 }
 
-/// Keeps the points that flow forward and back to where they were.
+/// Keeps the points whose flow forward and back ends where it started.
 void follow(const cv::Mat& before, const cv::Mat& after, Followed& followed) {
+  // Pyramidal Lucas-Kanade (Bouguet 2001) with OpenCV's default termination criteria. Four levels
+  // with windows of 15 px follow about 60 px.
   constexpr int kLevels = 4;
   constexpr double kConsistency = 1;  // px
   const cv::Size window(15, 15);
@@ -70,9 +73,12 @@ void follow(const cv::Mat& before, const cv::Mat& after, Followed& followed) {
 }
 
 std::optional<Eigen::Isometry3d> poseByConsensus(const CameraRig& rig, const Followed& followed) {
+  // The guess is only a start for the photometric alignment, which rejects a wrong one. Derived,
+  // not chosen on a clip: with 35 % inliers, 300 samples of four points contain one without
+  // outliers with 99 % confidence, (1 - 0.35^4)^300 = 0.01.
   constexpr int kFewest = 30;
   constexpr double kShare = 0.3;
-  constexpr double kNoise = 2;  // px
+  constexpr double kNoise = 2;  // px, twice the largest error of the flow
   constexpr int kSamples = 300;
   if (followed.points.size() < kFewest) return std::nullopt;
   const cv::Matx33d K(rig.pinhole.fx, 0, rig.pinhole.cx, 0, rig.pinhole.fy, rig.pinhole.cy, 0, 0,

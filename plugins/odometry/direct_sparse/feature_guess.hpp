@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A first guess of the pose where direct alignment has failed: it converges only from a few pixels
-// away, and a vehicle in front of the scene misleads it. Points of the window are followed by the
-// optical flow of Lucas and Kanade, and the pose is found from the pixels where they are (PnP) by
-// consensus, so that those on moving objects do not count.
+// A guess of the pose for when direct alignment has failed, which converges only from a few pixels
+// away and fails behind a vehicle that covers the scene. Points of the window are tracked by the
+// optical flow of Lucas and Kanade. RANSAC over their pixels (PnP) gives the pose, so that points
+// on moving objects are outliers.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,8 +13,8 @@
 
 namespace tolman::direct_sparse {
 
-/// Pose of the newest keyframe in the camera frame of `image`; `expected` is its prediction. None
-/// where too few points agree.
+/// Pose of the newest keyframe in the camera frame of `image`; `expected` is its prediction. Empty
+/// if too few points agree.
 std::optional<Eigen::Isometry3d> guessByFeatures(const CameraRig& rig, const Window& window,
                                                  const GrayLevel& image,
                                                  const Eigen::Isometry3d& expected);

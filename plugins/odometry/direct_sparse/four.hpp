@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four floats at once, by the compiler's vectors: SSE2 on x86-64, whatever there is elsewhere.
+// Four floats at once, by the compiler's vector extension: SSE2 on x86-64.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ inline Four loadFour(const float* p) {
 inline Four four(float value) { return Four{value, value, value, value}; }
 inline FourInts truncated(Four value) { return __builtin_convertvector(value, FourInts); }
 inline Four toFloat(FourInts value) { return __builtin_convertvector(value, Four); }
-/// Of a comparison's answer.
+/// Whether a comparison holds in all lanes.
 inline bool all(FourInts mask) {
 #if defined(__SSE2__)
   return _mm_movemask_ps(reinterpret_cast<__m128>(mask)) == 15;
@@ -34,12 +34,12 @@ inline bool all(FourInts mask) {
 inline Four absolute(Four value) { return value < 0.0F ? -value : value; }
 inline Four smaller(Four a, Four b) { return a < b ? a : b; }
 
-/// Bilinear weights come in steps of 1/128 each way, so their products are whole numbers.
+/// Bilinear weights are multiples of 1/128 along each axis, so their products are whole numbers.
 inline constexpr int kMixOne = 128;
 
-/// Mixture of two neighbours of four 16-bit numbers each, in two rows. The weight of the left one
-/// is in the lower 16 bits of `top` and `bottom`, that of the right one above; all four sum to
-/// kMixOne^2.
+/// Weighted mean of two horizontal neighbours of four 16-bit numbers each, in two rows. The weight
+/// of the left one is in the lower 16 bits of `top` and `bottom`, that of the right one in the
+/// upper; all four weights sum to kMixOne^2.
 inline Four mixShorts(const std::int16_t* top, const std::int16_t* bottom, std::int32_t top_weights,
                       std::int32_t bottom_weights) {
   constexpr float kScale = 1.0F / (kMixOne * kMixOne);
@@ -85,7 +85,7 @@ inline Four loadBytes(const std::uint8_t* p) {
 #endif
 }
 
-/// Rows become columns.
+/// Transposes the 4x4 matrix with these rows.
 inline void transpose(Four& a, Four& b, Four& c, Four& d) {
   const Four ab_low = __builtin_shufflevector(a, b, 0, 4, 1, 5);
   const Four ab_high = __builtin_shufflevector(a, b, 2, 6, 3, 7);
@@ -97,7 +97,7 @@ inline void transpose(Four& a, Four& b, Four& c, Four& d) {
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-/// The sums of the four lanes of each.
+/// The sum of the lanes of each argument, in order.
 inline Four sums(Four a, Four b, Four c, Four d) {
   transpose(a, b, c, d);
   return (a + b) + (c + d);

@@ -13,7 +13,7 @@ __m128i eightShorts(const std::uint8_t* p) {
                            _mm_setzero_si128());
 }
 
-/// The quads of eight pixels; one more to either side is read.
+/// Stores the quads of eight pixels; reads one more pixel on either side.
 void storeEight(const std::uint8_t* here, const std::uint8_t* above, const std::uint8_t* below,
                 std::int16_t* out) {
   const __m128i value = eightShorts(here);

@@ -18,8 +18,8 @@ struct GradientSample {
   float gy = 0;
 };
 
-/// Central differences. Whole numbers: value, I(u+1) - I(u-1), I(v+1) - I(v-1), nothing.
-/// The outermost pixels have no gradient.
+/// Central differences. Four whole numbers per pixel: value, I(u+1) - I(u-1), I(v+1) - I(v-1), 0.
+/// The gradient of the outermost pixels is 0.
 class GradientImage {
  public:
   void build(const GrayLevel& image);

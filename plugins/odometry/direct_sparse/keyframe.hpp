@@ -50,7 +50,7 @@ struct Point {
   Pattern pattern;
   std::array<ResidualState, kSlots> temporal{};  ///< by the target's slot
   ResidualState stereo = ResidualState::Absent;
-  int seen_good = 0;  ///< how many residuals were good so far
+  int seen_good = 0;  ///< number of good residuals so far
 };
 
 /// A selected pixel whose depth is not yet accurate enough to become a Point.
@@ -62,7 +62,7 @@ struct ImmaturePoint {
   float quality = 0;        ///< second best match over best match
   float last_interval = 0;  ///< px, length of the last search
   int failures = 0;
-  bool has_depth = false;  ///< else any inverse depth is possible
+  bool has_depth = false;  ///< false: any inverse depth is possible
   Pattern pattern;
 };
 
@@ -83,7 +83,7 @@ struct Keyframe {
 
   std::vector<Point> points;
   std::vector<ImmaturePoint> immature;
-  int points_made = 0;  ///< how many points it ever hosted
+  int points_made = 0;  ///< number of points that it has hosted in total
 
   Eigen::Isometry3d T_camera_world() const {
     const Vector6d twist = change.head<6>();
@@ -91,7 +91,7 @@ struct Keyframe {
   }
   Eigen::Isometry3d T_world_camera() const { return T_camera_world().inverse(); }
   Affine affine() const { return {affine0.a + change[6], affine0.b + change[7]}; }
-  /// Makes the present state the first estimate.
+  /// Sets the first estimate to the present state.
   void relinearise() {
     T0_camera_world = T_camera_world();
     affine0 = affine();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory for images with random access, in pages of 2 MiB where the system supports them: fewer
-// misses of the address translation cache.
+// Memory for images with random access, in pages of 2 MiB where the system supports them. They
+// cause fewer misses of the TLB.
 #pragma once
 
 #include <cstddef>

@@ -52,7 +52,8 @@ void mapToAbsolute(int host, int target, const PairGeometry& pair, const Relativ
   H.block<1, 8>(kOffsetIndex, h) += across_offset.transpose();
 }
 
-/// The newest keyframe with a right image that sees the point of another host; -1 without one.
+/// Slot of the newest keyframe, other than the host, that has a right image and sees the point; -1
+/// without one.
 int lastTarget(const Window& window, int host, const Point& point) {
   const std::vector<int>& order = window.order();
   for (auto slot = order.rbegin(); slot != order.rend(); ++slot) {
@@ -117,7 +118,7 @@ void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& set
   const std::size_t count = index(chunk.range.end - chunk.range.begin);
   const std::span<PointTerms> terms(terms_.data() + chunk.first_term, count);
   std::fill(terms.begin(), terms.end(), PointTerms());
-  // One target after the other: neighbouring points lie close together in its image, too.
+  // One target after the other: the pixels of neighbouring points are close in its image, too.
   for (const int target : window.order()) {
     if (target != chunk.range.host) addTarget(rig, window, chunk, target, system, terms);
   }
@@ -226,7 +227,7 @@ void LinearSystem::sumUp(const Window& window) {
       mapToAbsolute(host, target, pairs_[pair], relative[pair], H_, b_);
     }
   }
-  // Only one side of the diagonal was summed.
+  // Only the upper triangle was summed.
   H_ -= SystemMatrix(schur.selfadjointView<Eigen::Upper>());
 }
 

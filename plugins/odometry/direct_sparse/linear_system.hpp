@@ -64,7 +64,7 @@ class LinearSystem {
                  ChunkSystem& system, std::span<PointTerms> terms) const;
   void addRight(const SystemSettings& settings, Window& window, const Chunk& chunk,
                 ChunkSystem& system, std::span<PointTerms> terms) const;
-  /// Each point in the right image of the newest keyframe that sees it.
+  /// Adds the residual of each point in the right image of the newest keyframe that sees it.
   void addSightings(const CameraRig& rig, const SystemSettings& settings, const Window& window,
                     const Chunk& chunk, ChunkSystem& system, std::span<PointTerms> terms) const;
   void sumUp(const Window& window);
@@ -91,7 +91,7 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
 /// Unit vector: the change of all poses that scales the window about its oldest keyframe.
 SystemVector scaleDirection(const Window& window);
 
-/// Present changes of all variables from their first estimates.
+/// Present differences of all variables from their first estimates.
 SystemVector changes(const Window& window);
 
 }  // namespace tolman::direct_sparse

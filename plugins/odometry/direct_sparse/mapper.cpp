@@ -110,7 +110,7 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   const auto offset = static_cast<float>(window_.offset.value());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
-    // A point that is ambiguous along the row is mostly ambiguous along other lines as well.
+    // Removed: a point that is ambiguous along the row is mostly so along other lines as well.
     if (!matches_[i]) continue;
     ImmaturePoint& point = keyframe.immature[i];
     point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);

@@ -20,7 +20,7 @@ struct MapperSettings {
   int window = 7;
   int max_disparity = 160;  ///< px
   double marginal_weight = 0.06;
-  double offset_sigma = 0;  ///< px, 0: the disparity offset is held
+  double offset_sigma = 0;  ///< px, 0: the disparity offset is not estimated
   AdjustmentSettings adjustment;
 };
 
@@ -32,8 +32,9 @@ class Mapper {
   Window& window() { return window_; }
   const Window& window() const { return window_; }
 
-  /// Takes the pyramids and leaves old ones in their place. `right` may be empty (covered camera).
-  /// The oldest keyframe of the window fixes the gauge. Returns the number of points in the window.
+  /// Swaps the pyramids with old ones, to reuse their memory. `right` may be empty (covered
+  /// camera). The oldest keyframe of the window fixes the gauge. Returns the number of points in
+  /// the window.
   std::size_t addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                           const Affine& affine, ImagePyramid& left, ImagePyramid& right);
   /// The first keyframe of a single camera, with assumed depths for this camera height (m). The
@@ -46,7 +47,7 @@ class Mapper {
   /// Refines the candidates of all keyframes with a frame of known pose.
   void observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,
                const ImagePyramid& left);
-  /// Of a frame that was tracked at this pose, see stereo_check.hpp.
+  /// Checks a frame that was tracked at this pose, see stereo_check.hpp.
   StereoAgreement compareWithStereo(const Eigen::Isometry3d& T_world_camera,
                                     const ImagePyramid& left, const ImagePyramid& right) const {
     return direct_sparse::compareWithStereo(rig_, window_, T_world_camera, left.level(0),

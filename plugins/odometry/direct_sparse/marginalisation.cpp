@@ -20,7 +20,7 @@ double distance(const Keyframe& a, const Keyframe& b) {
 /// Index in order() of the first of the two newest keyframes.
 std::size_t protectedFrom(const Window& window) { return window.order().size() - 2; }
 
-/// High for a keyframe close to others and far from the newest.
+/// Distance score of Engel et al.: high for a keyframe close to others and far from the newest.
 double crowding(const Window& window, int slot) {
   const Keyframe& keyframe = window.keyframe(slot);
   double sum = 0;
@@ -41,7 +41,7 @@ bool exhausted(const Window& window, int slot) {
          std::fabs(keyframe.affine().a - window.newest().affine().a) > kBrightnessChange;
 }
 
-/// Not seen by the two latest keyframes, and not hosted by them.
+/// Whether the point is neither seen nor hosted by the two newest keyframes.
 bool outOfSight(const Window& window, int host, const Point& point) {
   const std::vector<int>& order = window.order();
   for (std::size_t i = protectedFrom(window); i < order.size(); ++i) {
@@ -53,8 +53,8 @@ bool outOfSight(const Window& window, int host, const Point& point) {
 
 using FrameBlock = Eigen::Matrix<double, kFrameVariables, kFrameVariables>;
 
-/// How the variables of `keyframe` change, at the first estimates, when the whole window moves or
-/// brightens such that those of `anchor` change by one each.
+/// Derivatives of the variables of `keyframe` by those of `anchor`, at the first estimates, when
+/// the pose or brightness of the whole window changes.
 FrameBlock byGauge(const Keyframe& keyframe, const Keyframe& anchor) {
   const Eigen::Isometry3d T = keyframe.T0_camera_world * anchor.T0_camera_world.inverse();
   FrameBlock moved = FrameBlock::Zero();
@@ -112,7 +112,7 @@ void marginalisePoints(const CameraRig& rig, const SystemSettings& settings,
         {slot, static_cast<int>(first - points.begin()), static_cast<int>(points.size())});
   }
   system.build(rig, settings, window, ranges);
-  // The gradient there is that of the present state; the prior's is that of the first estimates.
+  // The system's gradient is at the present state, that of the prior is at the first estimates.
   window.prior.H += weight * system.H();
   window.prior.b += weight * (system.b() - system.H() * changes(window));
   for (const PointRange& range : ranges) {
@@ -157,7 +157,8 @@ void projectOutGauge(Window& window) {
   SystemMatrix& H = window.prior.H;
   SystemVector& b = window.prior.b;
   const int anchor = n * *first;
-  // The blocks of the other keyframes stay; that of the anchor follows from H N = 0 and N' b = 0.
+  // The blocks of the other keyframes do not change. Those of the anchor follow from H N = 0 and
+  // N' b = 0, N being the null space.
   Eigen::Matrix<double, kVariables, n> column = Eigen::Matrix<double, kVariables, n>::Zero();
   Eigen::Matrix<double, n, 1> gradient = Eigen::Matrix<double, n, 1>::Zero();
   for (const int slot : window.order()) {

@@ -8,8 +8,8 @@
 namespace tolman::direct_sparse {
 
 void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe) {
-  constexpr double kWall = 5;       // heights from the camera to the walls
-  constexpr double kFarthest = 40;  // heights
+  constexpr double kWall = 5;       // distance of the walls, in heights of the camera
+  constexpr double kFarthest = 40;  // largest depth, in heights of the camera
   constexpr float kDeviation = 0.5F;
   for (ImmaturePoint& point : keyframe.immature) {
     const Eigen::Vector3d ray = rig.pinhole.ray({point.u, point.v});

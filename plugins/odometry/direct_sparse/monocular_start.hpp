@@ -8,12 +8,12 @@
 
 namespace tolman::direct_sparse {
 
-/// Assigns each candidate its inverse depth in a street of ground and two side walls, in units of
-/// `height`, the height of the camera above the ground (m). The shape need only be close enough for
-/// tracking; the standard deviation is half the inverse depth.
+/// Assigns each candidate its inverse depth in a street of ground and two side walls. `height`: of
+/// the camera above the ground, m. The shape need only be close enough for tracking; the standard
+/// deviation is half the inverse depth.
 void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe);
 
-/// Points at the present depths of all candidates, for tracking; they carry no residuals.
+/// Makes points at the present depths of all candidates, for tracking; they have no residuals.
 void draftPoints(Keyframe& keyframe);
 
 }  // namespace tolman::direct_sparse

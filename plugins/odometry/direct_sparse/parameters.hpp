@@ -8,11 +8,11 @@
 
 namespace tolman::direct_sparse {
 
-/// Points, iterations and keyframe weight were chosen on KITTI 06 in both directions, so that they
-/// cost no more than fewer keyframes with twice the points; the error on KITTI 01 was known then.
-/// docs/odometry.md has the figures of other drives. The paper has 2000 points and at most six
-/// iterations. Rectified rigs are off by up to 1 px of disparity. Parameters that only one of the
-/// two plugins uses are declared by that one.
+/// Points, iterations and keyframe weight were chosen on KITTI 06 in both directions, such that
+/// their cost is at most that of fewer keyframes with twice the points; the error on KITTI 01 was
+/// known then. docs/odometry.md has the figures of other drives. The paper has 2000 points and at
+/// most six iterations. Rectified rigs are off by up to 1 px of disparity. Parameters that only one
+/// of the two plugins uses are declared by that one.
 struct Parameters {
   int points = 1500;
   int candidates = 1200;

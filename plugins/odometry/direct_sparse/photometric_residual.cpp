@@ -31,7 +31,7 @@ TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage&
   return all((u >= kBorder) & (v >= kBorder) & (u < width) & (v < height));
 }
 
-/// The target at the pixels of the pattern.
+/// Values and gradients of the target at the pixels of the pattern.
 struct PatternSamples {
   Eight value;
   Eight gx;
@@ -80,8 +80,8 @@ TOLMAN_INLINE PixelSums addUp(const PairGeometry& pair, const Pattern& pattern,
           a1[0], a1[1], a1[2], a1[3], ar[0], ar[1], ar[2]};
 }
 
-/// Catmull-Rom value and central-difference slope between b and c. Bilinear values are blurred by
-/// an amount that changes with the fraction, which pulls disparities to half pixels.
+/// Catmull-Rom value and central-difference slope between b and c. Bilinear interpolation blurs by
+/// an amount that depends on the fraction, which biases disparities towards half pixels.
 struct RowSamples {
   Four value;
   Four slope;
@@ -148,7 +148,7 @@ void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, con
   if (!(z > kSmallestDepth) || !target.contains(u, v, kReach)) return;
   const int x = static_cast<int>(u);
   const int y = static_cast<int>(v);
-  // Rows of the pattern have less bytes than a cache line, but may lie across two.
+  // A row of the pattern is shorter than a cache line, but may be in two of them.
   __builtin_prefetch(target.pixel(x, y - 2));
   __builtin_prefetch(target.pixel(x, y - 1));
   for (const int row : {y, y + 1}) {
@@ -169,7 +169,7 @@ CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, f
   const float scale = 1.0F / p.z();
   const float x = p.x() * scale;
   const float y = p.y() * scale;
-  const float d = inverse_depth * scale;  // in the target
+  const float d = inverse_depth * scale;  // inverse depth in the target
   CentreJacobian J;
   J.u_by_twist = {fx * d, 0, -fx * d * x, -fx * x * y, fx * (1 + x * x), -fx * y};
   J.v_by_twist = {0, fy * d, -fy * d * y, -fy * (1 + y * y), fy * x * y, fy * x};

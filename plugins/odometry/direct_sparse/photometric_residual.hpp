@@ -29,7 +29,7 @@ struct PairGeometry {
   float target_b = 0;
   Eigen::Matrix3f R0 = Eigen::Matrix3f::Identity();
   Eigen::Vector3f t0 = Eigen::Vector3f::Zero();
-  /// Relative variables by those of the host; by those of the target it is the identity.
+  /// Derivative of the relative variables by those of the host; that by the target is the identity.
   Eigen::Matrix<float, 8, 8, Eigen::RowMajor> relative_by_host = Matrix8f::Zero();
 };
 
@@ -78,8 +78,9 @@ struct Sighting {
   float by_depth = 0;                           ///< by the inverse depth in the host
 };
 
-/// The nearest pixel of the target, or none outside. The host's pattern is not compared with the
-/// target's right image: it is another view. The target's own pattern is.
+/// The sighting at the nearest pixel of the target; empty outside of the image. The pattern to
+/// compare with the target's right image is that of the target at this pixel, because the host has
+/// another view.
 std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
                               const GradientImage& target, const Point& point);
 

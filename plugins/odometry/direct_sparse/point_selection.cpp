@@ -14,7 +14,7 @@ namespace tolman::direct_sparse {
 namespace {
 
 constexpr int kBlock = 32;         // px
-constexpr int kCap = 48;           // grey levels / px; stronger ones are all alike
+constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this
 constexpr float kAboveMedian = 7;  // grey levels / px
 constexpr int kDirections = 16;
 
@@ -32,7 +32,7 @@ void storeFour(const std::int16_t* quads, std::uint8_t* out) {
   const auto squares = [](const std::int16_t* p) {
     const __m128i two = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
     const __m128i gradients = _mm_and_si128(two, _mm_set1_epi64x(0x0000FFFFFFFF0000LL));
-    return _mm_castsi128_ps(_mm_madd_epi16(gradients, gradients));  // gx^2 and gy^2 side by side
+    return _mm_castsi128_ps(_mm_madd_epi16(gradients, gradients));  // gx^2, gy^2 in two lanes
   };
   const __m128 a = squares(quads);
   const __m128 b = squares(quads + 8);
@@ -187,12 +187,12 @@ const std::vector<Pixel>& PointSelector::select(const GradientImage& image, int 
     pickFromCells(image, border);
     const double ratio = static_cast<double>(pixels_.size()) / wanted;
     if (ratio > 0.8 && ratio < 1.5) break;
-    // The count goes like 1 / (cell + 1)^2.
+    // The number of pixels is proportional to 1 / (cell + 1)^2.
     const int better = static_cast<int>(std::lround((cell_ + 1) * std::sqrt(ratio))) - 1;
     const int next = std::clamp(better, 2, 64);
     if (next == cell_) break;
     cell_ = next;
-    if (attempt > 0) break;  // the next keyframe starts from there
+    if (attempt > 0) break;  // used from the next keyframe on
   }
   return pixels_;
 }

@@ -15,7 +15,7 @@ struct Pixel {
   int v = 0;
 };
 
-/// Holds buffers and the adapted cell size from keyframe to keyframe.
+/// Keeps the buffers and the adapted cell size from keyframe to keyframe.
 class PointSelector {
  public:
   void reset() { cell_ = 0; }

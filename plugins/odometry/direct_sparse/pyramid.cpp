@@ -24,7 +24,7 @@ void halve(const GrayLevel& fine, GrayLevel& coarse) {
     std::uint8_t* out = coarse.row(v);
     for (int u = 0; u < coarse.width; ++u) {
       const int sum = p[2 * u] + p[2 * u + 1] + q[2 * u] + q[2 * u + 1];
-      // Half up in one column, half down in the next: rounding must not brighten the levels.
+      // Rounds halves up in one column and down in the next, so that levels do not get brighter.
       out[u] = static_cast<std::uint8_t>((sum + 1 + (u & 1)) >> 2);
     }
   }

@@ -44,8 +44,8 @@ struct GrayLevel {
   }
 };
 
-/// What a level's image coordinates are in pixels of level 0 and back: pixel centres are whole
-/// numbers on every level.
+/// Conversion of image coordinates between a level and level 0: pixel centres are whole numbers on
+/// every level.
 inline float toLevel(float pixel, int level) {
   return (pixel + 0.5F) / static_cast<float>(1 << level) - 0.5F;
 }
@@ -56,7 +56,7 @@ class ImagePyramid {
 
   /// Reuses its memory. Levels stop before a side falls below 16 px, or at `most`.
   void build(const Image& image, int most = kMostLevels);
-  /// Empty from now on; the memory stays.
+  /// Removes all levels; keeps the memory.
   void clear() { levels_ = 0; }
   int levels() const { return levels_; }
   const GrayLevel& level(int l) const { return images_[l]; }

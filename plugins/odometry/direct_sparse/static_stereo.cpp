@@ -18,11 +18,11 @@ namespace {
 
 constexpr int kWidth = 8;  // px of the patch; columns -4 ... 3 around the pixel
 constexpr int kHeight = 5;
-constexpr int kRadius = 3;  // of the patch of the refinement
+constexpr int kRadius = 3;  // px, half side of the patch of the refinement
 
 using StereoPatch = std::array<std::uint8_t, kWidth*(kHeight + 1)>;  // the sixth row stays zero
 
-/// The patch around (u, v), its brightness changed to that of the other image.
+/// The patch around (u, v), with the brightness of the other image.
 StereoPatch patchAround(const GrayLevel& image, int u, int v, float gain, float offset) {
   StereoPatch patch{};
   for (int y = 0; y < kHeight; ++y) {
@@ -108,8 +108,8 @@ struct StereoStep {
   float rms = 0;  ///< grey levels, means removed
 };
 
-/// One Gauss-Newton step of the right pixel with the patch's own brightness offset; the derivative
-/// is that of the left image, which does not change with the fraction.
+/// One Gauss-Newton step of the right pixel, with a brightness offset of the patch. Uses the
+/// derivative of the left image, which is the same in all iterations.
 StereoStep shiftOf(const GrayLevel& left, const GrayLevel& right, int u, int v, float u_right,
                    float gain) {
   const int x = static_cast<int>(u_right);
@@ -157,7 +157,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
   }
   StereoMatch match;
   match.disparity = static_cast<float>(u) - u_right;
-  // Variance from grey level noise, and from the difference in depth between patch and pixel.
+  // Standard deviation from grey level noise, plus 0.05 px for depths that differ within the patch.
   match.sigma = 0.05F + std::max(shift.rms, 2.0F) / std::sqrt(shift.information);
   return match;
 }
@@ -176,7 +176,7 @@ std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& r
   const int end = std::min(highest, u + kBehind + 1);
   const RowMinimum forth = searchRow(patch, right, begin, end, v);
   const auto best = static_cast<float>(forth.best);
-  constexpr float kNoise = 2 * kWidth * kHeight;  // so that two perfect matches are ambiguous
+  constexpr float kNoise = 2 * kWidth * kHeight;  // makes two perfect matches ambiguous
   const float quality = (static_cast<float>(forth.second) + kNoise) / (best + kNoise);
   if (forth.best == std::numeric_limits<int>::max() || quality < kLeastRatio) return std::nullopt;
 

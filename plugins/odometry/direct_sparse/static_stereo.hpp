@@ -27,7 +27,7 @@ struct StereoMatch {
 inline constexpr int kStereoBorder = 5;
 
 /// Sums of absolute differences over 8x5 pixels for each disparity, checked from right to left, and
-/// refined to sub-pixel accuracy. Empty where the match is weak, ambiguous or one-sided.
+/// refined to sub-pixel accuracy. Empty if the match is weak, ambiguous or fails the check.
 std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& right, int u, int v,
                                        const StereoSearch& search);
 

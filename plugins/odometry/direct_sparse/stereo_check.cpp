@@ -20,7 +20,7 @@ struct Expected {
   double disparity = 0;
 };
 
-/// None for a point that static stereo cannot measure: behind the camera or at the border.
+/// Empty for a point that static stereo cannot measure: behind the camera or at the border.
 std::optional<Expected> expectedAt(const CameraRig& rig, const Eigen::Vector3d& position) {
   if (position.z() < kNearest) return std::nullopt;
   const Eigen::Vector2d pixel = rig.pinhole.project(position);
@@ -38,7 +38,8 @@ std::optional<Expected> expectedAt(const CameraRig& rig, const Eigen::Vector3d& 
 StereoAgreement compareWithStereo(const CameraRig& rig, const Window& window,
                                   const Eigen::Isometry3d& T_world_camera, const GrayLevel& left,
                                   const GrayLevel& right, int max_disparity) {
-  // A wrong place is off by metres; moving objects and edges of depth disagree anywhere.
+  // Wide limits: a wrong place is wrong by metres. Moving objects and depth edges disagree at the
+  // right place, too.
   constexpr double kSlack = 1;     // px
   constexpr double kShare = 0.15;  // of the disparity
   StereoSearch search;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether static stereo of a frame agrees with the pose at which the frame was tracked: an
-// alignment at a wrong place, after a gap, expects the scene at wrong depths.
+// Whether static stereo of a frame agrees with the pose at which the frame was tracked. After a gap
+// a frame may be aligned at a wrong place, where the pose predicts wrong depths.
 #pragma once
 
 #include "tolman/camera.hpp"
@@ -8,13 +8,13 @@
 
 namespace tolman::direct_sparse {
 
-/// How many of the window's points that lie in the image of a frame have the disparity there that
-/// the pose T_world_camera of the frame predicts.
+/// Number of points of the window that are in the image of a frame, and number of those whose
+/// disparity is the one that the pose T_world_camera of the frame predicts.
 struct StereoAgreement {
-  int compared = 0;  ///< with a disparity of static stereo
+  int compared = 0;  ///< points with a disparity of static stereo
   int agreeing = 0;
-  /// At a right place nearly all agree, on kitti_clips/06 115 of 117; at a wrong one few points
-  /// can be matched at all: 3 of 14 agreed on 01.
+  /// At the right place nearly all agree: 115 of 117 on kitti_clips/06. At a wrong place only few
+  /// points can be matched: 3 of 14 agreed on 01.
   bool confirms() const { return agreeing >= 20 && 2 * agreeing >= compared; }
 };
 

@@ -21,14 +21,14 @@ bool isAccepted(const AlignmentResult& result, Tracker::Demand demand) {
          result.in_view > kLeastInView && std::fabs(result.state.brightness.a) < kMostGain;
 }
 
-/// Share of the usual number of samples below which an alignment is not believed. Chosen on
+/// Least number of samples of an accepted alignment, as a share of the usual number. Chosen on
 /// kitti_clips/06: blurred images leave a tenth, and their motion is wrong by a third.
 constexpr double kLeastShare = 0.15;
-constexpr double kRenewal = 0.1;  // of the usual number, a frame
+constexpr double kRenewal = 0.1;  // weight of a new frame in the running mean of samples
 
-/// Another place than the expected one may fit in part. Chosen on kitti_clips/06 with made-up
-/// faults: right alignments grow to at most twice the last RMS, behind a lorry, after ten dark
-/// frames or in a blurred image; a wrong one, after two seconds without images, had four times.
+/// Largest RMS of an accepted alignment: a wrong place may fit in part. Chosen on kitti_clips/06
+/// with simulated faults: right alignments had at most twice the last RMS (behind a lorry, after
+/// ten dark frames, in a blurred image), a wrong one four times (after two seconds without images).
 double mostRms(double last_rms) {
   constexpr double kGrowth = 2.5;
   constexpr double kLeast = 5;  // grey levels: dark and blurred images have smaller ones
@@ -102,7 +102,7 @@ AlignmentResult Tracker::bestOf(const CameraRig& rig, const ImagePyramid& image,
 std::optional<AlignmentResult> Tracker::track(const CameraRig& rig, const ImagePyramid& image,
                                               const Expectation& expectation, Demand demand) {
   constexpr double kRmsGrowth =
-      1.5;  // other motions are tried above this, as in the program of Engel et al.
+      1.5;  // above it other motions are tried, as in the program of Engel et al.
   AlignmentResult result;
   bool good = false;
   if (expectation.has_velocity) {
@@ -131,7 +131,7 @@ std::optional<AlignmentResult> Tracker::refine(const CameraRig& rig, const Image
 }
 
 bool Tracker::accept(const CameraRig& rig, AlignmentResult& result, Demand demand) {
-  // What covers a part of the view makes the RMS large at the right place, too.
+  // An object that covers a part of the view makes the RMS large at the right place, too.
   const bool confirmed = demand == Demand::Confirmed;
   const bool is_alike = confirmed || result.rms <= mostRms(last_rms_);
   if (!isAccepted(result, demand) || !is_alike) return false;

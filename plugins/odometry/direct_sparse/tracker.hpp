@@ -26,13 +26,13 @@ class Tracker {
   enum class Demand : std::uint8_t { Certain, Guess, Confirmed };
 
   void reset();
-  /// A new keyframe is the reference; false when it has too few points to track from.
+  /// Makes the newest keyframe the reference; false if it has too few points for tracking.
   bool setReference(const CameraRig& rig, const Window& window);
   /// Pose of the frame, or none if no alignment is accepted. `image` has the size of the reference.
   std::optional<AlignmentResult> track(const CameraRig& rig, const ImagePyramid& image,
                                        const Expectation& expectation,
                                        Demand demand = Demand::Certain);
-  /// The same from one guess: the pose of the reference in the frame.
+  /// The same from a single guess: the pose of the reference in the frame.
   std::optional<AlignmentResult> refine(const CameraRig& rig, const ImagePyramid& image,
                                         const AlignmentState& guess);
   /// RMS of the first frame after the reference; 0 before.

@@ -3,8 +3,7 @@
 #pragma once
 
 /// Before a function: the compiler generates a second version for AVX2, and the loader chooses.
-/// Both do the same operations on the same numbers (no fused multiply-add), so results are the same
-/// bytes.
+/// Both do the same operations in the same order (no fused multiply-add), so results are identical.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOLMAN_WIDE_LANES __attribute__((target_clones("avx2", "default")))

@@ -37,7 +37,7 @@ struct DisparityOffset {
 
 class Window {
  public:
-  /// Squared grey levels, summed over a pattern: 12 grey levels at each pixel.
+  /// First outlier threshold, squared grey levels summed over a pattern: 12 grey levels per pixel.
   static constexpr float kFirstThreshold = 12 * 12 * kPatternSize;
 
   void clear();
@@ -61,7 +61,7 @@ class Window {
 
   Prior prior;
   DisparityOffset offset;
-  float energy_threshold = kFirstThreshold;  ///< above this pattern energy: an outlier
+  float energy_threshold = kFirstThreshold;  ///< a residual of larger pattern energy is an outlier
 
  private:
   std::array<Keyframe, kSlots> keyframes_;

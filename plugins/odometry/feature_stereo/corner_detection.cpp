@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shi-Tomasi corners, one a grid cell.
+// Shi-Tomasi corners, one for each grid cell.
 #include "corner_detection.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace tolman::feature_stereo {
 namespace {
 
-/// Square cells, as many over the image as corners are wanted.
+/// Side of square cells, px, such that the image has about `count` cells.
 int cellSize(const cv::Size& size, int count) {
   return std::max(4, static_cast<int>(std::sqrt(double(size.area()) / count)));
 }

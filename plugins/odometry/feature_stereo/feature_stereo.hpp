@@ -49,8 +49,8 @@ class FeatureStereo final : public Odometry {
   };
   struct Tracked {
     PoseEstimate pose;
-    std::vector<Track> tracks;  ///< those that agree with the pose
-    std::size_t offered = 0;    ///< how many were searched for
+    std::vector<Track> tracks;  ///< tracks that agree with the pose
+    std::size_t offered = 0;    ///< number of tracks that were searched for
   };
 
   Status checkRig() const;
@@ -67,7 +67,7 @@ class FeatureStereo final : public Odometry {
   Eigen::Isometry3d makeKeyframe(const Keyframe& keyframe,
                                  const std::vector<StereoCorner>& candidates);
   void publishPoints(Motion& motion);
-  /// The function from the frame index of a keyframe to its pose that the history needs.
+  /// For the history: a function from the frame index of a keyframe to its pose.
   auto findKeyframe() const {
     return [this](std::int64_t frame) -> std::optional<Eigen::Isometry3d> {
       for (const Keyframe& keyframe : window_.keyframes()) {

@@ -27,7 +27,7 @@ struct Parameters {
   int refinement_iterations = 6;
   double offset_sigma = 0.2;
 
-  /// Corners, how they are followed, and how well they can be.
+  /// Corners, their tracking, and its accuracy.
   static constexpr auto cornerParameters() {
     using P = Parameters;
     return tolman::parameters(

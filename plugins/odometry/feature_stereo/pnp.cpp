@@ -27,8 +27,8 @@ class PoseProblem {
               const PnpSettings& settings)
       : rig_(rig), matches_(matches), settings_(settings), weights_(matches.size()) {}
 
-  /// Weights each match by the inverse of its covariance as seen from T: the pixel noise and the
-  /// uncertainty of the point, which is what makes far and new points count less.
+  /// Weights each match by the inverse of its covariance at this pose: the pixel noise plus the
+  /// uncertainty of the point. So far and new points have less weight.
   void weigh(const Eigen::Isometry3d& T_world_camera) {
     for (std::size_t i = 0; i < matches_.size(); ++i) {
       const PointMatch& s = matches_[i];
@@ -100,6 +100,7 @@ class PoseProblem {
 
 /// Matches whose depth is accurate enough for P3P.
 std::vector<std::size_t> triangulated(const std::vector<PointMatch>& matches) {
+  // Chosen, not derived: P3P takes the three points as exact; the refinement then weights them.
   constexpr double kRelative = 0.1;
   std::vector<std::size_t> known;
   for (std::size_t i = 0; i < matches.size(); ++i) {
@@ -175,6 +176,7 @@ std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
   PoseEstimate estimate;
   estimate.T_world_camera =
       bestSample(rig, matches, problem, guess, settings.iterations, random).T_world_camera;
+  // Reweighted least squares converges linearly; a fixed number makes the time per frame constant.
   constexpr int kSteps = 8;
   Matrix6d information = Matrix6d::Zero();
   for (int k = 0; k < kSteps; ++k) {

@@ -32,8 +32,8 @@ struct PoseEstimate {
   int inliers = 0;
 };
 
-/// The pose that most matches agree on. `guess` is the first hypothesis and breaks no tie; the
-/// samples come from `random` alone. Nothing when fewer than min_inliers agree.
+/// The pose that most matches agree with. `guess` is the first hypothesis; the samples come only
+/// from `random`. Empty if fewer than min_inliers agree.
 std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
                                          const std::vector<PointMatch>& matches,
                                          const Eigen::Isometry3d& guess,

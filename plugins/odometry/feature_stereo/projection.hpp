@@ -12,9 +12,9 @@
 
 namespace tolman::feature_stereo {
 
-/// What one stereo frame measures of a point: u, v of the left image and the disparity, in px.
-/// The tracker displaces u of both images alike, so that (u, v, d) have independent errors where
-/// (u_left, v, u_right) have not.
+/// The measurement of a point in one stereo frame: u, v of the left image and the disparity d, px.
+/// An error of the tracker shifts u equally in both images, so the errors of (u, v, d) are
+/// independent, those of (u_left, v, u_right) are not.
 using StereoPixel = Eigen::Vector3d;
 
 /// Accuracy of a StereoPixel. The appearance of near points changes more between images than that
@@ -33,9 +33,9 @@ struct PixelNoise {
   }
 };
 
-/// A landmark. `coordinates` are (x/z, y/z, 1/z) in a reference camera that stays where it is:
-/// nothing is singular at infinity, so far points need no special care, and their depth keeps a
-/// symmetric error that does not bias the motion (as depth itself would).
+/// A landmark. `coordinates` are (x/z, y/z, 1/z) in a fixed reference camera. They are not singular
+/// at infinity, so far points need no special treatment. The error of the inverse depth is
+/// symmetric and does not bias the motion, as that of the depth would.
 struct InverseDepthPoint {
   Eigen::Isometry3d T_world_reference = Eigen::Isometry3d::Identity();
   Eigen::Vector3d coordinates = Eigen::Vector3d::Zero();

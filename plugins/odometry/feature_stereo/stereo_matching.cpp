@@ -36,7 +36,7 @@ int difference(const RowPatch& a, const RowPatch& b) {
   return sum;
 }
 
-/// Whether the best is clearly better than all that are not beside it.
+/// Whether the cost at `best` is clearly lower than all costs more than 2 px away.
 bool isUnique(const std::vector<int>& costs, std::size_t best) {
   constexpr double kClearly = 1.15;
   for (std::size_t d = 0; d < costs.size(); ++d) {

@@ -12,14 +12,14 @@
 namespace tolman::feature_stereo {
 
 struct StereoSettings {
-  TrackSettings track;         ///< `levels` is how far a guess may be refined
+  TrackSettings track;         ///< `levels` limits the refinement of a guess
   double max_disparity = 150;  ///< px
   double min_disparity = -1;   ///< px; noise makes some far disparities negative, and dropping only
                                ///< these would bias far points towards the camera
   double epipolar = 1;         ///< px, largest difference of rows
 };
 
-/// Stands for "no guess" and for "no match".
+/// Means "no guess" or "no match".
 constexpr float kNoDisparity = std::numeric_limits<float>::quiet_NaN();
 
 /// The disparity u_left - u_right of each corner, or kNoDisparity. `guesses` is as long as
@@ -29,7 +29,7 @@ std::vector<float> matchStereo(const FlowPyramid& left, const FlowPyramid& right
                                const std::vector<float>& guesses, const StereoSettings& settings);
 
 /// The best whole-pixel disparity by sums of absolute differences, with the patches' means removed;
-/// kNoDisparity where the best is not clearly better than the second best.
+/// kNoDisparity if the best is not clearly better than the second best.
 float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int max_disparity);
 
 }  // namespace tolman::feature_stereo

@@ -21,7 +21,7 @@ std::vector<uchar> flow(const FlowPyramid& from_image, const FlowPyramid& to_ima
 }
 
 bool inside(const cv::Point2f& point, const cv::Size& size) {
-  constexpr float kMargin = 3;  // px; the patch may hang over, its centre may not
+  constexpr float kMargin = 3;  // px of the centre from the border; the patch may exceed it
   return point.x >= kMargin && point.y >= kMargin &&
          point.x < static_cast<float>(size.width) - kMargin &&
          point.y < static_cast<float>(size.height) - kMargin;

@@ -26,15 +26,15 @@ class FlowPyramid {
   /// Level 0 is the image itself.
   const cv::Mat& level(int index) const { return images_[static_cast<std::size_t>(2 * index)]; }
   int levels() const { return static_cast<int>(images_.size()) / 2; }
-  const std::vector<cv::Mat>& images() const { return images_; }  ///< as OpenCV wants them
+  const std::vector<cv::Mat>& images() const { return images_; }  ///< in the form of OpenCV
 
  private:
-  std::vector<cv::Mat> images_;  ///< image and derivatives by turns
+  std::vector<cv::Mat> images_;  ///< image and derivatives alternately
 };
 
-/// Where the corners `from` of one image are in another. `to` holds guesses and is overwritten.
-/// True for corners whose backward track ends within `consistency` of their start.
-/// `levels` may be fewer than the pyramid has when the guesses are good.
+/// Tracks the corners `from` of one image to another. `to` contains guesses and is overwritten.
+/// True for corners whose backward track ends within `consistency` of their start. `levels` may be
+/// less than that of the pyramid if the guesses are good.
 std::vector<bool> trackCorners(const FlowPyramid& from_image, const FlowPyramid& to_image,
                                const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
                                const TrackSettings& settings);

@@ -14,14 +14,14 @@ namespace tolman::feature_stereo {
 /// A landmark seen by a keyframe.
 struct Observation {
   std::int64_t keyframe = -1;               ///< its frame index
-  StereoPixel pixel = StereoPixel::Zero();  ///< as measured, disparity offset and all
-  bool has_disparity = false;               ///< else pixel.z() is a prediction
+  StereoPixel pixel = StereoPixel::Zero();  ///< as measured, with the disparity offset
+  bool has_disparity = false;               ///< false: pixel.z() is a prediction
 };
 
 struct Landmark {
   InverseDepthPoint point;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the coordinates, poses held fixed
-  std::vector<Observation> observations;                 ///< by keyframes of the window alone
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the coordinates, with fixed poses
+  std::vector<Observation> observations;                 ///< by keyframes of the window
 };
 
 struct Keyframe {

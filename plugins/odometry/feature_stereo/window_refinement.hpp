@@ -20,8 +20,8 @@ struct RefinementSettings {
 /// of the point, disparity offset.
 ///
 /// The pose block is (x, y, z, qx, qy, qz, qw). Its derivatives are by the tangent of PoseManifold
-/// and stand in the first six columns; the seventh is zero. PoseManifold's PlusJacobian passes them
-/// through, so nothing is multiplied out and divided back again.
+/// and are in the first six columns; the seventh is zero. PoseManifold's PlusJacobian leaves them
+/// unchanged, which saves a product with the Jacobian of the quaternion.
 class StereoReprojection final : public ceres::SizedCostFunction<3, 7, 3, 1> {
  public:
   StereoReprojection(const CameraRig& rig, const Eigen::Isometry3d& T_world_reference,

@@ -38,7 +38,7 @@ MotionReplay::Disturbance MotionReplay::draw(double distance) {
   return {stretch, turn, p.bias_height * distance * stretch};
 }
 
-/// The recorded motion; without noise and bias not a bit of it changes.
+/// The recorded motion; without noise and bias it is identical bit for bit.
 Status MotionReplay::replay(const Frame& frame, Motion& motion) {
   Status status = reader_.read(frame, motion);
   if (!status.isOk()) return status;
@@ -59,7 +59,7 @@ Status MotionReplay::replay(const Frame& frame, Motion& motion) {
   return status;
 }
 
-/// A revision of a motion is as wrong as the motion was.
+/// Applies the disturbance of a frame to its motion or to a revision of it.
 void MotionReplay::disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_current) const {
   if (frame < 0 || frame >= static_cast<std::int64_t>(disturbances_.size())) return;
   const Disturbance& wrong = disturbances_[static_cast<std::size_t>(frame)];
@@ -68,18 +68,29 @@ void MotionReplay::disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_cur
   T_previous_current.linear() *= fromPlanar({0, 0, wrong.turn}).linear();
 }
 
+const std::vector<float>* MotionReplay::sensor(const Frame& frame, std::string_view name) {
+  const auto found = std::find_if(frame.sensors.begin(), frame.sensors.end(),
+                                  [&](const NamedArray& array) { return array.name == name; });
+  return found == frame.sensors.end() ? nullptr : &found->values;
+}
+
+/// Whether tracking restarts at an unknown pose at this frame, by the parameter or the source.
+bool MotionReplay::carried(const Frame& frame) const {
+  const std::vector<float>* unknown = sensor(frame, "motion.unknown");
+  return frame.frame == parameters_.carried_at ||
+         (unknown && std::ranges::any_of(*unknown, [](float value) { return value != 0; }));
+}
+
 Status MotionReplay::track(const Frame& frame, Motion& motion) {
   if (!parameters_.record.empty()) return replay(frame, motion);
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
-  const auto recorded =
-      std::find_if(frame.sensors.begin(), frame.sensors.end(),
-                   [](const NamedArray& array) { return array.name == "motion.planar"; });
-  if (recorded == frame.sensors.end() || recorded->values.size() != 3) {
+  const std::vector<float>* recorded = sensor(frame, "motion.planar");
+  if (!recorded || recorded->size() != 3) {
     return Status::unsupported(
         "this source measures no motion.planar; use the source motion_log, or another odometry");
   }
-  const std::vector<float>& v = recorded->values;
+  const std::vector<float>& v = *recorded;
   const PlanarPose recorded_step = {static_cast<double>(v[0]), static_cast<double>(v[1]),
                                     static_cast<double>(v[2])};
   const Disturbance wrong = draw(std::hypot(recorded_step.x, recorded_step.y));
@@ -88,13 +99,13 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   const bool lost = random_.uniform() < parameters_.lost;
   const double dt = static_cast<double>(frame.stamp_ns - last_stamp_ns_) * 1e-9;
   last_stamp_ns_ = frame.stamp_ns;
-  if (frame.frame == 0 || frame.frame == parameters_.carried_at) return Status::ok();
+  if (frame.frame == 0 || carried(frame)) return Status::ok();
   motion.state = lost ? TrackingState::Lost : TrackingState::Tracking;
   if (!lost) last_step_ = step;
   motion.T_previous_current = fromPlanar(last_step_);
   const double distance = std::hypot(last_step_.x, last_step_.y);
   motion.T_previous_current.translation().y() += parameters_.bias_height * distance;
-  const double factor = lost ? 10 : 1;  // of the standard deviations
+  const double factor = lost ? 10 : 1;  // multiplies the standard deviations
   const double along = factor * (parameters_.sigma_distance * distance + 1e-3);
   const double turn = factor * (parameters_.sigma_heading * std::sqrt(distance) + 1e-4);
   motion.covariance.diagonal() << along * along, along * along, along * along, turn * turn,

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "answers_reader.hpp"
@@ -77,13 +78,15 @@ class MotionReplay final : public Odometry {
   Status finish(std::vector<MotionRevision>& revisions) override;
 
  private:
-  /// What noise and bias do to one motion: its length is multiplied, a turn (rad)
-  /// about the camera's vertical axis and a way along it (m, downwards) are added.
+  /// Noise and bias of one motion: a factor of its length, a turn (rad) about the camera's vertical
+  /// axis, and a translation along this axis (m, downwards).
   struct Disturbance {
     double stretch = 1;
     double turn = 0;
     double sink = 0;
   };
+  static const std::vector<float>* sensor(const Frame& frame, std::string_view name);
+  bool carried(const Frame& frame) const;
   Disturbance draw(double distance);
   Status replay(const Frame& frame, Motion& motion);
   void disturb(std::int64_t frame, Eigen::Isometry3d& T_previous_current) const;

@@ -9,7 +9,7 @@
 namespace tolman::scanline {
 namespace {
 
-/// Grey, or the sum of the channels, of a part of one row, added to `sums`.
+/// Adds the grey values, or the sums of the channels, of a part of one row to `sums`.
 void addRow(const std::uint8_t* pixels, int channels, std::vector<std::uint32_t>& sums) {
   for (std::uint32_t& sum : sums) {
     for (int c = 0; c < channels; ++c) sum += *pixels++;

@@ -22,12 +22,12 @@ struct Region {
 using Profile = std::vector<float>;
 
 /// Resamples image columns at equal steps of bearing, so that a turn of the camera shifts the whole
-/// profile by the same amount. In the columns of a pinhole camera, the edges shift more than the
+/// profile by the same amount. The columns of a pinhole camera shift more at the edges than at the
 /// centre.
 class ProfileMaker {
  public:
-  /// As many samples as the region has columns. A camera that is not calibrated is taken to see
-  /// `field_of_view` (rad) over its width, the same angle with each column.
+  /// As many samples as the region has columns. An uncalibrated camera is assumed to have
+  /// `field_of_view` (rad) over its width, with the same angle between all columns.
   ProfileMaker(const CameraRig& rig, const Region& region, double field_of_view);
 
   /// The image must have the rig's size; colour counts as the mean of its channels.
@@ -41,7 +41,7 @@ class ProfileMaker {
   int first_row_ = 0;
   int row_count_ = 0;
   double radians_per_sample_ = 0;
-  std::vector<double> columns_;  ///< of each sample, from first_column_ on
+  std::vector<double> columns_;  ///< column of each sample, relative to first_column_
 };
 
 /// Standard deviation of a profile; without contrast no motion can be measured.

@@ -26,22 +26,22 @@ double differenceAt(const Profile& earlier, const Profile& later, int shift) {
   return sum / static_cast<double>(overlap);
 }
 
-/// Apex of a V with equal slopes through the costs at -1, 0 and 1, of which that at 0 is the
+/// Position of the tip of a V with equal slopes through the costs at -1, 0 and 1; that at 0 is the
 /// smallest.
 double tipOfV(double before, double least, double after) {
   const double rise = std::max(before, after) - least;
   return rise > 0 ? 0.5 * (before - after) / rise : 0;
 }
 
-/// Half the width of the range round `best` whose costs are within a tenth of the best's, measured
-/// on the way from the best to the mean.
+/// Half the width of the range around `best` with costs below a level between the best and the mean
+/// cost, a tenth above the best.
 double basin(const std::vector<double>& costs, std::size_t best) {
   double mean = 0;
   for (const double cost : costs) mean += cost / static_cast<double>(costs.size());
   const double level = costs[best] + 0.1 * (mean - costs[best]);
   std::size_t first = best;
   std::size_t last = best;
-  for (std::size_t i = 0; i < costs.size(); ++i) {  // also minima elsewhere: any may be the true
+  for (std::size_t i = 0; i < costs.size(); ++i) {  // other minima too: any may be the true one
     if (costs[i] > level) continue;
     first = std::min(first, i);
     last = std::max(last, i);

@@ -17,9 +17,9 @@ struct ProfileMatch {
   int compared = 0;  ///< samples that overlap at the best shift
 };
 
-/// Tries all shifts up to `largest_shift` to both sides; of equals the smaller shift counts. The
-/// mean of each overlap is subtracted first, so a change of exposure has no effect. The profiles
-/// have the same length; at least half of it must overlap, which limits the shift.
+/// Tries all shifts up to `largest_shift` to both sides; of equal differences the smaller shift is
+/// taken. The mean of each overlap is subtracted first, so a change of exposure has no effect. The
+/// profiles have the same length; at least half of it must overlap, which limits the shift.
 ProfileMatch matchProfiles(const Profile& earlier, const Profile& later, int largest_shift);
 
 }  // namespace tolman::scanline

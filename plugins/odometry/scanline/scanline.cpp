@@ -19,13 +19,13 @@ Status checkRegion(const char* name, const Region& region) {
                                   "_y_min must be less than " + n + "_x_max and " + n + "_y_max");
 }
 
-/// v and omega for `dt` along an arc.
+/// Motion along an arc of length `distance` with the turn `turn` (rad).
 PlanarPose arc(double distance, double turn) {
   return {distance * std::cos(0.5 * turn), distance * std::sin(0.5 * turn), turn};
 }
 
-/// Along and across the way, and of the turn; what the method cannot see (height, pitch, roll) is
-/// that of a car on a road.
+/// Covariance along and across the motion, and of the turn. The deviations of height, pitch and
+/// roll, which the method does not measure, are those of a car on a road.
 Matrix6d covarianceOf(double sigma_distance, double sigma_turn) {
   constexpr double kUnseenTurn = 0.01;  // rad
   Vector6d sigmas;

@@ -14,7 +14,7 @@ using Jacobian = Eigen::Matrix<double, 2, 6>;
 
 cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
 
-/// RANSAC over P3P. OpenCV seeds its random numbers with a constant, so the result is reproducible.
+/// RANSAC over P3P. OpenCV uses a constant seed, so the result is reproducible.
 std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& matches,
                                            const Pinhole& pinhole) {
   std::vector<cv::Point3f> points;
@@ -55,7 +55,7 @@ PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const P
     Eigen::Matrix<double, 2, 3> projection;
     projection << K.fx / p.z(), 0, -K.fx * p.x() / (p.z() * p.z()), 0, K.fy / p.z(),
         -K.fy * p.y() / (p.z() * p.z());
-    // p moves by -rho - theta x p when the current frame moves by (rho, theta).
+    // A motion (rho, theta) of the current frame changes p by -rho - theta x p.
     Jacobian J;
     J.leftCols<3>() = -projection;
     J.rightCols<3>() = projection * skew(p);

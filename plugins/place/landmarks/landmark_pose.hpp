@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pose of the camera relative to the frame of a template, m and rad: landmarks are matched by their
-// ORB descriptors, a pose is found by RANSAC over P3P and refined by Gauss-Newton over its inliers.
+// Pose of the camera relative to the frame of a template, m and rad. Landmarks are matched by their
+// ORB descriptors; RANSAC over P3P finds a pose, and Gauss-Newton refines it over its inliers.
 #pragma once
 
 #include <optional>
@@ -27,7 +27,7 @@ struct MeasuredPose {
 /// Matches each landmark to the corner with the nearest descriptor; ambiguous matches are left out.
 std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& corners);
 
-/// None when fewer than `least` matches agree.
+/// Empty if fewer than `least` matches agree.
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
                                    const Pinhole& pinhole, int least);
 

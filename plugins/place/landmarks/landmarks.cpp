@@ -16,13 +16,13 @@ constexpr double kNearest = 2;  // m
 constexpr double kLeastDisparity = 1;
 constexpr int kHalfPatch = 5;
 
-/// The place of the peak of a parabola through three values, the middle one the largest.
+/// Peak of the parabola through three values at -1, 0 and 1; the middle one is the largest.
 double peakOf(double before, double at, double after) {
   const double curve = before - 2 * at + after;
   return curve < 0 ? 0.5 * (before - after) / curve : 0;
 }
 
-/// The best place among correlations; negative when it is poor or has a rival.
+/// Index of the largest correlation, interpolated; negative if it is low or not unique.
 double uniquePeak(const std::vector<float>& value) {
   constexpr float kPoor = 0.85F;
   constexpr float kRival = 0.95F;
@@ -36,7 +36,7 @@ double uniquePeak(const std::vector<float>& value) {
 }
 
 constexpr int kPatch = 2 * kHalfPatch + 1;
-constexpr int kLanes = 16;  // columns of a patch, the last five without weight
+constexpr int kLanes = 16;  // columns of a patch, padded: the last five have no weight
 
 /// A patch of the left image, to be found in a strip of the right one.
 class PatchCorrelation {
@@ -52,7 +52,7 @@ class PatchCorrelation {
     }
   }
 
-  /// Normalised cross-correlation at each place of the strip, which is as high as the patch.
+  /// Normalised cross-correlation at each column of the strip, which has the height of the patch.
   void along(const cv::Mat& right, const cv::Rect& strip, std::vector<float>& correlations) {
     const int width = strip.width + kLanes - kPatch;
     pixels_.assign(static_cast<std::size_t>(width * kPatch), 0);
@@ -126,7 +126,7 @@ double disparityAt(const cv::Mat& left, const cv::Mat& right, const cv::Point2f&
   const cv::Rect patch(x - kHalfPatch, y - kHalfPatch, 2 * kHalfPatch + 1, 2 * kHalfPatch + 1);
   if ((patch & image) != patch) return -1;
   const int first = std::max(0, patch.x - reach);
-  // One pixel to the right as well, so that a disparity of zero would be a peak and is refused.
+  // Also one pixel to the right, so that a disparity of zero can be a peak, which is refused.
   const int last = std::min(left.cols, patch.x + patch.width + 1);
   const cv::Rect strip(first, patch.y, last - first, patch.height);
   std::vector<float> correlations;

@@ -30,12 +30,12 @@ cv::Mat grayOf(const Image& image);
 /// At most `count` corners of a grey image; deterministic.
 Corners findCorners(const cv::Mat& gray, int count);
 
-/// The corners of the left image that are found in the right one, with their depth.
+/// The corners of the left image that have a match in the right one, with their positions.
 Landmarks findLandmarks(const cv::Mat& left, const cv::Mat& right, const CameraRig& rig,
                         const Corners& corners);
 
-/// Sub-pixel disparity of a pixel of the left image (px), at most `largest`; negative where no
-/// match is good or two are equally good.
+/// Sub-pixel disparity of a pixel of the left image (px), at most `largest`; negative if no match
+/// is good or two are equally good.
 double disparityAt(const cv::Mat& left, const cv::Mat& right, const cv::Point2f& pixel,
                    double largest);
 

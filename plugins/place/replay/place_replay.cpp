@@ -15,19 +15,19 @@ constexpr std::int64_t kNothing = -1;
 constexpr float kUnknownDrive = -1;
 using RandomWords = std::array<std::uint64_t, sizeof(RandomStream) / sizeof(std::uint64_t)>;
 
-/// Null where the frame has none of that name.
+/// The sensor array of this name; null if the frame has none.
 const NamedArray* sensor(const Frame& frame, std::string_view name) {
   const auto found = std::ranges::find(frame.sensors, name, &NamedArray::name);
   return found == frame.sensors.end() ? nullptr : &*found;
 }
 
-/// Indices are subtracted, and counters go on from a saved one.
+/// Within the bounds of saved indices and counters, which are subtracted and incremented later.
 bool isIndex(std::int64_t index) {
   constexpr std::int64_t kMost = std::int64_t{1} << 62U;
   return index > -kMost && index < kMost;
 }
 
-/// A pose that was driven to, m and rad; not NaN.
+/// Bound of the numbers of a saved pose, m and rad; false for NaN.
 bool isNear(double number) { return std::abs(number) <= 1e9; }
 
 }  // namespace
@@ -77,7 +77,7 @@ void PlaceReplay::removeViewsOfOtherDrive(const Frame& frame) {
 
 void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                                PlaceObservation& observation) {
-  // A frame driven over again (pingpong) keeps its first template.
+  // A frame that is played again (pingpong) keeps its first template.
   views_.try_emplace(source_index, ReplayedView{templates_, in_template});
   observation.recognition = Recognition::Novel;
   observation.template_id = templates_++;
@@ -97,7 +97,7 @@ void PlaceReplay::reportMatch(const ReplayedView& view, const PlanarPose& here_i
   observation.covariance.diagonal() << p, p, p, h, h, h;
 }
 
-/// Counts from the last compared frame, so that the regular ones align with those that are known.
+/// A frame that is known to be compared, or every `view_step` frames since the last compared one.
 bool PlaceReplay::isCompared(const Frame& frame) {
   const NamedArray* looked = sensor(frame, "place.looked");
   const NamedArray* alike = sensor(frame, "place.candidate");
@@ -109,7 +109,7 @@ bool PlaceReplay::isCompared(const Frame& frame) {
   return known || due;
 }
 
-/// The first candidate whose view is known.
+/// Reports the first candidate whose view is known.
 bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
   const NamedArray* alike = sensor(frame, "place.candidate");
   if (alike == nullptr) return false;
@@ -118,7 +118,7 @@ bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
     const auto view = views_.find(std::llround(number(0)));
     if (view == views_.end()) continue;
     if (parameters_.kept < 1 && random_.uniform() >= parameters_.kept) continue;
-    // The edge leads from here to the earlier frame; the observation is in the template's frame.
+    // The candidate has the pose of the earlier frame in this one; the observation has the inverse.
     reportMatch(view->second, between({number(1), number(2), number(3)}, {}), observation);
     return true;
   }
@@ -170,7 +170,7 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
     return Status::ok();
   }
   if (pending_ && motion) {
-    // The pending view is that of the frame before: one motion behind.
+    // The pending view is that of the previous frame, one motion before this one.
     makeTemplate(*pending_, between(toPlanar(motion->T_previous_current), {}), observation);
     pending_.reset();
   }

@@ -68,9 +68,9 @@ struct PlaceReplayParameters {
 };
 
 /// A candidate "frame i resembles frame j" becomes an observation of the template of j at frame i.
-/// The recorded detector compared a frame every `view_step` frames and wherever the source marks
-/// one (`place.looked`). Such a frame without candidate makes a template. One with a candidate
-/// makes its own template at the next frame, since one frame gives one observation, so that later
+/// The recorded detector compared a frame every `view_step` frames and those that the source marks
+/// (`place.looked`). A compared frame without candidate makes a template. After one with a
+/// candidate the next frame makes its template, because a frame has only one observation; so later
 /// frames can match it as well.
 class PlaceReplay final : public Place, public StateKeeper {
  public:
@@ -90,17 +90,17 @@ class PlaceReplay final : public Place, public StateKeeper {
     std::int64_t template_id = -1;
     PlanarPose in_template;  ///< pose of the frame relative to the template
   };
-  /// Candidates are numbers of frames, which mean other places on another drive: removes the views
-  /// when `motion.drive` changes.
+  /// Removes the views when `motion.drive` changes: candidates are frame numbers, which are other
+  /// places on another drive.
   void removeViewsOfOtherDrive(const Frame& frame);
   void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                     PlaceObservation& observation);
   /// Whether the recorded detector compared this frame.
   bool isCompared(const Frame& frame);
   bool recognise(const Frame& frame, PlaceObservation& observation);
-  /// Reports a false match: some old view, or the next one of a run, with the pose of its frame.
+  /// Reports a false match with an old view, or with the next one of a run of false matches.
   bool reportFalseMatch(const Frame& frame, PlaceObservation& observation);
-  /// The view that a false match of this frame names.
+  /// The view of a false match at this frame; empty for no false match.
   std::optional<ReplayedView> lookAlike(std::int64_t source_index);
   void reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
                    PlaceObservation& observation) const;
@@ -118,8 +118,8 @@ class PlaceReplay final : public Place, public StateKeeper {
   std::optional<std::int64_t> last_compared_;  ///< source index
   std::optional<std::int64_t>
       pending_;                  ///< source index of a recognised view that has no template yet
-  std::int64_t run_end_ = -1;    ///< source index before which a run of false matches goes on
-  std::int64_t run_offset_ = 0;  ///< from a frame of the run to the frame whose view it matches
+  std::int64_t run_end_ = -1;    ///< source index at which a run of false matches ends
+  std::int64_t run_offset_ = 0;  ///< source index of the matched view minus that of the frame
 };
 
 }  // namespace tolman::place_replay

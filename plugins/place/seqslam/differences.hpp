@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One column of the difference matrix: how an image differs from every stored view, each difference
-// measured against those of the views stored just before and after it.
+// One column of the difference matrix: the differences of an image from every stored view,
+// normalised by the differences of neighbouring views (local contrast enhancement).
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace tolman::seqslam {
 
-/// Each difference, less the mean of those at most `window` / 2 places away, in their standard
-/// deviations; 0 where they are all alike. Never below -sqrt(window).
+/// For each difference: d minus the mean, divided by the standard deviation, of the differences at
+/// most `window` / 2 views away; 0 if these are all equal. Never below -sqrt(window).
 std::vector<float> enhancedContrast(std::span<const float> differences, int window);
 
 }  // namespace tolman::seqslam

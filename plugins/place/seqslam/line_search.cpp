@@ -24,7 +24,7 @@ LineSearch::LineSearch(const LineSettings& settings) : settings_(settings) {
   }
 }
 
-/// The least mean over all speeds; infinity where no line fits in.
+/// The least mean over all speeds; infinity if no line is within the stored views.
 double LineSearch::scoreOf(const std::deque<std::vector<float>>& columns, std::int64_t end) const {
   double least = kNone;
   for (const std::vector<std::int64_t>& line : lines_) {

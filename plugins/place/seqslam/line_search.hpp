@@ -15,13 +15,13 @@ struct LineSettings {
   double slowest = 0.8;  ///< stored views for each image
   double fastest = 1.2;
   double speed_step = 0.1;
-  int same_place = 5;  ///< views so near to the best are no rivals
+  int same_place = 5;  ///< views at most so far from the best one are not rivals
 };
 
 struct BestLine {
-  std::int64_t end = -1;  ///< the view that it ends at
+  std::int64_t end = -1;  ///< the stored view at the end of the line
   double score = 0;       ///< mean of the column's values along the line; smaller is more alike
-  double rival = 0;       ///< the least score of the views elsewhere
+  double rival = 0;       ///< the least score of the views farther away than `same_place`
 };
 
 class LineSearch {
@@ -29,8 +29,8 @@ class LineSearch {
   explicit LineSearch(const LineSettings& settings);
 
   /// Columns in the order of their images; older ones may be shorter. Only lines that end at one of
-  /// the first `candidates` views count. Empty with fewer columns than a line is long, and as long
-  /// as there is nothing to compare the best with.
+  /// the first `candidates` views are considered. Empty with fewer columns than the length of a
+  /// line, and without a rival.
   std::optional<BestLine> best(const std::deque<std::vector<float>>& columns,
                                std::int64_t candidates) const;
 
@@ -38,7 +38,7 @@ class LineSearch {
   double scoreOf(const std::deque<std::vector<float>>& columns, std::int64_t end) const;
 
   LineSettings settings_;
-  /// For each speed: views between the end and the point at each image, the newest image first.
+  /// For each speed and image, the newest first: how many views before the end the line is.
   std::vector<std::vector<std::int64_t>> lines_;
 };
 

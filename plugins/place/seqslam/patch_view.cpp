@@ -56,7 +56,7 @@ PatchView patchView(const Image& image, const ViewSettings& settings) {
 }
 
 float differenceOf(std::span<const std::int8_t> a, std::span<const std::int8_t> b) {
-  std::int32_t sum = 0;  // whole numbers: the same in any order
+  std::int32_t sum = 0;  // an integer, so that the order does not matter
   for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
   return static_cast<float>(sum) / static_cast<float>(kUnit * a.size());
 }

@@ -17,8 +17,8 @@ struct ViewSettings {
   int patch = 8;
 };
 
-/// In units of 1 / kUnit standard deviations, row by row; clipped at 127. A pixel of a patch of 8 x
-/// 8 is within 8 standard deviations of the mean.
+/// Pixels are in units of 1 / kUnit standard deviations, row by row, clipped at 127. A pixel of a
+/// patch of 8 x 8 is within 8 standard deviations of the mean.
 inline constexpr int kUnit = 15;
 using PatchView = std::vector<std::int8_t>;
 

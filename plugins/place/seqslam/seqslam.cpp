@@ -65,7 +65,7 @@ Status SeqSlam::observe(const Frame& frame, const Motion* /*motion*/,
   return Status::ok();
 }
 
-/// Adds the column of a view.
+/// Adds the column of differences of a view.
 void SeqSlam::compare(const PatchView& view) {
   std::vector<float> differences;
   for (std::size_t at = 0; at < views_.size(); at += viewSize()) {
@@ -81,8 +81,8 @@ std::int64_t SeqSlam::candidates() const {
   return end - image_of_view_.begin();
 }
 
-/// Enhanced differences may be negative: before scores are divided, the least value there is
-/// becomes 0.
+/// Quotient of the best score and its rival. Enhanced differences may be negative, so their least
+/// possible value is subtracted first.
 double SeqSlam::quotientOf(const std::optional<BestLine>& best) const {
   if (!best) return 1;
   const double least = -std::sqrt(static_cast<double>(parameters_.contrast_window));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SeqSLAM (Milford and Wyeth, ICRA 2012): a place is recognised when the last images resemble
-// stored ones along a line of constant speed much more than along any other. Only the past is
-// used: the answer says where the newest image is. The score is the quotient of the best line's
-// score and its best rival's, 0 to 1.
+// SeqSLAM (Milford and Wyeth, ICRA 2012): a place is recognised if the last images are much more
+// similar to stored ones along one line of constant speed than along any other. Only past images
+// are used: the answer is the place of the newest image. The score is the quotient of the score of
+// the best line and that of its best rival, 0 to 1.
 #pragma once
 
 #include <cstdint>
@@ -105,9 +105,9 @@ class SeqSlam final : public Place, public StateKeeper {
 
   Parameters parameters_;
   std::optional<LineSearch> search_;
-  std::int64_t images_ = 0;                  ///< seen so far
+  std::int64_t images_ = 0;                  ///< number of images so far
   std::vector<std::int8_t> views_;           ///< all stored ones
-  std::vector<std::int64_t> image_of_view_;  ///< number of the image that each was made of
+  std::vector<std::int64_t> image_of_view_;  ///< number of the image of each view
   std::deque<std::vector<float>> columns_;   ///< of the last images, at most `sequence`
 };
 

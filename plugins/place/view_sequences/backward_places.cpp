@@ -14,16 +14,17 @@ constexpr std::size_t kYaws = 5;
 
 double yawOf(double index) { return 0.08 * (index - (kYaws - 1) / 2.0); }  // rad
 
-// Less probable places are measured as well, so that later ones have something to agree with.
+// Least probability of a measured place. Less probable places are measured too, because an answer
+// must agree with an earlier measurement.
 constexpr double kMeasuredFrom = 0.5;
-// Structure of the same street correlates at least so much: 97 of 100 right places do.
+// Least correlation of the structure of the same street: 97 of 100 right places reach it.
 constexpr double kLeastCorrelation = 0.28;
-// Each camera sees the near sides of things, so that structure of the other direction fits best
-// about a metre too far back. Measured on district (1.0 m), checked on a route of another town (0.8
-// m).
+// Correction along the street: a camera sees only the near sides of objects, so structure of the
+// opposite direction fits best about a metre too far back. Measured on district (1.0 m), checked on
+// a route of another town (0.8 m).
 constexpr double kNearSides = 1.0;  // m
-// Standard deviations of the measured pose. To the side and of the yaw as measured on district;
-// along the street things differ in thickness.
+// Standard deviations of the measured pose. Those to the side and of the yaw were measured on
+// district. That along the street is larger, because the thickness of objects differs.
 constexpr double kSigmaSide = 0.4;    // m
 constexpr double kSigmaHeight = 0.5;  // m; not measured
 constexpr double kSigmaAlong = 1.2;   // m
@@ -85,7 +86,7 @@ std::optional<BackwardPlace> BackwardPlaces::find(double probability) {
   return agrees && candidate->probability >= probability ? place : std::nullopt;
 }
 
-/// The turn at which the structures agree best.
+/// The fit at the turn at which the structures agree best.
 BackwardPlaces::TurnedFit BackwardPlaces::bestFit(const StructureDeviation& stored) const {
   std::array<StructureFit, kYaws> fits;
   std::size_t at = 0;
@@ -100,8 +101,8 @@ BackwardPlaces::TurnedFit BackwardPlaces::bestFit(const StructureDeviation& stor
   return {fits[at], yawOf(static_cast<double>(at) + between)};
 }
 
-/// None where the structures do not agree, or agree better for a street that is driven in the same
-/// direction.
+/// The measured pose at a candidate. Empty if the structures do not agree, or agree better for the
+/// same driving direction.
 std::optional<BackwardPlace> BackwardPlaces::located(const PlaceCandidate& candidate) const {
   const StructureDeviation stored = mean_.deviationOf(search_.levelsOf(candidate.view));
   const TurnedFit best = bestFit(stored);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Recognises streets that are driven the other way, from the structure that a stereo pair measures
-// along the path: joins its points, searches the stored grids, and measures the pose.
+// Recognises streets that are driven in the opposite direction, from the structure that a stereo
+// pair measures along the path: joins its points, searches the stored grids, and measures the pose.
 #pragma once
 
 #include <cstdint>
@@ -23,20 +23,20 @@ struct BackwardPlace {
 
 class BackwardPlaces {
  public:
-  /// Does nothing when turned off, and without a calibrated stereo pair.
+  /// Does nothing unless `enabled`, or without a calibrated stereo pair.
   BackwardPlaces(const CameraRig& rig, bool enabled, const SearchSettings& settings)
       : stereo_(rig), enabled_(enabled), search_(settings) {}
 
   bool canMeasure() const { return enabled_ && stereo_.canMeasure(); }
-  /// For every frame.
+  /// Called for every frame.
   void move(const Motion& motion);
-  /// For every step along the path, after move().
+  /// Called for every step along the path, after move().
   void step(const PathStep& step, const Frame& frame);
-  /// The view of now was stored.
+  /// The present view was stored.
   void add(double path, std::int64_t predecessor);
   void join(std::int64_t from, std::int64_t to);
-  /// After step(), once: the place that is passed the other way, if one is at least so probable,
-  /// its structure agrees, and so does what was measured some metres ago.
+  /// Called once after step(): the place that is passed in the opposite direction. It must have at
+  /// least this probability, and its structure and a pose measured some metres ago must agree.
   std::optional<BackwardPlace> find(double probability);
 
   void save(StateWriter& writer) const;
@@ -57,7 +57,7 @@ class BackwardPlaces {
   BackwardSearch search_;
   StreetPoints street_;
   StructureMean mean_;
-  std::optional<StructureLevels> current_;  ///< of the last step
+  std::optional<StructureLevels> current_;  ///< grid at the last step
   double path_ = 0;                         ///< m, at the last step
   std::vector<float> poses_;  ///< planar (m, m, rad), three for each view, since its pass began
   PoseAgreement agreement_;

@@ -11,11 +11,12 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Grids reach 30 m back and 12 m ahead: those of a shorter path in between share their points.
+// Grids contain points from 30 m back to 12 m ahead, so grids with less path in between share
+// points.
 constexpr double kSharedPath = 40;  // m
-// Fewer grids to compare with tell nothing about what is unusual.
+// Fewest compared grids from which the usual distance is estimated.
 constexpr std::int64_t kFewestGrids = 10;
-// z of a view that is not compared: it passes no evidence on.
+// z of a view that is not compared; so large that no evidence is passed on.
 constexpr float kNotCompared = 5;
 
 SearchSettings backwards(SearchSettings settings) {
@@ -77,10 +78,10 @@ void BackwardSearch::step(const StructureQuery* query, double path, double advan
   evidence_.step(distances_, advance, candidates_);
 }
 
-/// The standardised distances of all views. More grids than `exhaustive` are not compared: the
-/// newest count.
+/// Computes the standardised distances of all views. Only the newest `exhaustive` grids are
+/// compared.
 void BackwardSearch::compareAll(const StructureQuery& query) {
-  std::int64_t end = 0;  // grids of candidates are the first ones
+  std::int64_t end = 0;  // number of grids of candidates, which are the first ones
   for (std::int64_t view = candidates_; view > 0 && end == 0; --view) {
     end = grid_of_view_[static_cast<std::size_t>(view) - 1] + 1;
   }
@@ -100,8 +101,8 @@ void BackwardSearch::compareAll(const StructureQuery& query) {
   }
 }
 
-/// Whether the views that come next have no structure: the evidence would stay here when the robot
-/// drives on.
+/// Whether one of the next views has no structure. The evidence would then remain at this view
+/// while the robot drives on.
 bool BackwardSearch::isAtEnd(std::int64_t view) const {
   constexpr std::int64_t kAhead = 5;
   if (view < kAhead) return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds where on the stored paths the robot is when it drives them the other way: compares the
-// structure of now, turned by 180 degrees, with stored grids, and adds up evidence along the path
-// in falling order.
+// Finds the robot on the stored paths when it drives them in the opposite direction: compares the
+// present structure, turned by 180 degrees, with stored grids, and adds up evidence along the path
+// in decreasing order of views.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ class BackwardSearch {
  public:
   explicit BackwardSearch(const SearchSettings& settings);
 
-  /// A view was stored; its number is that of views before it. `levels`: its structure, if there is
-  /// any. A view keeps a grid of its own when the one before it on the path has none of its own.
+  /// Adds a view; its number is that of earlier views. `levels`: its structure, if any. A view
+  /// shares the grid of the view before it on the path, unless that one shares a grid itself.
   void add(const std::optional<StructureLevels>& levels, double path, std::int64_t predecessor);
   void join(std::int64_t from, std::int64_t to) { evidence_.join(from, to); }
   void beginPass();
 
-  /// One step along the path; without structure there is no evidence at all.
+  /// One step along the path. `query` is null without structure: all evidence is then removed.
   void step(const StructureQuery* query, double path, double advance);
   /// The most probable place after a step.
   std::optional<PlaceCandidate> best() const;
-  /// Of a view that has structure.
+  /// The grid of a view that has structure.
   StructureLevels levelsOf(std::int64_t view) const;
   std::int64_t size() const { return static_cast<std::int64_t>(paths_.size()); }
 
@@ -48,8 +48,8 @@ class BackwardSearch {
   std::vector<std::uint8_t> cells_;         ///< kCells for each grid
   std::vector<std::int32_t> grid_of_view_;  ///< -1: none
   std::vector<float> paths_;                ///< of each view, m
-  std::int64_t candidates_ = 0;             ///< the first so many views are not recent; 0: none
-  std::vector<float> of_grids_;             ///< distances
+  std::int64_t candidates_ = 0;             ///< number of views that are not recent, the first ones
+  std::vector<float> of_grids_;             ///< distances of the compared grids
   std::vector<float> distances_;            ///< standardised, of the views
 };
 

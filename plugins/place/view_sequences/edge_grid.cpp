@@ -14,9 +14,9 @@ namespace {
 constexpr int kCell = 12;  // px of the reduced image
 constexpr int kWidth = kColumns * kCell;
 constexpr int kHeight = kRows * kCell;
-// Gradients below it (grey levels of 0 to 1 over two pixels) count as noise.
+// Gradients below this, in grey levels of 0 to 1 over two pixels, are treated as noise.
 constexpr float kNoise = 0.01F;
-// Mean strength of the edges below which a view is blank.
+// A view with a smaller mean strength of edges is blank.
 constexpr float kBlank = 0.002F;
 
 cv::Mat reduced(const Image& image) {
@@ -29,7 +29,7 @@ cv::Mat reduced(const Image& image) {
   return values;
 }
 
-/// The two nearest cells along one axis to pixel `at`, and the share of the second.
+/// The two cells nearest to a pixel along one axis, and the weight of the second.
 struct Shares {
   int cell;  ///< the first; -1 before the first cell
   float second;
@@ -43,7 +43,7 @@ Shares sharesOf(int at) {
 
 class EdgeSums {
  public:
-  /// Shares an edge among the nearest cells and directions.
+  /// Distributes an edge over the nearest cells and directions (linear interpolation).
   void add(Shares x, Shares y, float angle, float strength) {
     const float place = angle * kDirections - 0.5F;
     const float before = std::floor(place);
@@ -132,7 +132,7 @@ bool edgeGrid(const Image& image, EdgeValues& values) {
       const float around = strengthAround(edges, c, r) + kNoise;
       for (int k = 0; k < kDirections; ++k) {
         const auto i = static_cast<std::size_t>((c * kRows + r) * kDirections + k);
-        values[i] = std::sqrt(edges[i] / around);  // the root raises weak edges beside strong ones
+        values[i] = std::sqrt(edges[i] / around);  // the root amplifies weak edges near strong ones
       }
     }
   }

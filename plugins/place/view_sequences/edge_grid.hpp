@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Appearance of a view: strength of edges in six directions over a grid of 13 x 8 cells, each
-// measured against its neighbourhood (histograms of oriented gradients, Dalal and Triggs, CVPR
-// 2005; square root by Arandjelovic and Zisserman, CVPR 2012). It depends little on light.
+// normalised by its neighbourhood (histograms of oriented gradients, Dalal and Triggs, CVPR 2005;
+// square root by Arandjelovic and Zisserman, CVPR 2012). It depends little on light.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace tolman::view_sequences {
 
 inline constexpr int kColumns = 13;
 inline constexpr int kRows = 8;
-inline constexpr int kDirections = 6;  ///< over 180 degrees: the sign of a gradient does not count
+inline constexpr int kDirections = 6;  ///< over 180 degrees: the sign of a gradient is ignored
 inline constexpr int kColumnValues = kRows * kDirections;
 inline constexpr int kValues = kColumns * kColumnValues;
 
@@ -22,7 +22,7 @@ inline constexpr int kValues = kColumns * kColumnValues;
 /// a contiguous part.
 using EdgeValues = std::array<float, kValues>;
 
-/// False for a view without structure, such as a blank or covered one; `values` is not changed.
+/// False for a view without edges, such as a blank or covered one; `values` is not changed.
 bool edgeGrid(const Image& image, EdgeValues& values);
 
 /// Four bits for each value, two of a column in one byte: 312 bytes a view.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Counts the differing bits between a few codes and very many: the part of the search whose time
-// grows with the stored views.
+// Counts the differing bits between a few codes and all stored ones: the part of the search whose
+// time is proportional to the number of stored views.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace tolman::view_sequences {
 inline constexpr int kCodeBits = 256;
 using PlaceCode = std::array<std::uint64_t, kCodeBits / 64>;
 
-/// The view of now at each tried shift.
+/// Codes of the present view, one for each tried shift.
 inline constexpr int kTriedShifts = 3;
 using CodeQueries = std::array<PlaceCode, kTriedShifts>;
 
@@ -20,7 +20,7 @@ using CodeQueries = std::array<PlaceCode, kTriedShifts>;
 using HammingScan = void (*)(const PlaceCode* codes, std::int64_t count, const CodeQueries& queries,
                              std::uint16_t* bits);
 
-/// Those that this processor can run, the fastest first; all give the same numbers.
+/// The versions that this processor supports, the fastest first; all give the same numbers.
 std::vector<HammingScan> hammingScans();
 
 }  // namespace tolman::view_sequences

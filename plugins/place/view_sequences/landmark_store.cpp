@@ -51,14 +51,14 @@ Status LandmarkStore::append(std::int64_t view, std::int64_t count,
 }
 
 std::optional<std::int64_t> LandmarkStore::nearest(std::int64_t view, std::int64_t reach) const {
-  const auto after = std::ranges::lower_bound(entries_, view, {}, &Entry::view);
+  const auto after = std::ranges::lower_bound(entries_, view, {}, &StoredView::view);
   std::optional<std::int64_t> best;
   if (after != entries_.begin()) best = std::prev(after)->view;
   if (after != entries_.end() && (!best || after->view - view < view - *best)) best = after->view;
   return best && std::abs(*best - view) <= reach ? best : std::nullopt;
 }
 
-Result<std::vector<std::uint8_t>> LandmarkStore::bytesOf(const Entry& entry) const {
+Result<std::vector<std::uint8_t>> LandmarkStore::bytesOf(const StoredView& entry) const {
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(entry.count * kBytesEach));
   const Status status = file_.read(entry.offset, std::as_writable_bytes(std::span(bytes)));
   if (!status.isOk()) return failure("read", status);
@@ -66,7 +66,7 @@ Result<std::vector<std::uint8_t>> LandmarkStore::bytesOf(const Entry& entry) con
 }
 
 Result<Landmarks> LandmarkStore::read(std::int64_t view) const {
-  const auto entry = std::ranges::lower_bound(entries_, view, {}, &Entry::view);
+  const auto entry = std::ranges::lower_bound(entries_, view, {}, &StoredView::view);
   auto bytes = bytesOf(*entry);
   if (!bytes.isOk()) return bytes.status();
   Landmarks landmarks;
@@ -83,7 +83,7 @@ Result<Landmarks> LandmarkStore::read(std::int64_t view) const {
 
 Status LandmarkStore::save(StateWriter& writer) const {
   writer.put(static_cast<std::uint64_t>(entries_.size()));
-  for (const Entry& entry : entries_) {
+  for (const StoredView& entry : entries_) {
     const auto bytes = bytesOf(entry);
     if (!bytes.isOk()) return bytes.status();
     writer.put(entry.view);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Landmarks of stored views, in a file without a name that vanishes with the plugin: only where
-// they begin is held in memory, and only those of candidates are read.
+// Landmarks of stored views, in a file without a name that is removed with the plugin. Only their
+// offsets are in memory, and only those of candidates are read.
 #pragma once
 
 #include <cstdint>
@@ -16,30 +16,30 @@ namespace tolman::view_sequences {
 
 class LandmarkStore {
  public:
-  /// `view` must be larger than those before.
+  /// `view` must be larger than that of all earlier calls.
   Status add(std::int64_t view, const landmarks::Landmarks& landmarks);
-  /// The view with landmarks that is nearest to `view`, at most `reach` views away; of two equally
-  /// near ones the older.
+  /// The view with landmarks nearest to `view`, at most `reach` views away; at equal distance the
+  /// older one.
   std::optional<std::int64_t> nearest(std::int64_t view, std::int64_t reach) const;
-  /// Of a view that has some.
+  /// The landmarks of a view that has some.
   Result<landmarks::Landmarks> read(std::int64_t view) const;
 
-  /// Fails when the file cannot be read.
+  /// Fails if the file cannot be read.
   Status save(StateWriter& writer) const;
   /// InvalidInput for damaged bytes.
   Status load(StateReader& reader, std::int64_t views);
 
  private:
-  struct Entry {
+  struct StoredView {
     std::int64_t view;
     std::int64_t offset;  ///< in the file
     std::int64_t count;   ///< of landmarks
   };
 
   Status append(std::int64_t view, std::int64_t count, const std::vector<std::uint8_t>& bytes);
-  Result<std::vector<std::uint8_t>> bytesOf(const Entry& entry) const;
+  Result<std::vector<std::uint8_t>> bytesOf(const StoredView& entry) const;
 
-  std::vector<Entry> entries_;
+  std::vector<StoredView> entries_;
   std::int64_t end_ = 0;
   ScratchFile file_;
 };

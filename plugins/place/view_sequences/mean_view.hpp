@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mean of the views of this pass so far: what lens, light and season add to all of them.
+// Mean of the views of this pass so far: the effect of lens, light and season on all of them.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@ namespace tolman::view_sequences {
 
 class MeanView {
  public:
-  /// Takes in a view: mean of the first hundred, then exponentially weighted, so that it follows
-  /// the light.
+  /// Adds a view: the mean of the first hundred views, then an exponentially weighted mean, which
+  /// follows changes of light.
   void add(const EdgeValues& view) {
     weight_ = std::min(weight_ + 1, kViews);
     for (std::size_t i = 0; i < kValues; ++i) mean_[i] += (view[i] - mean_[i]) / weight_;
   }
-  /// The next views may be of another light: the mean so far counts as 20 views only.
+  /// The light may be different in the next pass, so the mean so far counts as only 20 views.
   void beginPass() {
     constexpr float kCarried = 20;
     weight_ = std::min(weight_, kCarried);

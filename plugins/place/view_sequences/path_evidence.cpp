@@ -11,10 +11,9 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr int kLargestStep = 3;  // views; a robot that moves faster is penalised
+constexpr int kLargestStep = 3;  // views; larger steps are penalised
 
-/// What one step does to each view of a sequence. `costs` are those of moving by 0 to kLargestStep
-/// views.
+/// The recursion of one step. `costs`: of moving by 0 to kLargestStep views.
 struct Transition {
   std::array<float, kLargestStep + 1> costs;
   float memory;
@@ -23,8 +22,8 @@ struct Transition {
   float evidence(float z, float best) const { return z + offset + memory * (best < 0 ? best : 0); }
 };
 
-/// View `i` of a sequence with fewer than kLargestStep views before it in the direction in which it
-/// is driven, `beyond`: views that do not exist pass nothing on.
+/// Evidence of view `i`, near the end of a sequence: only `beyond` views, fewer than kLargestStep,
+/// are before it in the driving direction.
 template <std::int64_t kForward>
 float evidenceAtEnd(const Transition& t, const float* before, const float* z, std::int64_t i,
                     std::int64_t beyond) {
@@ -35,7 +34,7 @@ float evidenceAtEnd(const Transition& t, const float* before, const float* z, st
   return t.evidence(z[i], best);
 }
 
-/// The views from `begin` to `end` of a sequence that have all the views before them.
+/// Evidence of the views from `begin` to `end`, which have kLargestStep views before them.
 template <std::int64_t kForward>
 [[gnu::always_inline]] inline void stepInner(const Transition& t, const float* before,
                                              const float* z, float* after, std::int64_t begin,
@@ -105,7 +104,7 @@ void PathEvidence::step(std::span<const float> standardised, double advance,
     step_sequence(transition, before_.data() + start, standardised.data() + start,
                   evidence_.data() + start, end - start);
   }
-  for (const Link& link : links_) {
+  for (const SequenceLink& link : links_) {
     const std::int64_t giver = forwards ? link.from : link.to;
     if (giver >= candidates) continue;
     const auto to = static_cast<std::size_t>(forwards ? link.to : link.from);
@@ -125,7 +124,7 @@ void PathEvidence::save(StateWriter& writer) const {
   writer.put(static_cast<std::uint64_t>(starts_.size()));
   writer.putAll<std::int64_t>(starts_);
   writer.put(static_cast<std::uint64_t>(links_.size()));
-  for (const Link& link : links_) {
+  for (const SequenceLink& link : links_) {
     writer.put(link.from);
     writer.put(link.to);
   }
@@ -142,7 +141,7 @@ bool PathEvidence::load(StateReader& reader, std::int64_t views) {
   starts_.resize(starts);
   reader.getAll<std::int64_t>(starts_);
   const auto links = reader.get<std::uint64_t>();
-  if (links > reader.remaining() / sizeof(Link)) return false;
+  if (links > reader.remaining() / sizeof(SequenceLink)) return false;
   for (std::uint64_t i = 0; i < links; ++i) {
     const auto from = reader.get<std::int64_t>();
     links_.push_back({from, reader.get<std::int64_t>()});
@@ -150,7 +149,7 @@ bool PathEvidence::load(StateReader& reader, std::int64_t views) {
   const bool sound = std::ranges::all_of(evidence_, [](float e) { return std::isfinite(e); }) &&
                      std::ranges::all_of(starts_, isView) &&
                      std::ranges::adjacent_find(starts_, std::greater_equal{}) == starts_.end() &&
-                     std::ranges::all_of(links_, [&](const Link& link) {
+                     std::ranges::all_of(links_, [&](const SequenceLink& link) {
                        return isView(link.from) && isView(link.to);
                      });
   return sound && (views == 0 || (!starts_.empty() && starts_.front() == 0));

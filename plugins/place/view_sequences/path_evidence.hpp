@@ -4,10 +4,10 @@
 // become steps of driven metres. For stored view p at step t
 //   E_t(p) = z_t(p) + offset + memory * min(0, min_k(E_{t-1}(p - k) + penalty * |k - advance|))
 // where z is the standardised distance of the view (negative: more alike than usual) and `advance`
-// the number of stored views that the driven metres amount to. The offset lies between the z of a
-// right and of a wrong place, and evidence above 0 is forgotten (as in Page's CUSUM test), so that
-// a sequence that has left the known path loses its evidence within a few steps. For a path that is
-// driven the other way the views follow each other in falling order: p + k instead of p - k.
+// the driven metres in numbers of stored views. The offset is between the z of a right and of a
+// wrong place, and evidence above 0 is dropped (as in Page's CUSUM test), so that a sequence that
+// has left the known path loses its evidence within a few steps. On a path that is driven in the
+// opposite direction the order of views is reversed: p + k instead of p - k.
 #pragma once
 
 #include <cstdint>
@@ -25,25 +25,25 @@ struct EvidenceSettings {
   double memory = 0.92;
   double penalty = 1.0;
   double offset = 1.4;
-  Direction direction = Direction::Forwards;  ///< in which the stored paths are driven now
+  Direction direction = Direction::Forwards;  ///< in which the stored paths are driven at present
 };
 
 class PathEvidence {
  public:
   explicit PathEvidence(const EvidenceSettings& settings) : settings_(settings) {}
 
-  /// A view was stored. `predecessor` is the view before it on the path: the one stored before it,
-  /// an older one where the path left a known one, or -1 for none.
+  /// Adds a stored view. `predecessor` is the view before it on the path: usually the one stored
+  /// before it, an older one where the path left a known one, or -1 for none.
   void add(std::int64_t predecessor);
-  /// The path leads from one stored view to an older one, where it came back to a known path.
+  /// Links a stored view to an older one, where the path came back to a known path.
   void join(std::int64_t from, std::int64_t to);
   /// One step: `standardised` has z for every stored view. Only the first `candidates` views pass
-  /// evidence on to another sequence: that the view of now is like those of a moment ago says
-  /// nothing about an older place.
+  /// evidence on to another sequence, because the similarity of the present view to recent ones is
+  /// no evidence for an older place.
   void step(std::span<const float> standardised, double advance, std::int64_t candidates);
-  /// Adds to the evidence of one view, as if its z had differed by `change`.
+  /// Adds `change` to the evidence of one view, as if its z were different by this.
   void correct(std::int64_t view, float change);
-  /// The robot was carried away: no evidence remains.
+  /// Removes all evidence, because the position is unknown.
   void forget();
 
   std::span<const float> evidence() const { return evidence_; }
@@ -52,16 +52,16 @@ class PathEvidence {
   bool load(StateReader& reader, std::int64_t views);
 
  private:
-  struct Link {
+  struct SequenceLink {
     std::int64_t from;
     std::int64_t to;
   };
 
   EvidenceSettings settings_;
   std::vector<float> evidence_;
-  std::vector<float> before_;         ///< working memory: the evidence of the step before
+  std::vector<float> before_;         ///< working memory: the evidence of the previous step
   std::vector<std::int64_t> starts_;  ///< first view of each stored sequence
-  std::vector<Link> links_;           ///< between sequences
+  std::vector<SequenceLink> links_;   ///< between sequences
 };
 
 }  // namespace tolman::view_sequences

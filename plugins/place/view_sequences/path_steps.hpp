@@ -21,10 +21,12 @@ class PathSteps {
   /// `gap` m are added to the path between two passes.
   PathSteps(double spacing, double gap) : spacing_(spacing), gap_(gap) {}
 
-  /// The frame's motion. A step when the frame begins a pass or at least one spacing was driven
-  /// since the last step. Lengths in unknown units are scaled so that a mean step is one spacing.
+  /// Adds the frame's motion. Returns a step if the frame begins a pass, or if at least one spacing
+  /// was driven since the last step. Lengths in unknown units are scaled so that a mean motion is
+  /// one spacing.
   std::optional<PathStep> move(const Motion& motion);
-  /// Of the frame that move() gave a step for: its image could not be used, the next one may be.
+  /// To be called if the image of a step's frame could not be used: the next frame repeats the
+  /// step.
   void postpone(const PathStep& step);
 
   void save(StateWriter& writer) const;
@@ -40,7 +42,7 @@ class PathSteps {
   double since_step_ = 0;
   double mean_length_ = 0;  ///< of motions in unknown units
   bool has_started_ = false;
-  bool initialising_ = false;  ///< the previous frame was
+  bool initialising_ = false;  ///< odometry had no motion at the previous frame
   bool pass_is_due_ = true;    ///< the next usable frame begins a pass
 };
 

@@ -6,7 +6,7 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Every second shift: codes hardly change over one cell.
+// Cells between the tried shifts: codes hardly change over one cell.
 constexpr int kCodeShift = 2;
 
 /// splitmix64 (Steele et al., OOPSLA 2014): the same numbers everywhere.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A code of 256 bits for each view: the signs of 256 random sums of its deviation from the mean
-// (Charikar, STOC 2002). The Hamming distance between codes grows with the angle between
-// deviations; a million of them are compared in a few milliseconds.
+// (Charikar, STOC 2002). The Hamming distance between codes increases with the angle between
+// deviations. A million codes are compared in a few milliseconds.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace tolman::view_sequences {
 
-/// The sums are the same in every build and run.
+/// The random sums are the same in every build and run.
 class CodeMaker {
  public:
   CodeMaker();
   PlaceCode codeOf(const EdgeValues& deviation) const;
-  /// Of the view as it would look if the scene had been further to the right by `shift` cells; what
-  /// is not seen counts as usual.
+  /// The code of the view with its scene shifted to the right by `shift` cells; cells that are then
+  /// unknown get the mean.
   PlaceCode codeOfShifted(const EdgeValues& deviation, int shift) const;
 
  private:
@@ -29,10 +29,10 @@ class CodeMaker {
   std::array<std::array<std::uint16_t, kTerms>, kCodeBits> terms_;
 };
 
-/// Codes of the stored views whose chunk has its final mean: always a first part of the bank.
+/// Codes of the stored views whose chunk has its final mean. These are the first ones of the bank.
 class PlaceCodes {
  public:
-  /// Makes the codes that the bank allows by now.
+  /// Makes the codes of all chunks that have become final.
   void update(const ViewBank& bank);
   std::int64_t size() const { return static_cast<std::int64_t>(codes_.size()); }
   /// Smallest number of differing bits to any of the tried shifts of the query, for each code.
@@ -41,7 +41,7 @@ class PlaceCodes {
  private:
   CodeMaker maker_;
   std::vector<PlaceCode> codes_;
-  std::size_t chunks_ = 0;  ///< that have codes
+  std::size_t chunks_ = 0;  ///< number of chunks that have codes
 };
 
 }  // namespace tolman::view_sequences

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How probable a place is, from its evidence and that of its rivals.
+// The probability of a place, from its evidence and that of its rivals.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@ namespace tolman::view_sequences {
 
 /// Views nearer to each other than this show the same place.
 inline constexpr std::int64_t kSamePlace = 10;
-/// Evidence that stands for no known place.
+/// Evidence of the hypothesis that the robot is at no known place.
 inline constexpr double kEvidenceOfNovelty = -4;
 
 /// Posterior of the place with this evidence against its rivals: the best other place, the same

@@ -14,15 +14,15 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Fewer views than this to compare with tell nothing about what is unusual.
+// Fewest compared views from which the usual distance is estimated.
 constexpr std::int64_t kFewest = 4;
-// Views that are compared in full after the codes, and those that tell what is usual.
+// Number of views that are compared in full after the codes, and of those for the usual distance.
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
-// With so many, the best view elsewhere is among them for each place that is asked for.
+// Enough for the best views to contain, for each requested place, the best view elsewhere.
 constexpr std::size_t kBestViews = (PlaceSearch::kMostPlaces + 1) * 2 * kSamePlace;
 
-/// 1 - cosine of the angle that so many differing bits stand for.
+/// 1 - cosine of the angle that corresponds to this number of differing bits.
 float distanceOfBits(int bits) {
   return static_cast<float>(1 - std::cos(std::numbers::pi * bits / kCodeBits));
 }
@@ -90,7 +90,8 @@ std::int64_t PlaceSearch::viewsUntil(double path) const {
   return views;
 }
 
-/// The standardised distances of all stored views, those that have codes by their codes.
+/// Computes the standardised distances of all stored views, from the codes of those that have
+/// codes.
 void PlaceSearch::compareAll(const ViewQuery& query) {
   const std::int64_t views = bank_.size();
   const std::int64_t by_code = coded();
@@ -112,7 +113,7 @@ void PlaceSearch::compareAll(const ViewQuery& query) {
   lookUp(z_of_bits.data(), bits_.data(), distances_.data(), by_code);
 }
 
-/// The distances that codes give the first `count` views, or a part of them that tells as much.
+/// Sums of the distances, by codes, of the first `count` views, or of a sample of them.
 Sums PlaceSearch::sumsOfBits(std::int64_t count) const {
   constexpr std::int64_t kEnough = 65536;
   const std::int64_t stride = 1 + count / kEnough;
@@ -152,12 +153,12 @@ std::vector<float> PlaceSearch::distancesOf(const ViewQuery& query,
   return distances;
 }
 
-/// Replaces the evidence that codes gave the best views by that of the views themselves.
+/// Corrects the evidence of the best views by full comparisons instead of codes.
 void PlaceSearch::refineBest(const ViewQuery& query) {
   std::vector<std::int64_t> sample;
   for (std::int64_t k = 0; k < kSample; ++k) sample.push_back(k * candidates_ / kSample);
   const UsualDistance usual(sumsOf(distancesOf(query, sample)));
-  // The others keep their order: the best views after the correction are among these.
+  // The order of the other views does not change, so the best views are among these.
   best_ = bestViews(kBestViews + kShortList);
   std::vector<std::int64_t> corrected = best_;
   corrected.resize(std::min(corrected.size(), kShortList));
@@ -180,7 +181,7 @@ std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
   const auto isBetter = [&](std::int64_t a, std::int64_t b) {
     return evidence[static_cast<std::size_t>(a)] < evidence[static_cast<std::size_t>(b)];
   };
-  float limit = 0;  // evidence against a place is none
+  float limit = 0;  // only negative values are evidence for a place
   constexpr std::int64_t kBlock = 64;
   for (std::int64_t block = 0; block < candidates_; block += kBlock) {
     const std::int64_t end = std::min(block + kBlock, candidates_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds where on the stored paths the robot is: compares the view of now with the stored ones, adds
-// up evidence along the path, and says how probable the best places are.
+// Finds the robot on the stored paths: compares the present view with the stored ones, adds up
+// evidence along the path, and computes the probabilities of the best places.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace tolman::view_sequences {
 
 struct SearchSettings {
   std::int64_t exhaustive = 4000;  ///< with more views, codes choose which ones are compared
-  double recent = 20;              ///< m of path: younger views are no candidates
+  double recent = 20;              ///< m of path: newer views are not candidates
   EvidenceSettings evidence;
 };
 
@@ -32,7 +32,7 @@ class PlaceSearch {
   /// Stores a view; `predecessor` as for PathEvidence::add().
   void add(const PackedView& view, double path, std::int64_t predecessor);
   void join(std::int64_t from, std::int64_t to) { evidence_.join(from, to); }
-  /// What follows was driven at another time, or elsewhere.
+  /// The next views are of another time or place.
   void beginPass();
 
   /// One step along the path: `path` in m so far, `advance` in stored views.
@@ -62,14 +62,14 @@ class PlaceSearch {
   ViewBank bank_;
   PlaceCodes codes_;
   PathEvidence evidence_;
-  std::int64_t candidates_ = 0;     ///< the first so many views are not recent
+  std::int64_t candidates_ = 0;     ///< number of views that are not recent, the first ones
   float evidence_of_recent_ = 0;    ///< best of the older half of the recent views
   std::vector<std::int64_t> best_;  ///< after a step, the views with the most evidence, in order
   std::vector<std::uint16_t> bits_;
   std::vector<float> distances_;  ///< of all views, standardised by compareAll()
 };
 
-/// Distance of `view` and its shift in cells, between the tried ones by interpolation.
+/// Distance of `view` and its shift in cells, interpolated between the tried ones.
 struct MeasuredShift {
   double distance = 2;
   double moved_left = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Verifies places by landmarks: corners with depth that a stored view keeps agree on the pose of
-// the view of now, or it is another place.
+// Verifies places by landmarks: the corners with depth of a stored view must agree on a pose of the
+// present view, otherwise it is another place.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace tolman::view_sequences {
 
 struct VerifierSettings {
-  int corners = 0;           ///< of a view
+  int corners = 0;           ///< most corners of a view; 0: no landmarks
   int least_agreeing = 20;   ///< landmarks
   std::int64_t spacing = 3;  ///< views between those that keep landmarks
 };
@@ -23,15 +23,15 @@ class PlaceVerifier {
   PlaceVerifier(const CameraRig& rig, const VerifierSettings& settings)
       : rig_(rig), settings_(settings) {}
 
-  /// A calibrated stereo pair, and not turned off.
+  /// Whether landmarks are enabled and the rig is a calibrated stereo pair.
   bool canMeasure() const { return settings_.corners > 0 && rig_.isStereo() && rig_.calibrated; }
-  /// Before the calls for the next frame, which must stay in place until then.
+  /// Sets the frame of the following calls. It must exist until the next call.
   void beginFrame(const Frame& frame);
   /// The frame was stored as `view`: keeps its landmarks, if they are due.
   Status store(std::int64_t view);
   /// A view with landmarks at `view` or next to it.
   std::optional<std::int64_t> viewNear(std::int64_t view) const;
-  /// Pose of the frame relative to a view with landmarks; no value when too few agree.
+  /// Pose of the frame relative to a view with landmarks; empty if too few agree.
   Result<std::optional<landmarks::MeasuredPose>> locate(std::int64_t view);
 
   Status save(StateWriter& writer) const { return store_.save(writer); }
@@ -44,7 +44,7 @@ class PlaceVerifier {
   VerifierSettings settings_;
   LandmarkStore store_;
   const Frame* frame_ = nullptr;
-  std::optional<landmarks::Corners> corners_;  ///< of the frame, once they are needed
+  std::optional<landmarks::Corners> corners_;  ///< of the frame, computed when needed
 };
 
 }  // namespace tolman::view_sequences

@@ -7,7 +7,7 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr double kLeastApart = 4;             // m of path: the same chance match lasts for less
+constexpr double kLeastApart = 4;             // m of path: a chance match does not last so long
 constexpr double kMostApart = 12;             // m of path
 constexpr double kLargestGap = 1.5;           // m, between the poses
 constexpr double kLargestTurn = 0.12;         // rad

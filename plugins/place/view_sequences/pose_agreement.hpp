@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses that were measured on a stored path while driving: a chance match does not move along with
-// odometry, the right place does.
+// Consistency of measured poses with odometry: successive poses at the right place differ by the
+// driven motion, those of chance matches do not.
 #pragma once
 
 #include <deque>
@@ -12,8 +12,8 @@ namespace tolman::view_sequences {
 
 class PoseAgreement {
  public:
-  /// Measured at `path` m: `stored` in the frame in which the stored path was driven, `driven` by
-  /// odometry since the pass began. Whether an earlier one, 4 to 12 m of path ago, agrees.
+  /// Adds a measurement at `path` m: `stored` is the pose in the odometry frame of the stored path,
+  /// `driven` that by odometry since the pass began. True if one made 4 to 12 m earlier agrees.
   bool add(double path, const PlanarPose& stored, const PlanarPose& driven);
   void forget() { measured_.clear(); }
 

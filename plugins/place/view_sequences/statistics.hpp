@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mean and standard deviation of many numbers: sums in a fixed order, whatever the machine.
+// Mean and standard deviation of many numbers. Sums are in a fixed order on every machine.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct Sums {
   double variance() const {
     return count > 0 ? std::max(0.0, squares / count - mean() * mean()) : 0;
   }
-  /// As if `views` more numbers of standard deviation `deviation` had been seen.
+  /// Standard deviation with a prior: `deviation` counts as much as `views` numbers.
   double deviationWithPrior(double views, double deviation) const {
     return std::sqrt((count * variance() + views * deviation * deviation) / (count + views));
   }

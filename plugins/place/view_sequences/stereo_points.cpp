@@ -17,7 +17,7 @@ constexpr float kWidest = 20;      // m to either side
 constexpr double kLargestUp = 40;  // m above or below the camera
 constexpr int kWidth = 640;        // px; wider images are matched at a reduced size
 constexpr int kBlockSize = 11;     // px
-constexpr int kKept = 24;          // one matched pixel in so many becomes a point
+constexpr int kKept = 24;          // of this number of matched pixels one becomes a point
 
 cv::Mat reduced(const Image& image, double scale) {
   const cv::Mat gray = landmarks::grayOf(image);
@@ -36,7 +36,7 @@ CentimetrePoint inCentimetres(const Eigen::Vector3d& p) {
 
 StereoPoints::StereoPoints(const CameraRig& rig) {
   if (!rig.isStereo() || !rig.calibrated || rig.width <= 0) return;
-  // Halves, not any fraction: the mean over whole blocks of pixels is fast.
+  // Powers of 1/2, because means over whole blocks of pixels are fast.
   while (scale_ * rig.width > kWidth) scale_ /= 2;
   const Pinhole& K = rig.pinhole;
   pinhole_ = {K.fx * scale_, K.fy * scale_, (K.cx + 0.5) * scale_ - 0.5,

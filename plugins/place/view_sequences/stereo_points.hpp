@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of what one stereo pair shows, by block matching at a reduced size.
+// Points from one stereo pair, by block matching at a reduced size.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +19,8 @@ class StereoPoints {
 
   /// A calibrated stereo pair whose images are wide enough.
   bool canMeasure() const { return can_measure_; }
-  /// Points at depths from 3 to 25 m and within 20 m to the sides, about 2,000 of a street; none
-  /// where the images have no texture.
+  /// Points at depths from 3 to 25 m and within 20 m to the sides, about 2,000 in a street; empty
+  /// for images without texture.
   std::vector<CentimetrePoint> pointsOf(const Frame& frame) const;
 
  private:

@@ -14,17 +14,17 @@ namespace tolman::view_sequences {
 
 class StreetPoints {
  public:
-  /// The motion from the frame before.
+  /// Adds the motion from the previous frame.
   void move(const Eigen::Isometry3d& T_previous_current);
-  /// What the frame of now shows; `path` in m.
+  /// Adds the points of the present frame; `path` in m.
   void add(std::vector<CentimetrePoint> points, double path);
   /// Whether points are to be added at `path`: at most once a metre.
   bool wantsPoints(double path) const;
-  /// Forgets all: the pose is unknown.
+  /// Removes all points, because the pose is unknown.
   void restart();
 
-  /// The grid around the camera of now, its points turned by `yaw` (rad, positive to the left)
-  /// about it. None before 15 m of path, or where there is hardly anything to be seen.
+  /// The grid around the present camera, with points turned about it by `yaw` (rad, positive to the
+  /// left). Empty before 15 m of path, or with too few points.
   std::optional<StructureLevels> levels(double yaw = 0) const;
 
   /// Pose now, since restart().

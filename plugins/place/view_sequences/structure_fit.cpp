@@ -14,7 +14,7 @@ constexpr int kFront = 4;  // largest shift along the street that is tried, cell
 
 using Correlations = std::array<std::array<double, 2 * kFront + 1>, 2 * kSide + 1>;
 
-/// Cosine where the grids overlap when the query is moved by so many cells.
+/// Cosine of the deviations where the grids overlap, with the query moved by so many cells.
 double correlationAt(const StructureDeviation& query, const StructureDeviation& stored, int side,
                      int front) {
   const int count = (kAlong - std::abs(front)) * kHeights;

@@ -7,12 +7,12 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Upper limits of the bands, m above the street. What is lower than the first is the street itself.
+// Limits of the bands, m above the street. Lower points are the street itself.
 constexpr std::array<float, kHeights + 1> kLimits = {0.4F, 1.2F, 2.2F, 3.5F, 5.5F, 8.0F, 30.0F};
-// Height of the camera above the street, m: that of KITTI's car. Another one moves all bands alike,
-// for the stored grids as for that of now.
+// Height of the camera above the street, m: that of KITTI's car. Another height shifts all bands
+// equally, in stored grids and in the present one.
 constexpr float kCameraHeight = 1.65F;
-// So that 15 stands for a thousand points and more.
+// Levels per unit of the logarithm, such that 15 means a thousand points or more.
 constexpr double kLevelsPerLog = 2;
 
 }  // namespace
@@ -43,7 +43,7 @@ StructureLevels StructureCounts::levels() const {
 StructureDeviation turned(const StructureDeviation& deviation) {
   StructureDeviation result;
   for (int cell = 0; cell < kLateral * kAlong; ++cell) {
-    // Both axes are reversed, so that the last cell comes first; the heights stay.
+    // Both axes are reversed, so the order of cells is reversed; that of the heights is not.
     const int from = kLateral * kAlong - 1 - cell;
     std::copy_n(deviation.begin() + from * kHeights, kHeights, result.begin() + cell * kHeights);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Structure of a street: how many points lie in each cell of a grid around the camera, 31.5 m to
-// the sides by 24 m along the street, in six bands of height. Seen from above it is the same in
-// either driving direction, turned by 180 degrees.
+// Structure of a street: the number of points in each cell of a grid around the camera, 31.5 m
+// across and 24 m along the street, in six bands of height. In the opposite driving direction it is
+// the same, turned by 180 degrees.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,7 +42,7 @@ using StructureDeviation = std::array<float, kCells>;
 /// The grid as a camera in the opposite direction at the same place would have it.
 StructureDeviation turned(const StructureDeviation& deviation);
 
-/// Mean of all grids so far: what all streets have in common says nothing about the place.
+/// Mean of all grids so far. It is subtracted, because it contains no information about the place.
 class StructureMean {
  public:
   void add(const StructureLevels& levels);

@@ -27,7 +27,7 @@ std::int16_t fixedLevel(float value) {
   return static_cast<std::int16_t>(std::lround(kStructureScale * value));
 }
 
-/// Whole numbers, so that the sum is the same in any order.
+/// Inner product in integers, so that the order of summation does not matter.
 TOLMAN_WIDE std::int32_t product(const std::int16_t* a, const std::uint8_t* b, int count) {
   std::int32_t sum = 0;
   for (int i = 0; i < count; ++i) sum += a[i] * b[i];
@@ -78,7 +78,7 @@ StructureQuery::StructureQuery(const StructureLevels& levels, const StructureMea
 }
 
 float StructureQuery::distanceTo(std::span<const std::uint8_t, kCells> stored) const {
-  // Squared norms of the stored deviation over the slices before each one.
+  // Cumulative squared norms of the stored deviation, by slice.
   std::array<float, kLateral + 1> before;
   before[0] = 0;
   for (int c = 0; c < kLateral; ++c) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The structure of now, turned by 180 degrees, ready to be compared with stored grids.
+// The present structure, turned by 180 degrees, prepared for the comparison with stored grids.
 #pragma once
 
 #include <array>
@@ -32,15 +32,15 @@ class StructureQuery {
   std::array<float, kLateral> squares_of_mean_;  ///< of each slice
 };
 
-/// Where the camera of now stands in the frame of a stored grid that was driven the other way.
+/// Position of the present camera in the frame of a stored grid of the opposite direction.
 struct StructureFit {
   double correlation = -1;  ///< cosine between the deviations
   double lateral = 0;       ///< m to the right of the stored camera
   double ahead = 0;         ///< m in front of the stored camera
-  bool within = false;      ///< neither is the largest that was tried
+  bool within = false;      ///< neither shift is the largest that was tried
 };
 
-/// The place of the peak of a parabola through three values, from the middle one, the largest.
+/// Peak of the parabola through three values at -1, 0 and 1; the middle one is the largest.
 double peakOf(double before, double at, double after);
 
 /// Both are deviations from the mean; `query` is turned already.

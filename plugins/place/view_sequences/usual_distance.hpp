@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How unusual a distance is among all that were compared at a step: its standardised value z.
+// The standardised value z of a distance among all distances that were compared at a step.
 #pragma once
 
 #include <algorithm>
@@ -19,11 +19,11 @@ class UsualDistance {
   }
 
  private:
-  // Distances of different places have about this standard deviation (campus walks, day and night);
-  // it counts as much as so many views until there are more. Grids of structure take the same.
+  // Standard deviation of distances between different places (campus walks, day and night). As a
+  // prior it counts as much as this number of views. Grids of structure use the same.
   static constexpr double kPriorDeviation = 0.12;
   static constexpr double kPriorViews = 20;
-  // One view alone, however alike, must not decide.
+  // Limits the effect of a single view, however similar.
   static constexpr float kLargest = 4;
 
   double mean_;

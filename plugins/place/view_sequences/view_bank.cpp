@@ -7,7 +7,7 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Views of a chunk. With its neighbours its mean covers three times as many: on campus walks
+// Views of a chunk. Its mean is that of three chunks, with its neighbours. On campus walks
 // (places_gardens) means over 80 to 400 views were equally good, over 40 worse.
 constexpr std::int64_t kChunkViews = 64;
 constexpr std::int64_t kMostPasses = std::int64_t{1} << 40;  // a larger number is damage

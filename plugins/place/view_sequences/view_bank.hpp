@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stored views, in the order in which they were driven. What all views of a pass have in common
-// (lens, bonnet, light, season) says nothing about the place: each view is compared by its
-// deviation from the mean of the views around it, which is kept for chunks of 64 views.
+// The stored views, in the order in which they were driven. The common part of all views of a pass
+// (lens, bonnet, light, season) has no information about the place. So each view is compared by its
+// deviation from the mean of the views around it, which is stored for chunks of 64 views.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ inline constexpr float kMeanScale = 16;
 
 class ViewBank {
  public:
-  /// `path`: m driven until now. Its index is the number of views before it.
+  /// Adds a view; its index is the number of earlier views. `path`: m driven so far.
   void add(const PackedView& view, double path);
-  /// The next view belongs to another pass: it begins a chunk of its own, and its mean takes in
-  /// nothing from before.
+  /// The next view belongs to another pass: it begins a new chunk, whose mean does not include
+  /// earlier passes.
   void beginPass() { ++pass_; }
 
   std::int64_t size() const { return static_cast<std::int64_t>(paths_.size()); }

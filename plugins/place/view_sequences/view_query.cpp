@@ -13,7 +13,7 @@ namespace {
 // Deviations are within 15 levels: products of 624 values with levels fit 32 bits.
 constexpr float kFixedScale = 64;
 
-/// The part of view and stored view that overlap at one shift, as indices of values.
+/// The overlap of the view and a stored view at one shift, as indices of values.
 struct Overlap {
   int view;
   int stored;
@@ -26,7 +26,7 @@ Overlap overlapAt(int index) {
           (kColumns - std::abs(shift)) * kColumnValues};
 }
 
-/// Whole numbers, so that the sum is the same in any order.
+/// In integers, so that the order of summation does not matter.
 TOLMAN_WIDE std::int32_t innerProduct(const std::int16_t* a, const std::int16_t* b, int count) {
   std::int32_t sum = 0;
   for (int i = 0; i < count; ++i) sum += a[i] * b[i];
@@ -45,7 +45,7 @@ ViewQuery::ViewQuery(const EdgeValues& view, const EdgeValues& mean_of_pass) {
     const std::int16_t* values = fixed_.data() + part.view;
     const double squares =
         innerProduct(values, values, part.count) / static_cast<double>(kFixedScale * kFixedScale);
-    // The norm of the stored view is that of all its columns: a smaller overlap has its share.
+    // The stored norm is that of all columns; it is scaled to the share of the overlap.
     const double share = std::sqrt(static_cast<double>(kValues) / part.count);
     scales_[static_cast<std::size_t>(s)] =
         squares > 0 ? static_cast<float>(share / std::sqrt(squares)) : 0;

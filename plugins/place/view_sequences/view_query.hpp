@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The view of now, ready to be compared with stored ones: its deviation from the mean of this pass,
-// at every tried shift.
+// The present view, prepared for the comparison with stored ones: its deviation from the mean of
+// this pass, at every tried shift.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ class ViewQuery {
  private:
   EdgeValues deviation_;
   std::array<std::int16_t, kValues> fixed_;  ///< deviation_ in units of 1 / kFixedScale
-  std::array<float, kShifts> scales_;        ///< makes inner products cosines
+  std::array<float, kShifts> scales_;        ///< factors from inner products to cosines
 };
 
 }  // namespace tolman::view_sequences

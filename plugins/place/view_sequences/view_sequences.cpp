@@ -121,8 +121,8 @@ Status ViewSequences::take(const PathStep& step, const Frame& frame, const Packe
 
 Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int image_width,
                              PlaceObservation& observation) {
-  // Between two measurements, and for a while after the last one, a likely place is believed but
-  // not named: without a pose it would be known to a few metres only.
+  // Between two measurements, and for kBelieved steps after the last one, a likely place is not
+  // reported (nor stored as new): without a pose it would be known only to a few metres.
   constexpr std::int64_t kBelieved = 20;  // steps
   const std::vector<PlaceCandidate> found =
       search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMostPlaces : 1);
@@ -144,7 +144,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
 }
 
 /// The most probable place whose landmarks agree on a pose.
-Result<std::optional<ViewSequences::Place>> ViewSequences::verified(
+Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     const std::vector<PlaceCandidate>& candidates) {
   for (const PlaceCandidate& candidate : candidates) {
     if (candidate.probability < parameters_.probability_verified) break;
@@ -154,14 +154,14 @@ Result<std::optional<ViewSequences::Place>> ViewSequences::verified(
     if (!pose.isOk()) return pose.status();
     if (pose.value()) {
       since_measured_ = 0;
-      return std::optional(Place{*view, std::move(pose).value()});
+      return std::optional(VerifiedView{*view, std::move(pose).value()});
     }
   }
-  return std::optional<Place>();
+  return std::optional<VerifiedView>();
 }
 
-/// A street that is driven the other way: measured now and then, and stored in this direction in
-/// between, so that it is known in both.
+/// Recognises a street that is driven in the opposite direction, once in `landmark_spacing` steps.
+/// In between its views are stored, so that it becomes known in both directions.
 bool ViewSequences::recogniseBackwards(PlaceObservation& observation) {
   const auto place = backwards_->find(parameters_.probability_backwards);
   if (!place || since_backwards_ < parameters_.landmark_spacing) return false;
@@ -186,7 +186,7 @@ Status ViewSequences::store(const PathStep& step, PlaceObservation& observation)
   return verifier_->store(at_);
 }
 
-void ViewSequences::recognise(const Place& place, const ViewQuery& query, int image_width,
+void ViewSequences::recognise(const VerifiedView& place, const ViewQuery& query, int image_width,
                               PlaceObservation& observation) {
   if (at_is_new_ && at_ >= 0) {
     search_->join(at_, place.view);

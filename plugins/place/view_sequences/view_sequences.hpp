@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Place recognition by sequences of views along the driven path. Each step of `spacing` metres
-// compares the view of now with the stored ones and adds up the evidence along stored paths; a
-// place that stands out from all others is familiar, any other view is stored. Only the past is
-// used. The answer's score is the probability that the best place is wrong.
+// compares the present view with the stored ones and adds up the evidence along stored paths. A
+// place that is much more probable than all others is familiar; any other view is stored. Only past
+// views are used. The score of the answer is the probability that the best place is wrong.
 #pragma once
 
 #include <cstdint>
@@ -43,8 +43,8 @@ class ViewSequences final : public Place,
  private:
   static constexpr std::int64_t kNever = 1'000'000;
 
-  /// A place that the view of now shows.
-  struct Place {
+  /// A stored view at the present place, with the measured pose, if any.
+  struct VerifiedView {
     std::int64_t view = -1;
     std::optional<landmarks::MeasuredPose> pose;
   };
@@ -53,10 +53,10 @@ class ViewSequences final : public Place,
               PlaceObservation& observation);
   Status answer(const PathStep& step, const ViewQuery& query, int image_width,
                 PlaceObservation& observation);
-  Result<std::optional<Place>> verified(const std::vector<PlaceCandidate>& candidates);
+  Result<std::optional<VerifiedView>> verified(const std::vector<PlaceCandidate>& candidates);
   bool recogniseBackwards(PlaceObservation& observation);
   Status store(const PathStep& step, PlaceObservation& observation);
-  void recognise(const Place& place, const ViewQuery& query, int image_width,
+  void recognise(const VerifiedView& place, const ViewQuery& query, int image_width,
                  PlaceObservation& observation);
   double yawOf(double moved_left_cells, int image_width) const;
   std::vector<double> storedParameters() const;
@@ -69,11 +69,11 @@ class ViewSequences final : public Place,
   std::unique_ptr<BackwardPlaces> backwards_;
   MeanView mean_;
   PackedView current_{};
-  std::int64_t at_ = -1;                   ///< the stored view of the last answer, of those in the
-                                           ///< direction of now; -1 after a break
+  std::int64_t at_ = -1;                   ///< stored view of the last answer in the present
+                                           ///< direction; -1 after a break
   bool at_is_new_ = false;                 ///< whether the last answer stored it
   std::int64_t since_measured_ = kNever;   ///< steps since landmarks agreed
-  std::int64_t since_backwards_ = kNever;  ///< steps since a place was recognised the other way
+  std::int64_t since_backwards_ = kNever;  ///< steps since a backward recognition
 };
 
 }  // namespace tolman::view_sequences

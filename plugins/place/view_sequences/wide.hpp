@@ -3,7 +3,7 @@
 // Both give the same bytes: sums of whole numbers, and no fused multiply-add.
 #pragma once
 
-// Sanitizers are not ready yet when such a choice is made.
+// Not with sanitizers, which are not yet initialised when the loader chooses.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOLMAN_WIDE __attribute__((target_clones("avx2", "default")))

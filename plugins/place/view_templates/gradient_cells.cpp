@@ -9,7 +9,7 @@
 namespace tolman::view_templates {
 namespace {
 
-/// Pixels before block `index` of `count` that fill `size` pixels.
+/// First pixel of block `index`, of `count` blocks that fill `size` pixels.
 int edgeOf(int index, int count, int size) {
   return static_cast<int>((static_cast<std::int64_t>(index) * size + count / 2) / count);
 }
@@ -19,8 +19,8 @@ std::size_t indexOf(int column, int row, int columns) {
          static_cast<std::size_t>(column);
 }
 
-/// Adds the gradients of one cell's samples to the sums of their directions, each shared between
-/// the two nearest.
+/// Adds the gradients of one cell's samples to the sums of the two nearest directions (linear
+/// interpolation).
 void addGradients(const std::vector<float>& samples, int columns, int rows, int column, int row,
                   float (&sums)[kDirections]) {
   const int width = columns * kSamplesPerCell;
@@ -91,7 +91,7 @@ void averageCrop(const Image& image, const Crop& crop, int columns, int rows,
 
 void gradientCells(const std::vector<float>& samples, int columns, int rows,
                    std::vector<float>& cells) {
-  // Mean gradient that counts as noise, in grey levels of 0 to 1 from sample to sample but one.
+  // Mean gradient of noise, in grey levels of 0 to 1 over two samples.
   constexpr float kNoise = 0.01F;
   constexpr float kSamples = kSamplesPerCell * kSamplesPerCell;
   std::vector<float> sums(indexOf(0, rows * kDirections, columns));
@@ -110,7 +110,7 @@ void gradientCells(const std::vector<float>& samples, int columns, int rows,
       const float around = strengthAround(sums, columns, rows, c, r) + kNoise;
       for (int k = 0; k < kDirections; ++k) {
         const std::size_t i = indexOf(c, k * rows + r, columns);
-        // The root gives weak edges a say beside strong ones.
+        // The root amplifies weak edges near strong ones.
         cells[i] = std::sqrt(std::min(1.0F, sums[i] / around));
       }
     }

@@ -9,7 +9,7 @@
 
 namespace tolman::view_templates {
 
-/// Directions of an edge over 180 degrees: the sign of the gradient does not count.
+/// Directions of an edge over 180 degrees: the sign of the gradient is ignored.
 inline constexpr int kDirections = 8;
 /// Samples along each side of a cell, from which its gradients are computed.
 inline constexpr int kSamplesPerCell = 8;
@@ -27,9 +27,9 @@ struct Crop {
 void averageCrop(const Image& image, const Crop& crop, int columns, int rows,
                  std::vector<float>& samples);
 
-/// From samples of (columns x rows) * kSamplesPerCell: one block of columns x rows cells for each
-/// direction, one after the other, in [0, 1]. Each cell is measured against the edges of its
-/// neighbourhood of 3x3 cells; where there are hardly any, it stays near 0.
+/// Computes from (columns x rows) * kSamplesPerCell samples one block of columns x rows cells in
+/// [0, 1] for each direction, one after the other. Each cell is normalised by the edges of its
+/// neighbourhood of 3x3 cells; with hardly any edges there it is near 0.
 void gradientCells(const std::vector<float>& samples, int columns, int rows,
                    std::vector<float>& cells);
 

@@ -27,7 +27,7 @@ class LandmarkMemory {
   std::size_t size() const { return templates_.size(); }
   /// Whether template `id` has enough landmarks to be recognised by them.
   bool hasEnough(std::int64_t id) const;
-  /// Pose of the camera relative to template `id`; none when too few landmarks agree.
+  /// Pose of the camera relative to template `id`; empty if too few landmarks agree.
   std::optional<landmarks::MeasuredPose> locate(const Frame& frame, std::int64_t id);
 
   void save(StateWriter& writer) const;

@@ -76,8 +76,8 @@ std::int64_t Matcher::difference(const FixedCell* stored, TemplateShift shift,
   return sum;
 }
 
-/// Sub-cell shift. Sums of absolute differences rise linearly on both sides of the true shift: the
-/// apex of a V with equal slopes through the three costs around the best.
+/// Sub-cell shift: the tip of a V with equal slopes through the three costs around the best,
+/// because sums of absolute differences rise linearly on both sides of the true shift.
 double Matcher::interpolated(const FixedCell* stored, int best) const {
   constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
   const int level = best - best % shifts_;  // the first index of the same vertical shift
@@ -95,10 +95,10 @@ double Matcher::interpolated(const FixedCell* stored, int best) const {
   return rise > 0 ? 0.5 * (c1 - c2) / rise : 0.0;
 }
 
-Match Matcher::nearest(const LocalView& view, const TemplateBank& bank) {
+TemplateMatch Matcher::nearest(const LocalView& view, const TemplateBank& bank) {
   setQuery(view);
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  Match match;
+  TemplateMatch match;
   int best = 0;
   const int tried = shifts_ * (2 * settings_.vertical_shift + 1);
   for (std::int64_t id = 0; id < bank.size(); ++id) {

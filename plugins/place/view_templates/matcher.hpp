@@ -21,7 +21,7 @@ struct MatchSettings {
   int layers = 1;            ///< number of blocks of rows that a view consists of
 };
 
-struct Match {
+struct TemplateMatch {
   std::int64_t id = -1;  ///< nearest template; -1 when every one was rejected by its mean
   double distance = 1;   ///< mean absolute difference of the compared cells
   /// Shift of the scene to the right since the template was made, in cells, interpolated between
@@ -35,7 +35,7 @@ class Matcher {
   Matcher(const MatchSettings& settings, int columns, int rows);
 
   /// Ties go to the older template, then to the shift that was tried first.
-  Match nearest(const LocalView& view, const TemplateBank& bank);
+  TemplateMatch nearest(const LocalView& view, const TemplateBank& bank);
 
  private:
   /// One tried shift: the first compared column of view and of template, and how many rows lower

@@ -37,7 +37,7 @@ class TemplateBank {
   std::span<const FixedCell> allCells() const { return cells_; }
   std::span<const double> allMeans() const { return means_; }
   void clear();
-  /// Takes what allCells() and allMeans() gave; the sizes must agree.
+  /// Restores the values of allCells() and allMeans(); their sizes must agree.
   void restore(std::vector<FixedCell> cells, std::vector<double> means);
 
  private:

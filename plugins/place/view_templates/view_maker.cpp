@@ -85,7 +85,7 @@ Moments momentsOfWindow(const std::vector<float>& source, int columns, int colum
 
 void normalisePatches(int columns, int radius, double minimum_std, const std::vector<float>& source,
                       std::vector<float>& cells) {
-  // Below this, a window of equal cells shows only the rounding of its squares.
+  // A smaller deviation is the rounding error of a window of equal cells.
   constexpr double kFlat = 1e-6;
   cells.resize(source.size());
   for (std::size_t i = 0; i < source.size(); ++i) {

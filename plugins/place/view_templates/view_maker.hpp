@@ -28,7 +28,7 @@ constexpr int layersOf(CellKind kind) { return kind == CellKind::Gradients ? kDi
 struct LocalView {
   std::vector<float> cells;
   double mean = 0;           ///< of all cells
-  double cell_width_px = 0;  ///< image columns that one cell stands for
+  double cell_width_px = 0;  ///< image columns per cell
 };
 
 struct LocalViewSettings {
@@ -41,8 +41,8 @@ struct LocalViewSettings {
   double crop_y_max = 1;
   double normalisation = 0;        ///< mean that each view is scaled to; 0: off
   int patch_radius = 0;            ///< cells; 0: no patch normalisation
-  double patch_minimum_std = 0;    ///< flatter patches become 0.5
-  CellKind kind = CellKind::Grey;  ///< the normalisations are for grey ones
+  double patch_minimum_std = 0;    ///< patches of a smaller deviation become 0.5
+  CellKind kind = CellKind::Grey;  ///< the normalisations are only for Grey
 };
 
 class ViewMaker {
@@ -51,7 +51,7 @@ class ViewMaker {
 
   /// Overwrites `view`. InvalidParameter when the crop has fewer pixels than cells.
   Status make(const Image& image, LocalView& view);
-  /// The same failure, before there is an image.
+  /// The same check without an image.
   Status checkSize(int image_width, int image_height) const;
 
  private:
@@ -70,8 +70,8 @@ void averageBlocks(const Image& image, int x0, int y0, int block_width, int bloc
 /// Scales to the mean `target` and clamps to [0, 1]. A black view stays black.
 void normaliseMean(double target, std::vector<float>& cells);
 
-/// v' = clamp(((v - mean) / std + 3) / 6, 0, 1) over windows of (2 radius + 1)^2 cells. A window
-/// that reaches over the border repeats the border's cells.
+/// v' = clamp(((v - mean) / std + 3) / 6, 0, 1) over windows of (2 radius + 1)^2 cells. Outside of
+/// the view the cells of the border are repeated.
 void normalisePatches(int columns, int radius, double minimum_std, const std::vector<float>& source,
                       std::vector<float>& cells);
 

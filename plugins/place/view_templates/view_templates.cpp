@@ -94,7 +94,7 @@ Status ViewTemplates::observe(const Frame& frame, const Motion* /*motion*/,
 
 /// False for a novel view.
 bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation) {
-  const Match match = matcher_->nearest(view_, *bank_);
+  const TemplateMatch match = matcher_->nearest(view_, *bank_);
   observation.score = match.distance;
   if (match.id < 0 || match.distance > parameters_.threshold) return false;
   if (landmarks_ && landmarks_->hasEnough(match.id)) {
@@ -112,7 +112,7 @@ bool ViewTemplates::recognise(const Frame& frame, PlaceObservation& observation)
   return true;
 }
 
-double ViewTemplates::relativeYaw(const Match& match, int image_width) const {
+double ViewTemplates::relativeYaw(const TemplateMatch& match, int image_width) const {
   const Parameters& p = parameters_;
   if (p.panoramic) return yawOfPanoramicShift(match.moved_right, p.columns);
   const double fov = p.field_of_view * std::numbers::pi / 180;

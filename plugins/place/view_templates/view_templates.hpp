@@ -120,7 +120,7 @@ class ViewTemplates final : public Place,
  private:
   int storedRows() const { return parameters_.rows * layersOf(parameters_.cells); }
   bool recognise(const Frame& frame, PlaceObservation& observation);
-  double relativeYaw(const Match& match, int image_width) const;
+  double relativeYaw(const TemplateMatch& match, int image_width) const;
   std::vector<double> templateParameters() const;
 
   Parameters parameters_;

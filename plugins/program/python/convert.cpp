@@ -44,7 +44,7 @@ void refuseHidden(py::handle value, const std::string& place) {
 
 py::object toPython(const Image& image) {
   if (image.empty()) return py::none();
-  // The array keeps the pixels alive.
+  // The array owns a reference to the pixels.
   auto* const owner = new std::shared_ptr<const void>(image.owner());
   const py::capsule keeper(
       owner, [](void* kept) { delete static_cast<std::shared_ptr<const void>*>(kept); });
@@ -108,7 +108,7 @@ std::vector<NamedArray> arraysFrom(py::handle value, const std::string& place) {
     for (py::ssize_t i = 0; i < values.ndim(); ++i) {
       array.shape.push_back(static_cast<int>(values.shape(i)));
     }
-    if (array.shape.empty()) array.shape = {1};  // a number
+    if (array.shape.empty()) array.shape = {1};  // a scalar
     array.values.assign(values.data(), values.data() + values.size());
   }
   return arrays;

@@ -19,16 +19,17 @@ namespace tolman::python {
 
 namespace py = pybind11;
 
-/// An answer that is no record of the wanted kind: names the field and what it should be.
+/// An answer that is not a record of the wanted kind. Names the field and its expected type.
 struct WrongAnswer : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// The class of a record, by its name in fields.hpp.
 py::handle classOf(const char* record);
-/// "MapGraph.links[3].from": where a value stands in an answer.
+/// The position of a value in an answer, for messages: "MapGraph.links[3].from".
 std::string joined(const std::string& place, std::string_view part);
-/// The attribute of a field: `from` is a word of the language, the part before a dot is left out.
+/// The Python attribute of a field: `from` is renamed because it is a keyword, and a prefix before
+/// a dot is left out.
 std::string attributeOf(std::string_view field);
 [[noreturn]] void refuse(const std::string& place, const std::string& expected, py::handle value);
 
@@ -94,7 +95,7 @@ py::object toPython(const std::vector<T>& values) {
 template <class T>
 void fromPython(py::handle value, T& member, const std::string& place);
 
-/// Refuses what a conversion to numbers would drop: imaginary parts, and masks.
+/// Refuses values of which a conversion to numbers would drop something: imaginary parts, masks.
 void refuseHidden(py::handle value, const std::string& place);
 
 template <Matrix M>

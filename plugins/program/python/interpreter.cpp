@@ -23,10 +23,11 @@ OpenedProgram& theProgram() {
   return *program;
 }
 
-/// Libraries of NumPy start threads by these, and their sums would depend on the number of cores.
+/// Numbers of threads of NumPy's libraries. With several threads sums depend on the number of
+/// cores.
 constexpr std::array kOneThread = {"OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"};
 
-/// Sets variables that nobody has set, while libraries are loaded.
+/// Sets those of these variables that are not set, while libraries are loaded.
 class OneThread {
  public:
   OneThread() {
@@ -65,15 +66,17 @@ std::string packageFolder() {
   return {};
 }
 
-/// Extension modules take the symbols of Python from the process, where this library's are private.
+/// Makes the symbols of libpython global: extension modules need them, but a plugin's dependencies
+/// are loaded as local.
 void showSymbols() {
   Dl_info info{};
   if (::dladdr(reinterpret_cast<const void*>(&Py_IsInitialized), &info) == 0) return;
   ::dlopen(info.dli_fname, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD);
 }
 
-/// As the program `python3` starts, of the virtual environment if one is active; but without
-/// signal handlers, and with the same order of sets in every run. Throws std::runtime_error.
+/// Starts Python as the program `python3` does, with the active virtual environment, but without
+/// signal handlers and with a fixed hash seed, so that the order of sets is the same in every run.
+/// Throws std::runtime_error.
 void startPython() {
   if (Py_IsInitialized() != 0) return;
   showSymbols();
@@ -98,7 +101,7 @@ void startPython() {
     throw std::runtime_error(std::string("Python does not start: ") +
                              (status.err_msg != nullptr ? status.err_msg : "no reason given"));
   }
-  PyEval_SaveThread();  // every call takes the lock itself
+  PyEval_SaveThread();  // releases the lock; every call takes it itself
 }
 
 ParameterType typeNamed(const std::string& name) {
@@ -171,7 +174,7 @@ StatusCode codeNamed(const std::string& name) {
   return StatusCode::Failed;
 }
 
-/// Before the package is there, Python's own words must do.
+/// The failure for an exception. Before the package is imported it is the exception's own text.
 Status failureOf(py::error_already_set& error, const char* call, Logger* log) {
   const OpenedProgram& program = theProgram();
   if (!program.host) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The services of a context as Python objects. They refer to the context's, which outlive them.
+// The services of a context as Python objects. They refer to those of the context, which must
+// outlive them.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -13,7 +13,7 @@
 
 namespace tolman::python {
 
-/// An answer without frame and time belongs to the question.
+/// An answer without frame and time gets those of the question.
 template <class Answer, class Question>
 void address(Answer& answer, const Question& question) {
   if (answer.frame < 0) {
@@ -23,9 +23,12 @@ void address(Answer& answer, const Question& question) {
 }
 
 template <class RoleType>
-class Stage : public RoleType, public ArraySource, public ArrayDescriptions, public StateKeeper {
+class PythonStage : public RoleType,
+                    public ArraySource,
+                    public ArrayDescriptions,
+                    public StateKeeper {
  public:
-  ~Stage() noexcept(false) override {
+  ~PythonStage() noexcept(false) override {
     if (Py_IsInitialized() == 0) return;
     const py::gil_scoped_acquire lock;
     object_ = services_ = values_ = py::object();
@@ -67,7 +70,7 @@ class Stage : public RoleType, public ArraySource, public ArrayDescriptions, pub
   Status load(std::istream& stream) override {
     const std::string bytes(std::istreambuf_iterator<char>(stream), {});
     Status status = work("load", [&] {
-      make();  // attributes that the state does not have
+      make();  // a fresh object: the state may not contain all attributes
       opened().host.attr("load")(object_, py::bytes(bytes));
     });
     if (!status.isOk()) (void)reset();
@@ -78,7 +81,7 @@ class Stage : public RoleType, public ArraySource, public ArrayDescriptions, pub
   Status work(const char* call, const std::function<void()>& body) const {
     return inPython(call, log_, body);
   }
-  /// Calls a method; its name is also where the answer stands in messages.
+  /// Calls a method of the Python object.
   template <class... Arguments>
   py::object ask(const char* method, const Arguments&... arguments) const {
     return object_.attr(method)(toPython(arguments)...);

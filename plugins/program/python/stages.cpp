@@ -8,7 +8,7 @@
 namespace tolman::python {
 namespace {
 
-class PythonSource final : public Stage<Source> {
+class PythonSource final : public PythonStage<Source> {
  public:
   Status info(SourceInfo& info) override {
     return work("info", [&] { answer(info, "info"); });
@@ -32,7 +32,7 @@ class PythonSource final : public Stage<Source> {
   }
 };
 
-class PythonOdometry final : public Stage<Odometry> {
+class PythonOdometry final : public PythonStage<Odometry> {
  public:
   Status track(const Frame& frame, Motion& motion) override {
     return work("track", [&] {
@@ -45,7 +45,7 @@ class PythonOdometry final : public Stage<Odometry> {
   }
 };
 
-class PythonPlace final : public Stage<Place> {
+class PythonPlace final : public PythonStage<Place> {
  public:
   PlaceInput input() const override {
     bool needs_motion = false;
@@ -66,7 +66,7 @@ class PythonPlace final : public Stage<Place> {
   }
 };
 
-class PythonCells final : public Stage<Cells> {
+class PythonCells final : public PythonStage<Cells> {
  public:
   Status step(const Motion& motion, const PlaceObservation& observation,
               Decision& decision) override {
@@ -80,7 +80,7 @@ class PythonCells final : public Stage<Cells> {
   }
 };
 
-class PythonMap final : public Stage<Map> {
+class PythonMap final : public PythonStage<Map> {
  public:
   Status update(const Motion& motion, const Decision& decision, MapUpdate& update) override {
     return work("update", [&] {
@@ -99,7 +99,7 @@ class PythonMap final : public Stage<Map> {
   }
 };
 
-class PythonObserver final : public Stage<Observer> {
+class PythonObserver final : public PythonStage<Observer> {
  public:
   Status begin(const RunInfo& run) override {
     return work("begin", [&] { ask("begin", run); });
@@ -128,7 +128,7 @@ template <class C>
 PluginObject create() {
   auto made = std::make_unique<C>();
   PluginObject object{nullptr, nullptr, nullptr, made.get(), nullptr};
-  if (!std::derived_from<C, Source>) object.state = made.get();  // sources start again
+  if (!std::derived_from<C, Source>) object.state = made.get();  // sources save no state
   if (opened().has_arrays) object.arrays = made.get();
   object.plugin = made.release();
   return object;

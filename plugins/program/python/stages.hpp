@@ -4,11 +4,11 @@
 
 #include <string>
 
-#include "tolman/program.hpp"
+#include "tolman/plugin.hpp"
 
 namespace tolman::python {
 
-/// With static storage. Throws std::out_of_range for no role.
+/// The descriptor of a role, with static storage. Throws std::out_of_range for an unknown role.
 const PluginDescriptor* descriptorOf(const std::string& role);
 
 }  // namespace tolman::python

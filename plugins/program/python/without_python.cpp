@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stands for the plugin `python` in a build without Python, and says what is missing.
-#include "tolman/program.hpp"
+// Replaces the plugin `python` in a build without Python: it fails and names what is missing.
+#include "tolman/plugin.hpp"
 
 namespace {
 

@@ -13,13 +13,13 @@ namespace {
 
 using Projection = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
 
-/// A matrix and the line that it stands on.
+/// A matrix and its line number.
 struct Entry {
   Projection P = Projection::Zero();
   int line = 0;
 
   Pinhole pinhole() const { return {P(0, 0), P(1, 1), P(0, 2), P(1, 2)}; }
-  /// t of P = K [I | t]: camera 0's origin in this camera's axes.
+  /// t of P = K [I | t], m: the origin of camera 0 in the axes of this camera.
   Eigen::Vector3d offset() const {
     const Pinhole K = pinhole();
     return {(P(0, 3) - K.cx * P(2, 3)) / K.fx, (P(1, 3) - K.cy * P(2, 3)) / K.fy, P(2, 3)};
@@ -28,7 +28,7 @@ struct Entry {
 
 std::string matrixName(int camera) { return {'P', static_cast<char>('0' + camera)}; }
 
-/// "P0: a b c ..." to `entry`; false after an error.
+/// Parses "P0: a b c ..."; false after an error.
 bool parseMatrix(const std::filesystem::path& file, const TextLine& line, Entry& entry,
                  Inspection& inspection) {
   const auto fields = splitFields(line.text);
@@ -51,7 +51,7 @@ bool parseMatrix(const std::filesystem::path& file, const TextLine& line, Entry&
   return true;
 }
 
-/// The matrices by their names; a matrix with an error keeps its name and has line 0.
+/// The matrices by name; a matrix with an error is listed with line 0.
 std::map<std::string, Entry> readMatrices(const std::filesystem::path& file,
                                           Inspection& inspection) {
   std::map<std::string, Entry> matrices;
@@ -101,7 +101,7 @@ bool checkPinhole(const std::filesystem::path& file, const Entry& entry, Inspect
   return near;
 }
 
-/// Whether both cameras have one pinhole and the right one is on the x axis, to the right.
+/// Whether both cameras have the same pinhole and the right one is on the positive x axis.
 bool checkPair(const std::filesystem::path& file, const Entry& left, const Entry& right,
                Inspection& inspection) {
   constexpr double kSameFocal = 1e-3;   // px

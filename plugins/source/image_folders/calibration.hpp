@@ -15,12 +15,12 @@ namespace tolman::image_folders {
 struct Calibration {
   Pinhole pinhole;
   double baseline = 0;  ///< m; 0 for a single camera
-  /// Origin of camera 0, the one that KITTI's poses belong to, in the left camera's axes, m.
+  /// Origin of camera 0, whose poses KITTI gives, in the axes of the left camera, m.
   Eigen::Vector3d t_left_camera0 = Eigen::Vector3d::Zero();
 };
 
-/// Reads the matrices P<left> and, for a pair, P<left + 1>, and checks that they describe what the
-/// SDK calls a rectified rig with the right camera to the right. None when there is an error.
+/// Reads the matrices P<left> and, for a pair, P<left + 1>, and checks that they describe a
+/// rectified rig as the SDK defines it, with the right camera to the right. Empty after an error.
 std::optional<Calibration> readKittiCalibration(const std::filesystem::path& file, int left,
                                                 bool stereo, Inspection& inspection);
 

@@ -62,7 +62,7 @@ Camera readCamera(const fs::path& folder, Inspection& inspection) {
   return camera;
 }
 
-/// Keeps what both cameras took at one time.
+/// Keeps the images that both cameras took at the same time.
 void pair(const fs::path& root, Camera left, Camera right, ImageDataset& dataset,
           Inspection& inspection) {
   const auto partners = nearestTimes(left.stamps_ns, right.stamps_ns, 0);

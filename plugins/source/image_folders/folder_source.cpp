@@ -64,7 +64,7 @@ Status FolderSource::info(SourceInfo& info) {
 Status FolderSource::next(Frame& frame) {
   if (!ready_.isOk()) return ready_;
   if (next_frame_ >= sequence_.size()) return Status::endOfStream();
-  frame.frame = next_frame_++;  // also when it cannot be read: a caller that skips gets the next
+  frame.frame = next_frame_++;  // also after a failure, so that a caller can skip the frame
   frame.stamp_ns = sequence_.stampNs(frame.frame);
   frame.source_index = sequence_.sourceIndex(frame.frame);
   const auto index = static_cast<std::size_t>(frame.source_index);
@@ -98,7 +98,7 @@ Status FolderSource::readImages(std::size_t index, Frame& frame) const {
   return readDepth(index, frame);
 }
 
-/// Every frame has the array: 0 is what was not measured.
+/// A depth array with all values 0: not measured.
 NamedArray FolderSource::noDepth() const {
   const ImageSize size = dataset_.size();
   const auto pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);

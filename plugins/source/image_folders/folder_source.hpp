@@ -55,7 +55,8 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
   Status inspect(std::vector<Finding>& findings) final;
 
  protected:
-  /// Binds the parameters, copies the shared ones to `shared`, and reads as much as possible.
+  /// Binds the parameters, copies the shared ones to `shared`, and reads the data set as far as
+  /// possible.
   virtual Status load(const ParameterValues& values, FolderParameters& shared,
                       ImageDataset& dataset, Inspection& inspection) = 0;
 

@@ -32,7 +32,7 @@ void checkImage(const fs::path& file, ImageSize expected, std::vector<Finding>& 
 
 }  // namespace
 
-/// Damaged images are the business of on_corrupt.
+/// Damaged images are skipped here; they are handled by on_corrupt.
 void findImageSize(ImageDataset& dataset, Inspection& inspection) {
   for (const fs::path& file : dataset.left) {
     const Result<ImageSize> size = checkImageFile(file);
@@ -41,7 +41,7 @@ void findImageSize(ImageDataset& dataset, Inspection& inspection) {
     dataset.rig.height = size.value().height;
     return;
   }
-  if (dataset.left.empty()) return;  // explained by listImages()
+  if (dataset.left.empty()) return;  // listImages() has added an error
   inspection.error(dataset.left.front().parent_path(), "has no readable image; restore them");
 }
 
@@ -103,7 +103,7 @@ void keepFrames(const std::vector<bool>& keep, ImageDataset& dataset) {
 
 void readRawCameras(const std::vector<fs::path>& files, int kitti_left, ImageDataset& dataset,
                     Inspection& inspection) {
-  if (dataset.left.empty()) return;  // explained by who lists the images
+  if (dataset.left.empty()) return;  // an error was added before
   const Result<RawRig> rig = camera_files::readCameras(
       files, {dataset.right.empty() ? 1 : 2, dataset.rig.width, dataset.rig.height, kitti_left});
   if (!rig.isOk()) {

@@ -15,7 +15,7 @@
 
 namespace tolman::image_folders {
 
-/// Lists run in parallel, one entry an image of the left camera; unless reading had errors.
+/// Unless reading had errors, all lists have one entry for each image of the left camera.
 struct ImageDataset {
   std::string layout;  ///< for messages: "KITTI odometry"
   std::vector<std::filesystem::path> left;
@@ -25,7 +25,7 @@ struct ImageDataset {
   std::vector<std::filesystem::path> depth;     ///< of the left camera, 16 bits; or empty
   double depth_per_m = 0;                       ///< values of a depth image per metre
   CameraRig rig;
-  RawRig raw;  ///< of unrectified images; else without cameras
+  RawRig raw;  ///< for unrectified images; otherwise without cameras
 
   ImageSize size() const { return {rig.width, rig.height}; }
 };
@@ -41,20 +41,20 @@ void findImageSize(ImageDataset& dataset, Inspection& inspection);
 /// Stamps of a camera with `rate` images a second.
 std::vector<std::int64_t> uniformStamps(std::size_t count, double rate);
 
-/// An error in `file` unless the principal point lies in the image.
+/// Adds an error in `file` unless the principal point is in the image.
 void checkPrincipalPoint(const std::filesystem::path& file, const CameraRig& rig,
                          Inspection& inspection);
 
-/// Lists of sensors that were exposed at other times: for each time the one of `others` that is
-/// nearest, at most `apart_ns` away; else -1. Both increase.
+/// For each time the index of the nearest of `others`, at most `apart_ns` away, otherwise -1. Both
+/// lists must increase. For sensors that are exposed at different times.
 std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,
                                          const std::vector<std::int64_t>& others,
                                          std::int64_t apart_ns);
 
-/// Keeps the frames whose place in `keep` is true, in all lists.
+/// Removes the frames whose entry in `keep` is false from all lists.
 void keepFrames(const std::vector<bool>& keep, ImageDataset& dataset);
 
-/// Reads raw cameras for the images that were found; an error where that fails.
+/// Reads raw cameras for the images that were found. A failure is added as an error.
 void readRawCameras(const std::vector<std::filesystem::path>& files, int kitti_left,
                     ImageDataset& dataset, Inspection& inspection);
 

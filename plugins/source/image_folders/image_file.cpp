@@ -24,8 +24,8 @@ using Bytes = std::span<const std::uint8_t>;
 
 Status problem(std::string_view what) { return Status::invalidInput(std::string(what)); }
 
-/// The file could not be read for a cause outside of it: limits, memory, a failing disk. This is no
-/// damaged image, so on_corrupt does not apply.
+/// Failure for a cause outside of the file: limits, memory, a failing disk. The image is not
+/// damaged, so on_corrupt does not apply.
 Status unread(int error) {
   const bool descriptors = error == EMFILE || error == ENFILE;
   return Status::failed("cannot be read (" + std::generic_category().message(error) + "); " +
@@ -53,7 +53,7 @@ Result<ImageSize> checkPng(Bytes bytes) {
   return plausibleSize(bigEndian(bytes, 16, 4), bigEndian(bytes, 20, 4));
 }
 
-/// Walks the segments to the frame header SOF, which has the size.
+/// Reads the segments up to the frame header SOF, which contains the size.
 Result<ImageSize> jpegSize(Bytes bytes) {
   std::size_t at = 2;
   while (at + 9 <= bytes.size() && bytes[at] == 0xff) {
@@ -100,7 +100,7 @@ Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
   return bytes;
 }
 
-/// The bytes of an image of the size `expected`, as its header says it.
+/// The bytes of an image file whose header has the size `expected`.
 Result<std::vector<std::uint8_t>> checkedBytes(const fs::path& file, ImageSize expected) {
   Result<std::vector<std::uint8_t>> bytes = readBytes(file);
   if (!bytes.isOk()) return bytes.status();
@@ -124,7 +124,7 @@ Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expect
   return image;
 }
 
-/// The same failure with the file, and with the remedy for damaged ones.
+/// Adds the name of the file to a failure, and the remedy if the file is damaged.
 Status named(const fs::path& file, const Status& status) {
   const bool damaged = status.code() == StatusCode::InvalidInput;
   return {status.code(),

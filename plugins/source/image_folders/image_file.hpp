@@ -5,8 +5,8 @@
 // accepts any size in a header. So header and end marker are checked here before decoding by
 // jpeg_decoder.hpp and png_decoder.hpp.
 //
-// A damaged file is InvalidInput. One that cannot be opened or read (permissions, too many open
-// files, a failing disk) may be sound: that is Failed.
+// A damaged file is InvalidInput. A file that cannot be opened or read (permissions, too many open
+// files, a failing disk) may be undamaged, so this is Failed.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,9 @@ Result<ImageSize> checkImageBytes(std::span<const std::uint8_t> bytes);
 /// The same for a file. Messages name the file and the remedy.
 Result<ImageSize> checkImageFile(const std::filesystem::path& file);
 
-/// An image of the size `expected` as Gray8, or as Bgr8 when `colour`; `bits` of 16 are used, see
-/// decodePng(). The orientation of EXIF data is ignored: calibration is of the pixels as stored.
+/// An image of the size `expected` as Gray8, or as Bgr8 if `colour`; `bits` of 16 are used, see
+/// decodePng(). The orientation in EXIF data is ignored, because the calibration is of the pixels
+/// as stored.
 Result<Image> readImageFile(const std::filesystem::path& file, bool colour, ImageSize expected,
                             int bits = 16);
 

@@ -12,7 +12,7 @@ namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the leading run of digits off `text`, without leading zeros.
+/// Removes the leading digits from `text` and returns them without leading zeros.
 std::string_view takeNumber(std::string_view& text) {
   const auto end = std::find_if_not(text.begin(), text.end(), isDigit);
   std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
@@ -21,7 +21,7 @@ std::string_view takeNumber(std::string_view& text) {
   return number;
 }
 
-/// Below, at or above 0 for a before, at or after b; leading zeros make no difference.
+/// Negative, 0 or positive if a is before, equal to or after b; leading zeros are ignored.
 int naturalOrder(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
     if (isDigit(a.front()) && isDigit(b.front())) {
@@ -54,8 +54,8 @@ void reportLonely(const fs::path& file, const fs::path& other_folder, Inspection
                                      shortName(file) + "; restore it, or remove the partner");
 }
 
-/// Two images of one name are an error. Of one number they are a warning: where names are decimal
-/// numbers, 1.5 and 1.05 are two.
+/// Two images of the same name are an error. Two of the same number are only a warning, because
+/// names may be decimal numbers, of which 1.5 and 1.05 are different.
 void checkDoubles(const fs::path& folder, const std::vector<fs::path>& sorted,
                   Inspection& inspection) {
   bool warned = false;
@@ -103,7 +103,7 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
 
 void checkPairs(const std::vector<fs::path>& left, const std::vector<fs::path>& right,
                 Inspection& inspection) {
-  if (left.empty() || right.empty()) return;  // explained by listImages()
+  if (left.empty() || right.empty()) return;  // listImages() has added an error
   const fs::path left_folder = left.front().parent_path();
   const fs::path right_folder = right.front().parent_path();
   auto l = left.begin();

@@ -14,13 +14,13 @@ namespace tolman::image_folders {
 /// Runs of digits compare as numbers: "image2" < "image10". A total order.
 bool naturalLess(std::string_view a, std::string_view b);
 
-/// The PNG and JPEG files in `folder`, by naturalLess of their names without extension. None, with
-/// an error, when there are none; two of one name are an error too, two that differ in leading
-/// zeros only a warning.
+/// The PNG and JPEG files in `folder`, sorted by naturalLess() of their names without extension. It
+/// is an error if there are none, or two of the same name. Two names that differ only in leading
+/// zeros are a warning.
 std::vector<std::filesystem::path> listImages(const std::filesystem::path& folder,
                                               Inspection& inspection);
 
-/// An error for each image whose name (without extension) is not in the other list.
+/// Adds an error for each image whose name (without extension) is not in the other list.
 void checkPairs(const std::vector<std::filesystem::path>& left,
                 const std::vector<std::filesystem::path>& right, Inspection& inspection);
 

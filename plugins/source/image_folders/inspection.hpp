@@ -18,7 +18,7 @@ class Inspection {
   void error(const std::filesystem::path& file, int line, std::string message);
   /// "FILE: what", or "FILE:LINE: what".
   void error(const std::string& message);
-  /// What may be meant as it is: the data are used.
+  /// Adds a warning: something that may be intended. The data are used.
   void warning(const std::filesystem::path& file, std::string message);
 
   bool hasErrors() const { return !errors_of_file_.empty(); }

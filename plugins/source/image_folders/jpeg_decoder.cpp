@@ -14,10 +14,12 @@
 namespace tolman::image_folders {
 namespace {
 
-/// More than encoders make; each scan of a progressive file costs a pass over all pixels.
+/// More than encoders write. Each scan of a progressive file is a pass over all pixels, so a
+/// damaged file could take very long.
 constexpr int kMostScans = 100;
 
-/// What libjpeg's callbacks reach: its error manager has to be the first member.
+/// Data of libjpeg's callbacks. They get a pointer to the error manager, so it must be the first
+/// member.
 struct Errors {
   jpeg_error_mgr base{};
   std::jmp_buf leave{};
@@ -30,7 +32,8 @@ struct Errors {
   std::longjmp(errors->leave, 1);
 }
 
-/// Warnings have a negative level. Two are about headers that the pixels do not depend on.
+/// Warnings have a negative level; all are failures but two about headers that do not affect
+/// pixels.
 void onMessage(j_common_ptr jpeg, int level) {
   const int code = jpeg->err->msg_code;
   if (level < 0 && code != JWRN_JFIF_MAJOR && code != JWRN_ADOBE_XFORM) fail(jpeg);
@@ -42,8 +45,8 @@ void limitScans(j_common_ptr jpeg) {
   fail(jpeg);
 }
 
-/// False after an error. libjpeg jumps back here from below, so nothing in this function may have a
-/// destructor.
+/// False after an error. On errors libjpeg returns here by longjmp, so no object in this function
+/// may have a destructor.
 bool readHeader(jpeg_decompress_struct& jpeg, Errors& errors, std::span<const std::uint8_t> bytes) {
   if (setjmp(errors.leave) != 0) return false;
   jpeg_create_decompress(&jpeg);
@@ -52,7 +55,7 @@ bool readHeader(jpeg_decompress_struct& jpeg, Errors& errors, std::span<const st
   return true;
 }
 
-/// Likewise. Writes whole rows to `pixels`.
+/// Writes whole rows to `pixels`. As for readHeader(), no object may have a destructor.
 bool readPixels(jpeg_decompress_struct& jpeg, Errors& errors, std::uint8_t* pixels,
                 std::size_t stride) {
   if (setjmp(errors.leave) != 0) return false;
@@ -66,17 +69,17 @@ bool readPixels(jpeg_decompress_struct& jpeg, Errors& errors, std::uint8_t* pixe
 }
 
 /// libjpeg's state for one image.
-class Decoder {
+class JpegReader {
  public:
-  Decoder() {
+  JpegReader() {
     jpeg_.err = jpeg_std_error(&errors_.base);
     errors_.base.error_exit = fail;
     errors_.base.emit_message = onMessage;
     progress_.progress_monitor = limitScans;
   }
-  ~Decoder() { jpeg_destroy_decompress(&jpeg_); }
-  Decoder(const Decoder&) = delete;
-  Decoder& operator=(const Decoder&) = delete;
+  ~JpegReader() { jpeg_destroy_decompress(&jpeg_); }
+  JpegReader(const JpegReader&) = delete;
+  JpegReader& operator=(const JpegReader&) = delete;
 
   Result<Image> decode(std::span<const std::uint8_t> bytes, bool colour) {
     if (!readHeader(jpeg_, errors_, bytes)) return problem();
@@ -110,7 +113,7 @@ class Decoder {
 }  // namespace
 
 Result<Image> decodeJpeg(std::span<const std::uint8_t> bytes, bool colour) {
-  return Decoder().decode(bytes, colour);
+  return JpegReader().decode(bytes, colour);
 }
 
 }  // namespace tolman::image_folders

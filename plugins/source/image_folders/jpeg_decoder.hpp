@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decodes JPEG data that may be damaged.
 //
-// OpenCV ignores the warnings of libjpeg, which goes on after a damaged Huffman code and returns a
-// full-size image with a wrong remainder. Here the first such warning is a failure. JPEG has no
-// check sum, so a change that happens to be legal code stays unseen.
+// OpenCV ignores the warnings of libjpeg, which continues after a damaged Huffman code and returns
+// a full-size image with a wrong remainder. Here the first such warning is a failure. JPEG has no
+// checksum, so damage that is valid code is not detected.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace tolman::image_folders {
 
-/// The pixels as OpenCV's decoder gives them, as Gray8, or as Bgr8 when `colour`. A failure
+/// The same pixels as OpenCV's decoder, as Gray8, or as Bgr8 if `colour`. The message of a failure
 /// completes the sentence "FILE ...".
 Result<Image> decodeJpeg(std::span<const std::uint8_t> bytes, bool colour);
 

@@ -17,7 +17,7 @@ fs::path imageFolder(const fs::path& root, int camera) {
   return root / ("image_" + std::to_string(camera));
 }
 
-/// 0 for the grey pair, 2 for the colour pair, -1 when there is neither.
+/// Number of the left camera: 0 of the grey pair, 2 of the colour pair, -1 if there is neither.
 int leftCamera(const KittiParameters& p) {
   const fs::path root = p.path;
   std::error_code ignored;
@@ -52,7 +52,8 @@ void readStamps(const KittiParameters& p, ImageDataset& dataset, Inspection& ins
   checkCount(file, dataset.stamps_ns.size(), dataset.left.size(), inspection);
 }
 
-/// The file named by the user, that in the sequence, or that of the benchmark's own tree.
+/// The file of poses: from the parameter, in the folder of the sequence, or in the folders of the
+/// benchmark.
 fs::path posesFile(const KittiParameters& p) {
   if (!p.poses.empty()) return p.poses;
   const fs::path root = fs::path(p.path) / "";

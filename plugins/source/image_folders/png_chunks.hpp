@@ -13,20 +13,20 @@ bool isPng(std::span<const std::uint8_t> bytes);
 
 /// A whole chunk, within the file.
 struct PngChunk {
-  std::span<const std::uint8_t> bytes;  ///< all of it; empty where there is none
+  std::span<const std::uint8_t> bytes;  ///< the whole chunk; empty: there is no chunk
   std::string_view name() const;
   std::span<const std::uint8_t> data() const;
-  /// As the chunk says it.
+  /// The CRC that is stored in the chunk.
   std::uint32_t crc() const;
 };
 
 inline constexpr std::size_t kPngSignature = 8;  // bytes before the first chunk
 
-/// The chunk at `at`; an empty one where the file ends within it.
+/// The chunk at `at`; empty if the file ends within it.
 PngChunk pngChunkAt(std::span<const std::uint8_t> png, std::size_t at);
 
-/// Removes chunks that pixels do not depend on, such as comments and colour profiles: libpng takes
-/// memory of the size that they claim, up to 2 GiB, before it reads them.
+/// Removes chunks that do not affect pixels, such as comments and colour profiles: libpng allocates
+/// memory of the size in their header, up to 2 GiB, before it reads them.
 void removeExtras(std::vector<std::uint8_t>& png);
 
 }  // namespace tolman::image_folders

@@ -19,7 +19,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// What is needed to decode a plain image.
+/// Header and data of an image that the fast way can decode.
 struct PlainPng {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -27,11 +27,11 @@ struct PlainPng {
   std::vector<std::uint8_t> packed;  ///< the data of all IDAT chunks
 
   std::size_t rowBytes() const { return width * channels; }
-  /// Of all rows, each with the byte that names its filter.
+  /// Bytes of all rows, each with the byte of its filter.
   std::size_t size() const { return height * (rowBytes() + 1); }
 };
 
-/// Size and kind; nullopt unless 8 bits, grey or RGB, one pass.
+/// Reads size and kind; nullopt unless 8 bits, grey or RGB, not interlaced.
 std::optional<PlainPng> readHeader(const PngChunk& chunk) {
   constexpr std::size_t kLength = 13;
   constexpr std::uint8_t kGrey = 0;
@@ -53,7 +53,7 @@ bool isIntact(const PngChunk& chunk) {
   return libdeflate_crc32(0, checked.data(), checked.size()) == chunk.crc();
 }
 
-/// Header and data; nullopt for other kinds of images and where something is damaged.
+/// Reads header and data; nullopt for other kinds of images and for damaged ones.
 std::optional<PlainPng> readChunks(Bytes png) {
   std::optional<PlainPng> image;
   std::size_t at = kPngSignature;
@@ -72,9 +72,9 @@ std::optional<PlainPng> readChunks(Bytes png) {
   return std::nullopt;
 }
 
-/// All rows with their filters; null where the data are damaged or of another size.
+/// All rows with their filters; null if the data are damaged or of another size.
 std::unique_ptr<std::uint8_t[]> inflate(const PlainPng& image) {
-  constexpr std::size_t kMostPerByte = 1032;  // of deflate: a header claims no more memory
+  constexpr std::size_t kMostPerByte = 1032;  // largest ratio of deflate; limits memory
   const std::size_t size = image.size();
   if (size / kMostPerByte > image.packed.size()) return nullptr;
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> inflater(
@@ -88,7 +88,7 @@ std::unique_ptr<std::uint8_t[]> inflate(const PlainPng& image) {
   return rows;
 }
 
-/// Empty where the data are damaged.
+/// Decodes with OpenCV; empty if the data are damaged.
 cv::Mat decodeByOpenCv(std::vector<std::uint8_t>& png, int mode) {
   try {
     return cv::imdecode(png, mode | cv::IMREAD_ANYDEPTH | cv::IMREAD_IGNORE_ORIENTATION);

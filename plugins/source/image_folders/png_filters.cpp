@@ -11,7 +11,7 @@ namespace {
 
 constexpr auto byte(int value) { return static_cast<std::uint8_t>(value); }
 
-/// Which of a, b and c is nearest to a + b - c; the first of those that are equally near.
+/// The one of a, b and c that is nearest to a + b - c; the first one of equally near ones.
 inline int paeth(int a, int b, int c) {
   const int to_a = b - c;  // p - a, of p = a + b - c
   const int to_b = a - c;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view kSeparators = " \t\r,;";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
-/// Splits off an optional sign; true for minus.
+/// Removes an optional sign; true for minus.
 bool takeSign(std::string_view& text) {
   if (text.empty() || (text.front() != '-' && text.front() != '+')) return false;
   const bool minus = text.front() == '-';
@@ -30,7 +30,7 @@ struct Decimal {
   int point = 0;
 };
 
-/// Reads unsigned "12.5e-3"; none unless all of `text` is that.
+/// Parses an unsigned number such as "12.5e-3"; empty unless this is all of `text`.
 std::optional<Decimal> parseDecimal(std::string_view text) {
   Decimal decimal;
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -44,7 +44,7 @@ std::optional<Decimal> parseDecimal(std::string_view text) {
     }
     any = true;
     if (decimal.digits.empty() && text.front() == '0') {
-      decimal.point -= after_point ? 1 : 0;  // leading zeros only move the point
+      decimal.point -= after_point ? 1 : 0;  // leading zeros only shift the point
       continue;
     }
     decimal.digits += text.front();

@@ -19,21 +19,21 @@ struct TextLine {
 };
 
 /// All lines but blank ones and '#' comments, without line ends and byte order mark. A file that
-/// cannot be read or has no such lines is an error in `inspection`, and gives no lines.
+/// cannot be read or has no such lines gives an error in `inspection` and no lines.
 std::vector<TextLine> readLines(const std::filesystem::path& file, Inspection& inspection);
 
 /// The fields between blanks, commas and semicolons.
 std::vector<std::string_view> splitFields(std::string_view line);
 
-/// A field as a message can show it: short, printable, in quotes.
+/// A field in quotes for a message, shortened and made printable.
 std::string inQuotes(std::string_view field);
 
-/// A finite number in C notation that fills the whole field.
+/// The finite number in C notation that is the whole field.
 std::optional<double> parseNumber(std::string_view field);
 
-/// Decimal numbers of a unit of 10^-9 * 10^`digits` s (9 for seconds, 0 for nanoseconds), with or
-/// without an exponent, to nanoseconds: exact, then rounded half away from zero. (By way of a
-/// double, 1.6e9 s would lose 100 ns.) None beyond 2^62 ns, which is 146 years.
+/// Converts a decimal number, with or without exponent, to nanoseconds. Its unit is 10^-9 *
+/// 10^`digits` s: 9 for seconds, 0 for nanoseconds. The conversion is exact, then rounded half away
+/// from zero; with a double, 1.6e9 s would have errors of 100 ns. Empty beyond 2^62 ns (146 years).
 std::optional<std::int64_t> parseSeconds(std::string_view field, int digits = 9);
 
 /// A number for a message, with `digits` after the point.

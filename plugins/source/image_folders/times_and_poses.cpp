@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The place of `column` among the names of the first line, which is then taken away.
+/// Index of `column` in the header, which is the first line; removes this line.
 std::optional<std::size_t> takeHeader(const fs::path& file, const std::string& column,
                                       std::vector<TextLine>& lines, Inspection& inspection) {
   if (lines.empty()) return std::nullopt;
@@ -24,6 +24,11 @@ std::optional<std::size_t> takeHeader(const fs::path& file, const std::string& c
                      "names no column " + inQuotes(column) + "; correct stamps_column");
     return std::nullopt;
   }
+  if (std::find(found + 1, names.end(), column) != names.end()) {
+    inspection.error(file, lines.front().number,
+                     "names two columns " + inQuotes(column) + "; rename one of them");
+    return std::nullopt;
+  }
   lines.erase(lines.begin());
   return static_cast<std::size_t>(found - names.begin());
 }
@@ -32,7 +37,7 @@ std::string nameOf(TimeUnit unit) {
   return unit == TimeUnit::Seconds ? "seconds" : std::string(enumName(unit));
 }
 
-/// A number as of nanoseconds since 1970.
+/// Whether the field is a whole number, as nanoseconds since 1970 are.
 bool isWhole(std::string_view field) {
   return field.size() > 12 && field.find_first_not_of("0123456789") == std::string_view::npos;
 }
@@ -63,7 +68,7 @@ std::optional<std::int64_t> parseTime(const fs::path& file, const TextLine& line
 /// 12 numbers to a rigid motion; the identity after an error.
 Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspection& inspection) {
   constexpr double kTolerance = 1e-3;  // KITTI prints seven digits
-  constexpr double kFarthest = 1e9;    // m; as of a trajectory that is evaluated
+  constexpr double kFarthest = 1e9;    // m; the bound of trajectories that are evaluated
   const auto fields = splitFields(line.text);
   if (fields.size() != 12) {
     inspection.error(
@@ -102,8 +107,8 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
   return T;
 }
 
-/// Tells times that are not seconds by their median step. Chosen for cameras of 10 to 100 Hz: in
-/// milliseconds their images would be 10 to 100 s apart, in microseconds 10 000 s and more.
+/// Detects times that are not in seconds by their median step. Limits are for cameras of 10 to 100
+/// Hz: times in milliseconds would have steps of 10 to 100 s, in microseconds 10 000 s and more.
 void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
                Inspection& inspection) {
   constexpr std::int64_t kUnusual_ns = 5'000'000'000;

@@ -11,7 +11,7 @@ namespace {
 
 /// The seven numbers after the time.
 std::optional<Eigen::Isometry3d> parsePose(const std::vector<std::string_view>& fields) {
-  constexpr double kFarthest = 1e9;  // m; as of a trajectory that is evaluated
+  constexpr double kFarthest = 1e9;  // m; the bound of trajectories that are evaluated
   std::array<double, 7> v{};
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto number = parseNumber(fields[i + 1]);

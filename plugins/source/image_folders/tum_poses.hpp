@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// True poses with times of their own, as the TUM benchmarks have them: a line is
-// "seconds tx ty tz qx qy qz qw".
+// True poses with their own times, in the format of the TUM benchmarks: a line is
+// "seconds tx ty tz qx qy qz qw" (s, m).
 #pragma once
 
 #include <Eigen/Geometry>
@@ -13,17 +13,17 @@
 
 namespace tolman::image_folders {
 
-/// Lists in parallel; times increase.
+/// Times, which increase, and the pose at each time.
 struct StampedPoses {
   std::vector<std::int64_t> stamps_ns;
   std::vector<Eigen::Isometry3d> T_world_camera;
 };
 
-/// Lines with an error are errors in `inspection`, and left out.
+/// A line with an error gives an error in `inspection` and is left out.
 StampedPoses readTumPoses(const std::filesystem::path& file, Inspection& inspection);
 
-/// The pose between the two measured ones around `stamp_ns`; none where one of them is further
-/// away than `apart_ns`.
+/// The pose at `stamp_ns`, interpolated between the measured ones before and after it; empty if one
+/// of these is more than `apart_ns` away.
 std::optional<Eigen::Isometry3d> poseAt(const StampedPoses& poses, std::int64_t stamp_ns,
                                         std::int64_t apart_ns);
 

@@ -40,7 +40,7 @@ std::int64_t apart(const TumSource::Parameters& p) {
   return static_cast<std::int64_t>(p.most_apart * 1e9);
 }
 
-/// Frames without a depth image are left out: a sensor is there for each frame.
+/// Frames without a depth image are left out, because every frame must have each sensor.
 void addDepth(const TumSource::Parameters& p, ImageDataset& dataset, Inspection& inspection) {
   const fs::path root = p.path;
   const StampedFiles depth = readList(root, "depth.txt", inspection);
@@ -65,7 +65,7 @@ void addDepth(const TumSource::Parameters& p, ImageDataset& dataset, Inspection&
   keepFrames(keep, dataset);
 }
 
-/// Poses of the camera at the times of the images, between the measured ones.
+/// Poses of the camera at the times of the images, interpolated between the measured ones.
 void addTruth(const TumSource::Parameters& p, ImageDataset& dataset, Inspection& inspection) {
   const fs::path file = fs::path(p.path) / "groundtruth.txt";
   std::error_code ignored;

@@ -12,7 +12,7 @@ namespace tolman::motion_log {
 namespace {
 
 constexpr std::int64_t kMostIds = 100'000'000;
-// Metres and radians: no vehicle drives as far, and the poses of all frames stay finite.
+// Bound of metres and radians: farther than any vehicle drives; the poses of all frames are finite.
 constexpr double kFarthest = 1e9;
 
 Status badLine(const std::filesystem::path& file, int line, const std::string& what) {
@@ -32,8 +32,8 @@ std::optional<Edge> parseEdge(std::istringstream& fields, int line) {
   return sound ? std::optional(edge) : std::nullopt;
 }
 
-/// What is wrong with the information in the rest of a line; empty for nothing. It is not used, but
-/// a line that was cut within a number is told by it.
+/// The error in the information values in the rest of a line; empty if there is none. The values
+/// are not used, but the check detects lines that were cut within a number.
 std::string informationProblem(std::istringstream& fields) {
   std::vector<std::string> rest;
   for (std::string word; fields >> word;) rest.push_back(word);
@@ -57,7 +57,7 @@ std::string informationProblem(std::istringstream& fields) {
          "is not known";
 }
 
-/// Reads a line without the mark that some editors put before UTF-8.
+/// Reads a line, without the byte order mark that some editors write before UTF-8.
 bool readLine(std::ifstream& stream, std::string& line, int& number) {
   if (!std::getline(stream, line)) return false;
   if (++number == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
@@ -75,7 +75,7 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
   if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + " is no file that can be read; check the path");
+    return Status::invalidInput(file.string() + " is not a readable file; check the path");
   }
   std::vector<Edge> edges;
   int number = 0;

@@ -11,7 +11,7 @@
 
 namespace tolman::motion_log {
 
-/// EDGE_SE2 from to dx dy dtheta and six information values, which are checked and not used.
+/// EDGE_SE2 from to dx dy dtheta and six information values, which are checked but not used.
 struct Edge {
   std::int64_t from = 0;
   std::int64_t to = 0;
@@ -19,9 +19,9 @@ struct Edge {
   int line = 0;
 };
 
-/// All EDGE_SE2 of the file. Vertices, FIX and comments are ignored; anything else, numbers that
-/// are missing, too many or beyond 1e9, negative ids, and information that is no positive definite
-/// matrix are InvalidInput with file, line and remedy.
+/// All EDGE_SE2 of the file. Vertices, FIX and comments are ignored. InvalidInput, with file, line
+/// and remedy, for any other line, for missing, superfluous or too large numbers (above 1e9), for
+/// negative ids, and for an information matrix that is not positive definite.
 Result<std::vector<Edge>> readEdges(const std::filesystem::path& file);
 
 /// Poses 0 ... n from edges that must be (0, 1), (1, 2), ... in this order; pose 0 is the identity.

@@ -37,23 +37,28 @@ Status MotionLog::configure(const Context& context) {
   return ready_ = load();
 }
 
+/// The file of the default name may be missing; one that was named, or a link to nothing, may not.
+Status MotionLog::loadTruth(const fs::path& file) {
+  if (parameters_.truth.empty()) return Status::ok();
+  std::error_code ignored;
+  const bool is_named = parameters_.truth != Parameters().truth;
+  if (!is_named && !fs::exists(fs::symlink_status(file, ignored))) return Status::ok();
+  Result<std::vector<PlanarPose>> read = readChain(file);
+  if (!read.isOk()) return read.status();
+  truth_ = std::move(read.value());
+  if (truth_.size() == poses_.size()) return Status::ok();
+  return Status::invalidInput(file.string() + " has " + std::to_string(truth_.size()) +
+                              " poses, the odometry " + std::to_string(poses_.size()) +
+                              "; give the truth of this sequence");
+}
+
 Status MotionLog::load() {
   const fs::path folder = parameters_.path;
   Result<std::vector<PlanarPose>> poses = readChain(folder / parameters_.odometry);
   if (!poses.isOk()) return poses.status();
   poses_ = std::move(poses.value());
   drive_ = digest(poses_);
-  const fs::path truth = folder / parameters_.truth;
-  if (std::error_code ignored; !parameters_.truth.empty() && fs::exists(truth, ignored)) {
-    Result<std::vector<PlanarPose>> read = readChain(truth);
-    if (!read.isOk()) return read.status();
-    truth_ = std::move(read.value());
-    if (truth_.size() != poses_.size()) {
-      return Status::invalidInput(truth.string() + " has " + std::to_string(truth_.size()) +
-                                  " poses, the odometry " + std::to_string(poses_.size()) +
-                                  "; give the truth of this sequence");
-    }
-  }
+  if (Status status = loadTruth(folder / parameters_.truth); !status.isOk()) return status;
   if (Status status = loadCandidates(); !status.isOk()) return status;
   std::vector<std::int64_t> stamps;
   for (std::size_t i = 0; i < poses_.size(); ++i) {

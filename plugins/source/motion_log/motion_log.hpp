@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <span>
@@ -46,7 +47,9 @@ struct LogParameters : FrameSelection {
                 .doc("Folder of one sequence; the files below are relative to it."),
             parameter("odometry", &P::odometry).doc("Motion from frame to frame, EDGE_SE2."),
             parameter("truth", &P::truth)
-                .doc("True motion, EDGE_SE2; without the file there is no truth."),
+                .doc("True motion, EDGE_SE2; empty: none. Without a file of the default name there "
+                     "is "
+                     "no truth."),
             parameter("candidates", &P::candidates)
                 .doc("Loop candidates, EDGE_SE2 from a frame to an earlier one; empty for none."),
             parameter("rate", &P::rate).range(0.001, 1e6).unit("Hz").doc("Frames per second."),
@@ -59,10 +62,10 @@ struct LogParameters : FrameSelection {
 };
 
 /// Frames without images. The recorded values are in Frame::sensors, for the replay plugins:
-///   motion.planar    {3}     x, y (m) and theta (rad) since the frame before
-///   place.candidate  {n, 4}  source index of a similar frame, and its x, y, theta from this frame
-///   place.looked     {1}     1 where a candidate begins or ends (the detector ran there), else 0
-///   motion.drive     {1}     hash of the odometry: tells the frames of two drives apart
+///   motion.planar    {3}     x, y (m) and theta (rad) since the previous frame
+///   place.candidate  {n, 4}  source index of a similar frame, and its x, y, theta in this frame
+///   place.looked     {1}     1 if a candidate begins or ends here (the detector ran), otherwise 0
+///   motion.drive     {1}     hash of the odometry, to distinguish the frames of two drives
 class MotionLog final : public Source, public ArrayDescriptions {
  public:
   using Parameters = LogParameters;
@@ -75,6 +78,7 @@ class MotionLog final : public Source, public ArrayDescriptions {
   Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:
+  Status loadTruth(const std::filesystem::path& file);
   Status load();
   Status loadCandidates();
   void addCandidates(std::int64_t here, Frame& frame) const;
@@ -82,7 +86,7 @@ class MotionLog final : public Source, public ArrayDescriptions {
   Parameters parameters_;
   Status ready_ = Status::failed("configure() was not called");
   std::vector<PlanarPose> poses_;  ///< by odometry
-  std::vector<PlanarPose> truth_;  ///< empty without
+  std::vector<PlanarPose> truth_;  ///< empty without true poses
   std::multimap<std::int64_t, Edge> candidates_;
   std::set<std::int64_t> looked_;  ///< ends of candidates
   float drive_ = 0;                ///< motion.drive

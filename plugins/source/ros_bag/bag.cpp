@@ -2,12 +2,12 @@
 #include "bag.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "file_bytes.hpp"
 #include "mcap_file.hpp"
 #include "messages.hpp"
 #include "metadata_file.hpp"
+#include "ros1_file.hpp"
 #include "sqlite_file.hpp"
 
 namespace tolman::ros_bag {
@@ -16,6 +16,10 @@ namespace {
 bool isUsed(const std::string& type) {
   return type == kImage || type == kCompressedImage || type == kCameraInfo || type == kImu ||
          type == kOdometry;
+}
+
+bool isKnown(const std::string& encoding) {
+  return encoding == kCdrEncoding || encoding == kRos1Encoding;
 }
 
 }  // namespace
@@ -50,11 +54,14 @@ Status Bag::openFile(const std::filesystem::path& path) {
     files_.push_back(std::move(database).value());
     return Status::ok();
   }
-  std::array<std::uint8_t, 8> start{};
-  const bool ros1 = bytes.value().read(0, start) && asText(start) == "#ROSBAG ";
-  return Status::invalidInput(
-      path.string() + (ros1 ? ": is a ROS 1 bag; convert it to a ROS 2 bag (rosbags-convert)"
-                            : ": is no ROS 2 bag (.mcap or .db3); check the path"));
+  if (Ros1File::isRos1(bytes.value())) {
+    auto bag = Ros1File::open(std::move(bytes).value());
+    if (!bag.isOk()) return {bag.status().code(), path.string() + ": " + bag.status().message()};
+    files_.push_back(std::move(bag).value());
+    return Status::ok();
+  }
+  return Status::invalidInput(path.string() +
+                              ": is no bag of ROS (.mcap, .db3 or .bag); check the path");
 }
 
 void Bag::visit(std::size_t file) {
@@ -84,10 +91,10 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   known.bytes += bytes.size();
   known.first_ns = std::min(known.first_ns, log_ns);
   known.last_ns = std::max(known.last_ns, log_ns);
-  if (known.topic != topic || topic.encoding != "cdr" || !isUsed(topic.type)) return;
+  if (known.topic != topic || !isKnown(topic.encoding) || !isUsed(topic.type)) return;
   if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());
   known.index.push_back(message);
-  known.index.back().stamp_ns = headerStamp(bytes).value_or(log_ns);
+  known.index.back().stamp_ns = headerStamp(known.message(bytes)).value_or(log_ns);
 }
 
 Result<std::vector<std::uint8_t>> Bag::read(const BagMessage& message) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole bag, of one or several files: its topics, and where the messages that the source can use
-// stand. It is read once from start to end when it is opened.
+// A whole bag, of one or several files: its topics, and the places of the messages that the source
+// can use. It is read once from start to end when it is opened.
 #pragma once
 
 #include <cstdint>
@@ -16,30 +16,36 @@
 namespace tolman::ros_bag {
 
 struct BagMessage {
-  std::int64_t stamp_ns = 0;  ///< of the header; of recording where that is not set
+  std::int64_t stamp_ns = 0;  ///< time of the header, or of recording if that is not set
   std::size_t file = 0;
   MessagePlace place;
 };
 
-/// One topic with what its messages have in common.
+/// One topic and its messages.
 struct BagTopic {
   Topic topic;
   std::int64_t messages = 0;
   std::uint64_t bytes = 0;
   std::int64_t first_ns = 0;        ///< time of recording
   std::int64_t last_ns = 0;         ///< time of recording
-  std::vector<std::uint8_t> first;  ///< the first message; of types that are used
-  std::vector<BagMessage> index;    ///< by stamp; of types that are used
+  std::vector<std::uint8_t> first;  ///< the first message, for types that are used
+  std::vector<BagMessage> index;    ///< sorted by stamp, for types that are used
+
+  /// These bytes as a message of the topic.
+  Message message(Bytes of) const {
+    return {of, topic.encoding == kRos1Encoding ? Encoding::Ros1 : Encoding::Cdr};
+  }
+  Message firstMessage() const { return message(first); }
 };
 
 class Bag {
  public:
-  /// Opens and reads the bag. Damage goes to problems().
+  /// Opens and reads the bag. Damage is reported in problems().
   static Result<Bag> open(const std::filesystem::path& path, const Cancellation& cancellation);
 
-  /// By name.
+  /// Topics by name.
   const std::map<std::string, BagTopic>& topics() const { return topics_; }
-  /// One text with file and remedy each.
+  /// One text, with file and remedy, for each problem.
   const std::vector<std::string>& problems() const { return problems_; }
   Result<std::vector<std::uint8_t>> read(const BagMessage& message);
 

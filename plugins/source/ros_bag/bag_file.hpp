@@ -6,23 +6,29 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "bytes.hpp"
+#include "message.hpp"
 #include "tolman/status.hpp"
 
 namespace tolman::ros_bag {
 
+using namespace ros_messages;  // the bytes of a bag are theirs
+
+inline constexpr std::string_view kCdrEncoding = "cdr";
+inline constexpr std::string_view kRos1Encoding = "ros1";
+
 struct Topic {
   std::string name;
-  std::string type;      ///< "sensor_msgs/msg/Image"
-  std::string encoding;  ///< of the messages: "cdr"
+  std::string type;      ///< in the notation of ROS 2: "sensor_msgs/msg/Image"
+  std::string encoding;  ///< of the messages: "cdr" (ROS 2) or "ros1"
   bool operator==(const Topic&) const = default;
 };
 
-/// Where a message stands in its file.
+/// Place of a message in its file.
 struct MessagePlace {
-  std::uint64_t chunk = 0;   ///< .mcap: start of the compressed block that it is in; 0 for none
+  std::uint64_t chunk = 0;   ///< .mcap: start of the compressed block that contains it; 0: none
   std::uint64_t offset = 0;  ///< .mcap: in the block or the file; .db3: its id
   std::uint64_t size = 0;    ///< bytes
 };
@@ -35,10 +41,10 @@ using MessageVisitor =
 class BagFile {
  public:
   virtual ~BagFile() = default;
-  /// Visits all messages that can be read. What cannot is told in `problems`, one text with a
-  /// remedy each, without the name of the file.
+  /// Visits all messages that can be read. For the others `problems` gets one text each, with a
+  /// remedy and without the name of the file.
   virtual void visit(const MessageVisitor& visitor, std::vector<std::string>& problems) = 0;
-  /// The bytes of a message that was visited.
+  /// Reads the bytes of a visited message again.
   virtual Result<std::vector<std::uint8_t>> read(const MessagePlace& place) = 0;
 };
 

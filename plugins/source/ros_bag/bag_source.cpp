@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "camera_calibration.hpp"
 #include "image_conversion.hpp"
 
 namespace tolman::ros_bag {
@@ -18,16 +17,6 @@ std::string shortNumber(double value) {
   return text.data();
 }
 
-Status checkCombination(const BagParameters& p) {
-  if (p.mono && !p.right.empty()) {
-    return Status::invalidParameter("mono and right are both given; keep one");
-  }
-  if (p.baseline > 0 && p.fx == 0) {
-    return Status::invalidParameter("baseline is given without fx; give both");
-  }
-  return Status::ok();
-}
-
 /// "sensor_msgs/msg/Image, 120 messages at 10 Hz, 37.2 MB"
 std::string summary(const BagTopic& topic) {
   std::string text = topic.topic.type + ", " + std::to_string(topic.messages) +
@@ -37,14 +26,14 @@ std::string summary(const BagTopic& topic) {
     text += " at " + shortNumber(static_cast<double>(topic.messages - 1) / seconds) + " Hz";
   }
   text += ", " + shortNumber(static_cast<double>(topic.bytes) * 1e-6) + " MB";
-  if (topic.topic.encoding != "cdr") text += ", encoded as '" + topic.topic.encoding + "'";
+  if (topic.topic.encoding != kCdrEncoding) text += ", encoded as '" + topic.topic.encoding + "'";
   const auto size =
       topic.first.empty() || (topic.topic.type != kImage && topic.topic.type != kCompressedImage)
           ? Result<ImageSize>(Status::failed(""))
-          : imageSize(topic.topic.type, topic.first);
+          : imageSize(topic.topic.type, topic.firstMessage());
   if (!size.isOk()) return text;
   text += ", " + std::to_string(size.value().width) + "x" + std::to_string(size.value().height);
-  const auto image = readImage(topic.first);
+  const auto image = readImage(topic.firstMessage());
   const bool raw = image && topic.topic.type == kImage;
   return raw ? text + " " + std::string(image->encoding.substr(0, 40)) : text;
 }
@@ -69,7 +58,7 @@ Status BagSource::prepare(const Context& context) {
   if (!chosen.isOk()) return chosen.status();
   chosen_ = chosen.value();
   status = findSize();
-  if (status.isOk()) status = makeRig();
+  if (status.isOk()) status = makeRigs();
   if (status.isOk()) status = makeSequence(context.log);
   if (status.isOk()) status = side_.load(*bag_, chosen_.imu, chosen_.odometry);
   if (!status.isOk() || side_.damaged() == 0) return status;
@@ -100,8 +89,9 @@ Status BagSource::findSize() {
   Status status;
   for (const BagMessage& message : chosen_.left->index) {
     const auto bytes = bag_->read(message);
-    const auto size = bytes.isOk() ? imageSize(chosen_.left->topic.type, bytes.value())
-                                   : Result<ImageSize>(bytes.status());
+    const auto size =
+        bytes.isOk() ? imageSize(chosen_.left->topic.type, chosen_.left->message(bytes.value()))
+                     : Result<ImageSize>(bytes.status());
     status = size.status();
     if (!size.isOk()) continue;
     size_ = size.value();
@@ -112,65 +102,27 @@ Status BagSource::findSize() {
                                 "last " + status.message() + "); record it again");
   }
   if (chosen_.depth == nullptr) return Status::ok();
-  const auto depth = convertDepth(chosen_.depth->first, depth_size_);
+  const auto depth = convertDepth(chosen_.depth->firstMessage(), depth_size_);
   if (depth.isOk()) return Status::ok();
   return Status::invalidInput(chosen_.depth->topic.name + ": the first message " +
                               depth.status().message() + "; name another topic");
 }
 
-Status BagSource::makeRig() {
-  const BagParameters& p = parameters_;
-  rig_ = {};
-  raw_ = {};
-  rig_.width = size_.width;
-  rig_.height = size_.height;
-  const bool pair = chosen_.right != nullptr;
-  if (p.isGiven()) {
-    rig_.calibrated = true;
-    rig_.pinhole = p.pinhole(rig_.width, rig_.height);
-    rig_.baseline = pair ? p.baseline : 0;
-    const bool inside = rig_.pinhole.cx < rig_.width && rig_.pinhole.cy < rig_.height;
-    if (!inside) return Status::invalidParameter("cx, cy is outside of the image; correct it");
-    if (!pair || p.baseline > 0) return Status::ok();
-    return Status::invalidParameter("fx is given for two cameras without baseline; give both");
-  }
-  if (chosen_.left_info != nullptr && (!pair || chosen_.right_info != nullptr)) {
-    return rigFromInfos();
-  }
-  if (!pair) return Status::ok();
-  return Status::invalidInput(
-      "there is no CameraInfo beside " + chosen_.left->topic.name + " and " +
-      chosen_.right->topic.name +
-      "; set left_info and right_info, give fx and baseline, or set mono: true");
-}
-
-Status BagSource::rigFromInfos() {
-  const auto left = readCameraInfo(chosen_.left_info->first);
-  if (!left) {
-    return Status::invalidInput(chosen_.left_info->topic.name +
-                                ": is no complete CameraInfo; "
-                                "give fx of rectified images");
-  }
-  CameraInfos infos{*left, std::nullopt};
-  if (chosen_.right != nullptr) {
-    infos.right = readCameraInfo(chosen_.right_info->first);
-    if (!infos.right) {
-      return Status::invalidInput(chosen_.right_info->topic.name +
-                                  ": is no complete CameraInfo; give fx and baseline");
-    }
-  }
-  Status status;
-  if (isRectified(chosen_.left->topic.name, infos)) {
-    const Result<CameraRig> rig = rectifiedRig(infos, size_.width, size_.height);
-    status = rig.status();
-    if (rig.isOk()) rig_ = rig.value();
-  } else {
-    const Result<RawRig> raw = ros_bag::rawRig(infos, size_.width, size_.height);
-    status = raw.status();
-    if (raw.isOk()) raw_ = raw.value();
-  }
-  if (status.isOk()) return status;
-  return {status.code(), chosen_.left_info->topic.name + ": " + status.message()};
+Status BagSource::makeRigs() {
+  const auto topic = [](const BagTopic& images, const BagTopic* info) {
+    CameraTopic camera{images.topic.name, "", std::nullopt};
+    if (info == nullptr) return camera;
+    camera.info_name = info->topic.name;
+    camera.info = info->firstMessage();
+    return camera;
+  };
+  const CameraTopic left = topic(*chosen_.left, chosen_.left_info);
+  std::optional<CameraTopic> right;
+  if (chosen_.right != nullptr) right = topic(*chosen_.right, chosen_.right_info);
+  Result<CameraRigs> rigs =
+      ros_messages::makeRigs(parameters_, size_, left, right ? &*right : nullptr);
+  if (rigs.isOk()) rigs_ = std::move(rigs).value();
+  return rigs.status();
 }
 
 Status BagSource::makeSequence(Logger& log) {
@@ -198,26 +150,28 @@ Status BagSource::reset() {
 Status BagSource::info(SourceInfo& info) {
   if (!ready_.isOk()) return ready_;
   const bool pair = chosen_.right != nullptr;
-  info.description = "ROS 2 bag, " + std::to_string(sequence_.size()) +
+  const bool ros1 = chosen_.left->topic.encoding == kRos1Encoding;
+  info.description = std::string(ros1 ? "ROS 1 bag, " : "ROS 2 bag, ") +
+                     std::to_string(sequence_.size()) +
                      (pair ? " stereo pairs of " : " images of ") + chosen_.left->topic.name +
                      (pair ? " and " + chosen_.right->topic.name : "") + ", " +
                      std::to_string(size_.width) + "x" + std::to_string(size_.height) + " px";
-  if (!rig_.calibrated) info.description += raw_.cameras.empty() ? ", uncalibrated" : ", raw";
-  info.rig = rig_;
+  info.description += rigs_.suffix();
+  info.rig = rigs_.rectified;
   info.frames = sequence_.size();
   return Status::ok();
 }
 
 Status BagSource::rawRig(RawRig& rig) {
   if (!ready_.isOk()) return ready_;
-  rig = raw_;
+  rig = rigs_.raw;
   return Status::ok();
 }
 
 Status BagSource::next(Frame& frame) {
   if (!ready_.isOk()) return ready_;
   if (next_frame_ >= sequence_.size()) return Status::endOfStream();
-  frame.frame = next_frame_++;  // also when it cannot be read: a caller that skips gets the next
+  frame.frame = next_frame_++;  // also after a failure, so that a caller can skip the frame
   frame.stamp_ns = sequence_.stampNs(frame.frame);
   frame.source_index = sequence_.sourceIndex(frame.frame);
   const auto stampOf = [this](std::int64_t index) {
@@ -228,10 +182,7 @@ Status BagSource::next(Frame& frame) {
   const FrameRow& row = table_.rows[static_cast<std::size_t>(frame.source_index)];
   Status status = addDepth(row, frame);
   if (status.isOk()) status = readImages(row, frame);
-  if (status.isOk() || parameters_.on_corrupt == OnCorrupt::Stop) return status;
-  frame.left = frame.right = {};
-  frame.defect = status.message();
-  return Status::ok();
+  return source_parameters::finishFrame(status, parameters_.on_corrupt, frame);
 }
 
 Status BagSource::readImages(const FrameRow& row, Frame& frame) {
@@ -246,16 +197,13 @@ Status BagSource::readImage(const BagTopic& topic, std::size_t index, Image& ima
   const BagMessage& message = topic.index[index];
   const auto bytes = bag_->read(message);
   Result<Image> converted = bytes.isOk()
-                                ? convertImage(topic.topic.type, bytes.value(), parameters_.colour)
+                                ? convertImage(topic.topic.type, topic.message(bytes.value()),
+                                               parameters_.colour, size_, chosen_.left->topic.name)
                                 : Result<Image>(bytes.status());
-  Status status = converted.status();
+  const Status status = converted.status();
   if (status.isOk()) {
     image = std::move(converted).value();
-    if (ImageSize{image.width(), image.height()} == size_) return status;
-    status = Status::invalidInput("has " + std::to_string(image.width()) + "x" +
-                                  std::to_string(image.height()) + " px, and the first of " +
-                                  chosen_.left->topic.name + " has " + std::to_string(size_.width) +
-                                  "x" + std::to_string(size_.height));
+    return status;
   }
   return {status.code(), parameters_.path + ": image " + std::to_string(index) + " of " +
                              topic.topic.name + " (stamp " + std::to_string(message.stamp_ns) +
@@ -263,7 +211,7 @@ Status BagSource::readImage(const BagTopic& topic, std::size_t index, Image& ima
                              "; record it again, or leave it out by on_corrupt: skip"};
 }
 
-/// Frames without a depth image have depth 0, not known, everywhere.
+/// Adds the depth of a frame; all 0 (unknown) without a depth image.
 Status BagSource::addDepth(const FrameRow& row, Frame& frame) {
   if (chosen_.depth == nullptr) return Status::ok();
   const std::size_t pixels =
@@ -273,7 +221,7 @@ Status BagSource::addDepth(const FrameRow& row, Frame& frame) {
   if (row.depth) {
     const auto bytes = bag_->read(chosen_.depth->index[*row.depth]);
     ImageSize size;
-    auto values = bytes.isOk() ? convertDepth(bytes.value(), size)
+    auto values = bytes.isOk() ? convertDepth(chosen_.depth->message(bytes.value()), size)
                                : Result<std::vector<float>>(bytes.status());
     status = values.status();
     if (status.isOk() && size == depth_size_) depth.values = std::move(values).value();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Source `ros_bag`: images, calibration and other sensors of a ROS 2 bag, without ROS.
+// Source `ros_bag`: images, calibration and other sensors of a bag of ROS 1 or 2, without ROS.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 #include "bag.hpp"
 #include "bag_parameters.hpp"
-#include "coded_image.hpp"
+#include "camera_rigs.hpp"
 #include "frame_table.hpp"
 #include "side_measurements.hpp"
 #include "tolman/extras.hpp"
@@ -35,8 +35,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   Status judgeProblems(Logger& log) const;
   /// The size of the first image whose header is sound.
   Status findSize();
-  Status makeRig();
-  Status rigFromInfos();
+  Status makeRigs();
   Status makeSequence(Logger& log);
   Status readImage(const BagTopic& topic, std::size_t index, Image& image);
   Status readImages(const FrameRow& row, Frame& frame);
@@ -51,8 +50,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
   SideMeasurements side_;
   ImageSize size_;
   ImageSize depth_size_;
-  CameraRig rig_;
-  RawRig raw_;
+  CameraRigs rigs_;
   FrameSequence sequence_;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;

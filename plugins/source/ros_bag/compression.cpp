@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "compression.hpp"
 
+#include <bzlib.h>
 #include <lz4frame.h>
 #include <zstd.h>
 
@@ -10,7 +11,7 @@
 namespace tolman::ros_bag {
 namespace {
 
-/// Memory for the next piece, never more than a fixed amount ahead of what is there.
+/// Allocates memory for the next piece, at most a fixed amount more than is used.
 bool grow(std::vector<std::uint8_t>& out, std::size_t used, std::size_t most) {
   constexpr std::size_t kLeast = 1U << 16U;
   if (used < out.size()) return true;
@@ -21,6 +22,9 @@ bool grow(std::vector<std::uint8_t>& out, std::size_t used, std::size_t most) {
 
 struct Zstd {
   void operator()(ZSTD_DStream* stream) const { ZSTD_freeDStream(stream); }
+};
+struct Bz2 {
+  void operator()(bz_stream* stream) const { BZ2_bzDecompressEnd(stream); }
 };
 struct Lz4 {
   void operator()(LZ4F_dctx* stream) const { LZ4F_freeDecompressionContext(stream); }
@@ -39,7 +43,7 @@ std::optional<std::vector<std::uint8_t>> unpackZstd(Bytes packed, std::size_t mo
   ZSTD_inBuffer in{packed.data(), packed.size(), 0};
   std::vector<std::uint8_t> unpacked;
   std::size_t used = 0;
-  std::size_t left = 1;  // of the frame; 0 at its end
+  std::size_t left = 1;  // bytes of the frame that are expected; 0 at its end
   while (left != 0 || in.pos < in.size) {
     if (!grow(unpacked, used, most)) return std::nullopt;
     ZSTD_outBuffer out{unpacked.data(), unpacked.size(), used};
@@ -76,6 +80,32 @@ std::optional<std::vector<std::uint8_t>> unpackLz4(Bytes packed, std::size_t mos
     packed = packed.subspan(read);
   }
   if (used > most) return std::nullopt;
+  unpacked.resize(used);
+  return unpacked;
+}
+
+std::optional<std::vector<std::uint8_t>> unpackBz2(Bytes packed, std::size_t most) {
+  bz_stream stream{};
+  if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK) return std::nullopt;
+  const std::unique_ptr<bz_stream, Bz2> owner(&stream);
+  std::vector<std::uint8_t> unpacked;
+  std::size_t used = 0;
+  // The library takes both lengths as 32 bit; chunks are shorter (unpackChunk).
+  if (packed.size() > most + most / 100 + 600) return std::nullopt;
+  stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(packed.data()));
+  stream.avail_in = static_cast<unsigned>(packed.size());
+  for (int state = BZ_OK; state != BZ_STREAM_END;) {
+    if (!grow(unpacked, used, most)) return std::nullopt;
+    const auto room = static_cast<unsigned>(unpacked.size() - used);
+    const unsigned before = stream.avail_in;
+    stream.next_out = reinterpret_cast<char*>(unpacked.data() + used);
+    stream.avail_out = room;
+    state = BZ2_bzDecompress(&stream);
+    used += room - stream.avail_out;
+    const bool stuck = stream.avail_out == room && stream.avail_in == before;
+    if (state != BZ_STREAM_END && (state != BZ_OK || stuck)) return std::nullopt;
+  }
+  if (used > most || stream.avail_in > 0) return std::nullopt;
   unpacked.resize(used);
   return unpacked;
 }

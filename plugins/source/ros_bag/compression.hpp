@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zstandard and LZ4 frames, unpacked within a limit, whatever their headers claim.
+// Decompression of Zstandard and LZ4 frames and bzip2 streams, with a limit that does not depend on
+// the size in their headers.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +11,14 @@
 
 namespace tolman::ros_bag {
 
+using ros_messages::Bytes;
+
 /// Whether the bytes begin as a Zstandard frame does.
 bool isZstd(Bytes packed);
 
-/// None: the data are damaged or not complete, or unpack to more than `most` bytes.
+/// Empty if the data are damaged, incomplete or larger than `most` bytes.
 std::optional<std::vector<std::uint8_t>> unpackZstd(Bytes packed, std::size_t most);
 std::optional<std::vector<std::uint8_t>> unpackLz4(Bytes packed, std::size_t most);
+std::optional<std::vector<std::uint8_t>> unpackBz2(Bytes packed, std::size_t most);
 
 }  // namespace tolman::ros_bag

@@ -16,7 +16,7 @@ Result<FileBytes> FileBytes::open(const fs::path& path) {
   FileBytes file;
   if (fs::is_regular_file(path, failure)) file.stream_.open(path, std::ios::binary);
   if (!file.stream_.is_open()) {
-    return Status::invalidInput(path.string() + ": is no file that can be read; check the path");
+    return Status::invalidInput(path.string() + ": not a readable file; check the path");
   }
   file.size_ = fs::file_size(path, failure);
   if (failure) return Status::failed(path.string() + ": has no size; check the disk");
@@ -28,7 +28,7 @@ Result<FileBytes> FileBytes::open(const fs::path& path) {
   }
   std::vector<std::uint8_t> packed(static_cast<std::size_t>(file.size_));
   const bool read = file.read(0, packed);
-  // Images do not shrink to a hundredth: more is no bag.
+  // Images are not compressed to less than a hundredth, so a larger file is not a bag.
   const std::size_t most = std::min(kMostInMemory, 100 * packed.size() + (1U << 20U));
   auto unpacked = read ? unpackZstd(packed, most) : std::nullopt;
   if (!unpacked) {

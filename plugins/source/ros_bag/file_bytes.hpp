@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file of a bag: its bytes at any place. One that is compressed as a whole is unpacked in memory.
+// Random access to the bytes of a file of a bag. A file that is compressed as a whole is unpacked
+// in memory.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +13,17 @@
 
 namespace tolman::ros_bag {
 
+using ros_messages::Bytes;
+
 class FileBytes {
  public:
-  /// InvalidInput with the path and a remedy for what cannot be read.
+  /// InvalidInput with the path and a remedy if the file cannot be read.
   static Result<FileBytes> open(const std::filesystem::path& path);
 
   std::uint64_t size() const { return size_; }
-  /// Fills `bytes` with what stands at `at`; false where the file ends before.
+  /// Fills `bytes` from `at`; false if the file is too short.
   bool read(std::uint64_t at, std::span<std::uint8_t> bytes);
-  /// Whether the file is unpacked, and its bytes then.
+  /// Whether the file was unpacked in memory, and its bytes then.
   bool inMemory() const { return in_memory_; }
   Bytes memory() const { return memory_; }
 

@@ -24,8 +24,8 @@ std::string_view trimmed(std::string_view text) {
 
 bool isBagName(const fs::path& file) {
   const std::string name = file.filename().string();
-  return name.ends_with(".mcap") || name.ends_with(".db3") || name.ends_with(".mcap.zstd") ||
-         name.ends_with(".db3.zstd");
+  return name.ends_with(".mcap") || name.ends_with(".db3") || name.ends_with(".bag") ||
+         name.ends_with(".mcap.zstd") || name.ends_with(".db3.zstd");
 }
 
 /// bag_2 before bag_10.
@@ -68,7 +68,7 @@ Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
   if (!fs::is_directory(path, failure)) return std::vector<fs::path>{path};
   std::vector<fs::path> files;
   for (const std::string& name : filesInMetadata(readText(path / "metadata.yaml"))) {
-    // Early versions wrote the name of the folder, too; nothing outside of it is read.
+    // Only the file name: early versions wrote the folder, too, and no other folder may be read.
     files.push_back(path / fs::path(name).filename());
   }
   for (const fs::path& file : files) {
@@ -84,7 +84,7 @@ Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {
   }
   std::sort(files.begin(), files.end(), comesBefore);
   if (!files.empty()) return files;
-  return Status::invalidInput(path.string() + ": has no .mcap or .db3 file; check the path");
+  return Status::invalidInput(path.string() + ": has no .mcap, .db3 or .bag file; check the path");
 }
 
 }  // namespace tolman::ros_bag

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// metadata.yaml of a ROS 2 bag: only the names of its files, in order. All else stands in these.
+// The names of the files in metadata.yaml of a ROS 2 bag, in order. All other data are in the
+// files.
 #pragma once
 
 #include <filesystem>
@@ -10,12 +11,11 @@
 
 namespace tolman::ros_bag {
 
-/// The entries of `relative_file_paths` in the text of a metadata.yaml; none where there is no such
-/// list.
+/// The entries of `relative_file_paths` in the text of a metadata.yaml; empty without such a list.
 std::vector<std::string> filesInMetadata(const std::string& text);
 
-/// The files of the bag at `path`: itself, or those of a folder, by its metadata.yaml, or without
-/// one all .mcap and .db3 files by name.
+/// The files of the bag at `path`: the file itself, or those in a folder, in the order of its
+/// metadata.yaml. Without one: all .mcap, .db3 and .bag files by name.
 Result<std::vector<std::filesystem::path>> findBagFiles(const std::filesystem::path& path);
 
 }  // namespace tolman::ros_bag

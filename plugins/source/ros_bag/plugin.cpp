@@ -4,5 +4,7 @@
 
 #include "bag_source.hpp"
 
-TOLMAN_PLUGIN(ros_bag, tolman::ros_bag::BagSource, "0.1.0",
-              "A ROS 2 bag, .mcap or .db3: images, calibration, inertial measurements, odometry.");
+TOLMAN_PLUGIN(
+    ros_bag, tolman::ros_bag::BagSource, "0.1.0",
+    "A bag of ROS 2 (.mcap, .db3) or ROS 1 (.bag): images, calibration, inertial measurements, "
+    "odometry.");

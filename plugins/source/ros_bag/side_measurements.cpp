@@ -7,7 +7,7 @@
 namespace tolman::ros_bag {
 namespace {
 
-/// Heading of a pose with the axis z upwards.
+/// Heading, rad, of an orientation (x, y, z, w) in axes with z upwards.
 double headingOf(const std::array<double, 4>& q) {
   const auto [x, y, z, w] = q;
   return std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
@@ -26,7 +26,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
     for (const BagMessage& message : imu->index) {
       const auto bytes = bag.read(message);
       if (!bytes.isOk()) return bytes.status();
-      auto measured = readImu(bytes.value());
+      auto measured = readImu(imu->message(bytes.value()));
       damaged_ += measured ? 0 : 1;
       if (!measured) continue;
       measured->stamp_ns = message.stamp_ns;
@@ -37,7 +37,7 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
   for (const BagMessage& message : odometry->index) {
     const auto bytes = bag.read(message);
     if (!bytes.isOk()) return bytes.status();
-    const auto measured = readOdometry(bytes.value());
+    const auto measured = readOdometry(odometry->message(bytes.value()));
     damaged_ += measured ? 0 : 1;
     if (!measured) continue;
     poses_.push_back(

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a bag measures beside images: angular velocity and acceleration, and planar odometry.
+// Other measurements of a bag: angular velocity and acceleration, and planar odometry.
 #pragma once
 
 #include <array>
@@ -34,7 +34,8 @@ class SideMeasurements {
   };
   void measureImu(std::int64_t begin_ns, std::int64_t end_ns,
                   std::vector<NamedArray>& sensors) const;
-  /// Between measured poses in proportion to time; before the first and after the last constant.
+  /// Linear interpolation in time between measured poses; constant before the first and after the
+  /// last.
   PlanarPose poseAt(std::int64_t stamp_ns) const;
 
   bool has_imu_ = false;

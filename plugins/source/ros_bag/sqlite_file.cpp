@@ -23,7 +23,7 @@ std::vector<std::uint8_t> blobOf(const SQLite::Column& column) {
   return {data, data + size};
 }
 
-/// As stored, or unpacked; none for what does not unpack.
+/// The message, unpacked if it was compressed; empty if that fails.
 std::optional<std::vector<std::uint8_t>> plain(std::vector<std::uint8_t> blob) {
   if (!isZstd(blob)) return blob;
   return unpackZstd(blob, kMostMessageBytes);
@@ -35,7 +35,7 @@ std::unique_ptr<SQLite::Database> openPath(const std::filesystem::path& path) {
     SQLite::Statement(*database, "SELECT count(*) FROM sqlite_master").executeStep();
     return database;
   } catch (const SQLite::Exception& failure) {
-    // A database with a journal cannot be opened in a folder that cannot be written.
+    // A database with a journal cannot be opened in a read-only folder.
     if (failure.getErrorCode() != SQLITE_CANTOPEN) throw;
     return std::make_unique<SQLite::Database>("file:" + path.string() + "?immutable=1",
                                               SQLite::OPEN_READONLY | SQLite::OPEN_URI);
@@ -74,7 +74,7 @@ Result<std::unique_ptr<SqliteFile>> SqliteFile::open(const std::filesystem::path
   }
 }
 
-/// Both must be tables: a view can take any time.
+/// Checks that both are tables, because a view may take unlimited time.
 Status SqliteFile::checkTables() {
   for (const char* table : {"topics", "messages"}) {
     SQLite::Statement query(*database_,
@@ -106,7 +106,7 @@ void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::strin
                                              names.getColumn(2).getString(),
                                              names.getColumn(3).getString()};
   }
-  // In the order of the table: to sort here would read the images twice.
+  // In the order of the table, because sorting here would read the images twice.
   SQLite::Statement rows(*database_, "SELECT id, topic_id, timestamp, data FROM messages");
   std::int64_t last_id = std::numeric_limits<std::int64_t>::min();
   while (rows.executeStep()) {
@@ -114,7 +114,7 @@ void SqliteFile::visitRows(const MessageVisitor& visitor, std::vector<std::strin
     const auto topic = topics.find(rows.getColumn(1).getInt64());
     const std::int64_t log_ns = rows.getColumn(2).getInt64();
     const auto message = plain(blobOf(rows.getColumn(3)));
-    const bool in_order = id > last_id;  // else the tree of the table is damaged
+    const bool in_order = id > last_id;  // otherwise the B-tree of the table is damaged
     last_id = std::max(last_id, id);
     if (topic == topics.end() || !message || log_ns < 0 || !in_order) {
       problems.push_back("message " + std::to_string(id) +

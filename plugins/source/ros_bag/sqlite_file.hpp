@@ -15,8 +15,8 @@ namespace tolman::ros_bag {
 
 class SqliteFile final : public BagFile {
  public:
-  /// Opens it for reading only. `bytes`: those of the file, kept where it was compressed as a
-  /// whole.
+  /// Opens the database read-only. `bytes`: the bytes of the file; they are kept if the file was
+  /// compressed as a whole.
   static Result<std::unique_ptr<SqliteFile>> open(const std::filesystem::path& path,
                                                   FileBytes bytes);
   /// Whether the file begins as a SQLite database does.

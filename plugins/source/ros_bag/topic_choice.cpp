@@ -2,13 +2,11 @@
 #include "topic_choice.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "messages.hpp"
+#include "pair_names.hpp"
 
 namespace tolman::ros_bag {
 namespace {
@@ -19,6 +17,10 @@ using Types = std::initializer_list<std::string_view>;
 bool isOf(const BagTopic& topic, Types types) {
   return !topic.index.empty() &&
          std::find(types.begin(), types.end(), topic.topic.type) != types.end();
+}
+
+bool isOfRos(const BagTopic& topic) {
+  return topic.topic.encoding == kCdrEncoding || topic.topic.encoding == kRos1Encoding;
 }
 
 std::string listed(const std::vector<const BagTopic*>& topics) {
@@ -42,10 +44,10 @@ Result<const BagTopic*> named(const Topics& topics, const char* parameter, const
   if (topic != topics.end() && isOf(topic->second, types)) return &topic->second;
   std::string what = "the bag has no topic " + name;
   if (topic != topics.end()) {
-    what = topic->second.topic.encoding == "cdr"
+    what = isOfRos(topic->second)
                ? "topic " + name + " is of type " + topic->second.topic.type
                : "messages of topic " + name + " are encoded as '" + topic->second.topic.encoding +
-                     "', not as those of ROS 2 (cdr)";
+                     "', not as those of ROS 2 (cdr) or 1 (ros1)";
   }
   return Status::invalidParameter(what + "; set " + parameter +
                                   " to one of: " + listed(topicsOf(topics, types)));
@@ -53,11 +55,11 @@ Result<const BagTopic*> named(const Topics& topics, const char* parameter, const
 
 bool isDepth(const BagTopic& topic) {
   if (topic.topic.type != kImage) return topic.topic.name.ends_with("compressedDepth");
-  const auto image = readImage(topic.first);
+  const auto image = readImage(topic.firstMessage());
   return image && (image->encoding == "16UC1" || image->encoding == "32FC1");
 }
 
-/// Topics of cameras. Of the same images as they are and compressed only the first.
+/// Topics of cameras. If the same images are there raw and compressed, only the raw topic.
 std::vector<const BagTopic*> cameraTopics(const Topics& topics) {
   std::vector<const BagTopic*> found;
   for (const BagTopic* topic : topicsOf(topics, {kImage, kCompressedImage})) {
@@ -83,35 +85,22 @@ Status chooseCameras(const Topics& topics, const BagParameters& p, ChosenTopics&
   if (cameras.empty() && chosen.left == nullptr) {
     return Status::invalidInput("the bag has no images; `tolman dataset check` lists its topics");
   }
-  if (chosen.left == nullptr && chosen.right == nullptr && cameras.size() == 1) {
-    chosen.left = cameras.front();
-    return Status::ok();
+  std::vector<std::string> names;
+  for (const BagTopic* camera : cameras) names.push_back(camera->topic.name);
+  const CameraNames given{p.left, p.right};
+  const auto found = chooseCameraNames(names, given, p.mono);
+  if (!found) {
+    return Status::invalidParameter(std::string("the bag has several cameras; set ") +
+                                    chooseBy(given) + " to one of: " + listed(cameras));
   }
-  std::vector<std::pair<const BagTopic*, const BagTopic*>> pairs;
-  for (const BagTopic* left : cameras) {
-    for (const BagTopic* right : cameras) {
-      const bool fits = (chosen.left == nullptr || chosen.left == left) &&
-                        (chosen.right == nullptr || chosen.right == right);
-      if (fits && isPair(left->topic.name, right->topic.name)) pairs.emplace_back(left, right);
-    }
-  }
-  if (chosen.left != nullptr && (chosen.right != nullptr || p.mono || pairs.empty())) {
-    return Status::ok();
-  }
-  if (pairs.size() == 1) {
-    std::tie(chosen.left, chosen.right) = pairs.front();
-    return Status::ok();
-  }
-  const char* parameter = chosen.left == nullptr ? "left" : "right";
-  return Status::invalidParameter(std::string("the bag has several cameras; set ") + parameter +
-                                  " to one of: " + listed(cameras));
+  chosen.left = &topics.at(found->left);
+  chosen.right = found->right.empty() ? nullptr : &topics.at(found->right);
+  return Status::ok();
 }
 
-/// The CameraInfo beside the images: /left/camera_info for /left/image_raw.
+/// The topic of CameraInfo for images: /left/camera_info for /left/image_raw.
 const BagTopic* besides(const Topics& topics, const BagTopic& camera) {
-  std::string folder = camera.topic.name;
-  if (folder.ends_with("/compressed")) folder.erase(folder.rfind('/'));
-  const auto topic = topics.find(folder.substr(0, folder.rfind('/')) + "/camera_info");
+  const auto topic = topics.find(infoBeside(camera.topic.name));
   if (topic != topics.end() && isOf(topic->second, {kCameraInfo})) return &topic->second;
   return nullptr;
 }
@@ -128,7 +117,7 @@ Status chooseInfo(const Topics& topics, const char* parameter, const std::string
   return found.status();
 }
 
-/// A sensor that is named, or the only one of its type.
+/// The topic of a sensor: the named one, or the only one of its type.
 Status chooseSensor(const Topics& topics, const char* parameter, const std::string& name,
                     std::string_view type, const BagTopic*& sensor) {
   if (!name.empty()) {
@@ -143,23 +132,9 @@ Status chooseSensor(const Topics& topics, const char* parameter, const std::stri
 
 }  // namespace
 
-bool isPair(const std::string& left, const std::string& right) {
-  if (const auto at = left.find("left"); at != std::string::npos) {
-    for (auto from = at; from != std::string::npos; from = left.find("left", from + 1)) {
-      std::string other = left;
-      if (other.replace(from, 4, "right") == right) return true;
-    }
-  }
-  if (left.size() != right.size()) return false;
-  const auto [a, b] = std::mismatch(left.begin(), left.end(), right.begin());
-  if (a == left.end() || std::isdigit(static_cast<unsigned char>(*a)) == 0) return false;
-  return *b == *a + 1 && *b <= '9' && std::equal(a + 1, left.end(), b + 1);
-}
-
 Result<ChosenTopics> chooseTopics(const Topics& topics, const BagParameters& p) {
   ChosenTopics chosen;
   Status status = chooseCameras(topics, p, chosen);
-  if (p.mono) chosen.right = nullptr;
   const auto then = [&status](Status next) {
     if (status.isOk()) status = std::move(next);
   };

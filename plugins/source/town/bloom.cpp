@@ -9,7 +9,7 @@
 namespace tolman::town {
 namespace {
 
-/// Twice a box is a tent, without the box's edges.
+/// A box filter applied twice, which is a tent filter without the hard edges of a box.
 std::vector<float> halo(const std::vector<float>& light, int width, int height, double radius) {
   const int pixels = std::max(1, static_cast<int>(std::lround(radius)));
   return boxBlur(boxBlur(light, width, height, pixels), width, height, pixels);
@@ -19,7 +19,7 @@ std::vector<float> halo(const std::vector<float>& light, int width, int height, 
 
 void addBloom(std::vector<float>& radiance, int width, int height, float saturation, float bloom,
               double scale) {
-  constexpr float kMostExcess = 100;  // times saturation
+  constexpr float kMostExcess = 100;  // in units of saturation
   std::vector<float> excess(radiance.size());
   for (std::size_t i = 0; i < radiance.size(); ++i) {
     excess[i] = std::clamp(radiance[i] - saturation, 0.0F, kMostExcess * saturation);

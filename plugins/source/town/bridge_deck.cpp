@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The bridges as triangles. Upper edges follow the deck's centreline, a cross-section a metre.
+// The bridges as triangles: one cross-section per metre of the deck's centreline.
 #include "bridges.hpp"
 #include "shapes.hpp"
 
@@ -21,7 +21,7 @@ struct DeckSurfaces {
   std::uint32_t metal;
 };
 
-/// A point of the deck: `over` m to the left of the centreline, `up` m above the road.
+/// A point of the deck, `over` m to the left of the centreline and `up` m above the road.
 Vec3 at(const Deck::Point& p, float over, float up) {
   const Eigen::Vector2d q =
       p.position + static_cast<double>(over) * Eigen::Vector2d(-p.direction.y(), p.direction.x());
@@ -70,7 +70,7 @@ void addRailingPosts(Mesh& mesh, const Deck::Point& p, std::uint32_t metal) {
   }
 }
 
-/// A wall across the end of the deck, with wings along it, down into the ground.
+/// A wall across the end of the deck, with wing walls along it, that reaches into the ground.
 void addAbutment(Mesh& mesh, const StreetPlan& plan, const Deck::Point& end,
                  const Deck::Point& inside, std::uint32_t concrete) {
   const auto foot = [&](const Vec3& top) {
@@ -103,7 +103,7 @@ DeckSurfaces addSurfaces(World& world) {
 void addBridges(World& world, const StreetPlan& plan) {
   if (plan.decks().empty()) return;
   const DeckSurfaces surfaces = addSurfaces(world);
-  constexpr std::size_t kAbutment = 8;  // points from the ends, over the embankment
+  constexpr std::size_t kAbutment = 8;  // points from each end that are over the embankment
   for (const Deck& deck : plan.decks()) {
     const std::vector<Deck::Point>& points = deck.points;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

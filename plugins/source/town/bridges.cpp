@@ -13,9 +13,9 @@ namespace tolman::town {
 namespace {
 
 constexpr double kCrosses = 4;      ///< m between the centrelines
-constexpr double kClearance = 2.5;  ///< m between the roads; less is no bridge
-constexpr double kReach = 22;       ///< m from the lower centreline: beyond it embankments begin
-constexpr double kBeside = 30;      ///< m of driving in which passes along one street would meet
+constexpr double kClearance = 2.5;  ///< m between the roads; with less there is no bridge
+constexpr double kReach = 22;       ///< m from the lower centreline to the embankments
+constexpr double kBeside = 30;      ///< m of driving within which two passes of one street meet
 constexpr double kNear = 5;         ///< m, between passes along one street
 const double kLargestCosine = std::cos(35 * std::numbers::pi / 180);
 
@@ -58,7 +58,7 @@ class BridgeFinder {
     return false;
   }
 
-  /// Both ways along the upper pass while the lower street is near.
+  /// Marks the upper pass in both directions from the crossing, while the lower street is near.
   void markAround(std::vector<bool>& upper, std::size_t i, std::size_t j) const {
     for (std::size_t k = i; k < path_.size() && isNearLower(k, j); ++k) upper[k] = true;
     for (std::size_t k = i; isNearLower(k, j); --k) {

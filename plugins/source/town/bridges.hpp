@@ -8,9 +8,9 @@
 
 namespace tolman::town {
 
-/// The route with the frames of the upper way marked as raised, 22 m to either side of the lower
-/// street. Left as they are: crossings of less than 2.5 m, and passes along the same street, whose
-/// heights differ because the truth of the route drifts.
+/// The route with the frames of the upper pass marked as raised, 22 m to either side of the lower
+/// street. Not marked: crossings with less than 2.5 m between the heights, and passes along the
+/// same street, whose heights differ because the true poses drift.
 CameraRoute bridged(const CameraRoute& route, double camera_height);
 
 /// Roadway, walkways, railings, slab and abutments of each deck of the plan.

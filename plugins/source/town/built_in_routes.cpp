@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Routes that need no file: their streets, the ground that they lie on, and the speed in bends.
+// Routes without a file: their streets, the height of the ground, and the speed in bends.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
 #include "car_park.hpp"
+#include "hall.hpp"
 #include "route.hpp"
 #include "route_shapes.hpp"
 #include "street_plan.hpp"
@@ -14,12 +15,13 @@ namespace tolman::town {
 namespace {
 
 constexpr std::string_view kCarParkName = "car_park";
+constexpr std::string_view kHallName = "hall";
 constexpr double kPi = std::numbers::pi;
 constexpr double kLateralAcceleration = 1.5;       ///< m/s^2, in bends
 constexpr double kLongitudinalAcceleration = 1.5;  ///< m/s^2, before and after them
 constexpr double kSpeedStep = 0.05;                ///< m
 
-/// Round one block and 30 m on over the start.
+/// Once round a block, then 30 m beyond the start.
 LanePath blockPath() {
   LanePath path(StreetPlan::kLaneOffset);
   path.ahead(40).turnRight(7);
@@ -79,7 +81,7 @@ LanePath highwayPath() {
   return path;
 }
 
-/// Height of the streets and its slope, m above that of the start, where it is level. Slopes stay
+/// Height of the streets above the start, m, and its slope, which is 0 at the start and always
 /// below 5 %.
 struct Ground {
   double height = 0;
@@ -116,7 +118,8 @@ Eigen::Isometry3d cameraPose(const LanePosition& lane, double height, double slo
   return T_town_camera;
 }
 
-/// Streets are level across: both lanes take height and slope from the centreline between them.
+/// Pose on the ground. Streets are level across: both lanes have the height and slope of the
+/// centreline.
 Eigen::Isometry3d poseOnGround(const LanePosition& lane) {
   const Eigen::Vector2d left(-lane.direction.y(), lane.direction.x());
   const Eigen::Vector2d start_centre(-StreetPlan::kLaneOffset, 0);
@@ -124,12 +127,13 @@ Eigen::Isometry3d poseOnGround(const LanePosition& lane) {
   return cameraPose(lane, ground.height, ground.gradient.dot(lane.direction));
 }
 
-/// v^2 every kSpeedStep: what bends allow, then what brakes (backwards) and engine (forwards) do.
+/// v^2 (m^2/s^2) every kSpeedStep: limited in bends, then by acceleration (in a forward sweep) and
+/// by braking (in a backward sweep).
 std::vector<double> squaredSpeeds(const LanePath& path, double speed) {
   const auto steps = static_cast<std::size_t>(std::ceil(path.length() / kSpeedStep));
   std::vector<double> squared(steps + 1, speed * speed);
   for (std::size_t i = 0; i <= steps; ++i) {
-    for (const double side : {-0.5, 0.5}) {  // a step that a bend begins or ends in belongs to it
+    for (const double side : {-0.5, 0.5}) {  // steps with an end of a bend belong to it
       const double s = (static_cast<double>(i) + side) * kSpeedStep;
       const double curvature = std::abs(path.curvature(s));
       if (curvature > 0) squared[i] = std::min(squared[i], kLateralAcceleration / curvature);
@@ -143,7 +147,7 @@ std::vector<double> squaredSpeeds(const LanePath& path, double speed) {
   return squared;
 }
 
-/// s at every frame: constant acceleration within a step.
+/// Distance s, m, at every frame, with constant acceleration within a step.
 std::vector<double> frameDistances(const LanePath& path, const RouteOptions& options) {
   const std::vector<double> squared = squaredSpeeds(path, options.speed);
   std::vector<double> distances;
@@ -177,6 +181,7 @@ CameraRoute carParkRoute(RouteOptions options) {
   options.speed = std::min(options.speed, kFastest);
   const CarParkDrive drive = carParkDrive();
   CameraRoute route;
+  route.building = Building::CarPark;
   for (const double s : frameDistances(drive.path, options)) {
     const auto [height, slope] = drive.at(s);
     addFrame(route, cameraPose(drive.path.at(s), height, slope), options.rate);
@@ -217,10 +222,15 @@ Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& opti
     route.name = name;
     return route;
   }
+  if (name == kHallName) {
+    CameraRoute route = hallWalk(options);
+    route.name = name;
+    return route;
+  }
   if (known == kKnown.end()) {
     return Status::invalidParameter(
         "there is no route '" + std::string(name) +
-        "'; use block, eights, district, highway, car_park, or a KITTI pose file");
+        "'; use block, eights, district, highway, car_park, hall, or a KITTI pose file");
   }
   const LanePath path = known->path();
   CameraRoute route;

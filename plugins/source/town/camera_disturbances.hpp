@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters of what the cameras do and the calibration does not say; all off by default. Lengths
-// in px are those of scale 1.
+// Parameters of deviations of the cameras from their calibration and from ideal images; all off by
+// default. Lengths in px are those of scale 1.
 #pragma once
 
 #include <concepts>

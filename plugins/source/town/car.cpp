@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A car: its side view drawn as an outline, pulled out to both sides, narrower towards the roof.
+// A car: the outline of its side view, extruded to both sides and narrower towards the roof.
 #include <numbers>
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace tolman::town {
 namespace {
 
 constexpr float kHalfWidth = 0.86F;  // m
-constexpr float kWaist = 0.9F;       // m, Z of the window's foot
+constexpr float kWaist = 0.9F;       // m, Z of the lower edge of the windows
 
 struct OutlinePoint {
   float x;
@@ -67,7 +67,7 @@ std::uint32_t addCar(World& world, const CarShape& shape) {
             {at(points[i], -1), at(points[i], 1), at(points[i + 1], 1), at(points[i + 1], -1)},
             paint);
   }
-  // The sides as a fan from the middle of the sill, which sees the whole outline.
+  // The sides are fans from the middle of the sill: the outline is star-shaped about this point.
   for (const float side : {-1.0F, 1.0F}) {
     const Vec3 middle = at({0, 0.25F}, side);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

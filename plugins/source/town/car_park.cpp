@@ -83,7 +83,8 @@ class CarParkBuilder {
            surface);
   }
 
-  /// A floor with its underside, open above the ramps that come from below; the last is the roof.
+  /// A floor with its underside, with openings above the ramps from below; the last one is the
+  /// roof.
   void plate(int level) {
     const float z = levelAt(level);
     const std::array<float, 6> x = {kWest,
@@ -102,7 +103,7 @@ class CarParkBuilder {
         if (level > 0) quad(part, z - kSlab, concrete_);
       }
     }
-    // The rim of the floor, and parapets beside the openings.
+    // The edge of the floor, and parapets beside the openings.
     if (level == 0) return;
     edge({kWest, kSouth}, {kEast, kSouth}, z);
     edge({kEast, kSouth}, {kEast, kNorth}, z);
@@ -169,7 +170,7 @@ class CarParkBuilder {
     }
   }
 
-  /// Roadway, underside and side walls of half a metre of a ramp; points are (y, z).
+  /// Roadway, underside and side walls of a slice of a ramp of half a metre; points are (y, z).
   void slice(float middle, const Point& a, const Point& b) {
     const auto strip = [&](float x0, float up0, float x1, float up1, std::uint32_t surface) {
       addQuad(world_.fixed,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the car park is driven.
+// The path of the camera through the car park.
 #include <algorithm>
 
 #include "car_park.hpp"
@@ -12,7 +12,7 @@ constexpr double kBlend = 5;        ///< m of changing slope at both ends of a r
 constexpr double kExitLane = -3.4;  ///< m, x
 constexpr double kApron = 4.2;      ///< m of floor before the entrance
 constexpr double kSlope = CarPark::kStorey / (CarPark::kRampLength - kBlend);
-/// From the end of a turn to the ramp.
+/// m from the end of a turn to the ramp.
 constexpr double kBeforeRamp = CarPark::kRampBegin - kRadius;
 
 class Driver {

@@ -15,7 +15,7 @@ class ConditionSchedule {
  public:
   static Result<ConditionSchedule> make(const TownParameters& parameters, const CameraRoute& route);
 
-  /// Light changes over 20 m of driving, so that odometry can follow.
+  /// Changes of light are spread over 20 m of driving, so that odometry does not lose track.
   Light lightAt(std::size_t frame) const;
   const Condition& at(std::size_t frame) const { return conditions_[frame]; }
   bool anyBare() const;
@@ -23,8 +23,8 @@ class ConditionSchedule {
 
  private:
   std::vector<Condition> conditions_;  ///< of each frame
-  std::vector<Light> lights_;          ///< of each frame, before the change is spread
-  std::vector<double> driven_;         ///< m
+  std::vector<Light> lights_;          ///< of each frame, before changes are spread
+  std::vector<double> driven_;         ///< m, until each frame
 };
 
 }  // namespace tolman::town

@@ -22,7 +22,7 @@ constexpr double kOtherPass = 30;     ///< m of driving between them
 constexpr double kShortMeeting = 15;  ///< m
 const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
 
-/// What a word is about. Two words about the same exclude each other.
+/// Subject of a condition. Two words of the same subject exclude each other.
 enum class Subject { Light, Weather, Ground, Leaves, Cars };
 
 struct Word {
@@ -131,7 +131,7 @@ Result<ConditionEntry> parseEntry(const std::string& text) {
   return entry;
 }
 
-/// Runs of less than kShortMeeting take the number before them.
+/// Gives runs shorter than kShortMeeting the number of the run before them.
 void dropShortRuns(std::vector<int>& passes, const std::vector<double>& driven) {
   for (std::size_t begin = 0; begin < passes.size();) {
     std::size_t end = begin + 1;

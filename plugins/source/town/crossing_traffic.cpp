@@ -11,10 +11,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kMeets = 3;            ///< m between two ways that cross
+constexpr double kMeets = 3;            ///< m between two passes that cross
 constexpr double kOtherPass = 30;       ///< m driven between them
 constexpr double kLargestCosine = 0.7;  ///< of the angle between their directions
-constexpr double kStopsBefore = 10;     ///< m, middle of the car to the camera's way
+constexpr double kStopsBefore = 10;     ///< m from the middle of the car to the camera's path
 constexpr double kArm = 22;             ///< m of side street that must not be the camera's
 constexpr double kClearOfCamera = 6;    ///< m, between them
 constexpr double kSpeed = 7;            ///< m/s
@@ -34,7 +34,7 @@ double nearestTo(const Lane& way, const Eigen::Vector2d& place, double from, dou
 
 std::vector<CrossingTraffic::Junction> CrossingTraffic::junctions() const {
   PointGrid grid;
-  std::vector<Lane::Place> places;
+  std::vector<Lane::Position> places;
   for (double s = 0; s < way_.length(); s += 1) {
     places.push_back(way_.at(s));
     grid.add(places.back().position, places.size() - 1);
@@ -61,7 +61,7 @@ std::vector<CrossingTraffic::Junction> CrossingTraffic::junctions() const {
 
 std::optional<CrossingTraffic::Car> CrossingTraffic::carAt(const Junction& junction, bool comes,
                                                            double passes_at) const {
-  const double sign = comes ? 1 : -1;  // from the junction into the side street
+  const double sign = comes ? 1 : -1;  // direction from the junction into the side street
   const double arm_s = junction.other_s + sign * kArm;
   if (arm_s < 0 || arm_s > way_.length()) return std::nullopt;
   const Eigen::Vector2d arm = way_.at(arm_s).position;
@@ -70,7 +70,7 @@ std::optional<CrossingTraffic::Car> CrossingTraffic::carAt(const Junction& junct
   }
   Car car;
   car.comes = comes;
-  // Lanes beside each other differ in length: the stop is beside the point of the camera's lane.
+  // Parallel lanes differ in length, so the stop is found from its position on the camera's lane.
   const Eigen::Vector2d at = way_.at(junction.other_s + sign * kStopsBefore).position;
   car.stop_s = junction.other_s + sign * kStopsBefore;
   if (comes) {
@@ -114,7 +114,7 @@ CrossingTraffic::CrossingTraffic(const CameraRoute& route, const StreetPlan& pla
 std::optional<Placement> CrossingTraffic::at(std::size_t index, double seconds) const {
   const Car& car = cars_[index];
   if (seconds < car.arrives - kShown || seconds > car.leaves + kShown) return std::nullopt;
-  double driven = 0;  // m beyond the stop
+  double driven = 0;  // m after the stop
   if (seconds < car.arrives) {
     const double left = car.arrives - seconds;
     const double braking = std::min(left, kSpeed / kBrakes);
@@ -127,7 +127,7 @@ std::optional<Placement> CrossingTraffic::at(std::size_t index, double seconds) 
   const Lane& lane = car.comes ? oncoming_ : way_;
   const double s = car.stop_s + (car.comes ? -driven : driven);
   if (s < 0 || s > lane.length()) return std::nullopt;
-  const Lane::Place place = lane.at(s);
+  const Lane::Position place = lane.at(s);
   return onRoad(*plan_, place, car.comes);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cars in the side streets of junctions: each comes, waits until the camera has passed, and drives
-// on across its way.
+// Cars in the side streets of junctions: each drives up to the junction, waits until the camera has
+// passed, and crosses the camera's path.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class CrossingTraffic {
                   std::uint32_t seed);
 
   std::size_t size() const { return cars_.size(); }
-  /// Car `index`, `seconds` after the first pose; nothing long before and after the camera passes.
+  /// Car `index`, `seconds` after the first pose; empty long before and after the camera passes.
   std::optional<Placement> at(std::size_t index, double seconds) const;
 
  private:
@@ -31,8 +31,8 @@ class CrossingTraffic {
     double leaves = 0;   ///< s
   };
   struct Junction {
-    double s = 0;        ///< m of the camera's way
-    double other_s = 0;  ///< m of the way, where the route takes the side street
+    double s = 0;        ///< m along the camera's path
+    double other_s = 0;  ///< m along the path, of the pass through the side street
   };
   std::vector<Junction> junctions() const;
   /// A car in the side street before (`comes`: behind) the junction, if the camera is not there.

@@ -30,12 +30,12 @@ Cyclists::Cyclists(const CameraRoute& route, const StreetPlan& plan, double cycl
 }
 
 Cyclists::Posture Cyclists::at(std::size_t index, double seconds) const {
-  constexpr double kMetresPerTurn = 4.5;  // of the pedals
+  constexpr double kMetresPerTurn = 4.5;  // m per turn of the pedals
   const Cyclist& cyclist = cyclists_[index];
   const Lane& lane = lanes_[cyclist.comes ? 1 : 0];
   const double driven = cyclist.speed * seconds;
   const double s = wrapPeriod(cyclist.start + (cyclist.comes ? -driven : driven), lane.length());
-  const Lane::Place place = lane.at(s);
+  const Lane::Position place = lane.at(s);
   const double turns = wrapPeriod(driven / kMetresPerTurn, 1.0);
   // Pedals turn forwards: clockwise seen from the right.
   const int phase = kPedalPhases - 1 - static_cast<int>(turns * kPedalPhases);

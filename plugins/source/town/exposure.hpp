@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long the shutter opens for the light there is, and how far the signal is amplified.
+// Exposure time for the present light, and amplification of the signal.
 #pragma once
 
 #include "light.hpp"
@@ -8,7 +8,7 @@ namespace tolman::town {
 
 struct Exposure {
   double time_ms = 0;
-  double amplification = 1;  ///< of signal and noise, beyond the longest time
+  double amplification = 1;  ///< of signal and noise, if the longest time is too short
 };
 
 /// `noon_ms` is the time in the sun of a clear noon; 0 makes exposure independent of the light.

@@ -20,7 +20,7 @@ void addPole(World& world, const Vec3& foot, float height, float radius, std::ui
   addPost(world.fixed, {foot - kUp * 0.4F, foot + kUp * height, radius, 0.8F * radius, 8}, surface);
 }
 
-/// A board that faces along the street, its lower left corner `up` m above the foot.
+/// A board that faces along the street; its lower left corner is `up` m above the ground.
 void addBoard(World& world, const Stand& stand, float up, float width, float height, float tone) {
   Surface board;
   board.material = Material::Board;
@@ -35,7 +35,7 @@ void addBoard(World& world, const Stand& stand, float up, float width, float hei
          {stand.inward * width, stand.along * 0.03F, kUp * height}, world.addSurface(board));
 }
 
-/// Sides and top of a plot, as a box from a little below ground.
+/// Sides and top of a box over a plot, from a little below the ground.
 void addPlotBox(World& world, const Plot& plot, double ground, float height,
                 std::uint32_t surface) {
   const auto corner = [&](double along, double over) {
@@ -113,7 +113,7 @@ void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed) {
     return Vec3{static_cast<float>(q.x()), static_cast<float>(q.y()),
                 static_cast<float>(plan.height(q.x(), q.y())) + kThickness};
   };
-  // Beside a junction the land is nearer to another street than to this one.
+  // At a junction the land beside this street is nearer to another one.
   const auto is_open = [&](const StreetPoint& p) {
     for (const double over : {-1.3, 1.3}) {
       const Vec3 q = on_road(p, over * StreetPlan::kRoadHalfWidth);

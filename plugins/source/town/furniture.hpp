@@ -10,7 +10,7 @@
 
 namespace tolman::town {
 
-/// Foot on the ground, facing the street's direction `yaw`.
+/// Place and orientation of an object beside the street.
 struct Stand {
   Vec3 foot;
   Vec3 along;   ///< unit vector of the street
@@ -26,10 +26,10 @@ void addPoster(World& world, const Stand& stand);
 void addFence(World& world, const Plot& plot, double ground, std::uint32_t seed);
 void addHedge(World& world, const Plot& plot, double ground, std::uint32_t seed);
 
-/// The broken line in the middle of each section, but not across junctions.
+/// The broken line in the middle of each section, without junctions.
 void addLaneMarkings(World& world, const StreetPlan& plan, std::uint32_t seed);
 
-/// Rails on posts, all alike, on both sides, but not across junctions.
+/// Identical rails on posts on both sides of the streets, without junctions.
 void addGuardRails(World& world, const StreetPlan& plan);
 
 /// A ring of wooded hills that closes the view.

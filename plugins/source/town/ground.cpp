@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Marching squares, row by row: memory is that of the mesh.
+// Marching squares, row by row, so that no memory is needed besides that of the mesh.
 #include "ground.hpp"
 
 #include <algorithm>
@@ -18,30 +18,31 @@ constexpr double kSkirtBelow = 0.25;     ///< m
 constexpr double kSkirtBelowTown = 1.5;  ///< m, where the fine ground lies above
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// The kerb across an edge of the grid: vertices below and above at one place.
+/// Intersection of the kerb and an edge of the grid: the lower vertex (road) and the upper one
+/// (land).
 struct Cut {
   std::uint32_t road = kNone;
   std::uint32_t land = kNone;
 };
 
-/// What one line of the grid knows.
+/// One row of grid points.
 struct Row {
   std::vector<double> distance;
   std::vector<std::uint32_t> vertices;
-  std::vector<Cut> cuts;  ///< to the next column
+  std::vector<Cut> cuts;  ///< on the edge to the next column
 };
 
-/// On the way round a cell: a corner or a cut.
+/// A node of the boundary of a cell: a corner or a cut.
 struct Node {
   bool is_cut = false;
-  bool on_road = false;  ///< of a corner
+  bool on_road = false;  ///< for a corner
   std::uint32_t corner = kNone;
   Cut cut;
 
   std::uint32_t vertex(bool road) const { return !is_cut ? corner : road ? cut.road : cut.land; }
 };
 
-/// Up to four corners and four cuts, counter-clockwise.
+/// The boundary of a cell: up to four corners and four cuts, counter-clockwise.
 struct Ring {
   std::array<Node, 8> nodes;
   std::size_t size = 0;
@@ -102,7 +103,7 @@ class GroundMesher {
     return {false, on_road, row.vertices[c], {}};
   }
 
-  /// Made once for the two cells that share the edge.
+  /// The cut of an edge; its vertices are made once for the two cells that share the edge.
   Node cut(Cut& shared, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
     if (shared.road == kNone) {
       const Eigen::Vector2d at = crossing(from, to);
@@ -112,7 +113,7 @@ class GroundMesher {
     return {true, false, kNone, shared};
   }
 
-  /// Where the kerb crosses an edge, by bisection: the plan is finer than the grid.
+  /// Intersection of the kerb and an edge, by bisection, because the plan is finer than the grid.
   Eigen::Vector2d crossing(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
     const auto road_at = [&](double t) {
       const Eigen::Vector2d at = from + t * (to - from);
@@ -125,7 +126,7 @@ class GroundMesher {
       const double middle = (low + high) / 2;
       (road_at(middle) == start ? low : high) = middle;
     }
-    // No slivers beside the grid's points.
+    // Not too near to the grid points, which would give degenerate triangles.
     return from + std::clamp((low + high) / 2, 0.01, 0.99) * (to - from);
   }
 
@@ -168,7 +169,7 @@ class GroundMesher {
     addPolygon({part.data(), size}, road);
   }
 
-  /// Opposite corners are alike: the side that has the middle joins them.
+  /// Cell whose opposite corners are on the same side: the side of the centre connects its corners.
   void addSaddle(const Ring& ring, bool middle_on_road) {
     addSide(ring, middle_on_road);
     for (std::size_t i = 0; i < ring.size; ++i) {
@@ -189,7 +190,7 @@ class GroundMesher {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Node& a = nodes[i];
       const Node& b = nodes[(i + 1) % nodes.size()];
-      if (!a.is_cut || !b.is_cut) continue;  // from cut to cut the kerb runs, the road on its left
+      if (!a.is_cut || !b.is_cut) continue;  // kerb between two cuts, road on its left
       mesh_.addTriangle(b.cut.road, a.cut.road, a.cut.land, surfaces_.kerb);
       mesh_.addTriangle(b.cut.road, a.cut.land, b.cut.land, surfaces_.kerb);
     }
@@ -201,7 +202,7 @@ class GroundMesher {
     const auto columns = static_cast<std::size_t>(std::ceil(size.x() / kSkirtCell)) + 1;
     const auto rows = static_cast<std::size_t>(std::ceil(size.y() / kSkirtCell)) + 1;
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    std::vector<bool> covered;  // well inside of the fine ground
+    std::vector<bool> covered;  // points well inside of the fine ground
     for (std::size_t r = 0; r < rows; ++r) {
       for (std::size_t c = 0; c < columns; ++c) {
         const Eigen::Vector2d at =
@@ -225,7 +226,7 @@ class GroundMesher {
     }
   }
 
-  /// Beyond the plan nothing is near.
+  /// Distance to the nearest street; outside of the plan kFarthest.
   double distanceBeyond(const Eigen::Vector2d& at) const {
     const bool inside = (at.array() >= plan_.lowCorner().array()).all() &&
                         (at.array() <= plan_.highCorner().array()).all();
@@ -236,7 +237,7 @@ class GroundMesher {
   GroundSurfaces surfaces_;
   std::size_t columns_ = 0;
   std::size_t rows_ = 0;
-  std::vector<Cut> upward_;  ///< from the low row to the high one
+  std::vector<Cut> upward_;  ///< on the edges from the lower row to the upper one
   Mesh mesh_;
 };
 

@@ -13,13 +13,13 @@ namespace tolman::town {
 struct GroundSurfaces {
   std::uint32_t road = 0;
   std::uint32_t kerb = 0;
-  std::uint32_t land = 0;  ///< pavement, verge, grass: the material tells them apart by distance
+  std::uint32_t land = 0;  ///< pavement, verge, grass: the material depends on the distance
 };
 
 /// A grid of 1 m cells within kFarthest of the streets, cut along the kerb (marching squares on
-/// distance() = kRoadHalfWidth): road inside at height(), land outside kKerbHeight higher, a
-/// vertical kerb between. Around it a coarse skirt to `horizon` m, a little lower, so that there is
-/// no gap.
+/// distance() = kRoadHalfWidth): the road at height(), the land kKerbHeight higher, and a vertical
+/// kerb between them. Around it is a coarse grid up to `horizon` m, a little lower, so that there
+/// is no gap.
 Mesh buildGround(const StreetPlan& plan, const GroundSurfaces& surfaces, double horizon = 400);
 
 }  // namespace tolman::town

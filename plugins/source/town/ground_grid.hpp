@@ -30,7 +30,7 @@ class GroundGrid {
   float& value(int column, int row) { return values_[index(column, row)]; }
   float value(int column, int row) const { return values_[index(column, row)]; }
 
-  /// Bilinear; outside the grid as at its edge. 0 for an empty raster.
+  /// Bilinear interpolation; outside of the grid the value at its edge. 0 for an empty grid.
   double at(double x, double y) const {
     if (values_.empty()) return 0;
     const double c = std::clamp((x - low_.x()) / cell_, 0.0, columns_ - 1.0);

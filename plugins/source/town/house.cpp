@@ -11,7 +11,7 @@ constexpr float kStorey = 2.9F;    // m
 constexpr float kSunk = 2;         // m that walls reach below ground, for slopes
 constexpr float kOverhang = 0.4F;  // m
 
-/// The house's own axes: u along the street, v away from it, up.
+/// Builds in axes of the house: u along the street, v away from it, up.
 class HouseBuilder {
  public:
   HouseBuilder(World& world, const House& house)
@@ -45,7 +45,7 @@ class HouseBuilder {
   }
   Vec3 direction(float u, float v) const { return at(u, v, 0) - at(0, 0, 0); }
 
-  /// A wall from (u0, v0) to (u1, v1), with a gable up to the ridge where asked.
+  /// A wall from (u0, v0) to (u1, v1); `gable`: with a gable up to the ridge.
   void wall(float u0, float v0, float u1, float v1, bool gable) {
     Surface facade;
     facade.material = Material::Facade;
@@ -87,7 +87,7 @@ class HouseBuilder {
     return world_.addSurface(roof);
   }
 
-  /// Two slopes. `to_street`: the ridge runs across the street's direction.
+  /// A roof of two slopes. `to_street`: the ridge is perpendicular to the street.
   void gableRoof(bool to_street) {
     const float run = to_street ? length_ : depth_;  // from ridge to eaves
     const float span = (to_street ? depth_ : length_) + kOverhang;
@@ -126,8 +126,8 @@ class HouseBuilder {
 
   World& world_;
   const House& house_;
-  float length_;  // half
-  float depth_;   // half
+  float length_;  // m, half
+  float depth_;   // m, half
   float eaves_;
   float ridge_ = 0;
 };

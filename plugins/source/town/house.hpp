@@ -11,7 +11,7 @@ namespace tolman::town {
 enum class RoofShape : std::uint8_t { AlongStreet, ToStreet, Flat };
 
 struct House {
-  Plot plot;          ///< its ground plan; `axis` runs along the street
+  Plot plot;          ///< its ground plan; `axis` is parallel to the street
   double ground = 0;  ///< m, Z of the land at its centre
   int storeys = 2;
   RoofShape roof = RoofShape::AlongStreet;

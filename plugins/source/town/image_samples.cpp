@@ -6,7 +6,7 @@
 namespace tolman::town {
 namespace {
 
-/// Mean over the window about each of `count` values that lie `stride` apart.
+/// Mean over the window around each of `count` values, which are `stride` elements apart.
 void slidingMean(const float* from, float* to, int count, std::ptrdiff_t stride, int radius) {
   double sum = 0;
   for (int i = 0; i < std::min(radius, count); ++i) sum += static_cast<double>(from[i * stride]);

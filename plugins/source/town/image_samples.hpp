@@ -8,7 +8,7 @@
 
 namespace tolman::town {
 
-/// Bilinear; outside the image as at its border.
+/// Bilinear interpolation; outside of the image the value at its border.
 struct ImageSamples {
   const std::vector<float>& values;
   int width;
@@ -32,8 +32,8 @@ struct ImageSamples {
   }
 };
 
-/// Mean over a box of 2 * radius + 1 px, along rows and then along columns; at the border over what
-/// lies inside.
+/// Mean over a box of 2 * radius + 1 px, along rows and then along columns; at the border over the
+/// part inside of the image.
 std::vector<float> boxBlur(const std::vector<float>& values, int width, int height, int radius);
 
 }  // namespace tolman::town

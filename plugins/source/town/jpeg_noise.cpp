@@ -36,7 +36,7 @@ Block quantisation(int quality) {
   return steps;
 }
 
-/// Orthonormal: row k has the cosine of frequency k.
+/// Orthonormal matrix of the cosine transform: row k has the frequency k.
 Block cosines() {
   Block basis;
   for (std::size_t k = 0; k < kSide; ++k) {

@@ -7,7 +7,7 @@
 namespace tolman::town {
 
 /// The image after compression at `quality` (1 to 100) with the luminance table of the standard's
-/// annex K, scaled as is usual: 50 takes the table as it is.
+/// annex K, with the usual scaling: at 50 the table is not scaled.
 Image throughJpeg(const Image& image, int quality);
 
 }  // namespace tolman::town

@@ -9,7 +9,7 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kReach = 30;          ///< m; a cell of the grid is as wide
+constexpr float kReach = 30;          ///< m; also the size of the cells of the grid
 constexpr float kIntensity = 9;       ///< m^2: 0.25 on the road 6 m below
 constexpr float kHeadRadius = 0.55F;  ///< m about the middle of a lamp's head
 constexpr float kBeam = 50;           ///< m^2, straight ahead

@@ -19,7 +19,7 @@ class StreetLamps {
 
   /// Irradiance / pi at a point with unit normal `n`.
   float onto(const Vec3& point, const Vec3& n) const;
-  /// Whether the point belongs to a lamp's head, which shines.
+  /// Whether the point is on the head of a lamp, which emits light.
   bool isHead(const Vec3& point) const;
 
  private:

@@ -25,7 +25,7 @@ std::size_t Lane::after(double s) const {
   return static_cast<std::size_t>(found - points_.begin());
 }
 
-Lane::Place Lane::at(double s) const {
+Lane::Position Lane::at(double s) const {
   const std::size_t next = after(s);
   const Point& to = points_[next];
   const Point& from = points_[next - 1];

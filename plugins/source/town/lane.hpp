@@ -11,7 +11,7 @@ namespace tolman::town {
 
 class Lane {
  public:
-  struct Place {
+  struct Position {
     Eigen::Vector2d position;  ///< m, town frame
     Eigen::Vector2d along;     ///< in the direction of the route, of any length
     double camera_z = 0;       ///< m, of the camera beside it
@@ -22,11 +22,11 @@ class Lane {
   Lane(const CameraRoute& route, double left);
 
   bool isEmpty() const { return points_.size() < 2; }
-  /// m
+  /// Length, m.
   double length() const { return points_.empty() ? 0 : points_.back().s; }
-  /// `s` within [0, length()]; not of an empty lane.
-  Place at(double s) const;
-  /// Frame of the route beside which the point at s lies.
+  /// `s`, m, must be within [0, length()], and the lane not empty.
+  Position at(double s) const;
+  /// Frame of the route at the point at s.
   std::size_t frameAt(double s) const;
 
  private:
@@ -38,7 +38,7 @@ class Lane {
   };
   std::size_t after(double s) const;
 
-  std::vector<Point> points_;  ///< about 1 m apart, s growing
+  std::vector<Point> points_;  ///< about 1 m apart, with increasing s
 };
 
 }  // namespace tolman::town

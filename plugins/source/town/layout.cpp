@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kStretch = 45;  // m, length of one kind of place
 
-/// Seeds of the stretches: most have their own, a share of `aliasing` one of two that repeat.
+/// Seed of a stretch. Most stretches have their own; a share of `aliasing` has one of two common
+/// ones and so looks like others.
 std::uint32_t stretchSeed(const WorldOptions& options, std::uint32_t section, std::uint32_t number,
                           bool left) {
   const std::uint32_t own = hash(options.seed, section, 2 * number + (left ? 1U : 0U));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fills both sides of the streets: chooses the kind of each stretch and places its objects.
+// Chooses the kind of each stretch on both sides of the streets and places its objects.
 #pragma once
 
 #include "prototypes.hpp"

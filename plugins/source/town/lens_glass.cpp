@@ -11,12 +11,12 @@ namespace tolman::town {
 namespace {
 
 constexpr float kSpot = 70;         ///< px at scale 1, wavelength of dirt
-constexpr float kSoft = 0.35F;      ///< of the noise, over which a spot fades out
-constexpr float kDims = 0.55F;      ///< share of light that dirt takes
-constexpr float kScatters = 0.2F;   ///< of the veil that it adds
+constexpr float kSoft = 0.35F;      ///< range of the noise over which a spot fades out
+constexpr float kDims = 0.55F;      ///< share of light that dirt absorbs
+constexpr float kScatters = 0.2F;   ///< share of the veil that dirt adds
 constexpr float kSmallest = 7;      ///< px at scale 1, radius of drops
 constexpr float kLargest = 38;      ///< px
-constexpr float kRefraction = 3.5;  ///< a drop shows this many times its own width, inverted
+constexpr float kRefraction = 3.5;  ///< a drop shows this many times its width, inverted
 
 std::vector<float> dirtMask(const GlassSize& size, double share, std::uint32_t seed) {
   if (share <= 0) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies on the glass in front of a camera, out of focus: dirt and drops of water.
+// Dirt and drops of water on the glass in front of a camera, out of focus.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,8 @@ class LensGlass {
   LensGlass(const GlassSize& size, double dirt, double drops, std::uint32_t seed);
 
   bool isClean() const { return dirt_.empty() && drops_ == 0; }
-  /// Radiance behind the glass `seconds` after the start; `veil` is what dirt scatters.
+  /// Changes the radiance to that behind the glass, `seconds` after the start. `veil`: radiance
+  /// that dirt scatters.
   void apply(std::vector<float>& radiance, float veil, double seconds) const;
 
  private:

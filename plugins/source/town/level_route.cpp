@@ -11,10 +11,10 @@ namespace tolman::town {
 namespace {
 
 constexpr double kBendLength = 40;      ///< m
-constexpr double kMeetingWeight = 2e4;  ///< passes agree to centimetres
-constexpr std::size_t kAhead = 12;      ///< points of the path that a frame may advance
+constexpr double kMeetingWeight = 2e4;  ///< so large that passes agree to centimetres
+constexpr std::size_t kAhead = 12;      ///< most points of the path between two frames
 
-/// Walks along the path with the frames and interpolates corrections between its points.
+/// Interpolates the corrections of the path's points at the frames, in the order of the drive.
 class Corrections {
  public:
   Corrections(const std::vector<PathPoint>& path, const std::vector<double>& heights)
@@ -28,7 +28,7 @@ class Corrections {
     double height;  // m
     double slope;   // m per m driven
   };
-  /// Frames in the order of the drive.
+  /// To be called for the frames in the order of the drive.
   Correction at(const Eigen::Vector2d& place) {
     const std::size_t end = std::min(at_ + kAhead, path_.size() - 2);
     const std::size_t begin = at_ - std::min(at_, kAhead);
@@ -47,7 +47,7 @@ class Corrections {
   }
 
  private:
-  /// Share of the way from point i to the next.
+  /// Fraction of the distance from point i to the next one, for a place near it.
   double along(std::size_t i, const Eigen::Vector2d& place) const {
     const Eigen::Vector2d way = path_[i + 1].driven - path_[i].driven;
     return (place - path_[i].driven).dot(way) / std::max(way.squaredNorm(), 1e-9);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A route whose passes disagree in height, bent until they agree.
+// Correction of the heights of a route whose passes disagree.
 #pragma once
 
 #include "route.hpp"
 
 namespace tolman::town {
 
-/// Where passes of the route meet, all come to their mean height, over some 100 m of driving before
-/// and after; the pitch follows the slope. Positions over the ground, yaw and roll stay.
+/// Moves passes that meet to their mean height, over some 100 m of driving before and after. The
+/// pitch follows the slope. Horizontal positions, yaw and roll do not change.
 CameraRoute levelled(const CameraRoute& route, double camera_height);
 
 }  // namespace tolman::town

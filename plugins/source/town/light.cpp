@@ -22,7 +22,8 @@ Vec3 sunAt(double hour) {
                        std::sin(kLatitude) * std::cos(kDeclination) * std::cos(angle);
   const double up = std::sin(kLatitude) * std::sin(kDeclination) +
                     std::cos(kLatitude) * std::cos(kDeclination) * std::cos(angle);
-  // The town's Y axis points 30 degrees east of north, so that few streets lie along the light.
+  // The town's Y axis points 30 degrees east of north, so that few streets are parallel to the
+  // light.
   constexpr double kTurn = 30 * kDegree;
   return {static_cast<float>(std::cos(kTurn) * east - std::sin(kTurn) * north),
           static_cast<float>(std::sin(kTurn) * east + std::cos(kTurn) * north),
@@ -35,7 +36,7 @@ float Light::onto(const Vec3& n, float lit) const {
   const float direct = lit * sun * std::max(0.0F, dot(n, to_sun));
   const float from_above = sky * (0.5F + 0.5F * n.z);
   const float from_ground = 0.25F * (0.2F * sky + 0.25F * sun) * (0.5F - 0.5F * n.z);
-  // Walls of a street see houses over half of their sky.
+  // For walls of a street houses cover half of the sky.
   const float facing = 1 - 0.25F * (1 - std::abs(n.z));
   return direct + from_above * facing + from_ground;
 }
@@ -44,7 +45,7 @@ float Light::fromSky(const Vec3& d, float spread) const {
   const float up = std::max(0.0F, d.z / norm(d));
   float radiance = horizon + (zenith - horizon) * std::sqrt(up);
   if (clouds > 0 && up > 0.01F) {
-    const float height = 1 / (up + 0.12F);  // a flat sheet of cloud, bent down at the horizon
+    const float height = 1 / (up + 0.12F);  // a flat layer of clouds, lower at the horizon
     const float n = fractal2(d.x / norm(d) * height, d.y / norm(d) * height, 1.6F, 4,
                              spread * height * height, seed);
     radiance *= 1 + clouds * smoothstep(-0.1F, 0.6F, n);

@@ -34,20 +34,20 @@ struct Light {
   std::uint32_t seed = 0;
   // Night and weather, 0 for none and 1 for full.
   float lamps = 0;  ///< street lamps, lit windows and headlights
-  float wet = 0;    ///< of the ground
+  float wet = 0;    ///< wetness of the ground
   float rain = 0;   ///< drops in the air
-  float snow = 0;   ///< cover of what faces upwards
+  float snow = 0;   ///< cover of surfaces that face upwards
   Headlights headlights;
-  /// Of moving cars near the camera, the nearest first.
+  /// Headlights of moving cars near the camera, the nearest first.
   static constexpr int kMostOncoming = 4;
   std::array<Headlights, kMostOncoming> oncoming;
   int oncoming_count = 0;
   float glass = 0;    ///< share of light that windows mirror beside clean glass
   float puddles = 0;  ///< on dry streets
-  float wind = 0;     ///< m/s, in which leaves flutter
+  float wind = 0;     ///< m/s, moves leaves
   float seconds = 0;  ///< since the start of the drive
-  /// The light is this many times weaker than the radiances say: cameras see night as bright by
-  /// exposing longer and amplifying.
+  /// Factor from the real light to these radiances, larger at night. Cameras compensate for it by
+  /// longer exposure and amplification.
   float dimness = 1;
 
   /// Diffuse light on a surface with unit normal `n`, of which the share `lit` sees the sun.
@@ -56,17 +56,17 @@ struct Light {
   float fromSky(const Vec3& d, float spread) const;
   /// Radiance `of` a point seen through `distance` m of air.
   float through(float of, float distance) const;
-  /// Light by which cameras expose: that on the road, more where snow sends more of it back.
+  /// Light that determines the exposure: that on the road, and more with snow, which reflects more.
   float level() const { return (onto({0, 0, 1}, 1) + 0.09F * lamps) * (1 + 1.3F * snow); }
 };
 
-/// `hour` of a summer day at 49 degrees north, 0 to 24; night is lit by the sky alone.
+/// Light at `hour` of a summer day at 49 degrees north, 0 to 24; at night only that of the sky.
 Light makeLight(double hour, Weather weather, double haze, std::uint32_t seed);
 
-/// A dark sky, lamps on.
+/// Changes the light to a dark sky with lamps on.
 void makeNight(Light& light);
 
-/// The mean of all numbers; the sun stands between its places.
+/// The mean of all values, with a mean direction of the sun.
 Light meanOf(std::span<const Light> lights);
 
 }  // namespace tolman::town

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Albedo of a point of the town, averaged over the pixel that sees it.
+// Albedo of a point of the town, averaged over the pixel.
 #pragma once
 
 #include <algorithm>
@@ -12,27 +12,28 @@
 
 namespace tolman::town {
 
-/// Where a ray met a surface, in the axes that its pattern is anchored in.
+/// Intersection of a ray and a surface, in the axes of the surface's pattern.
 struct SurfaceHit {
   Vec3 point;
   Vec3 normal;  ///< unit, towards the camera
-  Vec3 dx;      ///< how far the point moves from one pixel to the next along a row, on the tangent
-  Vec3 dy;      ///< and along a column: together the footprint of the pixel
+  Vec3 dx;      ///< m, change of the point on the tangent plane to the next pixel of the row
+  Vec3 dy;      ///< m, the same along a column; both are the footprint of the pixel
   std::uint32_t seed = 0;
 
-  /// m, the longer side of the footprint.
+  /// Longer side of the footprint, m.
   float footprint() const { return std::sqrt(std::max(dot(dx, dx), dot(dy, dy))); }
-  /// m, extent of the footprint along an axis.
+  /// Extent of the footprint along an axis, m.
   float extent(const Vec3& axis) const { return std::abs(dot(dx, axis)) + std::abs(dot(dy, axis)); }
 };
 
-/// In [0, 1]. `plan` gives the distance to the street, on which the material of the land depends.
+/// Albedo in [0, 1]. `plan` gives the distance to the street, on which the material of the land
+/// depends.
 float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan);
 
-/// Share of the pixel that windows of a facade with light behind them cover.
+/// Share of the pixel that is covered by lit windows of a facade.
 float litWindows(const Surface& surface, const SurfaceHit& hit);
 
-/// Share of the pixel that glass covers, in windows of houses and cars.
+/// Share of the pixel that is covered by glass, in windows of houses and cars.
 float glassShare(const Surface& surface, const SurfaceHit& hit);
 float windowGlass(const Surface& surface, const SurfaceHit& hit);
 float carGlass(const SurfaceHit& hit);

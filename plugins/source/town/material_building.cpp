@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kStorey = 2.9F;  // m
 
-/// A point of the wall with its pixel's extents.
+/// A point of the wall with the extents of the pixel, m.
 struct WallPoint {
   float u;
   float v;
@@ -51,7 +51,7 @@ float bricks(const WallPoint& at, std::uint32_t seed, float footprint) {
   return std::max(tone, 0.5F * filteredStripes(kHeight, kJoint, at.v, at.ev));
 }
 
-/// What one window looks like: frame, panes, perhaps a shutter half down.
+/// Albedo of a window with frame and panes, some with curtain or shutter.
 float window(const Box& opening, const WallPoint& at, float wall, std::uint32_t h) {
   const Box glass = shrunk(opening, 0.09F);
   const float in_opening = cover(opening, at);
@@ -81,7 +81,7 @@ float door(const Box& opening, const WallPoint& at, float wall, std::uint32_t h)
   return wall + cover(opening, at) * (leaf - wall) + cover(panel, at) * (0.6F * leaf - leaf);
 }
 
-/// The window or door nearest to a point. Columns of openings stand in bays of equal width.
+/// The window or door nearest to a point. Openings are in columns, in bays of equal width.
 struct Opening {
   enum class Kind { None, Door, Window } kind = Kind::None;
   Box box = {};
@@ -97,7 +97,7 @@ Opening openingAt(const Surface& surface, const WallPoint& at, std::uint32_t see
   const float storey = std::clamp(floorOf(at.v / kStorey), 0.0F, storeys - 1);
   const std::uint32_t h =
       hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(storey), seed);
-  if (unit(h) < 0.1F) return {};  // a blind bay
+  if (unit(h) < 0.1F) return {};  // a bay without opening
   const float half = 0.5F * std::min(between(hash(seed, 12), 0.9F, 1.7F), 0.7F * bay);
   const float centre = (column + 0.5F) * bay;
   const float floor = storey * kStorey;
@@ -127,7 +127,7 @@ float facade(const Surface& surface, const SurfaceHit& hit) {
   const std::uint32_t seed = surface.seed;
   const bool of_brick = unit(hash(seed, 21)) < 0.3F;
   const float dirt = fractal2(at.u, at.v, 2.5F, 4, footprint, seed);
-  // Rough plaster is all that a near white wall has.
+  // The roughness of plaster is the only texture of a near white wall.
   const float rough = fractal2(at.u, at.v, 0.09F, 2, footprint, seed + 3);
   const float texture = of_brick ? bricks(at, seed, footprint) : 0.24F * rough;
   float wall = surface.tone * (of_brick ? 0.6F : 1.0F);

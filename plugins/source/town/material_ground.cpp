@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Asphalt, kerbs, paint, pavement and grass. Patterns live in the town's XY plane.
+// Asphalt, kerbs, paint, pavement and grass. Patterns are functions of the town's X and Y.
 #include "material.hpp"
 #include "noise.hpp"
 #include "pattern.hpp"
@@ -7,8 +7,8 @@
 namespace tolman::town {
 namespace {
 
-/// Octaves of noise under a long, narrow footprint, as grazing views have it: averaged by taps
-/// along the longer side, faded by the shorter one.
+/// Octaves of noise for a long, narrow footprint, as in grazing views: the mean of samples along
+/// the longer side, each faded by the shorter one.
 float grazingFractal(const SurfaceHit& hit, float wavelength, int octaves, std::uint32_t seed) {
   const bool along_dy = dot(hit.dy, hit.dy) > dot(hit.dx, hit.dx);
   const Vec3& major = along_dy ? hit.dy : hit.dx;
@@ -55,7 +55,7 @@ float patches(const SurfaceHit& hit, std::uint32_t seed) {
 float cracks(const SurfaceHit& hit, std::uint32_t seed) {
   constexpr float kWidth = 0.012F;  // m
   const float width = kWidth + 0.7F * hit.footprint();
-  if (kWidth / width < 0.08F) return 0;  // too fine to be seen from here
+  if (kWidth / width < 0.08F) return 0;  // too thin for this pixel
   const float n = noise2(hit.point.x / 2.3F, hit.point.y / 2.3F, seed);
   // |n| / slope is about the distance to the line; the mean slope is 0.5 a metre.
   const float distance = std::abs(n) / 0.5F;
@@ -71,7 +71,7 @@ float road(const Surface& surface, const SurfaceHit& hit) {
 }
 
 float kerb(const Surface& surface, const SurfaceHit& hit) {
-  const float along = hit.point.x + hit.point.y;  // stones of 1 m, near enough on any heading
+  const float along = hit.point.x + hit.point.y;  // stones of about 1 m for any heading of the kerb
   const float joints = filteredStripes(1, 0.03F, along, hit.extent({1, 1, 0}));
   const float stain = fractal2(hit.point.x, hit.point.y, 0.8F, 3, hit.footprint(), surface.seed);
   return surface.tone * std::max(0.2F, 1 + 0.35F * stain - 0.6F * joints);

@@ -12,7 +12,7 @@ float wood(const Surface& surface, const SurfaceHit& hit) {
   const float u = dot(local, surface.axis_u);
   const float gaps = filteredStripes(0.14F, 0.025F, u, hit.extent(surface.axis_u));
   const float eu = hit.extent(surface.axis_u);
-  // A board ends in the middle of the gap.
+  // The edges of a board are in the middle of the gaps.
   const float single =
       survives(0.14F, eu) * filteredCells(0.14F, u - 0.0125F, eu, [&](int board) {
         return between(hash(static_cast<std::uint32_t>(board), surface.seed), -0.3F, 0.3F);
@@ -22,14 +22,14 @@ float wood(const Surface& surface, const SurfaceHit& hit) {
   return surface.tone * std::max(0.1F, 1 + single + 0.3F * grain - 0.7F * gaps);
 }
 
-/// Clothes in the tone of this person, darker in the folds.
+/// Clothes in the tone of the person, darker in folds.
 float cloth(const Surface& surface, const SurfaceHit& hit) {
   const float tone = between(hash(hit.seed, 3), 0.04F, 0.6F);
   const Vec3 folds = {hit.point.x, hit.point.y, 0.5F * hit.point.z};
   return tone * std::max(0.3F, 1 + 0.4F * fractal3(folds, 0.2F, 3, hit.footprint(), surface.seed));
 }
 
-/// Bodywork in the tone of this car, with the dark band of the windows.
+/// Bodywork in the tone of the car, with a dark band of windows.
 float body(const Surface& surface, const SurfaceHit& hit) {
   const float z = hit.point.z;
   const float ez = hit.extent({0, 0, 1});

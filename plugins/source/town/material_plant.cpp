@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Leaves and bark: noise in three dimensions, anchored in the plant.
+// Leaves and bark: noise in three dimensions, in axes of the plant.
 #include "material.hpp"
 #include "noise.hpp"
 
@@ -8,7 +8,8 @@ namespace {
 
 /// Bright leaves before dark gaps: the strongest texture of a real street.
 float leaves(const Surface& surface, const SurfaceHit& hit) {
-  // Leaves hang every way, so a slanting lump hides less of them than a slanting wall would.
+  // Leaves have all orientations, so a slanting surface of leaves is foreshortened less than a
+  // wall.
   const float footprint = std::sqrt(norm(hit.dx) * norm(hit.dy));
   const auto [boughs, clumps, leaf, scraps] = layers3(hit.point, 2.4F, footprint, hit.seed);
   const float tuft = 0.35F * clumps + 1.0F * leaf + 0.8F * scraps;

@@ -21,7 +21,7 @@ float puddle(const Vec3& point) {
   return smoothstep(0.45F, 0.65F, n);
 }
 
-/// Share of the ground that snow covers; cars have pressed and melted tracks into that of the road.
+/// Share of the ground that snow covers; less in the tracks of cars.
 float snowCover(const Surface& surface, const Vec3& point, const Vec3& normal,
                 const StreetPlan& plan) {
   const float upwards = smoothstep(0.35F, 0.75F, normal.z);

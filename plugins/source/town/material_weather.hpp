@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What rain and snow make of surfaces.
+// Effects of rain and snow on surfaces.
 #pragma once
 
 #include "light.hpp"
@@ -11,12 +11,12 @@ namespace tolman::town {
 float weatheredAlbedo(float dry, const Surface& surface, const Vec3& point, const Vec3& normal,
                       float footprint, const Light& light, const StreetPlan& plan);
 
-/// Share of light that wet ground mirrors towards a camera that looks along `way` (unit); 0 for
-/// what is no ground.
+/// Share of light that wet ground reflects to a camera that looks along `way` (unit); 0 for
+/// surfaces that are not ground.
 float mirroredShare(const Surface& surface, const Vec3& point, const Vec3& normal, const Vec3& way,
                     const Light& light);
 
-/// The same of a pane that covers the share `glass` of the pixel.
+/// The same for a pane that covers the share `glass` of the pixel.
 float mirroredByGlass(float glass, const Vec3& normal, const Vec3& way);
 
 }  // namespace tolman::town

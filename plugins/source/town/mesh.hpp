@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Triangles of the town, before the ray tracer takes them.
+// Triangles of the town, the input of the ray tracer.
 //
 // Town frame: X right and Y forward of the first camera, Z up, metres; the origin is the first
 // camera. A camera vector (x, y, z) is (x, z, -y) in axes of the town.

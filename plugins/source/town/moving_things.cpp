@@ -22,9 +22,9 @@ std::vector<Eigen::Vector2d> parkedCars(const World& world) {
   return places;
 }
 
-/// Vehicles keep to the streets: the route up to the first building that it goes into.
+/// The route up to the first building that it enters, because vehicles drive only on streets.
 CameraRoute withoutBuildings(const CameraRoute& route) {
-  if (route.pads.empty()) return route;
+  if (route.building != Building::CarPark) return route;
   CameraRoute street;
   for (std::size_t i = 0; i < route.T_town_camera.size() && !route.isRaised(i); ++i) {
     street.stamps_ns.push_back(route.stamps_ns[i]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All that moves in the town: cars, cyclists, people, trees in the wind. Places are functions of
-// the time of the drive.
+// Moving objects of the town: cars, cyclists, people, trees in the wind. Their places are functions
+// of the time of the drive.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,13 +22,13 @@ namespace tolman::town {
 
 class MovingThings {
  public:
-  /// Adds their instances to the world. `world` has everything else already.
+  /// Adds their instances to `world`, which must contain all other objects.
   MovingThings(const TownParameters& parameters, const CameraRoute& route, const StreetPlan& plan,
                World& world);
 
-  /// Whether they have moved, so that the scene must be committed.
+  /// Moves the objects; true if some have moved, so that the scene must be committed.
   bool arrange(Scene& scene, double seconds, const Eigen::Isometry3d& T_town_camera);
-  /// Lamps of moving cars near the camera, where `traffic_headlights` is set; after arrange().
+  /// Adds the lamps of moving cars near the camera if `traffic_headlights` is set; after arrange().
   void addHeadlights(Light& light, const Eigen::Isometry3d& T_town_camera) const;
 
  private:
@@ -48,7 +48,7 @@ class MovingThings {
   std::size_t first_pedestrian_ = 0;
   std::vector<std::uint32_t> walkers_;  ///< prototypes of postures
   std::vector<std::uint32_t> pedals_;
-  std::vector<Placement> cars_;  ///< that are shown
+  std::vector<Placement> cars_;  ///< places of the cars that are shown
 };
 
 }  // namespace tolman::town

@@ -2,8 +2,8 @@
 // Four octaves, or four points, of noise at once: the inner loop of every texture.
 #include "noise.hpp"
 
-// Chosen when the library is loaded; both give the same bytes, as AVX2 alone fuses no operations.
-// Sanitizers are not ready yet when such a choice is made.
+// The version is chosen when the library is loaded. Both give the same bytes, because AVX2 without
+// FMA fuses no operations. Not with sanitizers, which are not yet initialised then.
 #if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 #define TOLMAN_TOWN_DISPATCH __attribute__((target_clones("avx2", "default")))
 #else
@@ -65,10 +65,10 @@ struct NoiseCells {
 
 struct Octaves {
   Floats scale;   ///< 1 / wavelength
-  Floats weight;  ///< amplitude times what survives
+  Floats weight;  ///< amplitude times survives()
 };
 
-/// False where nothing survives.
+/// False if the footprint is too large for all octaves.
 [[gnu::always_inline]] inline bool octavesOf(float wavelength, int octaves, float footprint,
                                              Octaves& result) {
   const float fine = 1 / wavelength;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seeded value noise on a lattice, faded out where a pixel is too coarse to show it.
+// Seeded value noise on a lattice, faded out where pixels are too coarse for its wavelength.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,8 @@ inline NoiseCell cellOf(float x) {
   const float f = x - static_cast<float>(i);
   return {static_cast<std::uint32_t>(i), f * f * (3 - 2 * f)};
 }
-/// Lattice value in [-1, 1). One round only: this is the inner loop of every texture.
+/// Lattice value in [-1, 1). Only one round of hashing, because this is the inner loop of all
+/// textures.
 inline float lattice(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
   std::uint32_t h = x * 0x8da6b343U ^ y * 0xd8163841U ^ z * 0xcb1ab31fU;
   h = (h ^ (h >> 15U)) * 0x846ca68bU;
@@ -75,21 +76,21 @@ inline float noise3(const Vec3& p, std::uint32_t seed) {
   return detail::mix(plane(iz), plane(iz + 1), fz);
 }
 
-/// How much of a wavelength survives a pixel that covers `footprint` m: 1 well above it, 0 at and
-/// below the sampling limit. This is what keeps textures from shimmering.
+/// Factor of the amplitude of a wavelength (m) in a pixel that covers `footprint` m: 1 for much
+/// longer waves, 0 at and below the sampling limit. It avoids aliasing of textures.
 inline float survives(float wavelength, float footprint) {
   return smoothstep(1.5F, 4.0F, wavelength / std::max(footprint, 1e-6F));
 }
 
-/// Octaves of noise2 from `wavelength` down by halves, each faded by `footprint`; in about [-1, 1].
-/// At most four.
+/// Sum of at most four octaves of noise2, the first of `wavelength` (m), each faded by `footprint`;
+/// in about [-1, 1].
 float fractal2(float x, float y, float wavelength, int octaves, float footprint,
                std::uint32_t seed);
 
-/// The same of noise3.
+/// The same with noise3.
 float fractal3(const Vec3& p, float wavelength, int octaves, float footprint, std::uint32_t seed);
 
-/// Four octaves of noise3, each wavelength a quarter of the one before, apart: faded by
+/// Four separate layers of noise3, each wavelength a quarter of the one before, faded by
 /// `footprint`, all in [-1, 1].
 std::array<float, 4> layers3(const Vec3& p, float wavelength, float footprint, std::uint32_t seed);
 

@@ -8,12 +8,12 @@
 
 namespace tolman::town {
 
-/// Share of the interval [x - width/2, x + width/2] that lies at or above `edge`.
+/// Share of the interval [x - width/2, x + width/2] that is at or above `edge`.
 inline float filteredStep(float edge, float x, float width) {
   return std::clamp((x - edge) / std::max(width, 1e-5F) + 0.5F, 0.0F, 1.0F);
 }
 
-/// Share of the interval around x that lies within [low, high].
+/// Share of the interval around x that is within [low, high].
 inline float filteredPulse(float low, float high, float x, float width) {
   return filteredStep(low, x, width) - filteredStep(high, x, width);
 }

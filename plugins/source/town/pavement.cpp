@@ -15,7 +15,7 @@ constexpr double kCarReach = 4.4;                                 ///< m along t
 constexpr double kClear = StreetPlan::kRoadHalfWidth + 0.9;       ///< m from every centreline
 constexpr std::size_t kShortest = 12;                             ///< points
 
-/// One side of one section.
+/// The pavement on one side of a section.
 class Side {
  public:
   Side(const StreetSection& section, bool left, const std::vector<Eigen::Vector2d>& cars,
@@ -26,7 +26,7 @@ class Side {
     }
   }
 
-  /// People begin to go round a car before they reach it.
+  /// Place of a point, moved aside near parked cars, from some metres before them.
   Eigen::Vector2d place(std::size_t i) const {
     double sum = 0;
     double count = 0;
@@ -64,7 +64,7 @@ double PavementRun::length() const {
   return sum;
 }
 
-PavementRun::Place PavementRun::at(double s) const {
+PavementRun::Position PavementRun::at(double s) const {
   std::size_t i = 1;
   for (; i + 1 < points.size(); ++i) {
     const double step = (points[i] - points[i - 1]).norm();
@@ -94,7 +94,7 @@ std::vector<PavementRun> pavementRuns(const StreetPlan& plan,
         if (plan.distance(place.x(), place.y()) < kClear) {
           close();
         } else if (run.points.empty() || (place - run.points.back()).norm() > 0.3) {
-          run.points.push_back(place);  // closer ones are the inside of a bend
+          run.points.push_back(place);  // points closer together are on the inside of a bend
         }
       }
       close();

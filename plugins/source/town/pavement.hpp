@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where people walk: stretches of pavement between side streets, round parked cars.
+// The paths of people: stretches of pavement between side streets, round parked cars.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,22 +9,22 @@
 
 namespace tolman::town {
 
-/// One point a metre.
+/// A path with one point per metre.
 struct PavementRun {
   std::vector<Eigen::Vector2d> points;  ///< m, town frame
-  bool is_left = false;                 ///< of the street as first driven: the road is to the right
+  bool is_left = false;  ///< on the left of the street as first driven, so the road is on the right
 
   double length() const;
-  struct Place {
+  struct Position {
     Eigen::Vector2d position;
     Eigen::Vector2d along;  ///< unit vector
   };
   /// `s` within [0, length()].
-  Place at(double s) const;
+  Position at(double s) const;
 };
 
-/// Both sides of all streets, without runs too short to walk along. `cars` are the places of parked
-/// ones, which stand on half of the pavement.
+/// The paths on both sides of all streets, without very short ones. `cars`: places of parked cars,
+/// which cover half of the pavement.
 std::vector<PavementRun> pavementRuns(const StreetPlan& plan,
                                       const std::vector<Eigen::Vector2d>& cars);
 

@@ -23,7 +23,7 @@ double draw(std::uint32_t seed, std::uint32_t what, double low, double high) {
 Pedestrians::Pedestrians(std::vector<PavementRun> runs, const StreetPlan& plan,
                          double people_per_km, std::uint32_t seed)
     : plan_(&plan), runs_(std::move(runs)) {
-  std::vector<double> ends;  // of the runs, laid end to end
+  std::vector<double> ends;  // ends of the runs, placed one after the other
   double total = 0;
   for (const PavementRun& run : runs_) ends.push_back(total += run.length());
   double streets = 0;
@@ -50,15 +50,15 @@ Pedestrians::Posture Pedestrians::at(std::size_t index, double seconds) const {
   const Person& person = people_[index];
   const PavementRun& run = runs_[person.run];
   double s = person.start;
-  double sign = 0;  // of the walk along the run; 0 stands
+  double sign = 0;  // direction of the walk along the run; 0 stands
   if (person.speed > 0) {
     const double walk = person.run_length / person.speed;
     const double t = wrapPeriod(seconds + person.start / person.speed, 2 * (walk + person.waits));
-    const double back = t - walk - person.waits;  // s since the way back began
+    const double back = t - walk - person.waits;  // s since the beginning of the way back
     sign = t < walk ? 1 : (back >= 0 && back < walk ? -1 : 0);
     s = person.speed * (t < walk ? t : walk - std::clamp(back, 0.0, walk));
   }
-  const PavementRun::Place place = run.at(s);
+  const PavementRun::Position place = run.at(s);
   const Eigen::Vector2d to_road =
       (run.is_left ? -1 : 1) * Eigen::Vector2d(-place.along.y(), place.along.x());
   const Eigen::Vector2d facing = sign == 0 ? to_road : Eigen::Vector2d(sign * place.along);

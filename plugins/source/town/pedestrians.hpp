@@ -11,7 +11,7 @@
 
 namespace tolman::town {
 
-/// Postures of a step, left and right leg; one more posture stands.
+/// Number of postures of a step with the left and right leg; one more posture is standing.
 inline constexpr int kGaitPhases = 6;
 inline constexpr int kStanding = kGaitPhases;
 
@@ -29,13 +29,13 @@ class Pedestrians {
   Posture at(std::size_t index, double seconds) const;
 
  private:
-  /// Walks to and fro on one run and waits at both ends; at speed 0 stands at `start`.
+  /// A person who walks up and down one run and waits at both ends, or stands at `start` (speed 0).
   struct Person {
     std::size_t run = 0;
     double start = 0;       ///< m
     double speed = 0;       ///< m/s
     double waits = 0;       ///< s, at each end
-    double size = 1;        ///< of an adult
+    double size = 1;        ///< relative to an adult
     double run_length = 0;  ///< m
   };
 

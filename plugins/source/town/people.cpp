@@ -37,7 +37,7 @@ PersonSurfaces addPersonSurfaces(World& world) {
   return {cloth(811), cloth(812), plain(0.35F), plain(0.12F)};
 }
 
-/// `angle` rad forwards of straight down.
+/// A limb of a direction `angle` rad forwards from straight down.
 Vec3 limb(float angle, float length) {
   return {length * std::sin(angle), 0, -length * std::cos(angle)};
 }
@@ -63,7 +63,7 @@ Vec3 knee(const Vec3& hip, const Vec3& foot, float upper, float lower) {
   return hip + along * a + forward * over;
 }
 
-/// `step` in [0, 1): the legs' place in the stride; negative stands.
+/// `step` in [0, 1): phase of the stride; negative: standing.
 Mesh walker(const PersonSurfaces& surfaces, float step) {
   Mesh mesh;
   constexpr float kHip = 0.88F;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What remains of a lens after a calibration that is not quite right: a smooth field of small
-// displacements over the image.
+// Residual distortion of an inexact calibration: a smooth field of small displacements over the
+// image.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace tolman::town {
 
-/// Row-major, one per pixel; empty where the calibration is right.
+/// Displacements, row-major, one per pixel; empty for an exact calibration.
 struct PixelWarp {
   std::vector<float> x;  ///< px: the ray of pixel u is that of u + x in a perfect camera
   std::vector<float> y;
@@ -16,8 +16,8 @@ struct PixelWarp {
   bool isEmpty() const { return x.empty(); }
 };
 
-/// Waves of up to three half periods over the width and two over the height, without a constant;
-/// `rms_px` is the root mean square of the displacements' length. Empty for 0.
+/// A sum of cosines of up to three half periods over the width and two over the height, with mean
+/// 0. `rms_px` is the root mean square of the length of displacements. Empty for 0.
 PixelWarp makeWarp(int width, int height, double rms_px, std::uint32_t seed);
 
 }  // namespace tolman::town

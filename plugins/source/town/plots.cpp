@@ -7,7 +7,7 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kCell = 50;  // m; no plot reaches farther than into the neighbouring cells
+constexpr double kCell = 50;  // m; so large that a plot is only in neighbouring cells
 
 std::int64_t cellKey(std::int64_t x, std::int64_t y) { return (x << 32) ^ (y & 0xffffffff); }
 std::int64_t cellOf(double x) { return static_cast<std::int64_t>(std::floor(x / kCell)); }
@@ -28,7 +28,7 @@ bool separatedBy(const Plot& a, const Plot& b) {
 bool overlap(const Plot& a, const Plot& b) { return !separatedBy(a, b) && !separatedBy(b, a); }
 
 bool PlotBook::clearOfStreets(const Plot& plot, double clearance) const {
-  // Probes 1.5 m apart cover the plot; a street is too wide to pass between them.
+  // Samples 1.5 m apart cover the plot; a street is wider than their distance.
   const int columns = 1 + static_cast<int>(std::ceil(plot.half_length / 0.75));
   const int rows = 1 + static_cast<int>(std::ceil(plot.half_depth / 0.75));
   for (int i = 0; i < columns; ++i) {

@@ -31,8 +31,8 @@ class PlotBook {
  public:
   explicit PlotBook(const StreetPlan& plan) : plan_(&plan) {}
 
-  /// Enters the plot if it is at least `clearance` m from every centreline, at corners and along
-  /// its edges, and free; half dimensions below 35 m.
+  /// Registers the plot if it is free and at least `clearance` m from every centreline. Its half
+  /// dimensions must be below 35 m.
   bool enter(const Plot& plot, double clearance);
 
  private:

@@ -9,14 +9,14 @@
 namespace tolman::town {
 namespace {
 
-constexpr std::uint32_t kDrops = 3000;  ///< before the cameras in heavy rain
+constexpr std::uint32_t kDrops = 3000;  ///< number in front of the cameras in heavy rain
 constexpr double kNearest = 0.8;        ///< m
 constexpr double kFarthest = 12;        ///< m
 constexpr double kFall = 8;             ///< m/s, drops of 3 mm
 constexpr double kWidth = 0.003;        ///< m
 constexpr float kOpacity = 0.3F;
 
-/// A line of the given width in px; thinner than a pixel, it covers less of it.
+/// Draws a line of the given width in px. A line thinner than a pixel covers only a part of it.
 void drawLine(std::vector<float>& radiance, const RenderCamera& view, const Eigen::Vector2d& from,
               const Eigen::Vector2d& to, double width, float brightness) {
   const Eigen::Vector2d way = to - from;
@@ -53,7 +53,7 @@ void addRain(std::vector<float>& radiance, const RenderCamera& view,
     const auto random = [&](std::uint32_t number) {
       return static_cast<double>(unit(hash(own, number)));
     };
-    // As many at every depth as the view is wide there.
+    // Their density over depth is proportional to the width of the view.
     const double z = kNearest + (kFarthest - kNearest) * std::sqrt(random(1));
     const Eigen::Vector3d begin(z * (2 * random(2) - 1), z * 0.4 * (2 * random(3) - 1), z);
     const Eigen::Vector3d moved(0, kFall * rain.exposure_s, -rain.speed_m_s * rain.exposure_s);

@@ -11,11 +11,11 @@
 namespace tolman::town {
 namespace {
 
-// Beyond these metres pixels are wider than clumps of leaves, and see lit and shaded ones alike.
+// From this distance on, m, pixels are wider than clumps of leaves and average lit and shaded ones.
 constexpr float kClumpsMerge = 25;
 constexpr float kClumpsMerged = 45;
 
-/// m that the wind moves leaves, each clump in its own time.
+/// Displacement of leaves by the wind, m; each clump has its own phase.
 Vec3 flutter(const Light& light, const SurfaceHit& hit) {
   constexpr float kReach = 0.004F;  // m in a wind of 1 m/s
   const float phase = 7 * hit.point.x + 5 * hit.point.y + 6 * hit.point.z;
@@ -27,10 +27,10 @@ Vec3 flutter(const Light& light, const SurfaceHit& hit) {
 
 }  // namespace
 
-/// Where one ray of the packet ended.
+/// Intersection of one ray of the packet.
 struct RayPacket::Meeting {
   bool hit = false;
-  float lit = 0;  // share that sees the sun
+  float lit = 0;  // share that is lit by the sun
   float t = 0;
   Vec3 point;   // town axes
   Vec3 normal;  // town axes, unit, towards the camera
@@ -106,10 +106,10 @@ void RayPacket::castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const
   }
 }
 
-/// The place in the axes of the surface's pattern, with the pixel's footprint.
+/// The point in the axes of the surface's pattern, with the footprint of the pixel.
 SurfaceHit RayPacket::hitOf(const Meeting& meeting, const Vec3& direction) const {
   const Surface& surface = around_.scene->surface(meeting.owner.surface);
-  // The footprint on the tangent plane; at grazing angles it is long, but not endless.
+  // The footprint on the tangent plane; its length at grazing angles is limited.
   float slope = dot(meeting.normal, direction);
   slope = std::min(slope, -0.01F * norm(direction));
   const auto onPlane = [&](const Vec3& pixel) {
@@ -138,7 +138,8 @@ Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const 
   }
   const Surface& surface = around_.scene->surface(meeting.owner.surface);
   SurfaceHit hit = hitOf(meeting, direction);
-  // Leaves point every way: the lump that stands for them must not show its facets.
+  // Leaves have all orientations, so the facets of the lump that represents them must not be
+  // visible.
   const bool foliage = surface.material == Material::Leaves;
   const Vec3 facing = foliage
                           ? meeting.normal * 0.3F + around_.light->to_sun * 0.35F + Vec3{0, 0, 0.3F}
@@ -160,7 +161,7 @@ Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const 
 }
 
 float RayPacket::lampLight(const Meeting& meeting) const {
-  constexpr float kOncoming = 0.3F;  // low beams of others point away from what the camera sees
+  constexpr float kOncoming = 0.3F;  // low beams of other cars hardly light what the camera sees
   const Light& light = *around_.light;
   float sum = headlightsOnto(light.headlights, meeting.point, meeting.normal);
   if (around_.lamps != nullptr) sum += around_.lamps->onto(meeting.point, meeting.normal);
@@ -171,7 +172,7 @@ float RayPacket::lampLight(const Meeting& meeting) const {
   return light.lamps * sum;
 }
 
-/// Radiance of what shines by itself: heads of lamps, lit windows, lamps of cars.
+/// Emitted radiance: of heads of lamps, lit windows, lamps of cars.
 float RayPacket::glow(const Meeting& meeting, const SurfaceHit& hit) const {
   constexpr float kLamp = 6;
   constexpr float kWindow = 0.12F;
@@ -188,7 +189,7 @@ float RayPacket::glow(const Meeting& meeting, const SurfaceHit& hit) const {
   return shines ? around_.light->lamps * kLamp : 0;
 }
 
-/// Share of the light that the place mirrors.
+/// Share of light that the point reflects like a mirror.
 float RayPacket::mirrorShare(const Meeting& meeting, const Vec3& direction) const {
   const Vec3 way = normalised(direction);
   const Light& light = *around_.light;
@@ -203,7 +204,7 @@ float RayPacket::mirrorShare(const Meeting& meeting, const Vec3& direction) cons
   return share;
 }
 
-/// Adds what wet ground and glass mirror. Rays of a mirrored packet meet dry ground.
+/// Adds reflections of wet ground and glass. For reflected rays the ground is dry.
 void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
                        std::array<Shaded, kRaysPerPacket>& shaded) const {
   Light dry = *around_.light;

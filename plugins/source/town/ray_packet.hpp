@@ -27,12 +27,12 @@ struct Surroundings {
 
 struct Shaded {
   float radiance = 0;
-  float depth = 0;         ///< in lengths of the direction; 0 for sky
-  std::uint32_t seen = 0;  ///< differs between objects, and between light and shadow
+  float depth = 0;         ///< in units of the length of the direction; 0 for sky
+  std::uint32_t seen = 0;  ///< key that differs between objects, and between light and shadow
 };
 
-/// Bit of Shaded::seen: foliage, whose edges are not smoothed: it consists of edges, and none is a
-/// straight line on which aliasing shows.
+/// Bit of Shaded::seen for foliage. Its edges are not smoothed: it has very many, and aliasing is
+/// visible only on straight edges.
 inline constexpr std::uint32_t kFoliage = 2;
 
 class RayPacket {
@@ -45,7 +45,7 @@ class RayPacket {
   }
   bool isFull() const { return count_ == kRaysPerPacket; }
   int size() const { return count_; }
-  /// Traces what was added; the packet is empty afterwards.
+  /// Traces the added rays; the packet is empty afterwards.
   std::array<Shaded, kRaysPerPacket> shade();
 
  private:

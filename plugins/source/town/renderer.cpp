@@ -21,7 +21,7 @@ constexpr std::array<std::array<float, 2>, 8> kWithinPixel = {{{-0.25F, -0.33F},
                                                                {-0.4F, -0.4F},
                                                                {0.4F, 0.4F}}};
 
-/// Contrast that drowns in the noise of the camera: relative, and absolute radiance.
+/// Contrast below the noise of the camera, which is not smoothed: relative, and absolute radiance.
 constexpr float kFaint = 0.04F;
 constexpr float kDim = 0.012F;
 
@@ -52,7 +52,7 @@ class Renderer::Rays {
       rows_.push_back(rowFrom(T_town_row, view.pinhole));
     }
   }
-  /// Through a point of the pixel, (0, 0) its centre.
+  /// Adds a ray through a point of the pixel; (0, 0) is its centre.
   void add(RayPacket& packet, int column, int row, float x, float y) const {
     const Row& from = rows_[rows_.size() > 1 ? static_cast<std::size_t>(row) : 0];
     float u = static_cast<float>(column) + x;
@@ -89,7 +89,7 @@ class Renderer::Rays {
   std::vector<Row> rows_;  // one, or one for each row of the image
 };
 
-/// Packets of 4 x 2 pixels keep rays closer together than rows of 8.
+/// In packets of 4 x 2 pixels, whose rays are closer together than those of rows of 8.
 void Renderer::firstPass(const Rays& rays, int first_row, int end_row, RenderedImage& picture) {
   constexpr int kColumns = kRaysPerPacket / 2;
   RayPacket packet(rays.around);
@@ -140,7 +140,7 @@ bool Renderer::isEdge(const RenderedImage& picture, const Rays& rays, int column
 void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, RenderedImage& picture) {
   RayPacket packet(rays.around);
   std::array<std::size_t, kRaysPerPacket> pixels{};
-  const float share = 1 / static_cast<float>(edge_samples_ + 1);  // the centre counts too
+  const float share = 1 / static_cast<float>(edge_samples_ + 1);  // with the ray of the centre
   const auto flush = [&] {
     const auto count = static_cast<std::size_t>(packet.size());
     const auto shaded = packet.shade();
@@ -170,7 +170,7 @@ void Renderer::render(const RenderCamera& view, RenderedImage& picture) {
   picture.depth.resize(pixels);
   seen_.resize(pixels);
   const Rays rays(*this, view);
-  // Strips of even height, so that packets do not depend on how they are shared out.
+  // Strips of equal height, so that packets do not depend on the number of threads.
   constexpr int kStrip = 8;
   const auto everyStrip = [&](auto&& body) {
     oneapi::tbb::parallel_for(0, (view.height + kStrip - 1) / kStrip, [&](int strip) {
@@ -180,7 +180,7 @@ void Renderer::render(const RenderCamera& view, RenderedImage& picture) {
   everyStrip([&](int first, int end) { firstPass(rays, first, end, picture); });
   if (edge_samples_ == 0) return;
   edges_.resize(pixels);
-  everyStrip([&](int first, int end) {  // all of them before the first is changed
+  everyStrip([&](int first, int end) {  // for all strips before any pixel is changed
     for (int row = first; row < end; ++row) {
       for (int column = 0; column < view.width; ++column) {
         edges_[rays.index(column, row)] = isEdge(picture, rays, column, row);

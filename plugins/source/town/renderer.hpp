@@ -21,7 +21,7 @@ struct RenderCamera {
   int width = 0;
   int height = 0;
   const PixelWarp* warp = nullptr;  ///< of the same size, or null
-  /// Of each row, where rows are taken one after the other; empty: all at T_town_camera.
+  /// Pose for each row with a rolling shutter; empty: all rows at T_town_camera.
   std::vector<Eigen::Isometry3d> T_town_rows;
 };
 
@@ -31,9 +31,9 @@ struct RenderedImage {
   std::vector<float> depth;  ///< m along the optical axis, at the pixel's centre; 0 for sky
 };
 
-/// One ray through the centre of each pixel, textures averaged over the pixel; where neighbours
-/// show different things, a mean over `edge_samples` more rays. Rows are shared out to threads;
-/// every pixel is the same whatever their number.
+/// One ray through the centre of each pixel, with textures averaged over the pixel. Where
+/// neighbouring pixels differ, the mean with `edge_samples` more rays. Rows are distributed over
+/// threads; the image does not depend on their number.
 class Renderer {
  public:
   Renderer(const Scene& scene, const StreetPlan& plan, const Light& light, int edge_samples)

@@ -13,12 +13,15 @@
 
 namespace tolman::town {
 
-/// A rectangle of the ground that is level, under a building.
+/// A level rectangle of the ground under a building.
 struct GroundPad {
   Eigen::Vector2d low;   ///< m, town frame
   Eigen::Vector2d high;  ///< m
   double height = 0;     ///< m
 };
+
+/// The building that a route leads through.
+enum class Building : std::uint8_t { None, CarPark, Hall };
 
 struct CameraRoute {
   std::string name;
@@ -26,10 +29,11 @@ struct CameraRoute {
   /// Left camera (x right, y down, z forward) to town axes (see mesh.hpp); the first is the
   /// origin, looking along Y.
   std::vector<Eigen::Isometry3d> T_town_camera;
-  /// Of each frame, whether it is on a deck: a bridge, or a floor of the car park. Neither streets
-  /// nor terrain take their heights from it. Empty: none is.
+  /// Whether each frame is on a deck: a bridge, or a floor of the car park. Its height is not used
+  /// for streets and terrain. Empty: no frame.
   std::vector<bool> raised;
   std::vector<GroundPad> pads;
+  Building building = Building::None;
 
   bool isRaised(std::size_t frame) const { return frame < raised.size() && raised[frame]; }
 };
@@ -40,13 +44,14 @@ struct RouteOptions {
   double camera_height = 1.65;  ///< m above the road
 };
 
-/// `block` (about 300 m, once round and on over the start: one loop), `eights`, `district`,
-/// `highway`, `car_park` (five floors, up and down twice); else InvalidParameter that names them.
+/// `block` (about 300 m, once round and beyond the start: one loop), `eights`, `district`,
+/// `highway`, `car_park` (five floors, up and down twice), `hall` (hand-held, see hall.hpp). Other
+/// names are InvalidParameter; the message lists these.
 Result<CameraRoute> builtInRoute(std::string_view name, const RouteOptions& options);
 
-/// A KITTI pose file: twelve numbers a line, T_world_camera. Refuses an empty file, a line that is
-/// not twelve finite numbers, a matrix that is no rotation, and neighbours too far apart to be a
-/// drive (file:line, what is wrong, remedy).
+/// Reads a KITTI pose file: T_world_camera as twelve numbers per line. Refuses an empty file, a
+/// line without twelve finite numbers, a matrix that is not a rotation, and poses too far apart for
+/// a drive. The message has file, line, error and remedy.
 Result<CameraRoute> readRoute(const std::filesystem::path& file, const RouteOptions& options);
 
 }  // namespace tolman::town

@@ -31,7 +31,7 @@ std::string fixed(double value, int digits) {
 
 using Numbers = std::array<double, 12>;
 
-/// Twelve numbers, or what is wrong with the line.
+/// Twelve numbers, or the error of the line.
 std::variant<Numbers, std::string> parseNumbers(std::string_view line) {
   constexpr std::string_view kBlank = " \t\r";
   Numbers numbers{};
@@ -53,7 +53,7 @@ std::variant<Numbers, std::string> parseNumbers(std::string_view line) {
   return "has " + std::to_string(count) + " numbers; a pose has 12, row by row";
 }
 
-/// A pose, or what is wrong with the line.
+/// A pose, or the error of the line.
 std::variant<Eigen::Isometry3d, std::string> parsePose(std::string_view line) {
   const auto numbers = parseNumbers(line);
   if (const auto* problem = std::get_if<std::string>(&numbers)) return *problem;
@@ -70,7 +70,7 @@ std::variant<Eigen::Isometry3d, std::string> parsePose(std::string_view line) {
   return T;
 }
 
-/// What makes a step between two frames impossible to drive.
+/// The reason why a step between two frames cannot be driven; empty if it can.
 std::optional<std::string> stepProblem(const Eigen::Isometry3d& before,
                                        const Eigen::Isometry3d& after, double rate) {
   const double longest = std::max(kLongestStep, kFastest / rate);

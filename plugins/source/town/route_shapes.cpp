@@ -30,7 +30,8 @@ LanePath& LanePath::ahead(double length) {
 
 LanePath& LanePath::curve(double radius, double angle) {
   flush(0);
-  // The lane is outside of the centreline in a left bend, inside in a right one.
+  // The lane is on the outer side of the centreline in a left bend, on the inner side in a right
+  // one.
   const double driven = radius + (angle > 0 ? lane_offset_ : -lane_offset_);
   add(driven * std::abs(angle), (angle > 0 ? 1 : -1) / driven);
   return *this;
@@ -57,8 +58,9 @@ void LanePath::turn(double driven_radius, double angle, double along_street) {
 }
 
 LanePath& LanePath::roundabout(double driven_radius, double entry_radius, double angle) {
-  // The entry arc touches the lane and, from outside, the circle: its centre is entry_radius right
-  // of the lane and both radii from the island's centre.
+  // The entry arc is tangent to the lane and, from outside, to the circle: its centre is
+  // entry_radius to the right of the lane, and at the sum of both radii from the centre of the
+  // island.
   const double across = lane_offset_ + entry_radius;
   const double between = driven_radius + entry_radius;
   if (across >= between) throw std::invalid_argument("roundabout: the island is too small");

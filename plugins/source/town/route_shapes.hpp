@@ -7,14 +7,14 @@
 
 namespace tolman::town {
 
-/// Where and which way the car goes after s metres.
+/// Position and direction of the car after s metres.
 struct LanePosition {
   Eigen::Vector2d position;   ///< m, lane
   Eigen::Vector2d direction;  ///< unit vector
 };
 
-/// Lengths and radii are those of centrelines, so that a path closes and comes back on the opposite
-/// lane by simple arithmetic; the path itself keeps `lane_offset` to the right. It starts at the
+/// Lengths and radii are those of centrelines, so that closed paths and ways back on the opposite
+/// lane are easy to compute. The path itself is `lane_offset` m to the right. It starts at the
 /// origin along Y.
 class LanePath {
  public:
@@ -23,20 +23,21 @@ class LanePath {
   LanePath& ahead(double length);
   /// A bend of the street; a positive angle turns left.
   LanePath& curve(double radius, double angle);
-  /// Left, right, left and on along the same line: takes 4 radius sin(angle) of it. A negative
-  /// angle begins to the right: the way back.
+  /// Three bends, left, right, left, that end on the same line after 4 radius sin(angle). A
+  /// negative angle begins to the right, for the way back.
   LanePath& bulge(double radius, double angle);
-  /// 90 degrees at a junction, which counts as no length; radius of the driven arc.
+  /// A turn of 90 degrees at a junction, whose length is not counted. `driven_radius`: of the path,
+  /// m.
   LanePath& turnLeft(double driven_radius);
   LanePath& turnRight(double driven_radius);
-  /// Counter-clockwise round an island in the middle of a junction; leaves `angle` to the left of
-  /// the way in (0 straight on, pi back).
+  /// Counter-clockwise round an island in the middle of a junction; the exit is `angle` rad to the
+  /// left of the entry direction (0 straight on, pi back).
   LanePath& roundabout(double driven_radius, double entry_radius, double angle);
 
   double length() const;
   /// `s` is clamped to the path.
   LanePosition at(double s) const;
-  /// 1/m at s, positive to the left.
+  /// Curvature at s, 1/m, positive to the left.
   double curvature(double s) const;
 
  private:
@@ -51,11 +52,12 @@ class LanePath {
   const Piece& pieceAt(double s) const;
   void turn(double driven_radius, double angle, double along_street);
   void add(double length, double curvature);
-  /// Drives what ahead() promised, short of `kept` metres that a junction takes.
+  /// Adds the straight line that ahead() has accumulated, without the last `kept` metres, which
+  /// belong to a junction.
   void flush(double kept);
 
   double lane_offset_ = 0;
-  double ahead_ = 0;  ///< m of street asked for and not yet driven; negative after a junction
+  double ahead_ = 0;  ///< m of street not yet added as a piece; negative after a junction
   std::vector<Piece> pieces_;
 };
 

@@ -10,7 +10,7 @@
 namespace tolman::town {
 namespace {
 
-/// The fixed mesh is geometry 0; instance i is geometry i + 1 of the top scene.
+/// Of the top scene the fixed mesh is geometry 0; instance i is geometry i + 1.
 constexpr std::uint32_t kFirstInstance = 1;
 
 /// Columns of a 3x4 matrix.
@@ -33,7 +33,7 @@ std::array<float, 12> matrixOf(const Placement& p) {
 
 RTCScene newScene(RTCDevice device) {
   RTCScene scene = rtcNewScene(device);
-  // Watertight, so that whatever the search structure, a ray meets the same triangle.
+  // Watertight, so that a ray hits the same triangle with any search structure.
   rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
   return scene;
 }
@@ -44,7 +44,7 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
   if (!device_ && rtcGetDeviceError(nullptr) == RTC_ERROR_UNSUPPORTED_CPU) {
     throw std::runtime_error("Embree does not know this processor");
   }
-  if (!device_) throw std::bad_alloc();  // or there is none for its threads
+  if (!device_) throw std::bad_alloc();  // or no memory for its threads
   scene_.reset(newScene(device_.get()));
   surfaces_ = std::move(world.surfaces);
   fixed_surfaces_ = std::move(world.fixed.surfaces);

@@ -19,8 +19,8 @@ inline constexpr int kRaysPerPacket = 8;
 
 class Scene {
  public:
-  /// Builds the search structures; keeps the surfaces and passes the triangles to Embree. Throws
-  /// std::runtime_error where Embree fails, as for lack of memory.
+  /// Builds the search structures; stores the surfaces and passes the triangles to Embree. Throws
+  /// std::runtime_error if Embree fails, for example for lack of memory.
   explicit Scene(World world);
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
@@ -39,9 +39,9 @@ class Scene {
   const StreetLamps& lamps() const { return lamps_; }
   /// Instances are shown until hidden.
   void show(std::size_t index, bool shown);
-  /// Moves instance `index`; commit() makes both visible.
+  /// Moves instance `index`. This and show() take effect at commit().
   void move(std::size_t index, const Placement& placement);
-  /// Instance `index` shows another prototype.
+  /// Changes the prototype of instance `index`.
   void change(std::size_t index, std::uint32_t prototype);
   void commit();
   std::size_t triangles() const { return triangles_; }

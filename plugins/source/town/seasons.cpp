@@ -21,7 +21,7 @@ Vec3 corner(const Mesh& mesh, std::uint32_t vertex) {
   return {v.x, v.y, v.z};
 }
 
-/// The trunk as it is, and from it a twig to every so many leaves.
+/// The mesh with its trunk, and a twig from it to some of the leaves.
 Mesh withoutLeaves(const World& world, const Mesh& leafy, std::uint32_t bark) {
   Mesh bare;
   std::size_t leaves = 0;
@@ -41,7 +41,7 @@ Mesh withoutLeaves(const World& world, const Mesh& leafy, std::uint32_t bark) {
   return bare;
 }
 
-/// The surface of its trunk; bushes have none and get their own.
+/// The surface of the trunk of a mesh; for bushes, which have none, a new one.
 std::uint32_t barkOf(World& world, const Mesh& mesh) {
   for (const std::uint32_t surface : mesh.surfaces) {
     if (!isLeaf(world, surface)) return surface;

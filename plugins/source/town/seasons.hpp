@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands in the town in winter or on another day: bare trees, other parked cars. Each stands
-// beside what it replaces, and one of the two is shown.
+// Objects of winter or of another day: bare trees, other parked cars. Each is an additional
+// instance at the place of the one that it replaces; one of the two is shown.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Exchange {
   std::vector<std::size_t> other;
 };
 
-/// Trees and bushes without leaves; evergreens keep theirs.
+/// Trees and bushes without leaves, except evergreens.
 Exchange addBareTrees(World& world);
 
 /// Other cars at two of three places where one is parked.

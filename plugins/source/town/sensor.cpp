@@ -11,7 +11,7 @@
 namespace tolman::town {
 namespace {
 
-/// About standard normal: the sum of four uniform 16-bit numbers (excess kurtosis -0.3).
+/// About a standard normal number: a sum of four uniform 16-bit numbers (excess kurtosis -0.3).
 float normal(std::uint32_t a, std::uint32_t b) {
   const std::uint32_t sum = (a & 0xffffU) + (a >> 16U) + (b & 0xffffU) + (b >> 16U);
   constexpr float kScale = 1.7320508F / 65536.0F;  // sqrt(3): four uniforms have variance 1/3

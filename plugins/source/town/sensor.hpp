@@ -17,7 +17,7 @@ struct Sensor {
   double vignetting = 0;   ///< relative loss of light in the corners
   double read_noise = 0;   ///< grey levels, standard deviation
   double shot_noise = 0;   ///< variance per grey level
-  std::uint32_t seed = 0;  ///< of the run; noise depends on it, exposure and pixel alone
+  std::uint32_t seed = 0;  ///< of the run; noise depends only on it, the exposure and the pixel
 };
 
 /// Quantises radiance to an 8-bit image. `exposure` is the number of the image in the run,

@@ -13,7 +13,7 @@ namespace {
 
 std::uint32_t add(Mesh& mesh, const Vec3& p) { return mesh.addVertex(p.x, p.y, p.z); }
 
-/// A sphere by halving the edges of an icosahedron.
+/// A sphere, by subdivision of an icosahedron.
 struct Sphere {
   std::vector<Vec3> points;
   std::vector<std::array<std::uint32_t, 3>> faces;
@@ -29,7 +29,7 @@ Sphere icosahedron() {
       sphere.points.push_back(normalised({b, 0, a}));
     }
   }
-  // Any three points at the length of an edge from each other are a face.
+  // Three points are a face if their distances are the length of an edge.
   const auto neighbours = [&](std::size_t i, std::size_t j) {
     return norm(sphere.points[i] - sphere.points[j]) < 1.1F;
   };

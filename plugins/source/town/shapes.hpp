@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Quads, boxes, posts and lumps, added to a mesh.
+// Adds quads, boxes, posts and lumps to a mesh.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace tolman::town {
 
-/// Corners in order around the quad.
+/// `corners` in their order around the quad.
 void addQuad(Mesh& mesh, const std::array<Vec3, 4>& corners, std::uint32_t surface);
 void addTriangle(Mesh& mesh, const std::array<Vec3, 3>& corners, std::uint32_t surface);
 
@@ -28,7 +28,7 @@ struct Post {
 };
 void addPost(Mesh& mesh, const Post& post, std::uint32_t surface);
 
-/// An ellipsoid with bumps; `detail` halvings of an icosahedron (20 * 4^detail triangles).
+/// An ellipsoid with bumps: an icosahedron after `detail` subdivisions (20 * 4^detail triangles).
 struct Lump {
   Vec3 centre;
   Vec3 radii = {1, 1, 1};

@@ -12,7 +12,7 @@ namespace tolman::town {
 namespace {
 
 constexpr double kSky = 1e4;      ///< m
-constexpr float kSharp = 0.1F;    ///< px; shorter paths leave a pixel as it is
+constexpr float kSharp = 0.1F;    ///< px; a pixel with a shorter path is not changed
 constexpr float kLongest = 200;   ///< px
 constexpr int kMostSamples = 17;  ///< per pixel
 constexpr double kNearest = 0.1;  ///< m in front of the camera
@@ -47,7 +47,7 @@ std::vector<float> shutterBlur(const RenderCamera& view, const std::vector<float
       }
       const int count = std::clamp(2 + static_cast<int>(std::ceil(length)), 3, kMostSamples);
       float sum = 0;
-      for (int i = 0; i < count; ++i) {  // the middles of equal times
+      for (int i = 0; i < count; ++i) {  // at the middles of equal intervals of time
         const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 0.5F;
         sum += samples.at(static_cast<float>(column) - t * way.x(),
                           static_cast<float>(row) - t * way.y());

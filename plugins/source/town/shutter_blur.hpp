@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blur of an image while the shutter is open, from the depth and the motion of the camera: no ray
-// is traced again. Right for short paths; moving cars blur as if they stood.
+// Motion blur of an image, from the depth and the motion of the camera, without tracing more rays.
+// It is correct for short paths; moving cars are blurred as if they stood still.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -10,8 +10,8 @@
 
 namespace tolman::town {
 
-/// `T_end_begin`: motion of this camera while its shutter is open, its pose at the end seen from
-/// points at the begin. The middle of that time is what `sharp` (radiance) and `depth` show.
+/// `T_end_begin`: motion of this camera while its shutter is open; it takes coordinates at the
+/// beginning to those at the end. `sharp` (radiance) and `depth` are of the middle of this time.
 std::vector<float> shutterBlur(const RenderCamera& view, const std::vector<float>& sharp,
                                const std::vector<float>& depth,
                                const Eigen::Isometry3d& T_end_begin);

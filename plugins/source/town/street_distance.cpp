@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact distance to polylines: each block of cells asks only segments that may be nearest to some
-// cell of it.
+// Exact distance to polylines: for each block of cells only segments that may be nearest to one of
+// its cells are tested.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -72,7 +72,7 @@ class DistanceRaster {
            Eigen::Vector2d::Constant(raster_.cell() * kBlock / 2);
   }
 
-  /// Makes a segment a candidate of all blocks that it is near enough to.
+  /// Adds a segment to the candidates of all blocks that are near enough.
   void offer(std::uint32_t index) {
     const Segment& segment = segments_[index];
     const Eigen::Vector2d middle = segment.start + segment.along / 2;
@@ -94,7 +94,7 @@ class DistanceRaster {
     }
   }
 
-  /// Leaves the candidates that are no farther than the nearest one by more than the block's size.
+  /// Removes candidates that are farther than the nearest one by more than the size of the block.
   void prune(int column, int row) {
     const Eigen::Vector2d centre = blockCentre(column, row);
     std::vector<std::uint32_t>& all = candidates(column, row);

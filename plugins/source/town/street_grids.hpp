@@ -16,30 +16,30 @@ struct GridExtent {
   Eigen::Vector2d high;  ///< m
 };
 
-/// m to the nearest centreline, exact at the grid's points, at most `farthest`. Cells of 0.5 m,
-/// larger where more than 64 MB would be needed.
+/// Distance to the nearest centreline, m, at most `farthest`, exact at the grid points. Cells are
+/// of 0.5 m, or larger if more than 64 MB would be needed.
 GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
                         double farthest);
 
-/// How firmly passes agree on a height.
+/// Weights of the agreement of passes on a height.
 struct HeightAgreement {
   double bend_length = 15;  ///< m, over which a correction fades out along the street
-  double weight = 200;      ///< of a meeting, beside 1 of a measured height
-  bool is_stiff = false;    ///< corrections bend like a beam, without a kink where passes meet
+  double weight = 200;      ///< weight of a meeting; that of a measured height is 1
+  bool is_stiff = false;  ///< corrections are smooth as of a bent beam, without a kink at meetings
 };
 
-/// Heights of the road at the path's points: where passes overlap, the path's own heights are bent
-/// to their mean, gently along the street.
+/// Heights of the road at the points of the path, m. Where passes overlap, they are corrected to
+/// the mean; corrections change smoothly along the street.
 std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
                                    const HeightAgreement& agreement = {});
 
-/// Height of the ground: the streets' heights, level across, and a membrane between the streets
-/// that settles to `mean` + farHills() away from them. Cells of 1 m or larger: 16 MB at most.
+/// Height of the ground, m: that of the streets, level across, and a membrane between the streets
+/// that approaches `mean` + farHills() far from them. Cells are of 1 m or larger, so 16 MB at most.
 GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<double>& heights,
                       const GroundGrid& distance, const GridExtent& extent, double mean,
                       const std::vector<GroundPad>& pads = {});
 
-/// m, the hills that no street lies on.
+/// Height of the hills far from streets, m.
 double farHills(double x, double y);
 
 }  // namespace tolman::town

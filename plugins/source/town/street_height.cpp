@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Heights of the ground from the heights that were driven.
+// Heights of the road from the heights of the driven path.
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 namespace tolman::town {
 namespace {
 
-/// One pass over the place of another: heights there must agree.
+/// Two points of different passes at the same place, whose heights must agree.
 struct Meeting {
   std::size_t a = 0;
   std::size_t b = 0;
@@ -20,9 +20,9 @@ struct Meeting {
 constexpr double kMeets = 6;            ///< m between driven points
 constexpr double kMeetingScale = 3;     ///< m, of the weight by distance
 constexpr double kSameLevel = 1.5;      ///< m
-constexpr double kBeyondWeight = 0.01;  ///< of heights that no pose measured
+constexpr double kBeyondWeight = 0.01;  ///< weight of heights without a pose
 
-/// Decks meet only decks of the same level.
+/// Whether points can meet: decks only with decks of the same level.
 bool mayMeet(const PathPoint& a, const PathPoint& b) {
   if (!a.raised && !b.raised) return true;
   return a.raised && b.raised && std::abs(a.height - b.height) < kSameLevel;
@@ -58,7 +58,7 @@ std::vector<Meeting> findMeetings(const std::vector<PathPoint>& path) {
   return meetings;
 }
 
-/// weight * (c_i-1 - 2 c_i + c_i+1)^2.
+/// Adds the entries of weight * (c_i-1 - 2 c_i + c_i+1)^2.
 void addBending(std::vector<Eigen::Triplet<double>>& entries, std::size_t i, double weight) {
   constexpr std::array<double, 3> kDifference = {1, -2, 1};
   for (int a = 0; a < 3; ++a) {
@@ -74,8 +74,8 @@ void addBending(std::vector<Eigen::Triplet<double>>& entries, std::size_t i, dou
 
 // Corrections c of the heights z minimise
 //   sum w c_i^2 + L^2 sum (c_i+1 - c_i)^2 + sum W (z_a + c_a - z_b - c_b)^2,
-// points 1 m apart: alone on the street a correction falls off like exp(-distance / L). Stiff ones
-// have L^4 sum (c_i-1 - 2 c_i + c_i+1)^2 instead of the second term.
+// with points 1 m apart. A single correction decays along the street as exp(-distance / L). With
+// is_stiff the second term is L^4 sum (c_i-1 - 2 c_i + c_i+1)^2.
 std::vector<double> agreeOnHeights(const std::vector<PathPoint>& path,
                                    const HeightAgreement& agreement) {
   const auto n = static_cast<Eigen::Index>(path.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Parameters of what moves and mirrors beside the traffic; all off by default.
+// Parameters of moving objects and reflections besides the traffic; all off by default.
 #pragma once
 
 #include <concepts>

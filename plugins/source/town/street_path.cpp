@@ -11,7 +11,7 @@ namespace tolman::town {
 namespace {
 
 constexpr double kSpacing = 1;             ///< m
-constexpr double kSmallestAdvance = 0.5;   ///< m, between poses that count
+constexpr double kSmallestAdvance = 0.5;   ///< m, between poses that are used
 constexpr double kBeyondEnds = 50;         ///< m of street before the first and after the last pose
 constexpr double kOtherPass = 30;          ///< m of driving
 constexpr double kWayBack = 10;            ///< m of driving, in the opposite direction
@@ -23,14 +23,15 @@ Eigen::Vector2d heading(const Eigen::Isometry3d& T_town_camera) {
   return forward.norm() > 1e-6 ? forward.normalized() : Eigen::Vector2d(0, 1);
 }
 
-struct Place {
+struct RoutePosition {
   Eigen::Vector3d at;
   bool raised;
 };
 
-/// Camera positions that lie ahead of the ones before.
-std::vector<Place> progress(const CameraRoute& route) {
-  std::vector<Place> places = {{route.T_town_camera.front().translation(), route.isRaised(0)}};
+/// Camera positions, without those that are not ahead of the one before.
+std::vector<RoutePosition> progress(const CameraRoute& route) {
+  std::vector<RoutePosition> places = {
+      {route.T_town_camera.front().translation(), route.isRaised(0)}};
   const auto add = [&](std::size_t frame, double smallest_advance) {
     const Eigen::Isometry3d& pose = route.T_town_camera[frame];
     const Eigen::Vector2d step = (pose.translation() - places.back().at).head<2>();
@@ -51,9 +52,9 @@ PathPoint pathPoint(const Eigen::Vector3d& place, double s, bool raised) {
   return point;
 }
 
-std::vector<PathPoint> everyMetre(const std::vector<Place>& places) {
+std::vector<PathPoint> everyMetre(const std::vector<RoutePosition>& places) {
   std::vector<PathPoint> points;
-  double driven = 0;  // to places[i]
+  double driven = 0;  // m, to places[i]
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Eigen::Vector3d step = places[i + 1].at - places[i].at;
     const bool raised = places[i].raised || places[i + 1].raised;
@@ -70,7 +71,7 @@ std::vector<PathPoint> everyMetre(const std::vector<Place>& places) {
   return points;
 }
 
-/// `fallback` where the points say nothing.
+/// Sets the directions of the points; `fallback` where they cannot be computed.
 void setDirections(std::vector<PathPoint>& points, Eigen::Vector2d fallback) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t before = i - std::min(i, kDirectionSpan);
@@ -83,7 +84,8 @@ void setDirections(std::vector<PathPoint>& points, Eigen::Vector2d fallback) {
   }
 }
 
-/// Straight on from an end; `sign` -1 before the start. The slope there fades out.
+/// Points straight on from an end of the path (`start`: its beginning), with a slope that fades
+/// out.
 std::vector<PathPoint> beyond(const std::vector<PathPoint>& points, bool start) {
   const std::size_t span = std::min<std::size_t>(5, points.size() - 1);
   const PathPoint& end = start ? points.front() : points.back();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The driven path, one point a metre, with the street's centreline beside it.
+// The driven path with one point per metre, and the centreline of its street.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,19 +17,19 @@ struct PathPoint {
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();      ///< m, on the centreline
   double height = 0;        ///< m, Z of the road: camera_height below the camera
   double s = 0;             ///< m driven
-  bool driven_over = true;  ///< false where the street goes on beyond either end of the route
+  bool driven_over = true;  ///< false for the street beyond either end of the route
   bool raised = false;      ///< on a deck (CameraRoute::raised)
 };
 
-/// Standstill and reversing are left out. Before the first pose and after the last one the street
-/// goes on for a while, unless the route comes along there itself.
+/// Samples the path without standstill and reversing. The street extends beyond the first and the
+/// last pose, unless the route passes there itself.
 std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height);
 
-/// Two passes over one street, in either direction: near each other, and not just neighbours on the
-/// path. Directions within 35 degrees. Decks are no street.
+/// Whether two points are of different passes over the same street, in either direction: at most
+/// `reach` m apart, not neighbours on the path, directions within 35 degrees. Not on decks.
 bool isSameStreet(const PathPoint& a, const PathPoint& b, double reach);
 
-/// Path distance from which near points count as a second pass.
+/// Whether the distance along the path is so large that near points are of two passes.
 bool isOtherPass(const PathPoint& a, const PathPoint& b);
 
 /// Spatial index of points: finds candidates within kReach of a position.
@@ -38,7 +38,8 @@ class PointGrid {
   static constexpr double kReach = 8;  ///< m
 
   void add(const Eigen::Vector2d& place, std::size_t index);
-  /// In the order of their cells, then of adding; some are farther than kReach.
+  /// Indices of candidates, in the order of their cells, then of insertion. Some are farther than
+  /// kReach.
   std::vector<std::size_t> near(const Eigen::Vector2d& place) const;
 
  private:

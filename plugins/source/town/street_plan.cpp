@@ -17,11 +17,11 @@ namespace tolman::town {
 namespace {
 
 constexpr double kLargestExtent = 12e3;  ///< m
-constexpr double kMargin = 2;            ///< m of the rasters beyond kFarthest
-constexpr double kFarBlend = 150;        ///< m beyond the rasters over which hills take over
-constexpr double kKerbClearance = 1;     ///< m, camera to kerb
-constexpr double kCrossing = 8;          ///< m, between frames that meet
-constexpr double kOtherPass = 30;        ///< m of driving between them
+constexpr double kMargin = 2;            ///< m by which grids exceed kFarthest
+constexpr double kFarBlend = 150;  ///< m outside of the grids over which the height blends to hills
+constexpr double kKerbClearance = 1;  ///< m, camera to kerb
+constexpr double kCrossing = 8;       ///< m, between frames that meet
+constexpr double kOtherPass = 30;     ///< m of driving between them
 
 std::string fixed(double value, int digits) {
   std::array<char, 64> text{};
@@ -40,7 +40,7 @@ GridExtent extentOf(const std::vector<PathPoint>& path) {
   return extent;
 }
 
-/// The frame that comes nearest to `frame` on another pass.
+/// The frame of another pass that is nearest to `frame`.
 std::optional<std::size_t> crossingFrame(const CameraRoute& route, std::size_t frame) {
   const auto place = [&](std::size_t i) -> Eigen::Vector3d {
     return route.T_town_camera[i].translation();
@@ -82,11 +82,11 @@ Status heightRefusal(const CameraRoute& route, std::size_t frame, double above,
                               " m is possible); choose a route that keeps to the ground");
 }
 
-/// Every camera is above the road, between its kerbs.
+/// Checks that every camera is above the road and between its kerbs.
 Status checkCameras(const CameraRoute& route, const StreetPlan& plan, double camera_height) {
   const Clearance possible{std::min(0.5, camera_height / 2), std::max(4.0, camera_height + 2.35)};
   std::size_t worst_frame = 0;
-  double worst = 0;  // m beyond what is possible
+  double worst = 0;  // m beyond the limit
   double worst_above = 0;
   for (std::size_t i = 0; i < route.T_town_camera.size(); ++i) {
     if (route.isRaised(i)) continue;
@@ -106,7 +106,8 @@ Status checkCameras(const CameraRoute& route, const StreetPlan& plan, double cam
   return worst > 0 ? heightRefusal(route, worst_frame, worst_above, possible) : Status::ok();
 }
 
-/// Runs of raised points, each a point longer at both ends, so that it touches the street.
+/// The runs of raised points, extended by a point at both ends so that they are connected to the
+/// street.
 std::vector<Deck> findDecks(const std::vector<PathPoint>& path,
                             const std::vector<double>& heights) {
   std::vector<Deck> decks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The streets that grow around a route: centrelines, distance to the nearest one, ground height.
+// The streets of a route: centrelines, distance to the nearest one, ground height.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,13 +18,13 @@ struct StreetPoint {
   double s = 0;               ///< m along the section
 };
 
-/// A stretch of street that was not driven before: where a route comes back over an earlier one (in
-/// either direction) no new section begins, so that a place is built once.
+/// A stretch of street that was not driven before. A later pass over it, in either direction, is
+/// not a new section, so that each place is built once.
 struct StreetSection {
   std::vector<StreetPoint> points;
 };
 
-/// Where the road is above the ground. One point a metre; the centreline.
+/// A part of the road above the ground: its centreline, one point per metre.
 struct Deck {
   struct Point {
     Eigen::Vector2d position;   ///< m, town frame
@@ -41,30 +41,30 @@ class StreetPlan {
   static constexpr double kRoadHalfWidth = 3.6;  ///< m, centreline to kerb
   static constexpr double kPavementWidth = 2.0;  ///< m
   static constexpr double kKerbHeight = 0.12;    ///< m
-  static constexpr double kFarthest = 60;        ///< m; distance() ends there
+  static constexpr double kFarthest = 60;        ///< m; largest value of distance()
 
-  /// Where passes of the route disagree about the height (KITTI's do, by up to 1.8 m), the road
-  /// takes the mean and blends into each pass over some 15 m. A street goes on for 50 m beyond
-  /// either end of the route, unless the route comes along there itself.
+  /// Where the heights of passes disagree (in KITTI by up to 1.8 m), the road has their mean, with
+  /// a transition to each pass over some 15 m. Streets extend 50 m beyond either end of the route,
+  /// unless the route passes there itself.
   ///
-  /// Raised frames make decks instead of streets.
+  /// Raised frames give decks instead of streets.
   ///
-  /// Refuses a route that cannot have streets: passes that cross at different heights (a bridge),
-  /// a camera that would be under ground, an extent beyond 12 km. Messages name the frames.
-  /// `levelled` of level_route.hpp makes most such routes possible.
+  /// Refuses a route for which there are no streets: passes that cross at different heights (a
+  /// bridge), a camera below the ground, an extent beyond 12 km. Messages name the frames.
+  /// `levelled` of level_route.hpp corrects most such routes.
   static Result<StreetPlan> grow(const CameraRoute& route, double camera_height);
 
   const std::vector<StreetSection>& sections() const { return sections_; }
   const std::vector<Deck>& decks() const { return decks_; }
-  /// m from (x, y) to the nearest point of a deck's centreline; infinite without decks.
+  /// Distance from (x, y) to the nearest point of a deck's centreline, m; infinite without decks.
   double deckDistance(double x, double y) const;
-  /// m from (x, y) to the nearest centreline of any pass, at most kFarthest. Continuous.
+  /// Distance from (x, y) to the nearest centreline, m, at most kFarthest. Continuous.
   double distance(double x, double y) const { return distance_.at(x, y); }
-  /// m, Z of the road surface or of the terrain there, without kerb and pavement. Smooth; under
-  /// every pose it is camera_height below the camera, up to what the passes disagree. Beyond
-  /// kFarthest it falls back to gentle hills.
+  /// Z of the road or terrain, m, without kerb and pavement. Smooth. At every pose it is
+  /// camera_height below the camera, up to the disagreement of passes. Beyond kFarthest it is that
+  /// of gentle hills.
   double height(double x, double y) const;
-  /// The road below a camera at `camera_z`: that of the highest deck under it, else height().
+  /// Z of the road below a camera at `camera_z`, m: that of the highest deck below it, or height().
   double roadHeight(double x, double y, double camera_z) const;
   const Eigen::Vector2d& lowCorner() const { return low_; }
   const Eigen::Vector2d& highCorner() const { return high_; }

@@ -7,12 +7,12 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kJoins = 5;              ///< m between centrelines, where a known street begins
-constexpr double kLeaves = 7;             ///< m, where it ends: more, so that it is not chopped
-constexpr std::size_t kShortest = 6;      ///< points: shorter streets and interruptions are none
-constexpr double kSmallestAdvance = 0.2;  ///< m; less is the inside of a tight bend
+constexpr double kJoins = 5;              ///< m between centrelines at which a known street begins
+constexpr double kLeaves = 7;             ///< m at which it ends: larger, so that it is not split
+constexpr std::size_t kShortest = 6;      ///< points; shorter streets and interruptions are ignored
+constexpr double kSmallestAdvance = 0.2;  ///< m; smaller advances are on the inside of a tight bend
 
-/// Walks along the path and keeps what was not driven before.
+/// Collects the parts of the path that were not driven before.
 class SectionFinder {
  public:
   explicit SectionFinder(const std::vector<PathPoint>& path) : path_(path), kept_(path.size()) {}
@@ -26,7 +26,7 @@ class SectionFinder {
         known_run_.push_back(i);
         if (known_run_.size() == kShortest) closeSection();
       } else {
-        // A short interruption belongs to the street that goes on after it.
+        // A short interruption belongs to the street after it.
         if (known_run_.size() < kShortest && !section_.empty()) keepAll(known_run_);
         known_run_.clear();
         keepAll({i});
@@ -70,7 +70,7 @@ class SectionFinder {
   std::vector<std::vector<std::size_t>> found_;
 };
 
-/// The centreline that the points describe, with s; points that go back are left out.
+/// The centreline through the points, with s, without points that go backwards.
 std::vector<StreetPoint> centreline(const std::vector<PathPoint>& path,
                                     const std::vector<std::size_t>& indices) {
   std::vector<StreetPoint> line;

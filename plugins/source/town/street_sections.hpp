@@ -9,7 +9,7 @@
 
 namespace tolman::town {
 
-/// Sections in the order of driving, no shorter than 6 m, points 1 m apart.
+/// Sections of at least 6 m in the order of driving, with points 1 m apart.
 std::vector<StreetSection> findSections(const std::vector<PathPoint>& path);
 
 }  // namespace tolman::town

@@ -9,13 +9,13 @@ namespace tolman::town {
 namespace {
 
 constexpr double kFinestCell = 1;   ///< m
-constexpr double kMostCells = 4e6;  ///< of 4 bytes, and five times as much while it is made
+constexpr double kMostCells = 4e6;  ///< of 4 bytes; five times as much during the computation
 constexpr double kSmoothing = 2.5;  ///< m, of driven heights
-constexpr double kReach = 16;       ///< m from the path that its heights are spread to
-constexpr double kLevelTo = 6.5;    ///< m from the centreline, with the pavement; then it fades
+constexpr double kReach = 16;       ///< m from the path up to which its heights are used
+constexpr double kLevelTo = 6.5;    ///< m from the centreline: level up to here
 constexpr double kFadedAt = 12;     ///< m
-constexpr double kSettles = 150;    ///< m over which the membrane settles to the hills
-constexpr int kSweeps = 12;         ///< per level: coarser levels have done the rest
+constexpr double kSettles = 150;    ///< m over which the membrane approaches the hills
+constexpr int kSweeps = 12;         ///< per level; few, because coarser levels give the start
 
 /// Normalised convolution of the values at path points with a Gaussian; 0 beyond kReach.
 GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>& values,
@@ -48,7 +48,7 @@ GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>&
   return sum;
 }
 
-/// Spreads heights, then what spreading smoothed away on crests: bends are followed to centimetres.
+/// Spreads heights, then the residuals of this smoothing, so that crests are exact to centimetres.
 GroundGrid streetHeights(const std::vector<PathPoint>& path, const std::vector<double>& heights,
                          const GridExtent& extent, double cell) {
   GroundGrid street = spread(path, heights, extent, cell);
@@ -63,7 +63,7 @@ GroundGrid streetHeights(const std::vector<PathPoint>& path, const std::vector<d
   return street;
 }
 
-/// Heights that are known, and how firmly, at one resolution.
+/// Known heights and their weights at one resolution.
 struct Level {
   GroundGrid known;
   GroundGrid weight;  ///< 1 keeps the height, 0 leaves it to the membrane
@@ -73,7 +73,7 @@ GridExtent extentOf(const GroundGrid& raster) {
   return {raster.position(0, 0), raster.position(raster.columns() - 1, raster.rows() - 1)};
 }
 
-/// Half the resolution; a coarse point stands for the up to four fine ones from it on.
+/// The level of half the resolution; a coarse point represents up to four fine ones.
 Level coarser(const Level& fine) {
   const GridExtent extent = extentOf(fine.known);
   const double cell = 2 * fine.known.cell();
@@ -110,8 +110,8 @@ GroundGrid hillRaster(const GroundGrid& like, double mean) {
   return hills;
 }
 
-/// Gauss-Seidel on the screened membrane: known heights, else the mean of the neighbours with a
-/// little of the hills.
+/// Gauss-Seidel on the screened membrane equation: known heights by their weight, otherwise the
+/// mean of the neighbours with a small share of the hills.
 void relax(GroundGrid& height, const Level& level, double mean) {
   const int columns = height.columns();
   const int rows = height.rows();
@@ -134,13 +134,13 @@ void relax(GroundGrid& height, const Level& level, double mean) {
   }
 }
 
-/// The membrane at this level, from the coarser ones.
+/// The membrane at this level, starting from the coarser one.
 GroundGrid membrane(const Level& level, double mean) {
   const GridExtent extent = extentOf(level.known);
   GroundGrid height(extent.low, extent.high, level.known.cell(), static_cast<float>(mean));
   if (std::min(level.known.columns(), level.known.rows()) > 4) {
     const GroundGrid coarse = membrane(coarser(level), mean);
-    // A coarse point stands for the middle of its fine ones.
+    // A coarse point represents the middle of its fine points.
     const double shift = level.known.cell() / 2;
     for (int r = 0; r < height.rows(); ++r) {
       for (int c = 0; c < height.columns(); ++c) {
@@ -155,7 +155,7 @@ GroundGrid membrane(const Level& level, double mean) {
   return height;
 }
 
-/// The pad's height within it, whatever streets are near.
+/// Sets the height of the pad within it, also near streets.
 void flatten(Level& level, const GroundPad& pad) {
   for (int r = 0; r < level.known.rows(); ++r) {
     for (int c = 0; c < level.known.columns(); ++c) {
@@ -169,7 +169,7 @@ void flatten(Level& level, const GroundPad& pad) {
   }
 }
 
-/// The ground stays below the roadway of decks, also where they meet their embankments.
+/// Lowers the ground below the roadway of decks, also at their embankments.
 void lowerUnderDecks(GroundGrid& height, const std::vector<PathPoint>& path,
                      const std::vector<double>& heights) {
   constexpr double kBelow = 0.35;  // m, more than a kerb

@@ -18,7 +18,7 @@ Vec3 toVec3(const Eigen::Vector2d& p, double z) {
 
 }  // namespace
 
-/// Ranges that houses of one kind of place are drawn from.
+/// Ranges of the random dimensions of houses of one kind of neighbourhood.
 struct StretchBuilder::HouseKind {
   double narrow, wide;  // m along the street
   double gap;           // m between neighbours, at most
@@ -87,7 +87,7 @@ void StretchBuilder::houses(const HouseKind& kind) {
   }
 }
 
-/// A second row, seen between the houses of the first.
+/// A second row of houses, visible between those of the first.
 void StretchBuilder::backHouses() {
   double s = stretch_.begin + draw(0, 12);
   while (s < stretch_.end) {

@@ -22,7 +22,7 @@ enum class Material : std::uint8_t {
   Bark,    ///< trunks
   Body,    ///< bodywork of cars, with windows by height
   Board,   ///< signs and posters
-  Cloth,   ///< clothes, each person's in another tone
+  Cloth,   ///< clothes, with a tone for each person
 };
 
 struct Surface {
@@ -34,7 +34,7 @@ struct Surface {
   Vec3 origin;
   Vec3 axis_u = {1, 0, 0};
   Vec3 axis_v = {0, 0, 1};
-  float width = 0;   ///< m along u, where the pattern needs to know its end
+  float width = 0;   ///< m along u, for patterns that depend on their end
   float height = 0;  ///< m along v
 };
 

@@ -44,7 +44,7 @@ std::vector<float>& TownCamera::openShutter(Renderer& renderer, const Moment& mo
                                             double time_ms) {
   const double open = parameters_.motion_blur;
   const int shots = open > 0 ? 5 : 1;
-  for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, so that its depth is kept
+  for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, to keep its depth
     renderer.render(viewAt(moment, open * shot / shots), rendered_);
     if (shots == 1) break;
     if (shot == shots - 1) blurred_.assign(rendered_.radiance.size(), 0);

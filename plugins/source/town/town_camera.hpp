@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One camera of the rig: what it sees while its shutter is open, through its glass, as grey levels.
+// One camera of the rig: its image in grey levels, with shutter and glass.
 #pragma once
 
 #include <cstdint>
@@ -34,14 +34,14 @@ class TownCamera {
              std::size_t index, std::uint32_t run_seed);
 
   Image take(Renderer& renderer, const Light& light, const Moment& moment);
-  /// What was rendered last; with motion blur at the stamp.
+  /// The last rendered image; with motion blur that at the stamp.
   const RenderedImage& rendered() const { return rendered_; }
 
  private:
   /// T_town_camera; parts as in Moment.
   Eigen::Isometry3d poseAt(const Moment& moment, double part) const;
   RenderCamera viewAt(const Moment& moment, double part) const;
-  /// Radiance over the time that the shutter is open.
+  /// Mean radiance over the exposure time.
   std::vector<float>& openShutter(Renderer& renderer, const Moment& moment, double time_ms);
   Rain rainAt(const Light& light, const Moment& moment, const Exposure& exposure) const;
   Sensor sensorFor(const Moment& moment, double amplification) const;

@@ -17,7 +17,7 @@
 
 namespace tolman::town {
 
-/// What becomes of a route whose own poses cross at different heights.
+/// Handling of a route whose poses cross at different heights.
 enum class Crossings : std::uint8_t { Level, Refuse, Bridge };
 inline constexpr std::array<std::string_view, 3> kCrossingsNames = {"level", "refuse", "bridge"};
 constexpr std::span<const std::string_view> enumNames(Crossings) { return kCrossingsNames; }
@@ -74,7 +74,8 @@ constexpr auto driveParameters() {
   using P = TownParameters;
   return parameters(
       parameter("route", &P::route)
-          .doc("block, eights, district, highway, car_park, or a file of poses in KITTI's format "
+          .doc("block, eights, district, highway, car_park, hall, or a file of poses in KITTI's "
+               "format "
                "to drive "
                "along."),
       parameter("crossings", &P::crossings)
@@ -120,8 +121,9 @@ constexpr auto cameraParameters() {
               "How far the camera is turned to the right about its optical axis, from the poses of "
               "the route."),
       parameter("flight", &P::flight)
-          .doc("The route is a file of free poses: streets lie on level ground under them. Without "
-               "it they follow the heights of the poses."));
+          .doc("A file of free poses, with streets on level ground under them, instead of poses "
+               "whose heights the streets follow; a built-in route is flown, at 0 to 4 m above "
+               "the first camera, pitching and rolling by 8 degrees."));
 }
 
 constexpr auto townParameters() {

@@ -11,6 +11,8 @@
 
 #include "bridges.hpp"
 #include "car_park.hpp"
+#include "flown_route.hpp"
+#include "hall.hpp"
 #include "level_route.hpp"
 #include "noise.hpp"
 #include "true_camera.hpp"
@@ -19,24 +21,22 @@
 namespace tolman::town {
 namespace {
 
+bool isFile(const std::string& route) { return route.find_first_of("/.") != std::string::npos; }
+
 Result<CameraRoute> findRoute(const TownParameters& p) {
   const RouteOptions options = {p.rate, p.speed, p.camera_height};
-  const bool is_file = p.route.find_first_of("/.") != std::string::npos;
-  return is_file ? readRoute(p.route, options) : builtInRoute(p.route, options);
+  if (isFile(p.route)) return readRoute(p.route, options);
+  Result<CameraRoute> route = builtInRoute(p.route, options);
+  if (!route.isOk() || !p.flight) return route;
+  if (route.value().building == Building::None) return flown(route.value());
+  return Status::invalidParameter("flight: the route " + p.route +
+                                  " is inside a building; use another, or flight: false");
 }
 
-/// The same way on level ground, as high as the first pose, looking ahead.
-CameraRoute groundTrack(const CameraRoute& flown) {
-  CameraRoute track = flown;
-  for (Eigen::Isometry3d& pose : track.T_town_camera) {
-    const Eigen::Vector3d ahead = pose.linear().col(2);
-    const double azimuth = ahead.head<2>().norm() > 1e-6 ? std::atan2(ahead.x(), ahead.y()) : 0;
-    // Right, down and forward of the camera in the town, whose Z points upwards.
-    pose.linear() << std::cos(azimuth), 0, std::sin(azimuth), -std::sin(azimuth), 0,
-        std::cos(azimuth), 0, -1, 0;
-    pose.translation().z() = flown.T_town_camera.front().translation().z();
-  }
-  return track;
+/// The route of a vehicle on the streets, for the path of the camera.
+CameraRoute streetsFor(const CameraRoute& way, const TownParameters& p) {
+  if (way.building == Building::Hall) return streetBesideHall(way);
+  return p.flight ? groundTrack(way) : way;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ Status TownSource::build() {
   const Parameters& p = parameters_;
   Result<CameraRoute> route = findRoute(p);
   if (!route.isOk()) return route.status();
-  route_ = p.flight ? groundTrack(route.value()) : route.value();
+  route_ = streetsFor(route.value(), p);
   is_levelled_ = false;
   Result<FrameSequence> sequence = FrameSequence::make(p, route_.stamps_ns);
   if (!sequence.isOk()) return sequence.status();
@@ -100,7 +100,8 @@ Status TownSource::build() {
   if (!schedule.isOk()) return schedule.status();
   schedule_ = std::move(schedule.value());
   buildScene();
-  return placeCameras(p.flight ? route.value() : route_);
+  const bool has_own_way = p.flight || route_.building == Building::Hall;
+  return placeCameras(has_own_way ? route.value() : route_);
 }
 
 Status TownSource::placeCameras(const CameraRoute& flown) {
@@ -127,12 +128,15 @@ Status TownSource::placeCameras(const CameraRoute& flown) {
 void TownSource::buildScene() {
   const Parameters& p = parameters_;
   const auto seed = static_cast<std::uint32_t>(p.seed);
-  const bool has_car_park = !route_.pads.empty();
   WorldOptions options = {seed, p.aliasing, p.density, p.guard_rails, {}};
-  if (has_car_park) options.reserved.push_back(carParkPlot());
+  const Building building = route_.building;
+  if (building == Building::CarPark) options.reserved.push_back(carParkPlot());
+  if (building == Building::Hall) options.reserved.push_back(hallPlot());
   World world = buildWorld(*plan_, options);
-  if (has_car_park) {
+  if (building == Building::CarPark) {
     addCarPark(world, -p.camera_height, hash(seed, 311));
+  } else if (building == Building::Hall) {
+    addHall(world, -p.camera_height, hash(seed, 312));
   } else {
     addBridges(world, *plan_);
   }
@@ -203,7 +207,7 @@ void TownSource::arrangeScene(std::size_t index) {
 void TownSource::setLight(std::size_t index) {
   light_ = schedule_.lightAt(index);
   const Eigen::Isometry3d& T_town_left = route_.T_town_camera[index];
-  // Lamps of a car: below the camera, ahead of it, one in the middle for the two.
+  // The lamps of the camera's car: below and ahead of it, one in the middle for both.
   const Eigen::Vector3d from = T_town_left * Eigen::Vector3d(0, 0.95, 1.6);
   const Eigen::Vector3d ahead = T_town_left.linear().col(2);
   const auto toVec3 = [](const Eigen::Vector3d& v) {
@@ -306,7 +310,7 @@ Status TownSource::inspect(std::vector<Finding>& findings) {
     note(Finding::Severity::Note,
          "passes crossed at different heights; the poses were levelled (crossings: level)");
   }
-  if (route_.pads.empty() && !plan_->decks().empty()) {
+  if (route_.building == Building::None && !plan_->decks().empty()) {
     note(Finding::Severity::Note, std::to_string(plan_->decks().size()) + " bridges");
   }
   note(Finding::Severity::Note, std::to_string(scene_->triangles()) + " triangles and " +

@@ -29,12 +29,12 @@ class TownSource final : public Source, public ArrayDescriptions {
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
   Status inspect(std::vector<Finding>& findings) override;
-  /// depth.left, where `depth` is set.
+  /// Describes depth.left, if `depth` is set.
   Status describe(std::vector<ArrayInfo>& arrays) const override;
 
  private:
   Status build();
-  /// The cameras along `flown`, or along the route of the streets.
+  /// Places the cameras along `flown`, or along the route of the streets.
   Status placeCameras(const CameraRoute& flown);
   Status setRig();
   void chooseFrames();
@@ -42,9 +42,9 @@ class TownSource final : public Source, public ArrayDescriptions {
   Eigen::Isometry3d poseAt(std::size_t index, double part) const;
   /// Builds the scene from streets, seasons and traffic.
   void buildScene();
-  /// s since the start of the drive.
+  /// Time since the start of the drive, s.
   double secondsAt(std::size_t index) const;
-  /// Traffic, and what season and day show.
+  /// Sets the traffic and the objects of season and day.
   void arrangeScene(std::size_t index);
   void setLight(std::size_t index);
   Image takePicture(std::size_t index, bool right);

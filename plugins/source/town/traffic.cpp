@@ -23,11 +23,12 @@ Traffic::Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_p
 
 Placement Traffic::at(std::size_t index, double seconds) const {
   const Car& car = cars_[index];
-  const Lane::Place place = lane_.at(wrapPeriod(car.start - car.speed * seconds, lane_.length()));
+  const Lane::Position place =
+      lane_.at(wrapPeriod(car.start - car.speed * seconds, lane_.length()));
   return onRoad(*plan_, place, true);
 }
 
-Placement onRoad(const StreetPlan& plan, const Lane::Place& place, bool comes) {
+Placement onRoad(const StreetPlan& plan, const Lane::Position& place, bool comes) {
   const Eigen::Vector2d forward = comes ? Eigen::Vector2d(-place.along) : place.along;
   const double yaw = std::atan2(forward.y(), forward.x());
   const Eigen::Vector2d& at = place.position;
@@ -48,7 +49,7 @@ Placement besideCamera(Placement car, const Eigen::Isometry3d& T_town_camera,
   const double beside = offset.dot(left);
   if (ahead >= clearing.far || std::fabs(beside) >= clearing.beside) return car;
   const double share = std::min(1.0, (clearing.far - ahead) / (clearing.far - clearing.near));
-  const double side =  // to the left, if not right
+  const double side =  // to the left, unless it is clearly on the right
       beside < -0.5 * clearing.beside ? -clearing.beside : clearing.beside;
   const Eigen::Vector2d moved = share * (side - beside) * left;
   car.position.x += static_cast<float>(moved.x());

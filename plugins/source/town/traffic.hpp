@@ -13,13 +13,14 @@
 
 namespace tolman::town {
 
-/// Cars at equal mean distances on the oncoming lane of the route, each at its own steady speed.
+/// Cars at equal mean distances on the oncoming lane of the route, each with its own constant
+/// speed.
 class Traffic {
  public:
   Traffic(const CameraRoute& route, const StreetPlan& plan, double cars_per_km, std::uint32_t seed);
 
   std::size_t size() const { return cars_.size(); }
-  /// Where car `index` is, `seconds` after the first pose.
+  /// Place of car `index`, `seconds` after the first pose.
   Placement at(std::size_t index, double seconds) const;
 
  private:
@@ -34,17 +35,17 @@ class Traffic {
 };
 
 /// Upright on the road at a place of a lane, looking along the route or against it.
-Placement onRoad(const StreetPlan& plan, const Lane::Place& place, bool comes);
+Placement onRoad(const StreetPlan& plan, const Lane::Position& place, bool comes);
 
-/// How a vehicle keeps clear of the camera.
+/// Distances that a vehicle keeps from the camera.
 struct Clearing {
   double near = 6;    ///< m ahead or behind: a car's length and a half
-  double far = 20;    ///< m, from here on it moves over
+  double far = 20;    ///< m ahead or behind, where it begins to move aside
   double beside = 3;  ///< m between the centrelines
 };
 
-/// The vehicle, moved to the side where it would come too near to the camera. On a street that the
-/// route takes in both directions the oncoming lane of one pass is the camera's own in the other.
+/// The vehicle, moved to the side if it is too near to the camera. On a street that the route takes
+/// in both directions the oncoming lane of one pass is the camera's own lane in the other.
 Placement besideCamera(Placement vehicle, const Eigen::Isometry3d& T_town_camera,
                        const Clearing& clearing = {});
 

@@ -41,7 +41,7 @@ Vec3 onCircle(RandomStream& random, float radius) {
   return {radius * std::cos(angle), radius * std::sin(angle), 0};
 }
 
-/// A twig: two crossed scraps of leaves that roughen the outline of the crown.
+/// A twig: two crossed quads of leaves that roughen the outline of the crown.
 void addTwig(Mesh& mesh, const Vec3& at, float size, RandomStream& random, std::uint32_t leaves) {
   for (int i = 0; i < 2; ++i) {
     std::array<Vec3, 3> corners;

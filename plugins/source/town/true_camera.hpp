@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cameras as they are, beside the rig that the calibration believes in.
+// The true cameras, which differ from the rig of the calibration.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Three floats, for shading: Eigen's fixed vectors cost compile time in every inner loop.
+// A vector of three floats for shading, which compiles faster than Eigen's fixed vectors.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ inline float floorOf(float x) {
   return truncated > x ? truncated - 1 : truncated;
 }
 
-/// Rotation about Z, uniform scale, lean, then translation: where an instance stands.
+/// Placement of an instance: rotation about Z, uniform scale, lean, then translation.
 struct Placement {
   Vec3 position;
   float cosine = 1;

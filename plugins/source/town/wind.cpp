@@ -33,7 +33,7 @@ Wind::Wind(const World& world, double speed, std::uint32_t seed) : speed_(speed)
 Placement Wind::at(const Plant& plant, double seconds) const {
   const auto t = static_cast<float>(seconds);
   const Vec3& place = plant.placement.position;
-  // Gusts travel with the wind, along X.
+  // Gusts move with the wind, along X.
   const float gust =
       noise2((place.x - static_cast<float>(speed_) * t) / kGust, place.y / kGust, seed_);
   const float phase = 2 * std::numbers::pi_v<float> * unit(hash(plant.seed, 11));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trees and bushes that sway in the wind. Leaves flutter besides (ray_packet.cpp).
+// Trees and bushes that sway in the wind. Leaves also move by themselves (ray_packet.cpp).
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class Wind {
     std::uint32_t seed = 0;
   };
   const std::vector<Plant>& plants() const { return plants_; }
-  /// How a plant stands `seconds` after the first pose.
+  /// Placement of a plant `seconds` after the first pose.
   Placement at(const Plant& plant, double seconds) const;
 
  private:

@@ -16,7 +16,7 @@ struct MeshInstance {
   std::uint32_t prototype = 0;
   Placement placement;
   std::uint32_t seed = 0;  ///< of texture and tone
-  bool shines = false;     ///< a car whose lamps are on at night
+  bool shines = false;     ///< a car with its lamps on at night
 };
 
 struct World {
@@ -25,7 +25,7 @@ struct World {
   std::vector<Mesh> prototypes;  ///< own axes: Z up, standing on the origin
   std::vector<MeshInstance> instances;
   std::vector<std::uint32_t> cars;        ///< the prototypes that are cars
-  std::vector<std::uint32_t> evergreens;  ///< the prototypes that keep their leaves
+  std::vector<std::uint32_t> evergreens;  ///< the prototypes that have leaves in winter
   std::vector<Vec3> lamp_heads;           ///< middles, town axes
 
   std::uint32_t addSurface(const Surface& surface) {
@@ -39,7 +39,7 @@ struct WorldOptions {
   double aliasing = 0.15;  ///< share of stretches that look like others
   double density = 1;      ///< of houses, trees and parked cars; 0 leaves bare streets
   bool guard_rails = false;
-  std::vector<Plot> reserved;  ///< ground that something else stands on
+  std::vector<Plot> reserved;  ///< ground of other objects
 };
 
 World buildWorld(const StreetPlan& plan, const WorldOptions& options);

@@ -64,7 +64,7 @@ Status CameraDevice::next(bool wanted, Picture& picture) {
   } else if (pixels_read.channels() == 1 && colour_) {
     cv::cvtColor(pixels_read, pixels_read, cv::COLOR_GRAY2BGR);
   }
-  // The next picture is decoded into the same memory.
+  // A copy, because the next picture is decoded into the same memory.
   picture.image = asImage(pixels_read.clone());
   return Status::ok();
 }

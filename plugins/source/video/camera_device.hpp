@@ -11,7 +11,7 @@
 
 namespace tolman::video {
 
-/// What the camera is asked for; 0: what it gives by itself.
+/// Requested settings of the camera; 0: its default.
 struct CameraRequest {
   PictureSize size;  ///< px
   double rate = 0;   ///< Hz
@@ -25,8 +25,8 @@ class CameraDevice final : public Capture {
 
   PictureSize size() const override { return size_; }
   std::string description() const override;
-  /// Waits for the next picture. Its stamp is the driver's time of the exposure where it tells one,
-  /// else the time of its arrival. A camera that gives none for 10 s is a failure.
+  /// Waits for the next picture. Its stamp is the driver's time of exposure, or the time of arrival
+  /// if the driver has none. A camera that gives no picture for 10 s is a failure.
   Status next(bool wanted, Picture& picture) override;
 
  private:

@@ -16,11 +16,11 @@ struct PictureSize {
   bool operator==(const PictureSize&) const = default;
 };
 
-/// One picture. Its image is empty when it was not wanted, or when it is damaged.
+/// One picture. Its image is empty if it was not requested or is damaged.
 struct Picture {
   Image image;
   std::int64_t stamp_ns = 0;  ///< of a file: since its first picture
-  bool timed = false;         ///< false: the file says no times
+  bool timed = false;         ///< false: the file contains no times
   std::string defect;         ///< why the image is missing
 };
 
@@ -29,11 +29,11 @@ class Capture {
   virtual ~Capture() = default;
   /// Size of all pictures.
   virtual PictureSize size() const = 0;
-  /// For people: "mpeg4 in mp4, 640x480 px, 30 Hz, 12.3 s".
+  /// Text for messages: "mpeg4 in mp4, 640x480 px, 30 Hz, 12.3 s".
   virtual std::string description() const = 0;
   /// The next picture; `wanted`: with its pixels. EndOfStream after the last.
   virtual Status next(bool wanted, Picture& picture) = 0;
-  /// After EndOfStream: why it is not the end that it should be, with a remedy; else empty.
+  /// After EndOfStream: why the stream is incomplete, with a remedy; empty if it is complete.
   virtual std::string defectOfEnd() const { return {}; }
 };
 

@@ -45,13 +45,13 @@ Status waitForData(const std::string& path, int pipe, double patience_s) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
+OpenFile::~OpenFile() {
   if (number_ >= 0) ::close(number_);
 }
 
-Result<PathKind> findKind(const std::filesystem::path& path, Descriptor& pipe, double patience_s) {
+Result<PathKind> findKind(const std::filesystem::path& path, OpenFile& pipe, double patience_s) {
   const std::string name = path.string();
-  Descriptor file(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  OpenFile file(::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0) return cannotOpen(name, errno);
   struct stat about {};
   if (::fstat(file.get(), &about) != 0) return cannotOpen(name, errno);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a path leads to, and whether it can be read.
+// The kind of file at a path, and whether it can be read.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 namespace tolman::video {
 
 enum class PathKind : std::uint8_t {
-  File,    ///< a regular file: can be read again
-  Pipe,    ///< a named pipe, in which data are
+  File,    ///< a regular file, which can be read again
+  Pipe,    ///< a named pipe that contains data
   Device,  ///< a camera
 };
 
 /// An open file descriptor, or none (-1).
-class Descriptor {
+class OpenFile {
  public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor();
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
+  explicit OpenFile(int number = -1) : number_(number) {}
+  ~OpenFile();
+  OpenFile(OpenFile&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  OpenFile& operator=(OpenFile&& other) noexcept {
     std::swap(number_, other.number_);
     return *this;
   }
@@ -32,10 +32,10 @@ class Descriptor {
   int number_;
 };
 
-/// The kind of a path that can be opened; otherwise a failure that says why not. For a named pipe
-/// it waits until something is written, at most `patience_s`, and leaves it open as `pipe`, for
-/// what is written into it is there only once. It does not block.
-Result<PathKind> findKind(const std::filesystem::path& path, Descriptor& pipe,
+/// The kind of a path that can be opened, otherwise a failure with the reason. For a named pipe it
+/// waits until data are written, at most `patience_s`, and leaves it open, non-blocking, as `pipe`,
+/// because data in a pipe can be read only once.
+Result<PathKind> findKind(const std::filesystem::path& path, OpenFile& pipe,
                           double patience_s = 10);
 
 }  // namespace tolman::video

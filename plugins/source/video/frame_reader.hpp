@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of a video file in any order, without seeking: what a decoder gives after a jump is not
-// always what it gives on the way there.
+// Pictures of a video file in any order, without seeking: after a seek a decoder may give other
+// pictures than when it decodes all of them.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace tolman::video {
 
 using OpenCapture = std::function<Result<std::unique_ptr<Capture>>()>;
 
-/// Going forward each picture is decoded once. A step back begins the file anew and keeps as many
-/// pictures before the wanted one as fit into `most_bytes`.
+/// In forward order each picture is decoded once. A step back decodes the file again from its start
+/// and keeps as many pictures before the wanted one as fit into `most_bytes`.
 class FrameReader {
  public:
   explicit FrameReader(OpenCapture open, std::size_t most_bytes = std::size_t{256} << 20U)
       : open_(std::move(open)), most_bytes_(most_bytes) {}
 
-  /// Decodes the whole file: times of all pictures. `end`: Capture::defectOfEnd().
+  /// Decodes the whole file for the times of all pictures. `end`: Capture::defectOfEnd().
   Status readTimes(std::vector<Picture>& pictures, std::string& end);
   /// Picture `index`, which must exist.
   Status read(std::int64_t index, Picture& picture);

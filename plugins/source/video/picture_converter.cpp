@@ -23,8 +23,8 @@ Image turned(const Image& image, int quarter_turns) {
   return asImage(result);
 }
 
-/// Formats of JPEG are those of video with the full range of values; libswscale wants the range
-/// told apart and warns of the old names.
+/// The formats of JPEG are those of video with the full range of values. libswscale has the range
+/// as a separate setting and warns about the old formats.
 AVPixelFormat plainFormat(AVPixelFormat format) {
   switch (format) {
     case AV_PIX_FMT_YUVJ420P:
@@ -58,11 +58,11 @@ Result<Image> PictureConverter::convert(const AVFrame& picture) {
   const bool full = plain != format || picture.color_range == AVCOL_RANGE_JPEG;
   const bool hd = picture.colorspace == AVCOL_SPC_BT709;
   const int* coefficients = sws_getCoefficients(hd ? SWS_CS_ITU709 : SWS_CS_DEFAULT);
-  // 0, 1 << 16, 1 << 16: brightness, contrast and saturation as they are.
+  // 0, 1 << 16, 1 << 16: brightness, contrast and saturation are not changed.
   sws_setColorspaceDetails(scaler_, coefficients, full ? 1 : 0, coefficients, 1, 0, 1 << 16,
                            1 << 16);
   const PixelFormat wanted = colour_ ? PixelFormat::Bgr8 : PixelFormat::Gray8;
-  // libswscale writes whole vector registers: rows are padded, and there is room after the last.
+  // libswscale writes whole vector registers, so rows and the end of the image are padded.
   constexpr int kPadding = 64;
   const int stride = (picture.width * bytesPerPixel(wanted) + kPadding - 1) / kPadding * kPadding;
   const auto bytes = static_cast<std::size_t>(stride) * static_cast<std::size_t>(picture.height);

@@ -14,7 +14,7 @@ namespace tolman::video {
 /// Converts to Gray8 (luminance, black 0 and white 255) or Bgr8, and turns the picture clockwise.
 class PictureConverter {
  public:
-  /// `quarter_turns`: 0 to 3, as the file's own mark says how it is to be seen.
+  /// `quarter_turns`: 0 to 3, the display rotation that the file gives.
   PictureConverter(bool colour, int quarter_turns);
   ~PictureConverter();
   PictureConverter(const PictureConverter&) = delete;
@@ -25,7 +25,7 @@ class PictureConverter {
  private:
   bool colour_;
   int quarter_turns_;
-  SwsContext* scaler_ = nullptr;  ///< remade by libswscale where size or format changes
+  SwsContext* scaler_ = nullptr;  ///< recreated by libswscale when size or format changes
 };
 
 }  // namespace tolman::video

@@ -22,12 +22,12 @@ namespace {
 
 constexpr std::int64_t kMostPixels = 100'000'000;
 
-/// Tells FFmpeg to give up waiting.
+/// FFmpeg's callback to stop waiting.
 int isCancelled(void* cancellation) {
   return static_cast<const Cancellation*>(cancellation)->requested() ? 1 : 0;
 }
 
-/// How a player turns the picture clockwise, in quarters.
+/// Clockwise display rotation of the stream, in quarter turns.
 int quarterTurns(const AVStream& stream) {
   const std::uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, nullptr);
   if (matrix == nullptr) return 0;
@@ -36,8 +36,8 @@ int quarterTurns(const AVStream& stream) {
   return ((static_cast<int>(std::lround(-angle / 90)) % 4) + 4) % 4;
 }
 
-/// Where the stream should end, in its own units; only some headers say, and those of several
-/// streams mean the longest one.
+/// The end of the stream by its header, in the stream's units. Only some headers contain it; for
+/// several streams it is that of the longest one, which is not used.
 std::optional<std::int64_t> promisedEnd(const AVFormatContext& container, const AVStream& stream) {
   const std::int64_t start = stream.start_time == AV_NOPTS_VALUE ? 0 : stream.start_time;
   if (stream.nb_frames > 0 && stream.duration > 0) return start + stream.duration;
@@ -52,7 +52,8 @@ std::string rounded(double value) {
   return text.data();
 }
 
-/// Whether a picture of a Motion JPEG ends with the marker EOI: FFmpeg makes up what is missing.
+/// Whether a picture of a Motion JPEG ends with the marker EOI. Without it FFmpeg fills in the
+/// missing part.
 bool hasJpegEnd(const AVPacket& packet) {
   constexpr std::array<std::uint8_t, 2> kEnd = {0xff, 0xd9};
   const std::span<const std::uint8_t> bytes(packet.data, static_cast<std::size_t>(packet.size));
@@ -87,7 +88,7 @@ Status VideoFile::openStream() {
     return Status::failed("no memory for a video");
   }
   container_->interrupt_callback = {isCancelled, const_cast<Cancellation*>(&cancellation_)};
-  // Containers can refer to other files and to servers: only what was named is read.
+  // Containers can refer to other files and to servers; only the given file is read.
   AVDictionary* options = nullptr;
   av_dict_set(&options, "protocol_whitelist", "file,pipe", 0);
   const std::string address =
@@ -124,7 +125,7 @@ Status VideoFile::openDecoder() {
   int status = avcodec_parameters_to_context(decoder_, &coded);
   decoder_->pkt_timebase = stream_->time_base;
   decoder_->max_pixels = kMostPixels;
-  decoder_->thread_count = 1;  // threads of FFmpeg would run on between two calls
+  decoder_->thread_count = 1;  // threads of FFmpeg would run between two calls
   if (status >= 0) status = avcodec_open2(decoder_, codec, nullptr);
   if (status < 0) {
     return Status::invalidInput("the decoder of " + name + " does not start (" +
@@ -176,7 +177,7 @@ Status VideoFile::next(bool wanted, Picture& picture) {
     if (status == AVERROR_EOF) return Status::endOfStream();
     if (status != AVERROR(EAGAIN)) {
       damage_ = libavError(status);
-      continue;  // the decoder goes on with the next packet
+      continue;  // the decoder can continue with the next packet
     }
     if (Status fed = feed(); !fed.isOk()) return fed;
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A video file, or a pipe that a program writes a video into, read by FFmpeg's libraries.
 //
-// They are called directly, not through OpenCV: its capture gives each picture the time of the last
-// packet that was read, which is another one's where the coder reorders pictures, and it cannot
-// tell a damaged or cut file from one that ends.
+// They are called directly, not through OpenCV. OpenCV gives each picture the time of the last
+// packet that was read, which is wrong if the coder reorders pictures, and it cannot distinguish
+// the end of a file from damage.
 #pragma once
 
 #include <filesystem>
@@ -23,20 +23,20 @@ namespace tolman::video {
 
 class VideoFile final : public Capture {
  public:
-  /// Opens the first video stream. InvalidInput with a remedy for what is no video. `pipe`: the
-  /// open pipe, which must outlive this object, or -1 for a file. `cancellation` ends the waiting
-  /// for a pipe.
+  /// Opens the first video stream. InvalidInput with a remedy if it is not a video. `pipe`: the
+  /// open pipe, which must outlive this object, or -1 for a file. `cancellation` ends the wait for
+  /// a pipe.
   static Result<std::unique_ptr<VideoFile>> open(const std::filesystem::path& path, int pipe,
                                                  bool colour, const Cancellation& cancellation);
   ~VideoFile() override;
 
   PictureSize size() const override { return size_; }
   std::string description() const override;
-  /// Reads to the end without decoding: the number of coded pictures. Afterwards there are none.
+  /// Number of coded pictures. Reads to the end without decoding, so next() has none afterwards.
   std::int64_t countPackets();
   /// A picture that is damaged, or not complete at the end of the file, has a `defect`.
   Status next(bool wanted, Picture& picture) override;
-  /// The file ends in the middle of a picture, or before the end that its header promises.
+  /// Reports a file that ends within a picture or before the end in its header.
   std::string defectOfEnd() const override;
 
  private:
@@ -45,7 +45,7 @@ class VideoFile final : public Capture {
   Status openStream();
   Status openDecoder();
   void readSize();
-  /// Gives the decoder one packet of the stream, or the end.
+  /// Sends one packet of the stream, or the end, to the decoder.
   Status feed();
   bool endsEarly() const;
   Status fill(bool wanted, Picture& picture);
@@ -64,7 +64,7 @@ class VideoFile final : public Capture {
   int pipe_ = -1;
   bool fed_all_ = false;
   bool cut_ = false;        ///< the last packet was not complete
-  std::string damage_;      ///< of a packet that the decoder refused
+  std::string damage_;      ///< error of a packet that the decoder rejected
   std::int64_t end_ = 0;    ///< of the pictures in the packets so far, units of the stream
   std::int64_t start_ = 0;  ///< time of the first picture, units of the stream
   std::int64_t pictures_ = 0;

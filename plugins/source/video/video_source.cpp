@@ -199,7 +199,7 @@ Status VideoSource::judgeEnd(const std::string& defect) {
   return Status::ok();
 }
 
-/// No picture is left: whether that is as it should be.
+/// EndOfStream after the last picture, or a failure if the stream ended too early.
 Status VideoSource::atEnd() {
   if (next_picture_ == 0) return Status::invalidInput(parameters_.path + ": has no pictures");
   if (Status status = judgeEnd(capture_->defectOfEnd()); !status.isOk()) return status;

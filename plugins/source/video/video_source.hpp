@@ -22,7 +22,7 @@ class VideoSource final : public Source {
   Status reset() override;
   Status info(SourceInfo& info) override;
   Status next(Frame& frame) override;
-  /// Of a file: decodes all pictures.
+  /// Decodes all pictures of a file.
   Status inspect(std::vector<Finding>& findings) override;
 
  private:
@@ -36,7 +36,7 @@ class VideoSource final : public Source {
   Status nextForward(Frame& frame);
   Status nextOfSequence(Frame& frame);
   Status atEnd();
-  /// What is wrong with the end of the file is a failure, or a warning with on_corrupt: skip.
+  /// A defect of the end of the file is a failure, or a warning with on_corrupt: skip.
   Status judgeEnd(const std::string& defect);
   Status give(Picture& picture, std::int64_t index, Frame& frame);
   Result<std::int64_t> stampNs(const Picture& picture, std::int64_t index) const;
@@ -45,16 +45,16 @@ class VideoSource final : public Source {
   Parameters parameters_;
   PathKind kind_ = PathKind::File;
   Logger* log_ = nullptr;
-  Descriptor pipe_;  ///< read by capture_
+  OpenFile pipe_;  ///< read by capture_
   OpenCapture open_;
-  std::unique_ptr<Capture> capture_;  ///< forward
+  std::unique_ptr<Capture> capture_;  ///< for forward order
   std::unique_ptr<FrameReader> reader_;
   FrameSequence sequence_;
   CameraRig rig_;
   std::string description_;
   Status ready_ = Status::failed("configure() was not called");
   std::int64_t next_frame_ = 0;
-  std::int64_t next_picture_ = 0;  ///< forward: index of the next picture of capture_
+  std::int64_t next_picture_ = 0;  ///< in forward order: index of the next picture of capture_
 };
 
 }  // namespace tolman::video

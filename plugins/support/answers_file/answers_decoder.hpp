@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decodes the records of answers.bin: the fields in order, numbers in little-endian byte order, a
-// text or a list after its length (u64), a matrix after its number of columns (u64). There are no
-// images. A read beyond the end gives zeros and makes complete() false.
+// text or a list after its length (u64), a matrix after its number of columns (u64). Images are not
+// stored. A read beyond the end gives zeros and makes complete() false.
 #pragma once
 
 #include <bit>
@@ -63,11 +63,12 @@ class AnswersDecoder {
     bytes_.remove_prefix(size);
     return found;
   }
-  /// Every byte was read, and none too many.
+  /// Whether exactly all bytes were read.
   bool complete() const { return !overrun_ && bytes_.empty(); }
 
  private:
-  /// A number of elements of at least `least` bytes each; 0 where there cannot be so many.
+  /// Reads a number of elements of at least `least` bytes each; 0 if the remaining bytes are too
+  /// few.
   std::size_t count(std::size_t least) {
     std::uint64_t number = 0;
     raw(&number, sizeof number);

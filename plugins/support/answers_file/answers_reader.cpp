@@ -114,7 +114,8 @@ Status AnswersReader::read(std::int64_t frame, Frame& answer) {
   return decoder.complete() ? Status::ok() : damaged("is damaged");
 }
 
-/// Answers of another drive would be taken for this one's: frame numbers and times are often equal.
+/// Checks that the recorded answers are of this drive. Frame number and time are not enough: they
+/// are often equal in different drives.
 Status AnswersReader::compare(std::string_view recorded, const Frame& frame) const {
   AnswersDecoder decoder(recorded);
   const auto then = decoder.next<Frame>();
@@ -129,7 +130,7 @@ Status AnswersReader::compare(std::string_view recorded, const Frame& frame) con
                  "source, odometry and place of one record");
 }
 
-/// Those that were left out are read as well: one of them may have brought the points.
+/// Frames that were left out are read as well, because points are stored only when they change.
 Status AnswersReader::read(const Frame& frame, Motion& answer) {
   for (bool same = false; next_motion_ <= frame.frame; ++next_motion_) {
     Status status = readFrame(next_motion_);

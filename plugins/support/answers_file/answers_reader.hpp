@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads answers.bin of a run that was made with `record.replay`: what source, odometry and place
-// answered, frame by frame and bit for bit. The host's record/answers_file.hpp has the format.
+// Reads answers.bin of a run that was made with `record.replay`: the answers of source, odometry
+// and place, frame by frame and bit for bit. The host's record/answers_file.hpp defines the format.
 #pragma once
 
 #include <cstdint>
@@ -17,19 +17,19 @@ class AnswersReader {
  public:
   /// `run` is a run directory. Reads the sizes of all blocks: a run that has not ended is refused.
   Status open(const std::string& run);
-  /// Back to the first frame.
+  /// Returns to the first frame.
   void rewind();
 
   const SourceInfo& source() const { return source_; }
   const std::vector<ArrayInfo>& sensors() const { return sensors_; }
   std::int64_t frames() const { return static_cast<std::int64_t>(blocks_.size()); }
 
-  // Frames must be asked for in ascending order, and can be left out. Motion and place are those of
-  // the given frame only if it is the one that the run had.
+  // Frames must be read in ascending order; some may be left out. Motion and place are read only if
+  // the given frame is the one of the recorded run, otherwise they fail.
   Status read(std::int64_t frame, Frame& answer);
   Status read(const Frame& frame, Motion& answer);
   Status read(const Frame& frame, PlaceObservation& answer);
-  /// Those after the last frame.
+  /// The revisions that odometry reported after the last frame.
   Status read(std::vector<MotionRevision>& revisions);
 
  private:
@@ -52,7 +52,7 @@ class AnswersReader {
   std::vector<Block> blocks_;  ///< of the frames
   Block end_;
   std::string payload_;
-  // Of the last motion with points; they are written once.
+  // Points of the last motion that has some; equal points are stored once.
   std::int64_t next_motion_ = 0;
   Eigen::Matrix<float, 4, Eigen::Dynamic> points_;
 };

@@ -67,6 +67,26 @@ LensModel modelOf(const Node& name) {
                                  "rational_polynomial or equidistant");
 }
 
+/// Refuses a model without coefficients, and coefficients without a model. `[]` and zeros mean no
+/// distortion; an empty value counts as missing.
+void checkModel(const Node& model, const Node* coefficients, std::string_view wanted) {
+  const Node* data = coefficients == nullptr ? nullptr : coefficients->find({"data"});
+  const Node* numbers = data == nullptr ? coefficients : data;
+  const bool missing =
+      numbers == nullptr || (numbers->kind == Node::Kind::Value && numbers->text.empty());
+  if (missing && modelOf(model) != LensModel::Pinhole) {
+    throw FileError(numbers == nullptr ? model.line : numbers->line,
+                    inQuotes(model.text) + " has no " + inQuotes(wanted) +
+                        "; add them, or [] for a lens without distortion");
+  }
+  if (missing || !model.text.empty()) return;
+  const std::vector<double> k = numbersOf(*coefficients);
+  if (std::all_of(k.begin(), k.end(), [](double v) { return v == 0; })) return;
+  throw FileError(model.line, inQuotes(model.key) + " is empty, but " +
+                                  inQuotes(coefficients->key) +
+                                  " are given; name the model, or none");
+}
+
 /// Model and coefficients; without any the camera is a pinhole.
 void setDistortion(RawCamera& camera, LensModel model, const Node* coefficients) {
   camera.model = model;
@@ -88,30 +108,33 @@ void setDistortion(RawCamera& camera, LensModel model, const Node* coefficients)
   std::copy_n(k.begin(), std::min<std::size_t>(k.size(), 8), camera.distortion.data());
 }
 
-void setSize(RawCamera& camera, const Node* width, const Node* height) {
+void setSize(FileCamera& found, const Node* width, const Node* height) {
   if (width == nullptr || height == nullptr) return;
   for (const Node* side : {width, height}) {
     const double size = side->number();
     if (size >= 1 && size <= 65000 && size == std::floor(size)) continue;
     throw FileError(side->line, inQuotes(side->text) + " is no size of an image in pixels");
   }
-  camera.width = static_cast<int>(width->number());
-  camera.height = static_cast<int>(height->number());
+  found.size_line = width->line;
+  found.camera.width = static_cast<int>(width->number());
+  found.camera.height = static_cast<int>(height->number());
 }
 
-void setSize(RawCamera& camera, const Node& resolution) {
+void setSize(FileCamera& found, const Node& resolution) {
   if (resolution.children.size() != 2) {
     throw FileError(resolution.line, inQuotes(resolution.key) + " must be [width, height]");
   }
-  setSize(camera, &resolution.children[0], &resolution.children[1]);
+  setSize(found, &resolution.children[0], &resolution.children[1]);
 }
 
-/// What Kalibr and EuRoC share: intrinsics as a list, and names of models.
+/// A camera in the form that Kalibr and EuRoC share: intrinsics as a list, and the same model
+/// names.
 FileCamera listedCamera(const Node& map) {
   FileCamera found;
   found.line = map.line;
   RawCamera& camera = found.camera;
   const Node& intrinsics = need(map, {"intrinsics"});
+  found.pinhole_line = intrinsics.line;
   const Node* lens = map.find({"camera_model"});
   const bool mirror = lens != nullptr && lens->text == "omni";
   if (lens != nullptr && !mirror && lens->text != "pinhole") {
@@ -120,19 +143,21 @@ FileCamera listedCamera(const Node& map) {
   }
   const std::vector<double> numbers = numbersOf(intrinsics, mirror ? 5 : 4);
   camera.pinhole = pinholeOf(numbers, mirror ? 1 : 0);
-  setDistortion(camera, modelOf(need(map, {"distortion_model"})),
-                map.find({"distortion_coeffs", "distortion_coefficients"}));
+  const Node& model = need(map, {"distortion_model"});
+  const Node* coefficients = map.find({"distortion_coeffs", "distortion_coefficients"});
+  checkModel(model, coefficients, "distortion_coeffs");
+  setDistortion(camera, modelOf(model), coefficients);
   if (mirror && camera.model == LensModel::Equidistant) {
     throw FileError(lens->line, "omni with equidistant distortion is not known; use omni-radtan");
   }
   if (mirror) camera.model = LensModel::Omnidirectional;
   if (mirror) camera.xi = numbers[0];
-  setSize(camera, need(map, {"resolution"}));
+  setSize(found, need(map, {"resolution"}));
   return found;
 }
 
-/// cam0, cam1 ... of a camera chain. Poses relative to cam0 where the chain has them, else to the
-/// inertial sensor.
+/// cam0, cam1 ... of a camera chain. Poses are relative to cam0 if the chain has them, otherwise to
+/// the inertial sensor.
 FileCameras kalibrCameras(const Node& tree) {
   FileCameras all;
   for (const char* name : {"cam0", "cam1"}) {
@@ -158,7 +183,7 @@ FileCameras eurocCamera(const Node& tree) {
   return {{found}, {}};
 }
 
-/// R and T of stereo_calib: a point of the first camera to one of the second.
+/// R and T of stereo_calib take coordinates of the first camera to the second.
 void addStereo(const Node& tree, FileCameras& all) {
   const Node* R = tree.find({"R"});
   const Node* T = tree.find({"T"});
@@ -169,7 +194,7 @@ void addStereo(const Node& tree, FileCameras& all) {
   all.T_second_first = pose;
 }
 
-/// The rectified camera of ROS; one of zeros is not set.
+/// The rectified camera of ROS; a matrix of zeros means that it is not set.
 void addRectified(const Node& tree, FileCamera& found) {
   const Node* R = tree.find({"rectification_matrix"});
   const Node* P = tree.find({"projection_matrix"});
@@ -178,15 +203,17 @@ void addRectified(const Node& tree, FileCamera& found) {
   if (projection(0, 0) <= 0 || projection(1, 1) <= 0) return;
   found.camera.R_rectified_camera = rotationOf(matrix3(*R), R->line);
   found.P_rectified = projection;
+  found.rectified_line = P->line;
 }
 
 FileCamera matrixCamera(const Node& tree, Names matrix, Names coefficients) {
   FileCamera found;
   const Node& K = need(tree, matrix);
-  found.line = K.line;
+  found.line = found.pinhole_line = found.size_line = K.line;
   found.camera.pinhole = pinholeOf(K);
   const Node* fisheye = tree.find({"fisheye_model"});
   const Node* name = tree.find({"distortion_model"});
+  if (name != nullptr) checkModel(*name, tree.find(coefficients), *coefficients.begin());
   LensModel model = name == nullptr ? LensModel::RadialTangential : modelOf(*name);
   if (fisheye != nullptr && fisheye->number() != 0) model = LensModel::Equidistant;
   setDistortion(found.camera, model, tree.find(coefficients));
@@ -194,7 +221,7 @@ FileCamera matrixCamera(const Node& tree, Names matrix, Names coefficients) {
     found.camera.model = LensModel::Omnidirectional;
     found.camera.xi = numbersOf(*xi, 1)[0];
   }
-  setSize(found.camera, tree.find({"image_width"}), tree.find({"image_height"}));
+  setSize(found, tree.find({"image_width"}), tree.find({"image_height"}));
   return found;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cameras in a calibration file, whatever its format, and what they become together.
+// The cameras in a calibration file of any supported format.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,15 @@ namespace tolman::camera_files {
 using Projection = Eigen::Matrix<double, 3, 4>;
 
 struct FileCamera {
-  RawCamera camera;  ///< width 0: the file does not say the size of the images
-  int line = 0;
+  RawCamera camera;      ///< width 0: the file does not say the size of the images
+  int line = 0;          ///< first line of the camera; 0: the whole file
+  int size_line = 0;     ///< line of the size
+  int pinhole_line = 0;  ///< line of focal lengths and principal point
+  int rectified_line = 0;
   bool has_pose = false;
   /// Rotation (in `camera`) and projection of the rectified camera, where the file has them.
   std::optional<Projection> P_rectified;
-  int rectified_width = 0;  ///< px; 0: as the raw images, and only for pairs
+  int rectified_width = 0;  ///< px; 0: that of the raw images, and used only for pairs
   int rectified_height = 0;
 };
 
@@ -36,7 +39,7 @@ FileCameras camerasIn(const Node& tree);
 /// calib_cam_to_cam.txt of KITTI's raw data: camera `left` and the one after it. Throws FileError.
 FileCameras kittiRawCameras(std::string_view text, int left);
 
-/// A rotation as files have it, of few digits, made orthonormal. Throws FileError.
+/// Makes a rotation from a file, which has few digits, orthonormal. Throws FileError.
 Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line);
 
 }  // namespace tolman::camera_files

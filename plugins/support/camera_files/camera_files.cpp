@@ -47,7 +47,7 @@ std::string sizeText(int width, int height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
-/// Sizes that no file says are those of the images; others must agree.
+/// A size that is missing in the file is that of the images; a given size must equal it.
 void checkCamera(FileCamera& found, const WantedCameras& wanted) {
   RawCamera& camera = found.camera;
   if (camera.width == 0) {
@@ -56,24 +56,24 @@ void checkCamera(FileCamera& found, const WantedCameras& wanted) {
   }
   const bool other = camera.width != wanted.width || camera.height != wanted.height;
   if (other && wanted.width > 0) {
-    throw FileError(found.line, "is the calibration of images of " +
-                                    sizeText(camera.width, camera.height) + " px, but they have " +
-                                    sizeText(wanted.width, wanted.height) +
-                                    "; give the calibration of these images");
+    throw FileError(found.size_line,
+                    "is the calibration of images of " + sizeText(camera.width, camera.height) +
+                        " px, but they have " + sizeText(wanted.width, wanted.height) +
+                        "; give the calibration of these images");
   }
   const Pinhole& K = camera.pinhole;
   if (!(K.fx > 0 && K.fy > 0 && K.fx < 1e6 && K.fy < 1e6)) {
-    throw FileError(found.line, "focal lengths must be positive, in pixels; correct them");
+    throw FileError(found.pinhole_line, "focal lengths must be positive, in pixels; correct them");
   }
   const bool inside = K.cx > 0 && K.cy > 0 && K.cx < camera.width && K.cy < camera.height;
   if (!inside && camera.width > 0) {
-    throw FileError(found.line, "the principal point is outside of the image of " +
-                                    sizeText(camera.width, camera.height) +
-                                    " px; give the calibration of these images");
+    throw FileError(found.pinhole_line, "the principal point is outside of the image of " +
+                                            sizeText(camera.width, camera.height) +
+                                            " px; give the calibration of these images");
   }
 }
 
-/// The cameras that the calibration prescribes, where it has them for all.
+/// Sets the rectified cameras of the calibration, if it has them for all cameras.
 void prescribe(const std::vector<FileCamera>& cameras, RawRig& rig) {
   const FileCamera& left = cameras.front();
   const bool alone = cameras.size() == 1 && left.rectified_width == 0;
@@ -91,13 +91,13 @@ void prescribe(const std::vector<FileCamera>& cameras, RawRig& rig) {
   const FileCamera& right = cameras[1];
   const Projection& Q = *right.P_rectified;
   if (!(P.leftCols<3>() - Q.leftCols<3>()).isZero(1e-3)) {
-    throw FileError(right.line,
+    throw FileError(right.rectified_line,
                     "the two rectified cameras have different focal lengths or centres; calibrate "
                     "them as a pair");
   }
   rectified.baseline = (P(0, 3) - Q(0, 3)) / P(0, 0);
   if (rectified.baseline < 1e-3) {
-    throw FileError(right.line,
+    throw FileError(right.rectified_line,
                     "the right camera is not to the right of the left one; exchange the two");
   }
 }

@@ -14,18 +14,17 @@ namespace tolman::camera_files {
 
 struct WantedCameras {
   int count = 1;  ///< 1, or 2 for a pair
-  int width =
-      0;  ///< px, of the images; for files that do not say it, and checked against the others
+  int width = 0;  ///< px, of the images; compared with the size in a file
   int height = 0;
   int kitti_left = 0;  ///< number of the left camera in KITTI's files: 0 or 2
 };
 
 /// The first cameras in the files: one file for all, or one for each. The rectified cameras are
-/// prescribed where KITTI raw, or ROS for a pair, has them. A failure is "FILE:LINE: what; remedy".
+/// taken from KITTI raw, or from ROS for a pair. A failure reads "FILE:LINE: what; remedy".
 Result<RawRig> readCameras(const std::vector<std::filesystem::path>& files,
                            const WantedCameras& wanted);
 
-/// Whether it is one of these formats, rather than KITTI's calib.txt (P0, P1).
+/// Whether the file has one of these formats, and not that of KITTI's calib.txt (P0, P1).
 bool isRawCalibration(const std::filesystem::path& file);
 
 }  // namespace tolman::camera_files

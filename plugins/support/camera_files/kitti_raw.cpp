@@ -6,7 +6,7 @@
 namespace tolman::camera_files {
 namespace {
 
-/// "K_00: 1 2 3", by its name.
+/// The lines "K_00: 1 2 3" of a file, by name.
 std::map<std::string, Node> linesByName(std::string_view text) {
   std::map<std::string, Node> lines;
   for (int number = 1; !text.empty(); ++number) {
@@ -15,7 +15,9 @@ std::map<std::string, Node> linesByName(std::string_view text) {
     const std::size_t colon = line.find(':');
     if (colon == std::string_view::npos) continue;
     const std::string name(line.substr(0, colon));
-    lines[name] = {Node::Kind::Value, number, name, std::string(line.substr(colon + 1)), {}};
+    const Node value = {Node::Kind::Value, number, name, std::string(line.substr(colon + 1)), {}};
+    const auto [same, is_new] = lines.emplace(name, value);
+    if (!is_new) throw givenTwice(number, name, same->second.line);
   }
   return lines;
 }
@@ -55,11 +57,12 @@ class Lines {
 FileCamera cameraOf(const Lines& lines, const std::string& number) {
   FileCamera found;
   found.has_pose = true;
-  found.line = lines.has("K" + number) ? lines.line("K" + number) : 0;
   RawCamera& camera = found.camera;
   lines.size("S" + number, camera.width, camera.height);
   const std::vector<double> K = lines.numbers("K" + number, 9);
   camera.pinhole = {K[0], K[4], K[2], K[5]};
+  found.line = found.size_line = lines.line("S" + number);
+  found.pinhole_line = lines.line("K" + number);
   const std::vector<double> D = lines.numbers("D" + number, 5);
   camera.model = LensModel::RadialTangential;
   std::copy(D.begin(), D.end(), camera.distortion.data());
@@ -70,6 +73,7 @@ FileCamera cameraOf(const Lines& lines, const std::string& number) {
   if (!lines.has("P_rect" + number)) return found;
   using RowMajor = Eigen::Matrix<double, 3, 4, Eigen::RowMajor>;
   found.P_rectified = RowMajor(lines.numbers("P_rect" + number, 12).data());
+  found.rectified_line = lines.line("P_rect" + number);
   camera.R_rectified_camera = lines.rotation("R_rect" + number);
   lines.size("S_rect" + number, found.rectified_width, found.rectified_height);
   return found;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
 
 namespace tolman::camera_files {
 namespace {
@@ -38,7 +39,22 @@ const Node* Node::find(std::initializer_list<std::string_view> names) const {
     return std::find(names.begin(), names.end(), child.key) != names.end();
   };
   const auto found = std::find_if(children.begin(), children.end(), named);
-  return found == children.end() ? nullptr : &*found;
+  if (found == children.end()) return nullptr;
+  const auto second = std::find_if(found + 1, children.end(), named);
+  if (second == children.end()) return &*found;
+  throw FileError(second->line, inQuotes(second->key) + " means the same as " +
+                                    inQuotes(found->key) + " in line " +
+                                    std::to_string(found->line) + "; remove one of the two");
+}
+
+void Node::checkKeys() const {
+  if (kind != Kind::Map) return;
+  std::map<std::string_view, int> lines;
+  for (const Node& child : children) {
+    if (child.key.empty()) throw FileError(child.line, "a key is empty; name it");
+    const auto [first, is_new] = lines.emplace(child.key, child.line);
+    if (!is_new) throw givenTwice(child.line, child.key, first->second);
+  }
 }
 
 std::vector<double> Node::numbers() const {
@@ -51,6 +67,11 @@ double Node::number() const {
   const std::vector<double> all = numbers();
   if (all.size() != 1) throw FileError(line, inQuotes(key) + " must be one number");
   return all.front();
+}
+
+FileError givenTwice(int line, std::string_view key, int first_line) {
+  return {line, inQuotes(key) + " is given twice, first in line " + std::to_string(first_line) +
+                    "; remove one of the two"};
 }
 
 std::string inQuotes(std::string_view text) {

@@ -10,11 +10,13 @@ class XmlReader {
  public:
   explicit XmlReader(std::string_view text) : text_(text) {}
 
-  /// The element that contains all others, which must be there.
+  /// The root element; fails without one.
   Node whole() {
     skipProlog();
     if (at_ == text_.size()) fail("has no element; this is no calibration");
-    return element(0);
+    Node node = element(0);
+    node.line = 0;
+    return node;
   }
 
  private:
@@ -60,11 +62,13 @@ class XmlReader {
       if (startsWith("</")) {
         if (node.children.empty()) node.text = text_.substr(content, at_ - content);
         close(node.key);
+        node.checkKeys();
         return node;
       }
       if (node.children.empty()) checkBlank(text_.substr(text_begin, at_ - text_begin));
-      node.kind = Node::Kind::Map;
       node.children.push_back(element(depth + 1));
+      // cv::FileStorage names the elements of a sequence "_".
+      node.kind = node.children.back().key == "_" ? Node::Kind::List : Node::Kind::Map;
     }
   }
 

@@ -14,7 +14,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
-/// Passes over a text and says which characters are outside of quotes.
+/// Scans a text and tells which characters are outside of quotes.
 class Quotes {
  public:
   bool outside(char c) {
@@ -49,7 +49,7 @@ std::string unquoted(std::string_view text) {
   return std::string(quoted ? text.substr(1, text.size() - 2) : text);
 }
 
-/// Opened minus closed brackets.
+/// Number of opening minus closing brackets.
 int openBrackets(std::string_view text) {
   Quotes quotes;
   int open = 0;
@@ -122,10 +122,13 @@ class FlowReader {
       skipBlanks();
       if (at_ == text_.size()) fail("a bracket is not closed");
       if (text_[at_] == close) break;
+      const int line = line_;
       std::string key;
       if (is_map) key = takeKey();
-      node.children.push_back(value(depth + 1));
-      node.children.back().key = std::move(key);
+      Node child = value(depth + 1);
+      if (is_map) child.line = line;
+      child.key = std::move(key);
+      node.children.push_back(std::move(child));
       skipBlanks();
       if (at_ < text_.size() && text_[at_] == ',') {
         ++at_;
@@ -134,14 +137,16 @@ class FlowReader {
       }
     }
     ++at_;
+    node.checkKeys();
   }
 
   std::string takeKey() {
     const std::size_t colon = text_.find(':', at_);
     if (colon == std::string_view::npos) fail("a colon is missing after a name");
-    std::string key = unquoted(text_.substr(at_, colon - at_));
+    const std::string_view key = text_.substr(at_, colon - at_);
+    line_ += static_cast<int>(std::count(key.begin(), key.end(), '\n'));
     at_ = colon + 1;
-    return key;
+    return unquoted(key);
   }
 
   std::string plain() {
@@ -168,6 +173,7 @@ class BlockReader {
     if (lines_.empty()) throw FileError(0, "is empty; restore it");
     Node node = block(lines_.front().indent, 0);
     if (at_ < lines_.size()) fail("is not indented like the lines above; correct the file");
+    node.line = 0;
     return node;
   }
 
@@ -201,6 +207,7 @@ class BlockReader {
       node.children.push_back(node.kind == Node::Kind::List ? listItem(indent, depth)
                                                             : mapItem(indent, depth));
     }
+    node.checkKeys();
     return node;
   }
 
@@ -217,6 +224,7 @@ class BlockReader {
 
   Node mapItem(std::size_t indent, int depth) {
     const std::string text = lines_[at_].text;
+    const int line = lines_[at_].number;
     const std::size_t end = keyEnd(text);
     if (end == std::string_view::npos) {
       fail(inQuotes(text) + " is not of the form 'name: value'; correct it");
@@ -224,6 +232,7 @@ class BlockReader {
     Node node =
         valueAfter(std::string(trimmed(std::string_view(text).substr(end + 1))), indent, depth);
     node.key = unquoted(std::string_view(text).substr(0, end));
+    node.line = line;
     return node;
   }
 
@@ -235,7 +244,11 @@ class BlockReader {
     }
     if (rest.empty()) return nested(line, indent, depth);
     if (rest.front() == '[' || rest.front() == '{') {
-      while (openBrackets(rest) > 0 && at_ < lines_.size()) rest += "\n" + lines_[at_++].text;
+      for (int last = line; openBrackets(rest) > 0 && at_ < lines_.size(); ++at_) {
+        rest.append(static_cast<std::size_t>(lines_[at_].number - last), '\n');
+        rest += lines_[at_].text;
+        last = lines_[at_].number;
+      }
       return FlowReader(rest, line).whole();
     }
     while (at_ < lines_.size() && lines_[at_].indent > indent) rest += " " + lines_[at_++].text;

@@ -13,7 +13,7 @@
 namespace tolman {
 namespace {
 
-/// Already removed from its folder; -1 and errno when there can be none.
+/// Opens a file without a name; -1 and errno on failure.
 int unnamedFile() {
   std::error_code error;
   std::string name = (std::filesystem::temp_directory_path(error) / "tolman-XXXXXX").string();
@@ -32,7 +32,7 @@ Status failure(int code) {
                         "; does the folder for temporary files (TMPDIR) exist, and is it full?");
 }
 
-/// Calls `transfer(done)` until `size` bytes are done; it returns as read() and write() do.
+/// Calls `transfer(done)`, which returns as read() and write() do, until `size` bytes are done.
 template <class Transfer>
 Status transferAll(std::size_t size, Transfer&& transfer) {
   for (std::size_t done = 0; done < size;) {

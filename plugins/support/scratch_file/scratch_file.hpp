@@ -12,7 +12,7 @@
 
 namespace tolman {
 
-/// Not thread-safe. Messages begin with the system's reason; the caller says what the file holds.
+/// Not thread-safe. Messages contain the system's reason; the caller adds what the file is for.
 class ScratchFile {
  public:
   ScratchFile() = default;
@@ -25,7 +25,7 @@ class ScratchFile {
 
   /// Writes all of `bytes` at `offset`. After a failure the bytes there are undefined.
   Status write(std::int64_t offset, std::span<const std::byte> bytes);
-  /// Fills `bytes` from `offset`; fails where the file ends before.
+  /// Fills `bytes` from `offset`; fails if the file is too short.
   Status read(std::int64_t offset, std::span<std::byte> bytes) const;
 
  private:

@@ -26,7 +26,7 @@ struct GivenPinhole {
   }
 };
 
-/// Their declaration for a Parameters struct that derives from GivenPinhole.
+/// Declaration of these parameters for a Parameters struct that derives from GivenPinhole.
 template <std::derived_from<GivenPinhole> P>
 constexpr auto pinholeParameters(
     std::string_view fx_doc = "Focal length; 0 for an uncalibrated camera.",

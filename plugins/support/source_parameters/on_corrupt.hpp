@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a source does where its data are damaged.
+// The reaction of a source to damaged data.
 #pragma once
 
 #include <array>
@@ -7,13 +7,24 @@
 #include <span>
 #include <string_view>
 
+#include "tolman/records.hpp"
+#include "tolman/status.hpp"
+
 namespace tolman::source_parameters {
 
 enum class OnCorrupt : std::uint8_t {
   Stop,  ///< next() fails
-  Skip,  ///< what can be read is used; a damaged image is a frame without images, with `defect`
+  Skip,  ///< damaged data are skipped; a damaged image gives a frame without images, with `defect`
 };
 inline constexpr std::array<std::string_view, 2> kOnCorruptNames = {"stop", "skip"};
 constexpr std::span<const std::string_view> enumNames(OnCorrupt) { return kOnCorruptNames; }
+
+/// The last step of a source's next(). `status`: whether the frame's images could be read.
+inline Status finishFrame(const Status& status, OnCorrupt on_corrupt, Frame& frame) {
+  if (status.isOk() || on_corrupt == OnCorrupt::Stop) return status;
+  frame.left = frame.right = {};
+  frame.defect = status.message();
+  return Status::ok();
+}
 
 }  // namespace tolman::source_parameters

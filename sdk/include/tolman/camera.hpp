@@ -36,8 +36,8 @@ struct Pinhole {
 /// The cameras of a source. Constant over a run.
 ///
 /// With two cameras the pair is rectified: same image size and pinhole, rows aligned, and the right
-/// camera sits at (+baseline, 0, 0) of the left one, so that disparity = u_left - u_right
-/// = fx * baseline / z >= 0. A source with other data has the extra RawRigSource, or refuses them.
+/// camera is at (+baseline, 0, 0) of the left one, so that disparity = u_left - u_right
+/// = fx * baseline / z >= 0. A source with other data implements RawRigSource or refuses the data.
 struct CameraRig {
   static constexpr const char* kRecord = "camera";
   int width = 0;            ///< px; 0 when the source has no images (a motion log)
@@ -77,14 +77,14 @@ inline constexpr std::array<std::string_view, 4> kLensModelNames = {
     "pinhole", "radial_tangential", "equidistant", "omnidirectional"};
 constexpr std::span<const std::string_view> enumNames(LensModel) { return kLensModelNames; }
 
-/// A camera as it is, before rectification.
+/// A camera with the distortion of its lens, before rectification.
 struct RawCamera {
   static constexpr const char* kRecord = "raw_camera";
   LensModel model = LensModel::Pinhole;
   int width = 0;   ///< px
   int height = 0;  ///< px
   Pinhole pinhole;
-  /// Coefficients of the model; those that it does not have are 0.
+  /// Coefficients in the order of LensModel; those that the model does not have are 0.
   Eigen::Matrix<double, 8, 1> distortion = Eigen::Matrix<double, 8, 1>::Zero();
   double xi = 0;  ///< Omnidirectional: mirror parameter
   /// The reference is any frame that the cameras of a rig share: a body, or the first camera.

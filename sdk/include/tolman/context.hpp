@@ -35,22 +35,23 @@ class Logger {
   void error(std::string_view message) { write(LogLevel::Error, message); }
 };
 
-/// Whether the run was asked to stop (an interrupt). Long loops should poll it. Any thread.
+/// Whether the run was asked to stop (an interrupt). Long loops should poll it. Callable from any
+/// thread.
 class Cancellation {
  public:
   virtual ~Cancellation() = default;
   virtual bool requested() const = 0;
 };
 
-/// Clock for progress displays and measurements of speed. Results must not depend on it. Any
-/// thread.
+/// Clock for progress displays and measurements of speed. Results must not depend on it. Callable
+/// from any thread.
 class Clock {
  public:
   virtual ~Clock() = default;
   virtual std::int64_t steadyNs() const = 0;
 };
 
-/// Writes files of the plugin into the run directory. Any thread.
+/// Writes files of the plugin into the run directory. Callable from any thread.
 class ArtefactWriter {
  public:
   virtual ~ArtefactWriter() = default;

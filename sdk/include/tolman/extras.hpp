@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Small interfaces that a plugin may implement beside its role. Derive from them as well; the
-// plugin macro finds out. New capabilities come as new extras, never as new virtual functions of a
-// role, so that old plugins keep loading.
+// Small interfaces that a plugin may implement beside its role: its class derives from them as
+// well, and the plugin macro detects that. New capabilities come as new extras, never as new
+// virtual functions of a role, so that old plugins can still be loaded.
 #pragma once
 
 #include <iosfwd>
@@ -14,11 +14,11 @@
 
 namespace tolman {
 
-/// Offers internal state as named arrays, to recorder and viewers. Called after each frame, by the
-/// same rules of threading as the role itself.
+/// Offers internal state as named arrays, to recorder and viewers. Called after each frame, under
+/// the threading rules of the role (roles.hpp).
 class ArraySource {
  public:
-  virtual ~ArraySource() noexcept(false) {}  // as Plugin's, so that one class can be both
+  virtual ~ArraySource() noexcept(false) {}  // as in Plugin: one class derives from both
   /// Appends arrays, at most 256. Names and shapes stay the same over a run. A name has 1 to 100
   /// bytes of UTF-8 without control characters, and no other array has it.
   virtual void arrays(std::vector<NamedArray>& arrays) const = 0;
@@ -33,18 +33,27 @@ class ArrayDescriptions {
   virtual Status describe(std::vector<ArrayInfo>& arrays) const = 0;
 };
 
-/// A source whose images are as the cameras took them. The host rectifies them: stages get the
-/// rectified images and cameras. Called once, after info(), whose rig then has the size of the raw
-/// images and is not calibrated. Frames come with as many images as there are cameras.
+/// A source whose images are not rectified. The host rectifies them: stages get the rectified
+/// images and cameras. Called once, after info(), whose rig must have the size of the raw images
+/// and be uncalibrated. Each frame has one image per camera.
 class RawRigSource {
  public:
   virtual ~RawRigSource() noexcept(false) {}
   virtual Status rawRig(RawRig& rig) = 0;
 };
 
+/// A source of live images, such as those of a camera. It gives no image twice: after the first,
+/// reset() is Unsupported. `tolman plugins validate` skips the checks that need the same images
+/// again.
+class LiveSource {
+ public:
+  virtual ~LiveSource() noexcept(false) {}
+};
+
 /// An observer that serves a page over HTTP. `tolman run --view` and `tolman view` load the
-/// observer that has this extra. Where it declares them they set its parameters `port`, `bind`, for
-/// a recorded run `rate` (0: every frame), `stay` (until cancelled) and, when over, `recorded`.
+/// observer that has this extra. `tolman view` sets these of its parameters, if it declares them:
+/// `port` and `bind` from the command line, `rate` = 0 (every frame), `stay` = true (serve until
+/// cancelled), and `recorded` (true if the run has ended).
 class PageServer {
  public:
   virtual ~PageServer() noexcept(false) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One declaration, many uses: how a record lists its fields.
+// How a record declares its fields.
 //
 // A record is a plain struct with a name, `static constexpr const char* kRecord`, and one function
 //
@@ -31,7 +31,7 @@
 
 namespace tolman {
 
-/// Name, unit (SI where not said, "" for none) and one line about a record's field.
+/// Name, unit (SI by default, "" for none) and one line about a record's field.
 struct Field {
   std::string_view name;
   std::string_view unit;
@@ -85,12 +85,12 @@ constexpr std::string_view enumName(E value) {
   return index < names.size() ? names[index] : std::string_view("invalid");
 }
 
-/// What a NamedArray holds, so that viewers and figures need not guess it from its name.
+/// The kind of data in a NamedArray, for viewers and figures.
 enum class ArrayKind : std::uint8_t {
   Values,      ///< plain numbers
   Activity,    ///< firing rates of a population: one axis for each dimension of its units
   Bump,        ///< Gaussian bumps of a population; the last axis has the labelled components:
-               ///< first the mean along each axis of the population, then what else is known
+               ///< first the mean along each axis of the population, then any others
   DepthImage,  ///< depth of each pixel along the optical axis; axes: row, column
 };
 inline constexpr std::array<std::string_view, 4> kArrayKindNames = {"values", "activity", "bump",
@@ -104,7 +104,7 @@ struct ArrayAxis {
   std::string unit;                 ///< of first, step and period; "" for a plain index
   double first = 0;                 ///< value of index 0: the phase of unit 0
   double step = 1;                  ///< from one index to the next
-  double period = 0;                ///< the axis wraps around after so much; 0 if it does not
+  double period = 0;                ///< length of a periodic axis; 0 if it is not periodic
   std::vector<std::string> labels;  ///< one for each index, or none
 
   template <class Self, class Visit>
@@ -118,8 +118,8 @@ struct ArrayAxis {
   }
 };
 
-/// Description of the NamedArray of the same name, constant over a run. (A NamedArray lies in
-/// lists that cross the plugin boundary and cannot grow within a major version of the SDK.)
+/// Description of the NamedArray of the same name, constant over a run. It is a separate struct
+/// because NamedArray crosses the plugin boundary: its layout is fixed within a major version.
 struct ArrayInfo {
   static constexpr const char* kRecord = "array_info";
   std::string name;
@@ -172,7 +172,7 @@ bool allFinite(const T& value) {
 }  // namespace detail
 
 /// The name of the first field that holds NaN, infinity or an impossible enumeration value;
-/// empty when all is well.
+/// empty if there is none.
 template <Record R>
 std::string firstInvalidField(const R& record) {
   std::string bad;

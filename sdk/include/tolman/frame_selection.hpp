@@ -126,7 +126,7 @@ class FrameSequence {
     return Status::ok();
   }
 
-  /// Strictly increasing, and no sum of stampNs() beyond 64 bits.
+  /// Requires stamps that increase strictly, and sums in stampNs() that fit into 64 bits.
   Status checkStamps() const {
     constexpr std::int64_t kMostNs = std::int64_t{1} << 62;  // 146 years
     for (std::size_t i = 0; i < stamps_ns_.size(); ++i) {
@@ -156,7 +156,7 @@ class FrameSequence {
   bool isBackward(std::int64_t pass) const {
     return selection_.order == FrameOrder::Backward || pass % 2 == 1;
   }
-  /// Place of frame k among the selected frames in forward order.
+  /// Index of frame k among the selected frames in forward order.
   std::int64_t position(std::int64_t k) const {
     const std::int64_t done = k - pass(k) * (selected() - 1);
     return isBackward(pass(k)) ? selected() - 1 - done : done;

@@ -20,7 +20,7 @@ constexpr int bytesPerPixel(PixelFormat format) { return format == PixelFormat::
 /// Immutable pixels, shared by all copies of this view.
 ///
 /// - Row r starts at data() + r * stride(); stride() is in bytes, at least width * bytesPerPixel.
-/// - Copying copies the view, not the pixels; the pixels live as long as any view of them.
+/// - Copying copies the view, not the pixels; the pixels are freed with the last view of them.
 /// - Published pixels are immutable, so any number of threads may read them.
 /// - The centre of the top left pixel has the coordinates (0, 0).
 /// - An empty image (no camera, corrupt file) has width 0 and a null pointer.
@@ -28,7 +28,7 @@ class Image {
  public:
   Image() = default;
 
-  /// Views foreign memory; `owner` keeps it alive and is released with the last view.
+  /// A view of memory that `owner` keeps valid; `owner` is released with the last view.
   Image(const std::uint8_t* data, int width, int height, std::ptrdiff_t stride, PixelFormat format,
         std::shared_ptr<const void> owner)
       : owner_(std::move(owner)),

@@ -12,8 +12,8 @@
 
 namespace tolman {
 
-/// Views `image` as a cv::Mat. Valid while `image` or a copy of it lives: cv::Mat cannot own
-/// foreign memory. Do not write to it: the pixels are shared, and OpenCV has no read-only Mat.
+/// A view of `image` as a cv::Mat, valid while `image` or a copy of it exists: the Mat does not own
+/// the pixels. Do not write to it: the pixels are shared, and OpenCV has no read-only Mat.
 inline cv::Mat asMat(const Image& image) {
   if (image.empty()) return {};
   const int type = image.format() == PixelFormat::Gray8 ? CV_8UC1 : CV_8UC3;

@@ -135,7 +135,8 @@ struct NoParameters {
 
 namespace detail {
 
-// Inlined, g++ 12 at -O3 takes the end of a std::string in the variant for a wrong delete.
+// Not inlined: otherwise g++ 12 at -O3 warns falsely about the destructor of a std::string in the
+// variant.
 template <class T>
 [[gnu::noinline]] ParameterValue toValue(const T& member) {
   if constexpr (std::is_enum_v<T>) {
@@ -172,7 +173,7 @@ bool fromValue(const ParameterValue& value, T& member) {
 
 constexpr std::uint64_t fnv1a(std::uint64_t hash, std::string_view text) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return (hash ^ 0xff) * 0x100000001b3ULL;  // a mark between two texts
+  return (hash ^ 0xff) * 0x100000001b3ULL;  // separates two texts
 }
 
 constexpr std::uint64_t fnv1a(std::uint64_t hash, double number) {
@@ -183,8 +184,9 @@ constexpr std::uint64_t fnv1a(std::uint64_t hash, double number) {
 
 }  // namespace detail
 
-/// A hash of names, types, ranges, units and choices. Equal hashes: the same configurations are
-/// legal. It stands in the manifest, so a host can tell without running any code of the plugin.
+/// A hash of names, types, ranges, units and choices. Declarations with equal hashes accept the
+/// same configurations. The hash is in the manifest, so the host can compare it without running
+/// code of the plugin.
 template <class P>
 constexpr std::uint64_t schemaHash() {
   std::uint64_t hash = 0xcbf29ce484222325ULL;

@@ -7,6 +7,13 @@
 // parameters.hpp). One library may register several plugins. The macro writes a manifest, JSON in
 // the ELF section "tolman_manifest", which the host reads without executing anything, and an entry
 // function `tolman_plugin_<id>`, the only symbol that the host looks up.
+//
+// An interpreter is a library that runs programs in another language as plugins. A stage names the
+// program by the key `file`, and always runs in a process of its own:
+//
+//   TOLMAN_INTERPRETER(lua, ".lua", "0.1.0", "Plugins in Lua.", &openProgram);
+//
+// A process opens one program. Its parameters, its role and its summary are known when it is open.
 #pragma once
 
 #include <array>
@@ -15,8 +22,10 @@
 #include <cstdint>
 #include <initializer_list>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "tolman/extras.hpp"
 #include "tolman/parameters.hpp"
@@ -25,7 +34,8 @@
 
 namespace tolman {
 
-/// One living plugin, with the interfaces that it implements. All pointers are to one object.
+/// One plugin object, with the interfaces that it implements (null: not implemented). All pointers
+/// are to the same object.
 struct PluginObject {
   Plugin* plugin = nullptr;
   ArraySource* arrays = nullptr;
@@ -45,8 +55,24 @@ struct PluginDescriptor {
   std::uint64_t schema_hash;
   Schema (*schema)();
   PluginObject (*create)();  ///< may throw
-  void (*destroy)(Plugin*);  ///< runs in the plugin, which allocated
+  void (*destroy)(Plugin*);  ///< code of the plugin's library, which allocated the object
 };
+
+/// An open program.
+struct Program {
+  /// The role, and functions that create and destroy objects of the program. It has static storage;
+  /// `schema` and `schema_hash` are not read.
+  const PluginDescriptor* descriptor = nullptr;
+  std::string version;
+  std::string summary;
+  Schema schema;  ///< without `file`
+  /// Files beside the program that decide what it does, such as its imports. Absolute paths.
+  std::vector<std::string> files;
+};
+
+/// Opens the program of this absolute path, once in a process. A failure says where in the program
+/// the error is.
+using OpenProgram = Status (*)(const std::string& file, Program& program);
 
 namespace detail {
 
@@ -78,7 +104,7 @@ PluginObject createPlugin() {
 }
 
 /// JSON text of fixed size, filled at compile time.
-struct Manifest {
+struct ManifestText {
   std::array<char, 1024> text{};
   std::size_t size = 0;
 
@@ -95,11 +121,11 @@ struct Manifest {
     }
     append("\"");
   }
-  /// The names of those that are true, separated by commas.
+  /// A member whose value lists the names of the flags that are true, separated by commas.
   constexpr void flags(std::string_view key,
                        std::initializer_list<std::pair<std::string_view, bool>> flags) {
     member(key, "");
-    --size;  // inside the quotes again
+    --size;  // removes the closing quote
     bool first = true;
     for (const auto& [name, set] : flags) {
       if (!set) continue;
@@ -119,7 +145,7 @@ struct Manifest {
 template <class C>
 consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_view version,
                                               std::string_view summary) {
-  Manifest manifest;
+  ManifestText manifest;
   manifest.member("id", id);
   manifest.member("role", enumName(roleOf<C>()));
   manifest.member("version", version);
@@ -131,7 +157,25 @@ consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_v
                             {"state", std::derived_from<C, StateKeeper>},
                             {"descriptions", std::derived_from<C, ArrayDescriptions>},
                             {"page", std::derived_from<C, PageServer>},
-                            {"raw_rig", std::derived_from<C, RawRigSource>}});
+                            {"raw_rig", std::derived_from<C, RawRigSource>},
+                            {"live", std::derived_from<C, LiveSource>}});
+  manifest.member("summary", summary);
+  manifest.append("}");
+  return manifest.text;
+}
+
+consteval std::array<char, 1024> makeInterpreterManifest(std::string_view id,
+                                                         std::string_view suffix,
+                                                         std::string_view version,
+                                                         std::string_view summary) {
+  ManifestText manifest;
+  manifest.member("id", id);
+  manifest.member("programs", suffix);
+  manifest.member("version", version);
+  manifest.member("sdk", TOLMAN_SDK_VERSION);
+  manifest.member("fingerprint", TOLMAN_FINGERPRINT);
+  manifest.member("opencv", TOLMAN_OPENCV_VERSION);
+  manifest.member("extras", "descriptions");  // programs without descriptions return an empty list
   manifest.member("summary", summary);
   manifest.append("}");
   return manifest.text;
@@ -158,4 +202,16 @@ consteval std::array<char, 1024> makeManifest(std::string_view id, std::string_v
         [](::tolman::Plugin* plugin) { delete plugin; }};                                  \
     return &kDescriptor;                                                                   \
   }                                                                                        \
+  static_assert(true, "ask for a semicolon")
+
+/// SUFFIX: suffix of the program files that it runs, such as ".lua". OPEN: an OpenProgram.
+#define TOLMAN_INTERPRETER(ID, SUFFIX, VERSION, SUMMARY, OPEN)                                    \
+  namespace {                                                                                     \
+  [[gnu::used, gnu::section("tolman_manifest")]] constexpr std::array<char, 1024>                 \
+      tolman_manifest_##ID =                                                                      \
+          ::tolman::detail::makeInterpreterManifest(#ID, SUFFIX, VERSION, SUMMARY);               \
+  }                                                                                               \
+  extern "C" __attribute__((visibility("default"))) ::tolman::OpenProgram tolman_program_##ID() { \
+    return OPEN;                                                                                  \
+  }                                                                                               \
   static_assert(true, "ask for a semicolon")

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The records that flow from stage to stage. Plain data, immutable once published.
 //
-// Time is data time in integer nanoseconds; no wall clock decides a result, except which frames
-// `realtime` drops. A source numbers its frames 0, 1, 2 ...; under `realtime` later stages may miss
-// some, and in a continued run the numbers go on from the earlier run. A stage answers each frame
-// that it is given exactly once; records of one frame are joined by index, never by time. World
-// frame: the left camera at frame 0 (x right, y down, z forward). 6x6 covariances have the order
-// (translation, rotation), so their units are m^2, m rad and rad^2. They are in the tangent space
-// of the current frame, at which the motion ends: T = T_estimate * expSe3(noise).
+// Time is data time in integer nanoseconds. Results do not depend on the wall clock, except that it
+// decides which frames `realtime` drops. A source numbers its frames 0, 1, 2 ...; under `realtime`
+// later stages may miss some, and in a continued run the numbers follow those of the earlier run. A
+// stage answers each frame that it is given exactly once; records of one frame are joined by index,
+// never by time. World frame: the left camera at frame 0 (x right, y down, z forward). 6x6
+// covariances have the order (translation, rotation), so their units are m^2, m rad and rad^2. They
+// are in the tangent space of the current frame, at which the motion ends:
+// T = T_estimate * expSe3(noise).
 #pragma once
 
 #include <algorithm>
@@ -35,7 +36,7 @@ struct Frame {
   std::int64_t stamp_ns = 0;  ///< strictly increasing
   std::int64_t source_index = -1;
   Image left;   ///< empty: no image source, or an image that could not be read (see `defect`)
-  Image right;  ///< empty for a single camera; of a pair, both are there or none
+  Image right;  ///< empty for a single camera; of a pair, both images are empty or neither
   bool has_truth = false;
   Eigen::Isometry3d T_world_camera_truth = Eigen::Isometry3d::Identity();
   std::string defect;               ///< why an image is missing; empty for a sound frame
@@ -60,7 +61,7 @@ struct Frame {
 enum class TrackingState : std::uint8_t {
   Initialising,  ///< no motion known; T_previous_current is the identity
   Tracking,      ///< measured
-  Lost,          ///< T_previous_current is a prediction, with a covariance that says so
+  Lost,          ///< T_previous_current is a prediction, with a large covariance
 };
 inline constexpr std::array<std::string_view, 3> kTrackingStateNames = {"initialising", "tracking",
                                                                         "lost"};
@@ -119,8 +120,8 @@ struct Motion {
   }
 };
 
-/// Fills v, omega and dt of a motion from T_previous_current (paper, velocity calculation, with the
-/// sign of v kept when reversing).
+/// Fills dt (s), v and omega of a motion from T_previous_current, as in the paper (velocity
+/// calculation), but with a negative v when reversing.
 template <class = void>
 void setPlanarVelocity(Motion& motion, double dt) {
   motion.dt = dt;
@@ -144,9 +145,9 @@ struct PlaceObservation {
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
   Recognition recognition = Recognition::None;
-  std::int64_t template_id = -1;  ///< dense from 0 in the order of making; -1 exactly with None
-  double score = 0;  ///< the plugin's own distance to the best template; smaller is more alike
-  double relative_yaw = 0;  ///< rad, heading now minus heading when the template was made
+  std::int64_t template_id = -1;  ///< consecutive from 0 in order of creation; -1 only with None
+  double score = 0;               ///< distance to the best template, in the plugin's measure
+  double relative_yaw = 0;        ///< rad, heading now minus heading when the template was made
   bool has_relative_pose = false;
   Eigen::Isometry3d T_template_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
@@ -177,8 +178,8 @@ constexpr std::span<const std::string_view> enumNames(Action) { return kActionNa
 /// A loop that was seen at an earlier frame and is accepted only now.
 struct EarlierLoop {
   static constexpr const char* kRecord = "earlier_loop";
-  std::int64_t frame = -1;       ///< at which it was seen
-  std::int64_t experience = -1;  ///< that the robot was back at
+  std::int64_t frame = -1;       ///< the frame at which the loop was seen
+  std::int64_t experience = -1;  ///< the experience to which the robot had returned
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
 
@@ -194,7 +195,7 @@ struct EarlierLoop {
 /// Answer of the spatial cells for one frame.
 ///
 /// - CreateExperience: `experience` is the next id; the first frame creates experience 0.
-/// - CloseLoop: `experience` is any existing id, also that of the present one. With
+/// - CloseLoop: `experience` is any existing id, including the current one. With
 ///   has_relative_pose the map takes T_experience_current and `covariance`; without, it assumes the
 ///   position of the experience and the heading turned by relative_yaw, with a large covariance.
 /// - Stay: `experience` is the one of the last decision; the relative fields are not read.
@@ -205,7 +206,7 @@ struct Decision {
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
   Action action = Action::Stay;
-  std::int64_t experience = -1;   ///< dense from 0 in the order of making; -1 before the first
+  std::int64_t experience = -1;   ///< consecutive from 0 in order of creation; -1 before the first
   std::int64_t template_id = -1;  ///< the view that led to the decision; -1 for none
   double relative_yaw = 0;        ///< rad, heading now minus heading at `experience`
   bool has_relative_pose = false;
@@ -214,9 +215,9 @@ struct Decision {
   /// rad in [0, 2 pi), positive to the left, 0 at the first frame: the head direction estimate
   double heading = 0;
   double confidence = 1;  ///< in [0, 1]
-  /// With any action: loops of earlier frames, in the order of their frames. Evidence often adds up
-  /// over several views before a loop is believed; these are the views before the last one. A map
-  /// that cannot change its past may ignore them.
+  /// Loops of earlier frames, in frame order; allowed with any action. Cells may need several views
+  /// before they accept a loop; these are the views before the last one. A map that cannot correct
+  /// earlier poses may ignore them.
   std::vector<EarlierLoop> earlier;
 
   template <class Self, class Visit>
@@ -268,7 +269,7 @@ struct Link {
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
   double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
-  double weight = 1;    ///< in [0, 1]: weight that the robust loss of the optimiser leaves it
+  double weight = 1;    ///< in [0, 1]: weight under the robust loss of the optimiser
 
   /// Deprecated since SDK 0.2: the map decides, see MapGraph::isRejected().
   bool isBelieved() const { return weight >= (kind == LinkKind::Loop ? 0.1 : 1e-6); }
@@ -292,9 +293,9 @@ struct MapUpdate {
   static constexpr const char* kRecord = "map_update";
   std::int64_t frame = -1;
   std::int64_t stamp_ns = 0;
-  std::int64_t experience = -1;  ///< that this frame was attached to
+  std::int64_t experience = -1;  ///< the experience to which this frame is attached
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
-  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< as known now
+  Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< current estimate
   std::int64_t version = 0;  ///< grows with every correction of earlier poses
   std::int64_t experiences = 0;
   std::int64_t links = 0;
@@ -320,8 +321,8 @@ struct MapGraph {
   std::int64_t version = 0;
   std::vector<Experience> experiences;  ///< experiences[i].id == i
   std::vector<Link> links;              ///< links[i].id == i
-  /// Ascending ids of the loop links that the map has rejected as false. They stay in `links`, but
-  /// constrain nothing.
+  /// Ascending ids of the loop links that the map has rejected as false. They remain in `links`,
+  /// but do not constrain the map.
   std::vector<std::int64_t> rejected;
 
   bool isRejected(const Link& link) const {
@@ -426,7 +427,7 @@ class MotionHistory {
     while (end < entries_.size() && !find_keyframe(entries_[end].keyframe)) ++end;
     if (end == 0) return {};
     std::vector<MotionRevision> revisions = collect(0, 0, end);
-    // The last of them stays: the motion of the first remaining frame starts there.
+    // Keeps the last of them, where the motion of the first remaining frame starts.
     entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(end) - 1);
     return revisions;
   }

@@ -19,8 +19,8 @@
 //           later stages receive a substitute: a predicted motion (Lost), no observation, Stay.
 //           T_previous_current is always the motion since the last frame that odometry was given.
 //           The host refuses answers with NaN or infinity, numbers above 1e100, positions beyond
-//           1e12 m, matrices that are no rotation or no covariance, and answers whose frame index
-//           or stamp differs from the input's.
+//           1e12 m, invalid rotations or covariances, and answers whose frame index or stamp
+//           differs from the input's.
 // Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
 #pragma once
 
@@ -45,7 +45,7 @@ constexpr std::span<const std::string_view> enumNames(Role) { return kRoleNames;
 /// Base of all roles.
 class Plugin {
  public:
-  /// noexcept(false): the host's guard catches what a destructor throws, and the process goes on.
+  /// noexcept(false): the host catches exceptions of a destructor, and the process continues.
   virtual ~Plugin() noexcept(false) {}
   /// Takes parameters and services, once. May open files and allocate. A failure names the remedy.
   virtual Status configure(const Context& context) = 0;
@@ -113,7 +113,7 @@ class Odometry : public Plugin {
   virtual Status finish(std::vector<MotionRevision>& revisions) = 0;
 };
 
-/// What a place recogniser reads besides the frame.
+/// The input of a place recogniser besides the frame.
 enum class PlaceInput : std::uint8_t {
   Frame,           ///< nothing more: runs beside odometry
   FrameAndMotion,  ///< the motion of the same frame, with its points: runs after odometry
@@ -154,7 +154,7 @@ class Map : public Plugin {
   virtual Status finish(const std::vector<MotionRevision>& revisions) = 0;
 };
 
-/// An event that is no answer of a stage: a skipped frame, lost tracking, a dropped frame.
+/// An event that is not the answer of a stage: a skipped frame, lost tracking, a dropped frame.
 struct RunEvent {
   static constexpr const char* kRecord = "run_event";
   std::int64_t frame = -1;  ///< -1: before the first or after the last
@@ -184,7 +184,7 @@ struct Snapshot {
   const MapUpdate* map = nullptr;
   const std::vector<NamedArray>* cells = nullptr;  ///< the state of the neural populations
   const MapGraph* graph = nullptr;  ///< null unless the map changed since the last snapshot
-  StageTimes stage_times_ns{};      ///< the observers' own is 0
+  StageTimes stage_times_ns{};      ///< 0 for the observers
   const std::vector<RunEvent>* events = nullptr;  ///< since the last snapshot; may be null
 };
 

@@ -59,8 +59,8 @@ class StateWriter {
   std::string payload_;
 };
 
-/// Reads one envelope; a get beyond its end gives zero and makes complete() false. Any byte but
-/// 0 is a bool that is true.
+/// Reads one envelope. A get beyond its end gives zero and makes complete() false. A bool is one
+/// byte; any nonzero value is true.
 class StateReader {
  public:
   static Result<StateReader> open(std::istream& stream, std::string_view magic,
@@ -85,7 +85,7 @@ class StateReader {
 
   template <class T>
   T get() requires std::is_arithmetic_v<T> {
-    // A damaged byte is no bool: it must not be read as one.
+    // A bool that holds another value than 0 or 1 is undefined behaviour, so read it as an integer.
     std::conditional_t<std::is_same_v<T, bool>, std::uint8_t, T> value{};
     take(&value, sizeof value);
     return static_cast<T>(value);
@@ -94,9 +94,9 @@ class StateReader {
   void getAll(std::span<T> values) requires std::is_arithmetic_v<T> {
     take(values.data(), values.size_bytes());
   }
-  /// Bytes to read; 0 after a read beyond the end, so that loops over it stop.
+  /// Number of unread bytes; 0 after a read beyond the end, so that loops over it stop.
   std::size_t remaining() const { return overrun_ ? 0 : payload_.size() - position_; }
-  /// Every byte was read, and none too many.
+  /// Whether all bytes were read, and no read went beyond the end.
   bool complete() const { return !overrun_ && remaining() == 0; }
 
  private:
@@ -106,7 +106,7 @@ class StateReader {
     std::memcpy(destination, payload_.data() + position_, bytes);
     position_ += bytes;
   }
-  /// In pieces: a damaged size must not ask for all memory.
+  /// Reads in pieces, so that a damaged size does not allocate too much memory.
   void readPayload(std::istream& stream, std::uint64_t size) {
     constexpr std::uint64_t kPiece = 1U << 16U;
     while (stream && payload_.size() < size) {

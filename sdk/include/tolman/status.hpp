@@ -52,8 +52,8 @@ class [[nodiscard]] Status {
   std::string message_;
 };
 
-/// A value, or the Status that says why there is none. Reading the absent side throws
-/// std::bad_variant_access: a programmer's error, which the host's guard reports.
+/// A value, or the Status that says why there is none. Reading the absent one is a programming
+/// error: it throws std::bad_variant_access, which the host reports as a failure of the call.
 template <class T>
 class [[nodiscard]] Result {
  public:

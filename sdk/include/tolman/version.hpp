@@ -34,8 +34,8 @@
 #define TOLMAN_STDLIB_DEBUG "release"
 #endif
 
-// Eigen's alignment follows -mavx2, -mavx512f and -march=native. Two sides that disagree have
-// types of equal size and different alignment, and die of heap corruption much later.
+// Eigen's alignment depends on -mavx2, -mavx512f and -march=native. If host and plugin differ in
+// it, their types have equal sizes but different alignments, and the heap is corrupted later.
 #define TOLMAN_FINGERPRINT \
   "libstdc++" TOLMAN_STRINGIFY(_GLIBCXX_RELEASE) "-" TOLMAN_STDLIB_DEBUG       \
   " cxx11abi" TOLMAN_STRINGIFY(_GLIBCXX_USE_CXX11_ABI)                         \
@@ -44,7 +44,7 @@
   " align" TOLMAN_STRINGIFY(EIGEN_MAX_ALIGN_BYTES)                             \
   " sanitizer-" TOLMAN_SANITIZER
 
-// Set by tolman_add_plugin(... OPENCV). Two OpenCV versions in one process do not live together.
+// Set by tolman_add_plugin(... OPENCV). One process cannot use two versions of OpenCV.
 #if defined(TOLMAN_USES_OPENCV)
 #include <opencv2/core/version.hpp>
 #define TOLMAN_OPENCV_VERSION CV_VERSION

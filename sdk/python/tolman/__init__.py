@@ -10,5 +10,6 @@ from tolman.records import (ArrayAxis, ArrayInfo, CameraRig, Decision, EarlierLo
                             SourceInfo)
 
 from tolman.results import Run
+from tolman.sweeps import Sweep, compare, sweep
 
 __all__ = [name for name in dir() if not name.startswith("_")]

@@ -30,14 +30,15 @@ def between(a, b):
 
 
 def wrap_angle(angle):
-    """In [-pi, pi)."""
-    return (angle + math.pi) % (2 * math.pi) - math.pi
+    """In [-pi, pi), to the bit as tolman/geometry.hpp."""
+    wrapped = angle - 2 * math.pi * math.floor((angle + math.pi) / (2 * math.pi))
+    return wrapped if wrapped < math.pi else wrapped - 2 * math.pi  # floor can round up to pi
 
 
 def set_planar_velocity(motion, dt):
     """Fills dt, v and omega of a Motion from its T_previous_current."""
     x, y, theta = to_planar(motion.T_previous_current)
-    distance = math.hypot(x, y)
+    distance = float(np.hypot(x, y))  # that of the C library; math.hypot rounds in another way
     motion.dt = dt
     motion.v = (-distance if x < 0 else distance) / dt if dt > 0 else 0.0
     motion.omega = theta / dt if dt > 0 else 0.0

@@ -39,6 +39,7 @@ class Navigator(Cells):
         self.heading, self.travel, self.at_loop = 0.0, 0.0, 0.0
         self.experiences, self.here, self.in_here, self.since = 0, -1, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
         self.views = {}  # template: x, y, heading, experience, pose in it, travel
+        self.state, self.restart, self.clue = "initialising", None, None  # travel at a restart until a place is known again
         self.begin()
 
     def step(self, motion, place):
@@ -48,6 +49,7 @@ class Navigator(Cells):
         self.heading = (self.heading + moved[2]) % (2 * math.pi)
         self.travel += math.hypot(*displacement)
         self.in_here, self.since = compose(self.in_here, moved), compose(self.since, moved)
+        self._restarts(motion.state, moved)
         answer = Decision(template_id=place.template_id)
         view = self.views.get(place.template_id)
         if not (place.recognition == "familiar" and view and self._agrees(view, place, answer)):
@@ -61,16 +63,31 @@ class Navigator(Cells):
         answer.experience, answer.heading = self.here, self.heading
         return answer
 
+    def _restarts(self, state, moved):
+        """After a restart of tracking at an unknown pose the code goes on from where it was, until views tell another place."""
+        if state == "initialising" != self.state:
+            self.restart, self.clue, self.since = self.travel, None, (math.inf, 0.0, 0.0)
+        elif self.clue is not None:
+            self.clue = compose(self.clue, moved)
+        self.state = state
+
+    def _relocates(self, view, there):
+        """Two views from before the restart, one after the other, that tell the same place: the code is set to it."""
+        if self.restart is None or view[5] > self.restart:
+            return False
+        clue, self.clue = self.clue, there
+        if clue is None or math.dist(clue[:2], there[:2]) > self.agreement or abs(wrap_angle(clue[2] - there[2])) > 0.5:
+            return False
+        self.move(np.subtract(there[:2], self.position()))
+        self.heading, self.restart, self.at_loop = there[2] % (2 * math.pi), None, -math.inf
+        return True
+
     def _agrees(self, view, place, answer):
         """Closes a loop where the view agrees with the position and the heading."""
         seen = to_planar(place.T_template_current) if place.has_relative_pose else (0.0, 0.0, place.relative_yaw)
         there = compose(view[:3], seen)
-        off = np.subtract(there[:2], self.position())
-        turned = wrap_angle(there[2] - self.heading)
-        if self.travel - max(view[5], 0) < self.loop_minimum_travel or np.hypot(*off) > self.agreement or abs(turned) > 0.5:
+        if not self._relocates(view, there) and not self._corrects(view, there, place.template_id):
             return False
-        self.recall(place.template_id, np.subtract(there[:2], view[:2]))
-        self.heading = (self.heading + 0.5 * turned) % (2 * math.pi)
         if self.travel - self.at_loop < self.loop_spacing or view[3] == self.here:
             return False
         pose = compose(view[4], seen)
@@ -79,4 +96,16 @@ class Navigator(Cells):
         if place.has_relative_pose:
             answer.covariance = place.covariance
         self.at_loop = self.travel
+        return True
+
+    def _corrects(self, view, there, template):
+        """Whether the view agrees with the position and the heading; corrects both by half."""
+        off = np.subtract(there[:2], self.position())
+        turned = wrap_angle(there[2] - self.heading)
+        if self.restart is not None and view[5] <= self.restart:
+            return False
+        if self.travel - max(view[5], 0) < self.loop_minimum_travel or np.hypot(*off) > self.agreement or abs(turned) > 0.5:
+            return False
+        self.recall(template, np.subtract(there[:2], view[:2]))
+        self.heading = (self.heading + 0.5 * turned) % (2 * math.pi)
         return True

@@ -35,20 +35,30 @@ def _text(value):
     return str(value)
 
 
-def run(config, set=None, out=None, plugin_path=()):  # noqa: A002: the word of the command line
-    """Runs a configuration, with values in other words: run("demo", set={"cells.spacing": 3}). Gives its Run."""
+def call(*arguments):
+    """What the program prints. Raises RunFailed."""
     import subprocess  # here, for it installs a handler of signals, which plugins must not
 
-    command = [program(), "run", str(config)]
-    for key, value in (set or {}).items():
-        command += ["--set", f"{key}={_text(value)}"]
-    for folder in plugin_path:
-        command += ["--plugin-path", str(folder)]
-    if out is not None:
-        command += ["--out", str(out)]
-    finished = subprocess.run(command, capture_output=True, text=True, check=False)
+    finished = subprocess.run([program(), *map(os.fspath, map(_word, arguments))], capture_output=True, text=True, check=False)
     if finished.returncode != 0:
         raise RunFailed(finished.stderr.strip() or finished.stdout.strip(), finished.returncode)
+    return finished.stdout
+
+
+def _word(argument):
+    return argument if isinstance(argument, os.PathLike) else str(argument)
+
+
+def run(config, set=None, out=None, plugin_path=()):  # noqa: A002: the word of the command line
+    """Runs a configuration, with values in other words: run("demo", set={"cells.spacing": 3}). Gives its Run."""
+    words = ["run", config]
+    for key, value in (set or {}).items():
+        words += ["--set", f"{key}={_text(value)}"]
+    for folder in plugin_path:
+        words += ["--plugin-path", folder]
+    if out is not None:
+        words += ["--out", out]
+    printed = call(*words)
     if out is None:
-        out = next(line.split(None, 1)[1] for line in finished.stdout.splitlines() if line.startswith("run  "))
+        out = next(line.split(None, 1)[1] for line in printed.splitlines() if line.startswith("run  "))
     return Run(out)

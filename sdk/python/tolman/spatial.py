@@ -52,7 +52,8 @@ def _turned(r, centre, radius):
 
 
 def _correlations(rings, radius):
-    """Of the rings with themselves after 30, 45, 60 and 90 degrees; a radius weighs as much as its length."""
+    """Of the rings with themselves after 30, 45, 60 and 90 degrees; a radius weighs as much as its length. After 120 and 150 degrees they are those
+    of 60 and 30, because an autocorrelogram is the same after half a turn."""
     weight = np.broadcast_to(radius[:, None], rings.shape).ravel()
     found = []
     for steps in (10, 15, 20, 30):

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An odometry written from the headers alone: 5 m/s straight ahead.
+// An odometry that uses only the SDK headers: 5 m/s straight ahead.
 #include <tolman/plugin.hpp>
 
 class HalfSpeed : public tolman::Odometry {

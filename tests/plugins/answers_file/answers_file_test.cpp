@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the host writes to answers.bin the plugins read again, bit for bit.
+// The plugins read answers.bin as the host wrote it, bit for bit.
 #include "record/answers_file.hpp"
 
 #include <catch2/catch.hpp>

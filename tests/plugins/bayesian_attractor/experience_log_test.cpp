@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a new experience or a loop is due: by way, by turn, by novelty; against a plain account of
-// the way driven.
+// When a new experience or a loop is due: by distance, turn or novelty, compared with a plain sum
+// of the driven distance.
 #include "experience_log.hpp"
 
 #include <catch2/catch.hpp>

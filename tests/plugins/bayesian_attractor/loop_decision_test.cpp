@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin as the host drives it: experiences, loops, lost and unknown places, arrays.
+// The plugin as the host calls it: experiences, loops, lost and unknown places, arrays.
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <numbers>

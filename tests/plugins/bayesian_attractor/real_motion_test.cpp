@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The network as judge of real loop candidates on real KITTI motion.
+// Decisions of the network on real loop candidates of real KITTI motion.
 #include <catch2/catch.hpp>
 #include <map>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saved cells whose envelope is right and whose numbers are not: refused, or used without harm.
+// Saved states with a valid envelope and wrong numbers: refused, or used without failure.
 #include "saved_state.hpp"
 
 #include <catch2/catch.hpp>

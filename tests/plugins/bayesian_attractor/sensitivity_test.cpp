@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every parameter of the network matters, on real KITTI motion: twice or half its default, or
+// Every parameter of the network has an effect on real KITTI motion: twice or half its default, or
 // zero, changes decisions on at least two of five sequences.
 #include <array>
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Storeys that look alike and lie above each other: with vertical modules they are different
-// places, without them they are one.
+// Storeys of the same appearance above each other: with vertical modules they are different places,
+// without them the same place.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
@@ -142,6 +142,61 @@ Outcome decide(const std::vector<Stop>& stops, const ParameterValues& parameters
 
 const ParameterValues kSpace = {{"height_period", 20.0}};
 
+/// Signs that say the storey: the first 20 m of a round look different on each.
+std::vector<Stop> withSigns(std::vector<Stop> stops) {
+  for (Stop& stop : stops) {
+    if (stop.slope != 0 || stop.step >= 20) continue;
+    stop.place += 1000 * (1 + static_cast<int>(std::lround(stop.height / kStorey)));
+  }
+  return stops;
+}
+
+enum class Break { Kidnapped, NewSession };
+
+/// A drive, then another one whose first pose nobody knows.
+Outcome decideBroken(const std::vector<Stop>& before, const std::vector<Stop>& after, Break how,
+                     std::uint64_t seed) {
+  std::vector<Stop> stops = before;
+  stops.insert(stops.end(), after.begin(), after.end());
+  BayesianAttractor first;
+  BayesianAttractor second;
+  REQUIRE(configure(first, kSpace).isOk());
+  REQUIRE(configure(second, kSpace).isOk());
+  BayesianAttractor* plugin = &first;
+  RandomStream random(seed);
+  std::map<int, Eigen::Isometry3d> templates;
+  Judge judge(stops);
+  Outcome at_break;
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    Motion motion = motionOf({}, static_cast<std::int64_t>(k));
+    motion.covariance.diagonal() << 1e-4, 1e-4, 1e-4, 9e-8, 9e-8, 9e-8;
+    const bool is_break = k == before.size();
+    motion.T_previous_current = poseAt(stops[k > 0 && !is_break ? k - 1 : k]).inverse() *
+                                poseAt(stops[k]) * noise(random, 0.01, 3e-4);
+    if (is_break) {
+      motion.state = TrackingState::Initialising;
+      at_break = judge.outcome;
+      if (how == Break::NewSession) {
+        std::stringstream stream;
+        REQUIRE(first.save(stream).isOk());
+        REQUIRE(second.load(stream).isOk());
+        plugin = &second;
+      }
+    }
+    const Decision decision = step(*plugin, motion, look(stops[k], templates, random));
+    if (decision.action == Action::CreateExperience) judge.made(k);
+    for (const EarlierLoop& loop : decision.earlier) {
+      judge.closed(loop.frame, loop.experience, loop.T_experience_camera);
+    }
+    if (decision.action == Action::CloseLoop) {
+      judge.closed(decision.frame, decision.experience, decision.T_experience_current);
+    }
+  }
+  CHECK(at_break.wrong == 0);
+  judge.outcome.right -= at_break.right;
+  return judge.outcome;
+}
+
 }  // namespace
 
 TEST_CASE("five storeys that look alike, up and down twice: no loop between them, each closed") {
@@ -198,4 +253,31 @@ TEST_CASE("a view is linked to one pattern a storey, and saved with all of them"
   REQUIRE(loaded.load(stream).isOk());
   CHECK(loaded.state().links.at(0).size() == 3);
   CHECK(arrayOf(loaded, "height.activity") == arrayOf(plugin, "height.activity"));
+}
+
+TEST_CASE(
+    "a session or a carried robot that goes on upon another storey is put there by its sign") {
+  const std::vector<Stop> before = withSigns(drive(1, kStorey));
+  const Break how = GENERATE(Break::Kidnapped, Break::NewSession);
+  for (const int storey : {1, 3, 4}) {
+    // From half a round before the sign of that storey, down to the street.
+    const std::vector<Stop> after(before.end() - kSteps * (storey + 1), before.end());
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Outcome outcome = decideBroken(before, after, how, seed);
+      CAPTURE(storey, seed, outcome.right, outcome.wrong);
+      CHECK(outcome.wrong == 0);
+      CHECK(outcome.right > 10);
+    }
+  }
+}
+
+TEST_CASE("where storeys have no sign none is guessed, until a place comes that only one has") {
+  const std::vector<Stop> before = drive(1, kStorey);
+  for (const int storey : {1, 3, 4}) {
+    const std::vector<Stop> after(before.end() - kSteps * (storey + 1), before.end());
+    const Outcome outcome = decideBroken(before, after, Break::Kidnapped, 1);
+    CAPTURE(storey, outcome.right, outcome.wrong);
+    CHECK(outcome.right > 0);  // the street, at the end
+    CHECK(outcome.wrong == 0);
+  }
 }

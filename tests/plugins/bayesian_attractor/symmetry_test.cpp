@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells have no preferred side, no preferred start and no preferred names: a drive seen in a
-// mirror, later, or with other template numbers is decided alike.
+// Decisions are invariant: the mirrored drive, the same drive at a later time, and other template
+// numbers give the same decisions.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

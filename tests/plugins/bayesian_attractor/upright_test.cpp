@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where up is, for cameras that are mounted in any way on a vehicle.
+// The up direction of cameras in any orientation on a vehicle.
 #include "upright.hpp"
 
 #include <catch2/catch.hpp>

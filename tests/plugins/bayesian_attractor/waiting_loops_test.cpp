@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops wait for their bump: spaced, told in order, forgotten with the bump.
+// Loops are kept until their bump wins: their spacing, their order, and removal with the bump.
 #include "waiting_loops.hpp"
 
 #include <catch2/catch.hpp>

@@ -168,13 +168,98 @@ TEST_CASE("what is missing or cannot be is named with file, line and remedy") {
         "c.yaml:4: 'distortion_coefficients' has 5 numbers; a fisheye has 4");
   CHECK(refusal("radtan", "1, 2, x, 4") == "c.yaml:4: 'x' is no finite number; correct it");
   CHECK(refusal("radtan", "1, 2, 3, 4", {1, 320, 240}) ==
-        "c.yaml:1: is the calibration of images of 640x480 px, but they have 320x240; give the "
+        "c.yaml:5: is the calibration of images of 640x480 px, but they have 320x240; give the "
         "calibration of these images");
   CHECK_THAT(refusal("radtan", "1, 2, 3, 4", kPair),
              Catch::Contains("has 1 cameras instead of 2; name the file of the right camera too"));
   CHECK(readCameras({folder.folder.path() / "none.yaml"}, kPair).status().message() ==
         (folder.folder.path() / "none.yaml").string() +
             ": is missing; restore it, or correct the path");
+}
+
+TEST_CASE("a key that is given twice is refused in every format, at the second") {
+  const Folder folder;
+  const auto twice = [&](std::string text, const char* line, const char* name = "c.yaml") {
+    return folder.refusal(text + line, {1, 640, 480}, name);
+  };
+  const std::string second = " is given twice, first in line ";
+  CHECK(twice(kKalibr, "cam0:\n  camera_model: pinhole\n") ==
+        "c.yaml:18: 'cam0'" + second + "1; remove one of the two");
+  CHECK(twice(kKalibr, "  resolution: [640, 480]\n") ==
+        "c.yaml:18: 'resolution'" + second + "12; remove one of the two");
+  CHECK(twice(ros("0"), "camera_matrix:\n  rows: 3\n") ==
+        "c.yaml:21: 'camera_matrix'" + second + "4; remove one of the two");
+  CHECK(twice("<?xml version=\"1.0\"?>\n<opencv_storage>\n<M1>1</M1>\n",
+              "<M1>2</M1>\n</opencv_storage>\n",
+              "c.xml") == "c.xml:4: 'M1'" + second + "3; remove one of the two");
+  CHECK(twice("calib_time: 9\nK_00: 1 2 3\nS_00: 640 480\n", "K_00: 1 2 3\n", "c.txt") ==
+        "c.txt:4: 'K_00'" + second + "2; remove one of the two");
+}
+
+TEST_CASE("each mistake of a sensor.yaml is told at its own line") {
+  const Folder folder;
+  const std::vector<std::string> sound = {"%YAML:1.0",
+                                          "# General sensor definitions.",
+                                          "sensor_type: camera",
+                                          "",
+                                          "T_BS:",
+                                          "  cols: 4",
+                                          "  rows: 4",
+                                          "  data: [1, 0, 0, 0,",
+                                          "         0, 1, 0, 0,",
+                                          "         0, 0, 1, 0,",
+                                          "         0, 0, 0, 1]",
+                                          "# Camera specific definitions.",
+                                          "resolution: [640, 480]",
+                                          "camera_model: pinhole",
+                                          "intrinsics: [400, 400, 320, 240] #fu, fv, cu, cv",
+                                          "distortion_model: radial-tangential",
+                                          "distortion_coefficients: [-0.1, 0.02, 0, 0]"};
+  const auto refusal = [&](std::size_t line, const std::string& changed) {
+    std::string text;
+    for (std::size_t i = 0; i < sound.size(); ++i) {
+      text += (i + 1 == line ? changed : sound[i]) + "\n";
+    }
+    return folder.refusal(text, {1, 640, 480});
+  };
+  CHECK(refusal(0, "").empty());
+  CHECK_THAT(refusal(5, "T_BS: [1, 2]"), Catch::StartsWith("c.yaml:6: is not indented"));
+  CHECK_THAT(refusal(8, "  data: [1, 0, 0,"), Catch::StartsWith("c.yaml:5: 'T_BS' has 15 numbers"));
+  CHECK_THAT(refusal(8, "  data: [2, 0, 0, 0,"), Catch::StartsWith("c.yaml:5: has no rotation"));
+  CHECK_THAT(refusal(10, "         0, 0, one, 0,"), Catch::StartsWith("c.yaml:10: 'one' is no"));
+  CHECK_THAT(refusal(13, "resolution: [640]"), Catch::StartsWith("c.yaml:13: 'resolution' must"));
+  CHECK_THAT(refusal(13, "resolution: [64, 48]"), Catch::StartsWith("c.yaml:13: is the calib"));
+  CHECK_THAT(refusal(14, "camera_model: fov"), Catch::StartsWith("c.yaml:14: the camera model"));
+  CHECK_THAT(refusal(15, "intrinsics: [400, 400, 320]"),
+             Catch::StartsWith("c.yaml:15: 'intrinsics' has 3 numbers"));
+  CHECK_THAT(refusal(15, "intrinsics: [0, 400, 320, 240]"),
+             Catch::StartsWith("c.yaml:15: focal lengths must be positive"));
+  CHECK_THAT(refusal(15, "intrinsics: [400, 400, 320, 2400]"),
+             Catch::StartsWith("c.yaml:15: the principal point is outside"));
+  CHECK(refusal(16, "") == "c.yaml: has no 'distortion_model'; add it");
+}
+
+TEST_CASE("a distortion whose text is missing is no lens without distortion") {
+  const Folder folder;
+  const auto refusal = [&](const std::string& lines) {
+    return folder.refusal(
+        "resolution: [640, 480]\nintrinsics: [400, 400, 320, 240]\n" + lines + "\n", {1, 640, 480});
+  };
+  CHECK(refusal("distortion_model: radtan\ndistortion_coefficients:") ==
+        "c.yaml:4: 'radtan' has no 'distortion_coeffs'; add them, or [] for a lens without "
+        "distortion");
+  CHECK(refusal("distortion_model: radtan") ==
+        "c.yaml:3: 'radtan' has no 'distortion_coeffs'; add them, or [] for a lens without "
+        "distortion");
+  CHECK(refusal("distortion_model:\ndistortion_coeffs: [0.1, 0.2, 0, 0]") ==
+        "c.yaml:3: 'distortion_model' is empty, but 'distortion_coeffs' are given; name the model, "
+        "or none");
+  CHECK(refusal("distortion_model: radtan\ndistortion_coeffs:\n  rows: 1\n  data:") ==
+        "c.yaml:6: 'radtan' has no 'distortion_coeffs'; add them, or [] for a lens without "
+        "distortion");
+  CHECK(refusal("distortion_model: radtan\ndistortion_coeffs: []").empty());
+  CHECK(refusal("distortion_model: ''\ndistortion_coeffs: [0, 0, 0, 0]").empty());
+  CHECK(refusal("distortion_model: none").empty());
 }
 
 TEST_CASE("calibrations of raw cameras are told from KITTI's rectified ones") {

@@ -33,7 +33,8 @@ TEST_CASE("maps, lists, comments, tags, quotes, and values over several lines") 
   CHECK(tree.find({"name"})->text == "left # one");
   CHECK(tree.find({"matrix"})->find({"data"})->numbers() == std::vector<double>{1, 2.5, -3});
   CHECK(tree.find({"rows"})->numbers() == std::vector<double>{1, 2, 3, 4});
-  CHECK(tree.find({"rows"})->line == 10);
+  CHECK(tree.find({"rows"})->line == 9);
+  CHECK(tree.line == 0);
   const Node& list = *tree.find({"deep"})->find({"list"});
   REQUIRE(list.children.size() == 2);
   CHECK(list.children[0].find({"b"})->number() == 8);
@@ -61,6 +62,45 @@ TEST_CASE("broken YAML is refused at its line") {
   const Node tree = parseYaml("a: 1\nb: [1, two]\nc: nan\n");
   CHECK_THROWS_WITH(tree.find({"b"})->numbers(), "'two' is no finite number; correct it");
   CHECK_THROWS_WITH(tree.find({"c"})->number(), "'nan' is no finite number; correct it");
+}
+
+TEST_CASE("a key is given once in a map, and is not empty") {
+  CHECK(refusalOf(parseYaml, "# the left\na: 1\n\nb: 2\na: 1\n") ==
+        "5: 'a' is given twice, first in line 2; remove one of the two");
+  CHECK(refusalOf(parseYaml, "a:\n  b: 1\n  c: 2\n  \"b\":\n    - 1\n") ==
+        "4: 'b' is given twice, first in line 2; remove one of the two");
+  CHECK(refusalOf(parseYaml, "- a: 1\n  a: 2\n") ==
+        "2: 'a' is given twice, first in line 1; remove one of the two");
+  CHECK(refusalOf(parseYaml, "m: {rows: 2, # of two\n  data: [5,\n\n  6],\n\n  rows: 3}\n") ==
+        "6: 'rows' is given twice, first in line 1; remove one of the two");
+  CHECK(refusalOf(parseYaml, "a: {b: 1}\nc: {b: 1}\n").empty());
+  CHECK(refusalOf(parseYaml, "a: 1\n---\na: 2\n") ==
+        "3: 'a' is given twice, first in line 1; remove one of the two");
+  CHECK(refusalOf(parseYaml, "a: 1\n: 2\n") == "2: a key is empty; name it");
+  CHECK(refusalOf(parseYaml, "a: 1\n\"\": 2\n") == "2: a key is empty; name it");
+  CHECK(refusalOf(parseYaml, "a: {'': 2}\n") == "1: a key is empty; name it");
+  CHECK(refusalOf(parseXml, "<a>\n<K>1</K>\n<D>1</D>\n<K>1</K>\n</a>") ==
+        "4: 'K' is given twice, first in line 2; remove one of the two");
+  CHECK(parseXml("<a>\n<l><_>1</_>\n<_>2</_></l></a>").find({"l"})->numbers() ==
+        std::vector<double>{1, 2});
+}
+
+TEST_CASE("two names of one thing are refused, as one of them would be passed over") {
+  const Node tree = parseYaml("K: 1\nb: 2\ncamera_matrix: 3\n");
+  CHECK(tree.find({"K"})->number() == 1);
+  CHECK(refusalOf(
+            [&](std::string_view) {
+              (void)tree.find({"camera_matrix", "K"});
+            },
+            "") == "3: 'camera_matrix' means the same as 'K' in line 1; remove one of the two");
+}
+
+TEST_CASE("lines are right after comments and empty lines within brackets") {
+  const Node tree = parseYaml("a: [1,\n  # two follows\n\n  2,\n  x]\nb:\n\n  - 1\n  - y\n");
+  CHECK(refusalOf([&](std::string_view) { (void)tree.find({"a"})->numbers(); }, "") ==
+        "5: 'x' is no finite number; correct it");
+  CHECK(refusalOf([&](std::string_view) { (void)tree.find({"b"})->numbers(); }, "") ==
+        "9: 'y' is no finite number; correct it");
 }
 
 TEST_CASE("XML of elements and values") {

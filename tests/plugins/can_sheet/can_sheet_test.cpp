@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin as the host sees it: position, loops, look-alikes, a robot that is carried away, and
+// The plugin as the host calls it: position, loops, look-alikes, restarts at an unknown place, and
 // saved states.
 #include "can_sheet.hpp"
 

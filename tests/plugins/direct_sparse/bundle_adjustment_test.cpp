@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window finds back to the truth of the rendered street.
+// From disturbed values the window converges to the true ones of the rendered street.
 #include "bundle_adjustment.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where the window is as a whole cannot be seen: nothing may move it, however long the drive.
+// The pose of the whole window is unobservable: it must not drift, also on a long drive.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values and gradients in one fetch.
+// Values and gradients from one interpolation.
 #include "gradient_image.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A host for direct_sparse.
+// A minimal host for direct_sparse.
 #pragma once
 
 #include "direct_sparse.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Real images, where they are: the error against the truth, and agreed lengths.
+// Real images, if available: the error against the truth, and the lengths of paths.
 #include <catch2/catch.hpp>
 
 #include "harness.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Memory in large pages is memory.
+// Memory in large pages can be written and read.
 #include "large_pages.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window's life over a drive: size, points, depths, gauge.
+// The window during a drive: size, points, depths, gauge.
 #include "mapper.hpp"
 
 #include <algorithm>

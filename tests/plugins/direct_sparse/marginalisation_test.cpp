@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What leaves the window must act on the rest as if it had stayed.
+// Marginalised points and keyframes have the same effect on the window as if they were kept.
 #include "marginalisation.hpp"
 
 #include <catch2/catch.hpp>

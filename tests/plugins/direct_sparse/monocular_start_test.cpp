@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The drafted scene of a single camera.
+// The assumed scene of a single camera.
 #include "monocular_start.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many points, where, and of which gradient.
+// Number, places and gradients of selected points.
 #include "point_selection.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Levels, their coordinates, and what odd sizes do to them.
+// Levels, their coordinates, and odd sizes.
 #include "pyramid.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The row search: sub-pixel bias, large disparities, brightness, and what must be refused.
+// The row search: sub-pixel bias, large disparities, brightness, and matches to refuse.
 #include "static_stereo.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Static stereo confirms a right pose and no wrong one.
+// Static stereo confirms the right pose and rejects wrong ones.
 #include "stereo_check.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which motion is believed, and when none is.
+// Which motion is accepted, and when none is.
 #include "tracker.hpp"
 
 #include <algorithm>

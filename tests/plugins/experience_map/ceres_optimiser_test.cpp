@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two solvers of one energy: they end at one minimum, with the same weights, for any graph; and
-// around it the energy, computed here, is nowhere lower.
+// Both solvers find the same minimum with the same weights, for any graph. The energy, computed
+// here, is not lower anywhere near it.
 #include "ceres_optimiser.hpp"
 
 #include <Eigen/Dense>

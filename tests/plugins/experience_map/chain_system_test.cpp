@@ -57,7 +57,22 @@ Problem<G> randomProblem(std::uint64_t seed, std::size_t count,
 }
 
 template <class G>
-std::vector<StepOf<G>> denseStep(const Problem<G>& problem, double damping) {
+struct Dense {
+  Eigen::MatrixXd H;  ///< without node 0, which is held
+  Eigen::VectorXd g;
+
+  std::vector<StepOf<G>> step() const {
+    const Eigen::VectorXd x = H.ldlt().solve(Eigen::VectorXd(-g));
+    std::vector<StepOf<G>> step = {StepOf<G>::Zero()};
+    for (Eigen::Index k = 0; k < g.size(); k += G::kSize) {
+      step.emplace_back(x.segment<G::kSize>(k));
+    }
+    return step;
+  }
+};
+
+template <class G>
+Dense<G> dense(const Problem<G>& problem, double damping) {
   constexpr int kSize = G::kSize;
   const auto size = static_cast<Eigen::Index>(kSize * problem.nodes.size());
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
@@ -74,12 +89,13 @@ std::vector<StepOf<G>> denseStep(const Problem<G>& problem, double damping) {
     g += J.transpose() * W * residualOf(link, from, to);
   }
   H.diagonal() *= 1 + damping;
-  const Eigen::Index rest = size - kSize;  // node 0 is held
-  const Eigen::VectorXd x =
-      H.bottomRightCorner(rest, rest).ldlt().solve(Eigen::VectorXd(-g.tail(rest)));
-  std::vector<StepOf<G>> step = {StepOf<G>::Zero()};
-  for (Eigen::Index k = 0; k < rest; k += kSize) step.emplace_back(x.segment<kSize>(k));
-  return step;
+  const Eigen::Index rest = size - kSize;
+  return {H.bottomRightCorner(rest, rest), g.tail(rest)};
+}
+
+template <class G>
+std::vector<StepOf<G>> denseStep(const Problem<G>& problem, double damping) {
+  return dense(problem, damping).step();
 }
 
 template <class G>
@@ -92,6 +108,30 @@ void checkAgainstDense(const Problem<G>& problem, double damping) {
   REQUIRE(step.size() == expected.size());
   for (std::size_t k = 0; k < step.size(); ++k) {
     INFO("node " << k);
+    CHECK((step[k] - expected[k]).norm() < 1e-6 * (1 + expected[k].norm()));
+  }
+}
+
+/// The system that solve() has left, with a gradient of another kind, and its determinant.
+template <class G>
+void checkLeftSystem(const Problem<G>& problem, double damping) {
+  ChainSystem<G> system(problem.nodes.size(), problem.links);
+  system.linearise(problem.nodes, problem.links);
+  std::vector<StepOf<G>> step;
+  REQUIRE(system.solve(damping, step));
+  Dense<G> whole = dense(problem, damping);
+  CHECK(system.logDeterminant() ==
+        Approx(whole.H.ldlt().vectorD().array().log().sum()).epsilon(1e-9));
+  RandomStream random(77);
+  std::vector<StepOf<G>> gradient(problem.nodes.size());
+  for (std::size_t k = 0; k < gradient.size(); ++k) {
+    for (double& value : gradient[k].reshaped()) value = random.normal();
+    if (k == 0) continue;
+    whole.g.template segment<G::kSize>(static_cast<Eigen::Index>(G::kSize * (k - 1))) = gradient[k];
+  }
+  REQUIRE(system.template solveFor<1>(gradient, step));
+  const std::vector<StepOf<G>> expected = whole.step();
+  for (std::size_t k = 0; k < step.size(); ++k) {
     CHECK((step[k] - expected[k]).norm() < 1e-6 * (1 + expected[k].norm()));
   }
 }
@@ -119,6 +159,89 @@ TEMPLATE_TEST_CASE("the step is that of the dense system", "", Plane, Space) {
   }
   SECTION("damped") {
     checkAgainstDense(randomProblem<TestType>(7, 30, Loops{{2, 20}, {9, 29}}), 0.3);
+  }
+}
+
+TEMPLATE_TEST_CASE("another gradient is solved for, and the determinant is the dense one", "",
+                   Plane, Space) {
+  using Loops = std::vector<std::pair<std::size_t, std::size_t>>;
+  checkLeftSystem(randomProblem<TestType>(2, 12, {}), 0);
+  checkLeftSystem(randomProblem<TestType>(3, 20, {{0, 7}, {0, 19}}), 0);
+  checkLeftSystem(randomProblem<TestType>(4, 40, Loops{{2, 30}, {25, 10}, {15, 16}}), 0);
+  checkLeftSystem(randomProblem<TestType>(7, 30, Loops{{2, 20}, {9, 29}}), 0.3);
+}
+
+TEMPLATE_TEST_CASE("a system that is built again in its memory gives the bytes of a new one", "",
+                   Plane, Space) {
+  using Loops = std::vector<std::pair<std::size_t, std::size_t>>;
+  ChainSystem<TestType> used;
+  for (const Problem<TestType>& problem :
+       {randomProblem<TestType>(4, 60, Loops{{2, 50}, {45, 10}, {20, 30}}),
+        randomProblem<TestType>(2, 12, {}), randomProblem<TestType>(3, 70, Loops{{0, 7}, {9, 60}}),
+        randomProblem<TestType>(5, 20, Loops{{4, 15}, {15, 4}})}) {
+    ChainSystem<TestType> fresh(problem.nodes.size(), problem.links);
+    used.build(problem.nodes.size(), problem.links);
+    std::vector<StepOf<TestType>> expected;
+    std::vector<StepOf<TestType>> step;
+    fresh.linearise(problem.nodes, problem.links);
+    used.linearise(problem.nodes, problem.links);
+    REQUIRE(fresh.solve(0, expected));
+    REQUIRE(used.solve(0, step));
+    CHECK(step == expected);
+    CHECK(used.logDeterminant() == fresh.logDeterminant());
+  }
+}
+
+TEMPLATE_TEST_CASE("a bend is taken from the information along the residual, not from the pull", "",
+                   Plane, Space) {
+  using Step = StepOf<TestType>;
+  Problem<TestType> problem = randomProblem<TestType>(10, 20, {{1, 15}, {4, 18}});
+  std::vector<double> bends(problem.links.size());
+  Problem<TestType> bent = problem;  // the same curvature by another covariance
+  for (const std::size_t k : {19, 20}) {
+    const PoseLink<TestType>& link = problem.links[k];
+    const Step r = residualOf(link, problem.nodes[link.from], problem.nodes[link.to]);
+    const MatrixOf<TestType> W = link.covariance.inverse();
+    bends[k] = 0.3 / r.dot(W * r);
+    bent.links[k].covariance = (W - bends[k] * W * r * r.transpose() * W).inverse();
+  }
+  ChainSystem<TestType> system(problem.nodes.size(), problem.links);
+  std::vector<Step> step;
+  system.linearise(problem.nodes, problem.links, bends);
+  REQUIRE(system.solve(0, step));
+  Dense<TestType> expected = dense(bent, 0);
+  expected.g = dense(problem, 0).g;
+  const std::vector<Step> steps = expected.step();
+  for (std::size_t k = 0; k < step.size(); ++k) {
+    CHECK((step[k] - steps[k]).norm() < 1e-6 * (1 + steps[k].norm()));
+  }
+}
+
+TEMPLATE_TEST_CASE("covariances may change, and four right-hand sides are solved at once", "",
+                   Space) {
+  Problem<TestType> problem = randomProblem<TestType>(11, 30, {{1, 15}, {4, 28}});
+  ChainSystem<TestType> system(problem.nodes.size(), problem.links);
+  for (PoseLink<TestType>& link : problem.links) link.covariance *= 0.25;
+  problem.links[3].covariance.diagonal().array() += 0.1;
+  system.takeCovariances(problem.links);
+  system.linearise(problem.nodes, problem.links);
+  REQUIRE(system.factorise(0));
+  std::vector<Eigen::Matrix<double, 6, 4>> right(problem.nodes.size());
+  RandomStream random(12);
+  for (auto& part : right) {
+    for (double& value : part.reshaped()) value = random.normal();
+  }
+  std::vector<Eigen::Matrix<double, 6, 4>> x;
+  REQUIRE(system.template solveFor<4>(right, x));
+  Dense<TestType> whole = dense(problem, 0);
+  for (int column = 0; column < 4; ++column) {
+    for (std::size_t k = 1; k < right.size(); ++k) {
+      whole.g.template segment<6>(static_cast<Eigen::Index>(6 * (k - 1))) = right[k].col(column);
+    }
+    const std::vector<Vector6d> expected = whole.step();
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      CHECK((x[k].col(column) - expected[k]).norm() < 1e-6 * (1 + expected[k].norm()));
+    }
   }
 }
 

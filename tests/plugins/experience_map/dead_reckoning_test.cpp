@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dead reckoning, its revision, and the covariance of a way.
+// Dead reckoning, its revision, and the covariance of a motion over several frames.
 #include "dead_reckoning.hpp"
 
 #include "map_fixture.hpp"

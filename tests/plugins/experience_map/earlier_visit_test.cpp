@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops that become known later: the map must end where it would, had they been known at once.
+// Loops that become known later give the same map as if they had been known at once.
 #include <sstream>
 
 #include "map_fixture.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What closing loops does to the path: nothing lost, nothing snapped, good odometry kept.
+// Effect of loops on the path: no motion is lost, no pose snaps, good odometry is kept.
 #include <algorithm>
 #include <tolman/context.hpp>
 
@@ -199,6 +199,32 @@ TEST_CASE("one false loop among true ones is rejected at the end") {
     CHECK(link.from == 120 % 80 / 5);  // from the last loop that is not rejected
     CHECK(link.T_from_to.translation().norm() == Approx(20).margin(1));
   }
+}
+
+TEST_CASE("after a rejected loop the counts of an update are still those of the graph") {
+  Fixture fixture;
+  fixture.create(step(0));
+  Eigen::Isometry3d since = Eigen::Isometry3d::Identity();  // the visit of 8 at step 120
+  for (int k = 1; k <= 240; ++k) {
+    if (k > 120) since = since * squareStep(k);
+    if (k == 130) {
+      fixture.closeMeasured(squareStep(k), 2, step(0));  // false
+    } else if (k == 131) {
+      fixture.closeMeasured(squareStep(k), 8, since);  // still within sight of 8
+    } else if (k > 80 && k % 10 == 0) {
+      fixture.closeMeasured(squareStep(k), (k % 80) / 5, step(0));
+    } else if (k < 80 && k % 5 == 0) {
+      fixture.create(squareStep(k));
+    } else {
+      fixture.stay(squareStep(k));
+    }
+  }
+  REQUIRE(fixture.map.finish({}).isOk());
+  REQUIRE(fixture.graph().rejected.size() == 1);
+  const MapUpdate next = fixture.stay(step(1));  // of a session that goes on with the map
+  const MapGraph graph = fixture.graph();
+  CHECK(next.links == std::ssize(graph.links));
+  CHECK(next.loops == std::ranges::count(graph.links, LinkKind::Loop, &Link::kind));
 }
 
 TEST_CASE("the pose that a frame was given relative to an experience holds for the final map") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A map with a host that does nothing, and short ways to feed it.
+// A map with a minimal host, and functions that give it frames.
 #pragma once
 
 #include <catch2/catch.hpp>

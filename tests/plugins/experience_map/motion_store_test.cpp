@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions in memory and in a file: what is read is what was stored, to the bit, whether the file
-// can be written or not.
+// Motions in memory and in a file are read as they were stored, bit for bit, also if the file
+// cannot be written.
 #include "motion_store.hpp"
 
 #include "map_fixture.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Odometry that learns better later: the map must end where right motions would have led at once.
+// Revisions of odometry give the same map as if the right motions had been given at once.
 #include "map_fixture.hpp"
 
 namespace tolman::experience_map {

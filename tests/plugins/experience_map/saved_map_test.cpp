@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps as bytes with a right checksum and wrong contents: counts, lengths, order; and the round
-// trip of maps that were driven at random.
+// Saved maps with a valid checksum and wrong contents: counts, lengths, order. Also the round trip
+// of maps of random drives.
 #include "saved_map.hpp"
 
 #include <cstring>
@@ -36,7 +36,7 @@ void driveAtRandom(Fixture& f, std::uint64_t seed, int frames) {
 std::string payloadOf(const Fixture& f) { return tolman::test::savedPayload(f.map); }
 
 Status load(Fixture& f, const std::string& payload) {
-  return tolman::test::loadPayload(f.map, "TLMEXMAP", 2, payload);
+  return tolman::test::loadPayload(f.map, "TLMEXMAP", 3, payload);
 }
 
 std::string with(std::string payload, std::size_t word, std::int64_t value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps in space: hills that close in height, storeys that stay apart, a first camera that looks
-// anywhere, and where `auto` stays in the plane.
+// Maps in space: loops over hills, separate storeys, any orientation of the first camera, and when
+// `auto` uses the plane.
 #include <cmath>
 #include <tolman/context.hpp>
 
@@ -151,6 +151,48 @@ TEST_CASE("a first camera that is tilted by 40 degrees changes nothing") {
   CHECK(total(turned) < 1.5 * total(upright));
   Fixture planar(in("plane"));
   CHECK(total(drive(seen, planar, true)) > 2 * total(turned));
+}
+
+TEST_CASE(
+    "the same motions in the axes of a camera that is tilted by 40 degrees make the same map") {
+  const auto truth = hillLaps(3, 0);
+  const auto mapOf = [&](const Eigen::Isometry3d& lean) {
+    RandomStream random(5);
+    Fixture fixture;
+    fixture.covariance = isotropic(0.02, 0.002);
+    fixture.create(Eigen::Isometry3d::Identity());
+    const auto in = [&](const Eigen::Isometry3d& motion) { return lean.inverse() * motion * lean; };
+    for (std::size_t k = 1; k < truth.size(); ++k) {
+      Vector6d noise;
+      for (int i = 0; i < 6; ++i) noise[i] = (i < 3 ? 0.02 : 0.002) * random.normal();
+      noise[1] += 0.02;
+      const Eigen::Isometry3d step = in(truth[k - 1].inverse() * truth[k] * expSe3(noise));
+      const auto place = static_cast<std::int64_t>(k % 40 / 4);
+      const Eigen::Isometry3d& there = truth[static_cast<std::size_t>(4 * place)];
+      if (k % 4 != 0) {
+        fixture.stay(step);
+      } else if (k < 40) {
+        fixture.create(step);
+      } else {
+        fixture.closeMeasured(step, place, in(there.inverse() * truth[k]), 0.05);
+      }
+    }
+    REQUIRE(fixture.map.finish({}).isOk());
+    std::vector<Eigen::Isometry3d> poses;
+    for (std::size_t k = 0; k < truth.size(); ++k) {
+      poses.push_back(lean * fixture.poseOf(static_cast<std::int64_t>(k)) * lean.inverse());
+    }
+    return poses;
+  };
+  const auto upright = mapOf(Eigen::Isometry3d::Identity());
+  const auto tilted = mapOf(Eigen::Isometry3d(expSo3({0.7, 0, 0.2})));
+  double size = 0;
+  double apart = 0;
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    size = std::max(size, upright[k].translation().norm());
+    apart = std::max(apart, distance(upright[k], tilted[k]));
+  }
+  CHECK(apart < 1e-4 * size);
 }
 
 TEST_CASE("auto stays in the plane for planar motion, assumed loops, and unknown scale") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Residuals in space: zero where the link fits, derivatives as finite differences have them, and
-// nothing that depends on the world frame.
+// Residuals in space: zero for a link that fits, derivatives against finite differences, and
+// independence of the world frame.
 #include "spatial_link.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map has no preferred side: a drive seen in a mirror makes the mirrored map, true and false
-// loops and all.
+// The mirrored drive gives the mirrored map, with true and false loops.
 #include <cmath>
 
 #include "map_fixture.hpp"

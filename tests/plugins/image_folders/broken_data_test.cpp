@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Broken sequences: what the user is told, before frame 0 or at the frame, and that all is told.
+// Broken sequences: the messages, before frame 0 or at the frame; all problems are reported.
 #include <catch2/catch.hpp>
 
 #include "data_folder.hpp"

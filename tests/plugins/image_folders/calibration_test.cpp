@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// calib.txt: figures worked out by hand, and each way that a calibration can be wrong.
+// calib.txt: values computed by hand, and each kind of invalid calibration.
 #include "calibration.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A small sound sequence in a temporary folder, for tests to read and to break.
+// A small valid sequence in a temporary folder, which tests read or damage.
 #pragma once
 
 #include <cstdint>

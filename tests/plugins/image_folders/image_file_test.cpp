@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Image files of every kind of damage. cv::imread is the oracle for the sound ones.
+// Image files with all kinds of damage. The undamaged ones are compared with cv::imread.
 #include "image_file.hpp"
 
 #include <sys/resource.h>

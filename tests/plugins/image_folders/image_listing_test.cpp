@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order that people count in, and partners.
+// Numerical order of names, and pairs of images.
 #include "image_listing.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// JPEG data, sound and damaged. cv::imdecode is the oracle for the sound ones.
+// JPEG data, undamaged and damaged. The undamaged ones are compared with cv::imdecode.
 #include "jpeg_decoder.hpp"
 
 #include <jpeglib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The kitti source on a sound generated sequence: what a run gets.
+// The source kitti on a valid generated sequence.
 #include "kitti_source.hpp"
 
 #include <catch2/catch.hpp>

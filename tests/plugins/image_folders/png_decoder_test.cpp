@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// PNG data of every filter, sound and damaged. cv::imdecode is the oracle for the sound ones; the
-// files are put together here, so that each row has the filter that the test wants.
+// PNG data of every filter, undamaged and damaged. The undamaged ones are compared with
+// cv::imdecode. The files are written here, so that the test chooses the filter of each row.
 #include "png_decoder.hpp"
 
 #include <zlib.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lines, fields and numbers. The oracle for times is arithmetic by hand and integers printed back.
+// Lines, fields and numbers. Times are compared with values by hand and with printed integers.
 #include "text_file.hpp"
 
 #include <catch2/catch.hpp>

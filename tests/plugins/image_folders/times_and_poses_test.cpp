@@ -56,6 +56,8 @@ TEST_CASE("a column of a table") {
   CHECK(reading.times("time_s") == List{0, 63000000});
   CHECK(timesFailure("file,time\na,0\n", "time_s") ==
         "DATA/f.txt:1: names no column 'time_s'; correct stamps_column");
+  CHECK(timesFailure("time,file,time\n0,a,1\n", "time") ==
+        "DATA/f.txt:1: names two columns 'time'; rename one of them");
   CHECK(timesFailure("file,time\na,0\nb\n", "time") ==
         "DATA/f.txt:3: has 1 columns, fewer than the first line");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// TUM's RGB-D layout: colour and depth with times of their own, true poses in between.
+// TUM's RGB-D layout: colour and depth with different times, interpolated true poses.
 #include "tum_source.hpp"
 
 #include <catch2/catch.hpp>

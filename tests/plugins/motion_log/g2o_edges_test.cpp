@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Planar edges: what is written is read, chains are products of matrices, and files that are none.
+// Planar edges: the round trip, chains against products of matrices, and invalid files.
 #include "g2o_edges.hpp"
 
 #include <sys/stat.h>
@@ -207,7 +207,7 @@ TEST_CASE("folders, pipes and files that are not there are refused without waiti
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   for (const std::filesystem::path& path : {folder.path(), pipe, folder.path() / "nothing"}) {
     CHECK(readEdges(path).status().message() ==
-          path.string() + " is no file that can be read; check the path");
+          path.string() + " is not a readable file; check the path");
   }
 }
 

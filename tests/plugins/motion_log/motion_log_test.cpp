@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motion without images: files in, frames with sensors and truth out; broken files refused.
+// Motion without images: frames with sensors and truth from files; invalid files are refused.
 #include "motion_log.hpp"
 
 #include <catch2/catch.hpp>
@@ -130,7 +130,7 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
   const Square square;
   SECTION("missing") {
     std::filesystem::remove(square.folder.path() / "odometry.g2o");
-    CHECK(refusal(square) == "odometry.g2o is no file that can be read; check the path");
+    CHECK(refusal(square) == "odometry.g2o is not a readable file; check the path");
   }
   SECTION("gap") {
     square.write("odometry.g2o",
@@ -156,6 +156,18 @@ TEST_CASE("what is wrong with a file is said with line and remedy") {
     square.write("ground_truth.g2o", "EDGE_SE2 0 1 1 0 0 1 0 0 1 0 1\n");
     CHECK(refusal(square) ==
           "ground_truth.g2o has 2 poses, the odometry 5; give the truth of this sequence");
+  }
+  SECTION("truth that is a link to nothing") {
+    std::filesystem::remove(square.folder.path() / "ground_truth.g2o");
+    CHECK(drive(square.values()).size() == 5);  // no truth
+    std::filesystem::create_symlink("nowhere", square.folder.path() / "ground_truth.g2o");
+    CHECK(refusal(square) == "ground_truth.g2o is not a readable file; check the path");
+  }
+  SECTION("truth that was named and is not there") {
+    TestContext context(square.values({{"truth", std::string("mine.g2o")}}));
+    MotionLog source;
+    CHECK_THAT(source.configure(context).message(),
+               Catch::EndsWith("mine.g2o is not a readable file; check the path"));
   }
   SECTION("a candidate that is given twice") {
     square.write("loop_candidates.g2o",

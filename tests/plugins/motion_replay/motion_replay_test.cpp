@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replayed odometry: exact by default, worse by the amounts asked for.
+// Replayed odometry: exact by default, otherwise with the requested noise and bias.
 #include "motion_replay.hpp"
 
 #include <catch2/catch.hpp>
@@ -82,6 +82,21 @@ TEST_CASE("the first frame is initialising and still") {
   REQUIRE(odometry.track(frameWith(0, {1, 0, 0}), motion).isOk());
   CHECK(motion.state == TrackingState::Initialising);
   CHECK(motion.T_previous_current.isApprox(Eigen::Isometry3d::Identity()));
+}
+
+TEST_CASE("a source says at which frames the motion is unknown") {
+  TestContext context;
+  MotionReplay odometry;
+  REQUIRE(odometry.configure(context).isOk());
+  for (std::int64_t i = 0; i < 6; ++i) {
+    Frame frame = frameWith(i, {1, 0, 0});
+    frame.sensors.push_back({"motion.unknown", {1}, {i == 3 ? 1.0F : 0.0F}});
+    Motion motion;
+    REQUIRE(odometry.track(frame, motion).isOk());
+    const bool unknown = i == 0 || i == 3;
+    CHECK((motion.state == TrackingState::Initialising) == unknown);
+    CHECK(forward(motion) == Approx(unknown ? 0 : 1));
+  }
 }
 
 TEST_CASE("noise and bias have the sizes asked for") {

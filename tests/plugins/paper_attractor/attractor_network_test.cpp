@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Equations (2) to (6) by hand numbers, and the tables of the method notes.
+// Equations (2) to (6) against numbers by hand, and the tables of the method notes.
 #include "attractor_network.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A configured paper_attractor plugin and ways to drive it.
+// A configured paper_attractor plugin, and functions that give it frames.
 #pragma once
 
 #include <stdexcept>

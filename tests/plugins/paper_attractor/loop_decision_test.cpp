@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The loop decision on a small planted case, calculated by hand.
+// The loop decision in a small constructed case, calculated by hand.
 #include <catch2/catch.hpp>
 
 #include "harness.hpp"

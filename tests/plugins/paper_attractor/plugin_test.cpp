@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin as the host drives it: ordinary driving, missing views, lost odometry, arrays.
+// The plugin as the host calls it: ordinary driving, missing views, lost odometry, arrays.
 #include <catch2/catch.hpp>
 #include <cstring>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells have no preferred side: a drive seen in a mirror has the same experiences and loops,
-// and mirrored headings; nor do the names of templates matter.
+// The mirrored drive has the same experiences and loops, with mirrored headings. Template numbers
+// have no effect.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

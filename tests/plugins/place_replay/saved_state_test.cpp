@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saved views whose envelope is right and whose contents are not: refused at once, or used without
-// harm.
+// Saved states with a valid envelope and wrong contents: refused at once, or used without failure.
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>

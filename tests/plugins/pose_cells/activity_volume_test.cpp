@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The separable, row-skipping attractor against the plain triple sum.
+// The separable attractor, which skips empty rows, compared with the plain triple sum.
 #include "activity_volume.hpp"
 
 #include <catch2/catch.hpp>

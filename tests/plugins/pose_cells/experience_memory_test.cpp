@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When an experience is made, kept, or found again.
+// When an experience is created, kept, or recognised.
 #include "experience_memory.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin as the host sees it, on small drives.
+// The plugin as the host calls it, on small drives.
 #include "pose_cells.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The volume of pose cells is a torus without a preferred place or side: shifting or mirroring a
-// packet before an operation is the same as after it.
+// All operations on the volume of pose cells, a torus, commute with shifts and mirroring of a
+// packet.
 #include <algorithm>
 #include <catch2/catch.hpp>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When the display writes, with a clock that the test moves and a stream that it reads.
+// When the display writes, with a clock that the test sets and a stream that it reads.
 #include "progress.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The display's texts, compared with what a person should read.
+// The texts of the display, compared with the expected ones.
 #include "progress_text.hpp"
 
 #include <algorithm>

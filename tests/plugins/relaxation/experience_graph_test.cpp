@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Links and relaxation on graphs small enough for paper.
+// Links and relaxation on small graphs, compared with values by hand.
 #include "experience_graph.hpp"
 
 #include <catch2/catch.hpp>
@@ -106,4 +106,15 @@ TEST_CASE("a loop's disagreement is spread over the whole ring") {
   CHECK(strain(graph) < soon);
   const PlanarPose gap = between(graph[39], graph[0]);
   CHECK(std::hypot(gap.x - 1, gap.y) < 0.2);
+}
+
+TEST_CASE("heights relax as x and y do, and by themselves") {
+  ExperienceGraph graph;
+  graph.add({0, 0, 0}, 0);
+  graph.add({2, 0, 0}, 5);
+  graph.link(0, 1, {2, 0, 0}, 1, 1, false, 1);
+  graph.relax(1, 0.5);
+  CHECK(graph.height(0) == Approx(2));
+  CHECK(graph.height(1) == Approx(3));
+  CHECK(graph[1].x == Approx(2));
 }

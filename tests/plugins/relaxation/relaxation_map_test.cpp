@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The map as the host sees it: times, stamps, placement, and what RatSLAM's snapping costs.
+// The map as the host calls it: times, stamps, placement, and the error of RatSLAM's snapping.
 #include "relaxation_map.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Relaxation has no preferred side: a drive seen in a mirror makes the mirrored map.
+// The mirrored drive gives the mirrored map.
 #include <catch2/catch.hpp>
 
 #include "relaxation_map.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frames of sound bags: both formats, pairs, orders, calibration, split recordings.
+// Frames of valid bags: both formats, pairs, orders, calibration, split recordings.
 #include "bag_source.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bags that are damaged, cut off or no bags: one clear error each.
+// Bags that are damaged or truncated, and other files: one clear error each.
 #include <catch2/catch.hpp>
 
 #include "bag_case.hpp"
@@ -25,13 +25,14 @@ TEST_CASE("what is no bag") {
     test::writeBytes(folder.path() / "a.bag", bytes);
     return withoutFolder(Played(folder.path() / "a.bag").message, folder);
   };
-  CHECK(message("text") == "a.bag: is no ROS 2 bag (.mcap or .db3); check the path");
+  CHECK(message("text") == "a.bag: is no bag of ROS (.mcap, .db3 or .bag); check the path");
   CHECK(message("#ROSBAG V2.0\n") ==
-        "a.bag: is a ROS 1 bag; convert it to a ROS 2 bag (rosbags-convert)");
-  CHECK(message("SQLite format 3").find("is no ROS 2 bag") != std::string::npos);
+        "a.bag: ends within the record at byte 13: the recording was cut off; use what is there by "
+        "on_corrupt: skip");
+  CHECK(message("SQLite format 3").find("is no bag of ROS") != std::string::npos);
   CHECK(withoutFolder(Played(folder.path() / "none").message, folder) ==
-        "none: is no file that can be read; check the path");
-  CHECK(message(test::mcapBytes({greyImage("/a", 0)}, {"", true, 3, true, "ros1"})) ==
+        "none: not a readable file; check the path");
+  CHECK(message(test::mcapBytes({greyImage("/a", 0)}, {"", true, 3, true, "json"})) ==
         "the bag has no images; `tolman dataset check` lists its topics");
 }
 

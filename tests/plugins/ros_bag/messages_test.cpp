@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "bag_case.hpp"
-#include "cdr_reader.hpp"
+#include "field_reader.hpp"
 
 namespace tolman::ros_bag {
 
@@ -17,7 +17,7 @@ TEST_CASE("numbers are aligned to their size, in either order of bytes") {
                                   .number(std::uint16_t{513})
                                   .number(-1.5F)
                                   .bytes();
-    CdrReader fields(asBytes(bytes));
+    FieldReader fields(asBytes(bytes));
     CHECK(fields.number<std::uint8_t>() == 7);
     CHECK(fields.number<double>() == 0.25);
     CHECK(fields.text() == "abc");
@@ -34,14 +34,14 @@ TEST_CASE("lengths beyond the end and unknown kinds of CDR are refused") {
       "\0\1\0\0\xff\xff\xff\x7f"
       "abc",
       11);
-  CdrReader text(asBytes(long_text));
+  FieldReader text(asBytes(long_text));
   CHECK(text.text().empty());
   CHECK_FALSE(text.ok());
-  CdrReader sequence(asBytes(long_text));
+  FieldReader sequence(asBytes(long_text));
   CHECK(sequence.count(8) == 0);
   CHECK_FALSE(sequence.ok());
-  CHECK_FALSE(CdrReader(asBytes(std::string("\0\7\0\0abcd", 8))).ok());
-  CHECK_FALSE(CdrReader(asBytes("ab")).ok());
+  CHECK_FALSE(FieldReader(asBytes(std::string("\0\7\0\0abcd", 8))).ok());
+  CHECK_FALSE(FieldReader(asBytes("ab")).ok());
 }
 
 TEST_CASE("an image message, cut anywhere, is whole or none") {

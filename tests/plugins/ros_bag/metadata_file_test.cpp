@@ -26,7 +26,7 @@ TEST_CASE("files of a folder with and without metadata") {
     return found;
   };
   CHECK(names() == std::vector<std::string>{folder.path().string() +
-                                            ": has no .mcap or .db3 file; check the path"});
+                                            ": has no .mcap, .db3 or .bag file; check the path"});
   for (const char* name : {"bag_10.mcap", "bag_2.mcap", "bag_1.mcap", "notes.txt"}) {
     test::writeBytes(folder.path() / name, "x");
   }

@@ -33,17 +33,6 @@ std::string chosen(const Topics& topics, const BagParameters& parameters = {}) {
 
 }  // namespace
 
-TEST_CASE("names of pairs") {
-  CHECK(isPair("/stereo/left/image_raw", "/stereo/right/image_raw"));
-  CHECK(isPair("/cam0/image", "/cam1/image"));
-  CHECK(isPair("/infra1/image", "/infra2/image"));
-  CHECK_FALSE(isPair("/right/image", "/left/image"));
-  CHECK_FALSE(isPair("/cam1/image0", "/cam0/image1"));
-  CHECK_FALSE(isPair("/cam0/image", "/cam2/image"));
-  CHECK_FALSE(isPair("/a/image", "/b/image"));
-  CHECK_FALSE(isPair("/left", "/left"));
-}
-
 TEST_CASE("one camera, a pair, and the same images twice") {
   Topics topics;
   CHECK(chosen(topics) == "the bag has no images; `tolman dataset check` lists its topics");

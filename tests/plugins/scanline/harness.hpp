@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras that turn in front of a far-away panorama, and a configured plugin to watch them.
+// Cameras that turn in front of a distant panorama, and a configured plugin for their images.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin as the host sees it: turns, way, trouble, and the defects of the published program.
+// The plugin as the host calls it: turns, distances, failures, defects of the published program.
 #include "scanline.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A camera in a mirror turns the other way and goes as far.
+// The mirrored drive has the opposite turns and the same lengths.
 #include <catch2/catch.hpp>
 
 #include "harness.hpp"

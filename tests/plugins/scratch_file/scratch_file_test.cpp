@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A file for what need not be held in memory: it gives back what was written, leaves nothing
-// behind, and a missing folder is an error with its reason. A full disk: landmark_store_test.
+// A file for data outside of memory: written data are read back, no file remains, and a missing
+// folder is an error with its reason. For a full disk see landmark_store_test.
 #include "scratch_file.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin on walks past pictures by chance.
+// The plugin on walks past random pictures.
 #include "walk.hpp"
 
 using namespace tolman;

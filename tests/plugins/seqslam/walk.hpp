@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A configured plugin that sees one picture after the other, and pictures of places by chance.
+// A configured plugin that gets one picture after the other, and random pictures of places.
 #pragma once
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bridges: which frames are on one, and that road, slab and the street below are where the poses
-// say.
+// Bridges: which frames are on one, and that road, slab and the street below agree with the poses.
 #include "bridges.hpp"
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The car park: how it is driven, that floors and ramps lie where the poses say, and that all
-// floors are alike.
+// The car park: the drive, floors and ramps that agree with the poses, and identical floors.
 #include "car_park.hpp"
 
 #include <algorithm>
@@ -16,7 +15,7 @@ namespace {
 
 constexpr double kCamera = 1.65;
 
-struct Building {
+struct CarParkTown {
   CameraRoute route = test::builtIn("car_park", 3);
   StreetPlan plan = StreetPlan::grow(route, kCamera).value();
   World world = build();
@@ -77,7 +76,7 @@ TEST_CASE("the drive climbs to the fifth floor and comes down, twice") {
 }
 
 TEST_CASE("floors and ramps lie below the cameras at their height, and nothing stands in the way") {
-  const Building building;
+  const CarParkTown building;
   const Scene scene(building.world);
   for (std::size_t i = 0; i < building.route.T_town_camera.size(); ++i) {
     const Eigen::Isometry3d& T = building.route.T_town_camera[i];
@@ -94,7 +93,7 @@ TEST_CASE("floors and ramps lie below the cameras at their height, and nothing s
 }
 
 TEST_CASE("all floors are alike: the same cars at the same places") {
-  const Building building;
+  const CarParkTown building;
   std::vector<std::vector<std::array<float, 4>>> floors(CarPark::kFloors);
   for (const MeshInstance& car : building.world.instances) {
     const Vec3& p = car.placement.position;
@@ -109,7 +108,7 @@ TEST_CASE("all floors are alike: the same cars at the same places") {
 }
 
 TEST_CASE("the ground is below the lowest floor, and no house stands in the building") {
-  const Building building;
+  const CarParkTown building;
   for (double x = CarPark::kWest; x <= CarPark::kEast; x += 1.7) {
     for (double y = 56; y <= 108; y += 1.3) {
       REQUIRE(building.plan.height(x, y) + StreetPlan::kKerbHeight < -kCamera - 0.1);

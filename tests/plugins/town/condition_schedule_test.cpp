@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light by frame: what conditions say, and how it changes between them.
+// Light at each frame, by conditions, and its changes between them.
 #include "condition_schedule.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The grammar of conditions, what it refuses, and which frames an entry holds for.
+// The grammar of conditions, refused texts, and the frames of an entry.
 #include "conditions.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cars of side streets: they come, wait while the camera passes, and drive on.
+// Cars of side streets: they approach, wait while the camera passes, and cross.
 #include "crossing_traffic.hpp"
 
 #include <catch2/catch.hpp>

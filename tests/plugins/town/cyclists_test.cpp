@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cyclists over time: at the edge of the road, along it, at their own steady speeds.
+// Cyclists over time: along the edge of the road, at constant speeds.
 #include "cyclists.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lamps, signs, fences and hedges stand where they are told; dashes lie on the middle of the road;
-// the horizon is closed.
+// Lamps, signs, fences and hedges are at the given places, dashes on the middle of the road; the
+// horizon is closed.
 #include "furniture.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bilinear interpolation is exact for what is bilinear; distances to polylines against brute force.
+// Interpolation is exact for bilinear functions; distances to polylines against brute force.
 #include "ground_grid.hpp"
 
 #include <catch2/catch.hpp>

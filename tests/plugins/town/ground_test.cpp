@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ground as a surface: whole, facing up, with a kerb where the plan says.
+// The ground as a surface: without gaps, facing up, with the kerb of the plan.
 #include "ground.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light of lamps: the inverse square, the angle, the reach.
+// Light of lamps: dependence on distance and angle, and range.
 #include "lamp_light.hpp"
 
 #include <catch2/catch.hpp>

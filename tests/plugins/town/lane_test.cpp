@@ -17,7 +17,7 @@ TEST_CASE("a lane beside a straight street is parallel to it") {
     REQUIRE_FALSE(lane.isEmpty());
     CHECK(lane.length() == Approx(100));
     for (const double s : {0.0, 0.4, 33.3, 100.0}) {
-      const Lane::Place place = lane.at(s);
+      const Lane::Position place = lane.at(s);
       CHECK(place.position.x() == Approx(-left).margin(1e-9));
       CHECK(place.position.y() == Approx(s).margin(1e-9));
       CHECK(place.along.normalized().y() == Approx(1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Dirt and drops: how much of the image they change, where, and for how long.
+// Dirt and drops: the changed part of the image, and its duration.
 #include "lens_glass.hpp"
 
 #include <catch2/catch.hpp>

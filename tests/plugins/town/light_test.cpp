@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sun and sky: where the sun stands, what it lights, what haze takes.
+// Sun and sky: the direction of the sun, illumination, extinction by haze.
 #include "light.hpp"
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seeded noise: bounded, continuous, different by seed, and gone where pixels are too coarse.
+// Seeded noise: bounded, continuous, different for each seed, and zero for too coarse pixels.
 #include "noise.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where people walk: beside every road, never on one, and round parked cars.
+// Paths of people: beside every road, never on a road, and round parked cars.
 #include "pavement.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// People over time: on their pavement, at walking speed, to and fro with a wait at both ends.
+// People over time: on the pavement, at walking speed, up and down with a wait at both ends.
 #include "pedestrians.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ground plans: overlap against point sampling, and the book that refuses.
+// Ground plans: overlap compared with point sampling, and refused plots.
 #include "plots.hpp"
 
 #include <catch2/catch.hpp>

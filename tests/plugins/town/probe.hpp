@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One ray through a scene: what the tests of buildings measure with.
+// One ray through a scene, for measurements in tests of buildings.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cars and plants: of the size asked for, standing on the ground, rooted in it.
+// Cars and plants: of the requested size, cars on the ground, plants rooted in it.
 #include "prototypes.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gradient statistics of the town beside those of real streets, where the data are at hand.
+// Gradient statistics of the town compared with those of real streets, if the data are available.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>

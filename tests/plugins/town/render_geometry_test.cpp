@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of planes, edges and shadows whose place in the image is known in closed form.
+// Images of planes, edges and shadows whose position is known in closed form.
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry of the pictures: true depth and poses carry one picture onto another to a small part of
-// a pixel, and textures do not shimmer.
+// Geometry of images: with true depth and poses one image maps to another within a small part of a
+// pixel, and textures have no aliasing.
 #include "renderer.hpp"
 
 #include <oneapi/tbb/global_control.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pose files: what a good one means, what is said of bad ones, and the real ones.
+// Pose files: valid ones, messages for invalid ones, and real ones.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lane paths against closed forms, and what a car can do on the built-in routes.
+// Lane paths compared with closed forms, and limits of a car on the built-in routes.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -251,7 +251,9 @@ TEST_CASE("a route that is not there is refused with those that are") {
   REQUIRE_FALSE(refused.isOk());
   CHECK(refused.status().code() == StatusCode::InvalidParameter);
   CHECK(refused.status().message() ==
-        "there is no route 'circle'; use block, eights, district, highway, car_park, or a KITTI "
+        "there is no route 'circle'; use block, eights, district, highway, car_park, hall, or a "
+        "KITTI "
+        ""
         "pose file");
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pictures of configurations that exist stay what they were: mean grey levels of eight tiles of the
-// left image, as of November 2026. Another compiler or processor changes single pixels on edges, so
-// the tolerance is a third of a grey level; on one machine bytes can be compared with
-// `tolman dataset render` before and after a change.
+// Images of existing configurations do not change: mean grey levels of eight tiles of the left
+// image, as of November 2026. Another compiler or processor changes single pixels on edges, so the
+// tolerance is a third of a grey level; on one machine bytes can be compared with `tolman dataset
+// render` before and after a change.
 #include <array>
 #include <catch2/catch.hpp>
 

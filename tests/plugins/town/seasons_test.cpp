@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bare trees and other cars stand where the usual ones do.
+// Bare trees and other cars are at the places of the usual ones.
 #include "seasons.hpp"
 
 #include <algorithm>

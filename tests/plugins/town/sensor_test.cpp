@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The camera's electronics: mean, noise by the photon law, vignetting, saturation.
+// The image sensor: mean, shot noise, vignetting, saturation.
 #include "sensor.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blur from depth, against the mean of many pictures rendered along the way.
+// Blur from depth, compared with the mean of many images rendered during the motion.
 #include "shutter_blur.hpp"
 
 #include <catch2/catch.hpp>

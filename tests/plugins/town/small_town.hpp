@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A town around the built-in route `block`, and small pictures of it.
+// A town around the built-in route `block`, and small images of it.
 #pragma once
 
 #include <memory>

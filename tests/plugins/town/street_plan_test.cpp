@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streets that grow around a route: distances against brute force, one street however often it is
-// driven, roads under the wheels.
+// Streets of a route: distances against brute force, one street for several passes, and roads under
+// all poses.
 #include "street_plan.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The source as the host sees it: frames, truth, parameters, trouble on demand.
+// The source as the host calls it: frames, truth, parameters, disturbances.
 #include "town_source.hpp"
 
 #include <oneapi/tbb/global_control.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Oncoming cars: on their lane, against the route, at steady speeds, and back at the start of it.
+// Oncoming cars: on their lane, against the route, at constant speeds, and again from its end.
 #include "traffic.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cameras as they are, from the errors of what the calibration says.
+// True cameras, from the errors of the calibration.
 #include "true_camera.hpp"
 
 #include <catch2/catch.hpp>

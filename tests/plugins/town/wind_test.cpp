@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Trees in the wind: which sway, how far, and that the texture stays with the crown.
+// Trees in the wind: which ones move, how far, and that the texture moves with the crown.
 #include "wind.hpp"
 
 #include <algorithm>

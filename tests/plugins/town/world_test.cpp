@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands in the town: the same for the same seed, more of it with density, clear of the road.
+// Objects of the town: equal for equal seeds, more with a higher density, none on the road.
 #include "world.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Files that are damaged, cut off or no videos: one clear error each, and all sound pictures
-// before.
+// Files that are damaged, truncated or not videos: one clear error each, and all undamaged pictures
+// before it.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>

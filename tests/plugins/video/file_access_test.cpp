@@ -12,7 +12,7 @@ namespace tolman::video {
 
 TEST_CASE("kinds of paths, and what to do where there is none") {
   const test::TemporaryFolder folder;
-  Descriptor none;
+  OpenFile none;
   const auto path = [&](const char* name) { return folder.path() / name; };
   const auto message = [&](const std::filesystem::path& file) {
     return findKind(file, none, 0.01).status().message();
@@ -34,7 +34,7 @@ TEST_CASE("kinds of paths, and what to do where there is none") {
 
 TEST_CASE("a pipe that nothing is written into is told after a while") {
   const test::TemporaryFolder folder;
-  Descriptor none;
+  OpenFile none;
   const auto pipe = folder.path() / "pipe";
   REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
   const auto kind = findKind(pipe, none, 0.01);

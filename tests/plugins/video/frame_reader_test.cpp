@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Any order gives the same pictures, within the memory that is allowed.
+// Any order gives the same pictures, within the memory limit.
 #include "frame_reader.hpp"
 
 #include <catch2/catch.hpp>

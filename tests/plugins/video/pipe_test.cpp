@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A named pipe that a program writes a video into: as live as a test can be without a camera.
+// A named pipe that a program writes a video into, in place of a live camera.
 #include <sys/stat.h>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stored grids that are passed the other way: found in falling order, and nothing is found on
-// another street, in the path of a moment ago, or where the stored path ends.
+// Stored grids that are passed in the opposite direction are found in decreasing order. Nothing is
+// found on another street, on the recent path, or at the end of the stored path.
 #include "backward_search.hpp"
 
 #include <catch2/catch.hpp>

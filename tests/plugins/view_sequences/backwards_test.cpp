@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The plugin in a rendered street that is driven both ways: recognised with its pose, only that
-// street, only with a stereo pair, and continued from any state.
+// The plugin in a rendered street that is driven in both directions: only this street is
+// recognised, with its pose and only with a stereo pair; saved states continue at any frame.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>

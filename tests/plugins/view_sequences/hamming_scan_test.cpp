@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every way of counting that this processor can run, against bits compared one by one.
+// Every version that this processor supports, against bits compared one by one.
 #include "hamming_scan.hpp"
 
 #include <catch2/catch.hpp>

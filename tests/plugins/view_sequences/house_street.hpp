@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A straight street between houses whose fronts stand at random distances and have random heights:
-// rendered for a stereo pair that looks along it in either direction.
+// A straight street between houses with fronts at random distances and of random heights, rendered
+// for a stereo pair that looks along it in either direction.
 #pragma once
 
 #include <cmath>

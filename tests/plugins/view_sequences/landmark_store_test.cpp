@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Landmarks on disk: what is read is what was stored; damaged states; no room for the file.
+// Landmarks on disk: read as they were stored; damaged states; no space for the file.
 #include "landmark_store.hpp"
 
 #include <sys/resource.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mean of a pass: plain at first, then following the light; carried over a break with less
-// weight.
+// The mean of a pass: a plain mean at first, then one that follows the light; after a break the old
+// mean has less weight.
 #include "mean_view.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of structure by chance, and how they look from the opposite direction.
+// Random grids of structure, and the same in the opposite direction.
 #pragma once
 
 #include "structure_grid.hpp"

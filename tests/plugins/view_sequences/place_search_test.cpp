@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The search on paths of random views: what is driven again is found, what is new is not. Exact
-// probabilities are a matter of tuning and not tested.
+// The search on paths of random views: places that are driven again are found, new ones are not.
+// Exact probabilities depend on tuning and are not tested.
 #include "place_search.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Poses measured on a stored path: the right ones move along with odometry.
+// Poses measured on a stored path: the right ones are consistent with odometry.
 #include "pose_agreement.hpp"
 
 #include <catch2/catch.hpp>

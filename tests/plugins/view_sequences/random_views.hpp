@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views by chance: as levels, as a path of places, and with noise.
+// Random views: as levels, as a path of places, and with noise.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Saved states of the plugin: continued at any frame, damaged, of other parameters, and with
-// landmarks where there is no room for them.
+// landmarks without space for them.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>

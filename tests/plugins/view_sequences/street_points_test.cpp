@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points joined along the path: where they are after the camera moved, which are forgotten, and
+// Points joined along the path: their places after a motion of the camera, removal of old ones, and
 // saved states.
 #include "street_points.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A configured plugin that is driven past pictures, and pictures of places by chance.
+// A configured plugin on a drive past pictures, and random pictures of places.
 #pragma once
 
 #include <catch2/catch.hpp>

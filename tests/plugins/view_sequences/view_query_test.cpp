@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distances of the view of now to stored ones, against sums in double over every pair of cells.
+// Distances of the present view to stored ones, against sums in double over all pairs of cells.
 #include "view_query.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of edge directions against pictures whose edges are known.
+// Cells of edge directions for images whose edges are known.
 #include "gradient_cells.hpp"
 
 #include <catch2/catch.hpp>

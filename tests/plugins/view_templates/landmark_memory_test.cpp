@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The landmarks of all templates: a scene of boards is measured from other places; damaged states.
+// The landmarks of all templates: poses in a scene of boards; damaged states.
 #include "landmark_memory.hpp"
 
 #include <catch2/catch.hpp>

@@ -55,9 +55,9 @@ double naiveDistance(const LocalView& now, const LocalView& stored, int offset,
   return sum / (kRows * (last - first));
 }
 
-Match naiveNearest(const LocalView& now, const std::vector<LocalView>& stored,
-                   const MatchSettings& s) {
-  Match best;
+TemplateMatch naiveNearest(const LocalView& now, const std::vector<LocalView>& stored,
+                           const MatchSettings& s) {
+  TemplateMatch best;
   best.distance = 1e9;
   for (std::size_t id = 0; id < stored.size(); ++id) {
     if (std::abs(now.mean - stored[id].mean) > s.threshold + 0.005) continue;
@@ -89,8 +89,8 @@ TEST_CASE("the nearest template is the brute-force one") {
   for (int i = 0; i < 30; ++i) {
     LocalView now = randomView(random);
     if (i % 3 == 0) now = moved(stored[static_cast<std::size_t>(i)], i % 4 - 2);
-    const Match expected = naiveNearest(now, stored, settings);
-    const Match match = matcher.nearest(now, bank);
+    const TemplateMatch expected = naiveNearest(now, stored, settings);
+    const TemplateMatch match = matcher.nearest(now, bank);
     CHECK(match.id == expected.id);
     if (match.id < 0) continue;
     CHECK(match.distance == Approx(expected.distance).margin(1.0 / kOne));  // fixed point
@@ -104,7 +104,7 @@ TEST_CASE("whole shifts are recovered with their sign") {
   const TemplateBank bank = bankOf(stored);
   Matcher matcher({4, 1, 0.5}, kColumns, kRows);
   for (int cells = -4; cells <= 4; ++cells) {
-    const Match match = matcher.nearest(moved(stored[1], cells), bank);
+    const TemplateMatch match = matcher.nearest(moved(stored[1], cells), bank);
     CHECK(match.id == 1);
     CHECK(match.distance == 0);
     CHECK(match.moved_right == Approx(cells).margin(0.2));
@@ -120,7 +120,7 @@ TEST_CASE("a template with another mean is not looked at") {
   light.mean = 0.3;
   const TemplateBank bank = bankOf({dark});
   CHECK(Matcher({4, 1, 0.094}, kColumns, kRows).nearest(light, bank).id == -1);  // 0.1 > 0.099
-  const Match match = Matcher({4, 1, 0.096}, kColumns, kRows).nearest(light, bank);
+  const TemplateMatch match = Matcher({4, 1, 0.096}, kColumns, kRows).nearest(light, bank);
   CHECK(match.id == 0);
   CHECK(match.distance == Approx(0.1).margin(1e-4));
 }
@@ -134,7 +134,8 @@ TEST_CASE("equal templates: the older one wins") {
 
 TEST_CASE("an empty bank has no nearest template") {
   RandomStream random(14);
-  const Match match = Matcher({4, 1, 0.5}, kColumns, kRows).nearest(randomView(random), bankOf({}));
+  const TemplateMatch match =
+      Matcher({4, 1, 0.5}, kColumns, kRows).nearest(randomView(random), bankOf({}));
   CHECK(match.id == -1);
   CHECK(match.distance == 1);
 }
@@ -155,7 +156,7 @@ TEST_CASE("vertical shifts are tried in every layer, and never across layers") {
   const TemplateBank bank = bankOf({randomView(random), stored});
   const MatchSettings still = {2, 1, 0.9, false, 0, kLayers};
   const MatchSettings nodding = {2, 1, 0.9, false, 1, kLayers};
-  const Match match = Matcher(nodding, kColumns, kRows / kLayers).nearest(now, bank);
+  const TemplateMatch match = Matcher(nodding, kColumns, kRows / kLayers).nearest(now, bank);
   CHECK(match.id == 1);
   CHECK(match.distance == 0);
   CHECK(match.moved_right == Approx(0).margin(0.2));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Saved templates and landmarks whose envelope is right and whose numbers are not: refused, or used
-// without an answer that the host would not accept.
+// Saved templates and landmarks with a valid envelope and wrong numbers: refused, or used without
+// invalid answers.
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Place recognition has no preferred side: the same drive filmed through a mirror has the same
-// templates, and turns of the other sign. Nor does it matter how the pixels are stored.
+// The mirrored drive has the same templates, and turns of the opposite sign. The storage format of
+// pixels has no effect.
 #include <catch2/catch.hpp>
 
 #include "harness.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views in fixed point: what went in comes out to half a step, in one block, and again after
-// saving.
+// Views in fixed point: read back within half a step, from one block, also after saving.
 #include "template_bank.hpp"
 
 #include <catch2/catch.hpp>

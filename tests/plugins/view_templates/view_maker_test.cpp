@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Views against a naive evaluation that shares no code with them.
+// Views compared with a naive computation that shares no code with them.
 #include "view_maker.hpp"
 
 #include <catch2/catch.hpp>

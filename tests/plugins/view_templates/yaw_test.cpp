@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The relative yaw on a synthetic scene that is turned by known angles.
+// The relative yaw in a synthetic scene, for known turns of the camera.
 #include <catch2/catch.hpp>
 
 #include "harness.hpp"

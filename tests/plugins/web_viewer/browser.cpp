@@ -161,8 +161,8 @@ Container parseContainer(const std::string& message) {
   return container;
 }
 
-std::string handshake(const std::string& host, const std::string& more) {
-  return "GET /live HTTP/1.1\r\nHost: " + host +
+std::string handshake(const std::string& host, const std::string& more, const std::string& target) {
+  return "GET " + target + " HTTP/1.1\r\nHost: " + host +
          "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
          "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n" +
          more + "\r\n";
@@ -172,9 +172,9 @@ int LiveSocket::Message::closeCode() const {
   return opcode == 8 && bytes.size() >= 2 ? static_cast<int>(bigEndian(bytes.substr(0, 2))) : -1;
 }
 
-LiveSocket::LiveSocket(int port, double seconds, int receive_buffer)
+LiveSocket::LiveSocket(int port, double seconds, int receive_buffer, const std::string& target)
     : wire_(port, seconds, receive_buffer) {
-  wire_.send(handshake("127.0.0.1:" + std::to_string(port)));
+  wire_.send(handshake("127.0.0.1:" + std::to_string(port), "", target));
   const HttpAnswer answer = readAnswer(wire_, false);
   status_ = answer.status;
   // RFC 6455's own example of key and answer.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A test client on plain sockets, with its own parsers of HTTP, WebSocket and container, so that
+// A test client on plain sockets, with separate parsers of HTTP, WebSocket and container, so that
 // the server is not tested with its own library.
 #pragma once
 
@@ -67,7 +67,7 @@ struct Container {
 };
 Container parseContainer(const std::string& message);
 
-/// A WebSocket connection to /live.
+/// A WebSocket connection, to /live unless another target is given.
 class LiveSocket {
  public:
   struct Message {
@@ -75,7 +75,8 @@ class LiveSocket {
     std::string bytes;
     int closeCode() const;
   };
-  explicit LiveSocket(int port, double seconds = 10, int receive_buffer = 0);
+  explicit LiveSocket(int port, double seconds = 10, int receive_buffer = 0,
+                      const std::string& target = "/live");
   int status() const { return status_; }  ///< of the handshake
   /// The next message; answers pings. Nothing when the connection is closed.
   std::optional<Message> next();
@@ -91,6 +92,7 @@ class LiveSocket {
   int status_ = 0;
 };
 
-std::string handshake(const std::string& host, const std::string& more = "");
+std::string handshake(const std::string& host, const std::string& more = "",
+                      const std::string& target = "/live");
 
 }  // namespace tolman::test

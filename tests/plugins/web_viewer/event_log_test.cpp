@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each client gets every event once, as long as the log still has it: against a list of them all.
+// Each client gets every event of the log once, compared with a list of all events.
 #include "event_log.hpp"
 
 #include <catch2/catch.hpp>

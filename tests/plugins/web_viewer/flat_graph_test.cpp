@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flat graphs: decoded byte by byte they are the graph that went in.
+// Flat graphs: decoded byte by byte they equal the graph.
 #include "flat_graph.hpp"
 
 #include <catch2/catch.hpp>

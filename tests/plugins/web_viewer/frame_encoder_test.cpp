@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame message carries: the image reduced by means, recent points, and cells, all limited.
+// Contents of a frame message: the reduced image, recent points, and cells, all of limited size.
 #include "frame_encoder.hpp"
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Answers to request targets without a socket: what is asked for, refusals, and targets at random.
+// Answers to request targets without a socket: valid, refused and random targets.
 #include "http_response.hpp"
 
 #include <catch2/catch.hpp>

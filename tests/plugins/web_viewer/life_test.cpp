@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The observer: ports, addresses, log, and its end.
+// The observer: ports, addresses, log, and the end of a run.
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <thread>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A nameless file against a block of memory: written, read back, partly released, and gone after.
+// A file without a name compared with a block of memory: written, read, partly released, removed.
 #include "temporary_file.hpp"
 
 #include <algorithm>

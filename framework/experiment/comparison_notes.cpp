@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/comparison_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace tolman::experiment {
+namespace {
+
+/// All labels of a run but one.
+bool hasEffect(const std::vector<RunRow>& rows, const std::string& factor) {
+  std::map<std::string, std::set<std::string>> results;
+  for (const RunRow& row : rows) results[row.labelsWithout(factor)].insert(row.results);
+  return std::ranges::any_of(results, [](const auto& of) { return of.second.size() > 1; });
+}
+
+bool varies(const std::vector<RunRow>& rows, const std::string& factor) {
+  return std::ranges::any_of(
+      rows, [&](const RunRow& row) { return row.label(factor) != rows.front().label(factor); });
+}
+
+}  // namespace
+
+std::vector<std::string> factorsWithoutEffect(const std::vector<RunRow>& rows) {
+  std::vector<std::string> names;
+  if (rows.empty()) return names;
+  for (const Factor& factor : rows.front().factors) {
+    if (factor.name == "seed" || factor.name == "sequence") continue;
+    if (varies(rows, factor.name) && !hasEffect(rows, factor.name)) names.push_back(factor.name);
+  }
+  return names;
+}
+
+std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
+  constexpr double kSignificant = 0.05;
+  const std::size_t samples = sequences > 1 ? sequences : seeds;
+  const double least = std::min(1.0, 2 * std::pow(0.5, static_cast<double>(samples)));
+  if (least < kSignificant) return "";
+  return fmt::format(
+      "With {} p cannot be below {:.3g}, and the intervals of so few are too narrow: six sequences "
+      "that all agree give 0.031.",
+      sequences > 1 ? fmt::format("{} sequences", sequences)
+                    : fmt::format("one sequence and {} seeds", seeds),
+      least);
+}
+
+}  // namespace tolman::experiment

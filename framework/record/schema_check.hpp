@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Checks that a run.sqlite, which may come from anyone, is what a recorder writes.
+#pragma once
+
+#include "record/sqlite.hpp"
+
+namespace tolman::record {
+
+/// Throws BadRow for triggers, which would change what is written, and for views in place of
+/// tables, whose rows may be computed without end.
+void requireOwnTables(const Database& database);
+
+/// Throws BadRow where the map has processed a frame whose motion is missing: rows were removed.
+void requireMotions(const Database& database);
+
+}  // namespace tolman::record

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// L D L' of a sparse symmetric positive definite matrix of small square blocks. The order of
+// elimination is found on blocks (approximate minimum degree) and kept for all factorisations.
+// The pattern of blocks is kSize^2 times smaller than that of numbers, and all arithmetic is
+// products of blocks. Sums are in a fixed order.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace tolman::experience_map {
+
+template <int kSize>
+class BlockCholesky {
+ public:
+  using Block = Eigen::Matrix<double, kSize, kSize>;
+  /// Row and column of a block that may be nonzero, row > column. Entries may repeat.
+  using Entry = std::pair<std::size_t, std::size_t>;
+
+  BlockCholesky() = default;
+  BlockCholesky(std::size_t rows, const std::vector<Entry>& entries);
+
+  void setZero();
+  /// The diagonal block of the row, for the caller to add to before factorise().
+  Block& diagonal(std::size_t row) { return diagonal_[step_of_[row]]; }
+  /// Adds to the block of entry `k` of the constructor.
+  void add(std::size_t k, const Block& block);
+
+  /// False when the matrix is not positive definite. Overwrites the matrix.
+  bool factorise();
+  /// `x` has a row of blocks for each row of the matrix.
+  template <int kColumns>
+  void solve(std::vector<Eigen::Matrix<double, kSize, kColumns>>& x) const;
+  /// Logarithm of the determinant of the factorised matrix.
+  double logDeterminant() const { return log_determinant_; }
+
+ private:
+  struct Place {
+    std::size_t block;
+    bool transposed;
+  };
+  void findOrder(const std::vector<Entry>& entries);
+  void findFill(const std::vector<Entry>& entries);
+  std::size_t placeOf(std::size_t row, std::size_t column) const;
+  void spread(std::size_t step);
+
+  std::vector<std::size_t> step_of_;  ///< position of each row in the order of elimination
+  // Below, rows and columns are positions in that order.
+  std::vector<std::size_t> begin_;  ///< first index of each column in rows_ and blocks_
+  std::vector<std::size_t> rows_;   ///< rows below the diagonal, ascending in each column
+  std::vector<Place> places_;       ///< where each entry of the constructor is stored
+  std::vector<Block> diagonal_;     ///< after factorise(): the inverse of D
+  std::vector<Block> blocks_;       ///< after factorise(): L
+  std::vector<Block> column_;       ///< the column that is eliminated, before its division by D
+  double log_determinant_ = 0;
+};
+
+extern template class BlockCholesky<3>;
+extern template class BlockCholesky<6>;
+
+}  // namespace tolman::experience_map

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "live_topics.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "messages.hpp"
+#include "pair_names.hpp"
+
+namespace tolman::ros1 {
+namespace {
+
+using Published = std::map<std::string, std::string>;
+
+bool hasImages(const std::string& type) {
+  return ros2Type(type) == ros_messages::kImage || ros2Type(type) == ros_messages::kCompressedImage;
+}
+
+/// Topics of cameras. If the same images are published raw and compressed, only the raw topic.
+std::vector<std::string> cameraTopics(const Published& published) {
+  std::vector<std::string> found;
+  for (const auto& [name, type] : published) {
+    const auto plain = published.find(name.substr(0, name.rfind('/')));
+    const bool repeated = name.ends_with("/compressed") && plain != published.end();
+    if (hasImages(type) && !repeated && !name.ends_with("compressedDepth")) found.push_back(name);
+  }
+  return found;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+Status checkNamed(const Published& published, const std::string& name, bool images) {
+  const auto topic = published.find(name);
+  if (topic == published.end()) {
+    const std::string others = images ? "; topics with images are: " : "";
+    return Status::invalidInput("nobody publishes " + name + others +
+                                (images ? listed(cameraTopics(published))
+                                        : "; start the camera's node, or name another topic"));
+  }
+  const bool fits =
+      images ? hasImages(topic->second) : ros2Type(topic->second) == ros_messages::kCameraInfo;
+  if (fits) return Status::ok();
+  return Status::invalidParameter("topic " + name + " is of type " + topic->second +
+                                  "; name another one");
+}
+
+Status chooseCameras(const Published& published, const Ros1Parameters& p, LiveTopics& chosen) {
+  const std::vector<std::string> cameras = cameraTopics(published);
+  if (p.left.empty() && cameras.empty()) {
+    return Status::invalidInput(
+        "nobody publishes images; start the camera's node (`rostopic list` shows the topics)");
+  }
+  const ros_messages::CameraNames given{p.left, p.right};
+  const auto found = ros_messages::chooseCameraNames(cameras, given, p.mono);
+  if (!found) {
+    return Status::invalidParameter(std::string("there are several cameras; set ") +
+                                    ros_messages::chooseBy(given) +
+                                    " to one of: " + listed(cameras));
+  }
+  chosen.left = found->left;
+  chosen.right = found->right;
+  return Status::ok();
+}
+
+}  // namespace
+
+std::string ros2Type(const std::string& type) {
+  const auto slash = type.find('/');
+  return slash == std::string::npos ? type : std::string(type).insert(slash, "/msg");
+}
+
+Result<LiveTopics> chooseLiveTopics(const Published& published, const Ros1Parameters& p) {
+  LiveTopics chosen;
+  Status status = chooseCameras(published, p, chosen);
+  if (status.isOk()) status = checkNamed(published, chosen.left, true);
+  if (status.isOk() && !chosen.right.empty()) status = checkNamed(published, chosen.right, true);
+  if (!status.isOk()) return status;
+  if (p.isGiven()) return chosen;
+  for (const bool right : {false, true}) {
+    const std::string& camera = right ? chosen.right : chosen.left;
+    const std::string& given = right ? p.right_info : p.left_info;
+    std::string& info = right ? chosen.right_info : chosen.left_info;
+    if (camera.empty()) continue;
+    const std::string beside = ros_messages::infoBeside(camera);
+    info = !given.empty() ? given : published.contains(beside) ? beside : "";
+    if (info.empty()) continue;
+    if (status = checkNamed(published, info, false); !status.isOk()) return status;
+  }
+  const bool pair = !chosen.right.empty();
+  if (!pair || (!chosen.left_info.empty() && !chosen.right_info.empty())) return chosen;
+  return Status::invalidInput(
+      "nobody publishes a CameraInfo beside " + chosen.left + " and " + chosen.right +
+      "; set left_info and right_info, give fx and baseline, or set mono: true");
+}
+
+}  // namespace tolman::ros1

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bag_problems.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+constexpr const char* kCutOff =
+    ": the recording was cut off; use what is there by on_corrupt: skip";
+
+}  // namespace
+
+std::string atByte(std::uint64_t at) { return " at byte " + std::to_string(at); }
+
+std::string endsWithin(std::uint64_t at) { return "ends within the record" + atByte(at) + kCutOff; }
+
+std::string hasNoEnd(std::uint64_t at) { return "has no end" + atByte(at) + kCutOff; }
+
+std::string cannotBeRead(std::uint64_t at) {
+  return "cannot be read" + atByte(at) + "; check the disk";
+}
+
+std::string hasPart(std::string_view what, std::uint64_t at) {
+  return "has " + std::string(what) + atByte(at) +
+         "; copy it again, or leave it out by on_corrupt: skip";
+}
+
+std::string badChunk(std::uint64_t at, std::string_view why) {
+  return "the chunk" + atByte(at) + " " + std::string(why) +
+         "; copy the file again, or leave it out by on_corrupt: skip";
+}
+
+std::string chunkEndsWithin(std::uint64_t at) {
+  return "the chunk" + atByte(at) +
+         " ends within a record; record it again, or leave it out by on_corrupt: skip";
+}
+
+}  // namespace tolman::ros_bag

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ros1_file.hpp"
+
+#include <array>
+
+#include "bag_problems.hpp"
+
+namespace tolman::ros_bag {
+namespace {
+
+constexpr std::string_view kStart = "#ROSBAG V";
+constexpr std::string_view kVersion = "2.0\n";
+constexpr std::uint64_t kBegin = kStart.size() + kVersion.size();  // of the first record
+
+}  // namespace
+
+bool Ros1File::isRos1(FileBytes& file) {
+  std::array<std::uint8_t, kStart.size()> start{};
+  return file.read(0, start) && asText(start) == kStart;
+}
+
+Result<std::unique_ptr<Ros1File>> Ros1File::open(FileBytes file) {
+  std::array<std::uint8_t, kVersion.size()> version{};
+  if (!file.read(kStart.size(), version) || asText(version) != kVersion) {
+    return Status::unsupported(
+        "is a ROS 1 bag of another version than 2.0; convert it (`rosbag fix`)");
+  }
+  std::unique_ptr<Ros1File> bag(new Ros1File(std::move(file)));
+  Problems problems;
+  const auto bytes = bag->readRecord(kBegin, problems);
+  if (!bytes) return Status::invalidInput(problems.front());
+  ByteReader reader(*bytes);
+  const auto record = takeRecord(reader);
+  if (!record || record->kind() != Ros1Kind::BagHeader) {
+    return Status::invalidInput("does not begin as a ROS 1 bag does; copy it again");
+  }
+  const auto encryptor = record->field("encryptor");
+  if (!encryptor || encryptor->empty()) return bag;
+  return Status::unsupported("is an encrypted ROS 1 bag; decrypt it (`rosbag decrypt`)");
+}
+
+std::optional<Ros1File::Contents> Ros1File::readRecord(std::uint64_t at, Problems& problems) {
+  // The length of the header, the header, the length of the data, the data.
+  std::uint64_t size = 0;
+  for (int part = 0; part < 2 && size <= kMostBytes; ++part) {
+    std::array<std::uint8_t, sizeof(std::uint32_t)> length{};
+    if (!file().read(at + size, length)) {
+      problems.push_back(endsWithin(at));
+      return std::nullopt;
+    }
+    size += length.size() + ByteReader(length).number<std::uint32_t>();
+  }
+  return readBytes(at, size, at, problems);
+}
+
+void Ros1File::visit(const MessageVisitor& visitor, std::vector<std::string>& problems) {
+  Scan scan{visitor, problems, {}};
+  std::uint64_t index_at = 0;
+  for (std::uint64_t at = kBegin; at < file().size();) {
+    const std::optional<Contents> bytes = readRecord(at, problems);
+    if (!bytes) return;
+    ByteReader reader(*bytes);
+    const auto record = takeRecord(reader);
+    if (!record) return;
+    if (record->kind() == Ros1Kind::BagHeader) {
+      index_at = record->number<std::uint64_t>("index_pos").value_or(0);
+    }
+    if (record->kind() == Ros1Kind::ChunkInfo) return;  // follows all messages
+    visitRecord(*record, 0, at, scan);
+    at += bytes->size();
+  }
+  if (index_at != 0 && index_at <= file().size()) return;
+  problems.push_back(hasNoEnd(file().size()));
+}
+
+void Ros1File::visitRecord(const Ros1Record& record, std::uint64_t chunk, std::uint64_t at,
+                           Scan& scan) {
+  if (record.kind() == Ros1Kind::Connection) {
+    const auto number = record.number<std::uint32_t>("conn");
+    const auto topic = topicOf(record);
+    if (number && topic) scan.topics[*number] = *topic;
+  } else if (record.kind() == Ros1Kind::Message) {
+    visitMessage(record, chunk, at, scan);
+  } else if (record.kind() == Ros1Kind::Chunk && chunk == 0) {
+    visitChunk(record, at, scan);
+  } else if (record.kind() == Ros1Kind::None) {
+    scan.problems.push_back(hasPart("a record of no known kind", chunk == 0 ? at : chunk));
+  }
+}
+
+void Ros1File::visitMessage(const Ros1Record& record, std::uint64_t chunk, std::uint64_t at,
+                            Scan& scan) {
+  const auto connection = record.number<std::uint32_t>("conn");
+  const auto topic = connection ? scan.topics.find(*connection) : scan.topics.end();
+  const auto log_ns = timeOf(record);
+  if (topic == scan.topics.end() || !log_ns) {
+    scan.problems.push_back(hasPart("a damaged message", chunk == 0 ? at : chunk));
+    return;
+  }
+  const MessagePlace place{chunk, at + record.data_at, record.data.size()};
+  scan.visitor(topic->second, *log_ns, place, record.data);
+}
+
+void Ros1File::visitChunk(const Ros1Record& chunk, std::uint64_t at, Scan& scan) {
+  const Result<Contents> records = unpackChunk(chunk);
+  if (!records.isOk()) {
+    scan.problems.push_back(badChunk(at, records.status().message()));
+    return;
+  }
+  ByteReader reader(records.value());
+  while (reader.left() > 0) {
+    const std::size_t begin = reader.at();
+    const auto record = takeRecord(reader);
+    if (!record) {
+      scan.problems.push_back(chunkEndsWithin(at));
+      return;
+    }
+    visitRecord(*record, at, begin, scan);
+  }
+}
+
+Result<Ros1File::Contents> Ros1File::readChunk(std::uint64_t at) {
+  Problems problems;
+  const auto bytes = readRecord(at, problems);
+  if (!bytes) return Status::invalidInput(problems.front());
+  ByteReader reader(*bytes);
+  const auto record = takeRecord(reader);
+  if (!record) return Status::failed("has changed while it was read");
+  return unpackChunk(*record);
+}
+
+}  // namespace tolman::ros_bag

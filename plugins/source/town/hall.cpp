@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The hall as triangles.
+#include "hall.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "noise.hpp"
+#include "shapes.hpp"
+
+namespace tolman::town {
+namespace {
+
+constexpr auto kWest = static_cast<float>(Hall::kWest);
+constexpr auto kEast = static_cast<float>(Hall::kEast);
+constexpr auto kSouth = static_cast<float>(Hall::kSouth);
+constexpr auto kNorth = static_cast<float>(Hall::kNorth);
+
+class HallBuilder {
+ public:
+  HallBuilder(World& world, double floor, std::uint32_t seed)
+      : world_(world), floor_(static_cast<float>(floor)), seed_(seed) {}
+
+  void build() {
+    const auto top = static_cast<float>(Hall::kCeiling);
+    plate(floor_, {Material::Road, 0.3F});
+    plate(top, {Material::Kerb, 0.5F});
+    wall({kWest, kSouth}, {kEast, kSouth});
+    wall({kEast, kSouth}, {kEast, kNorth});
+    wall({kEast, kNorth}, {kWest, kNorth});
+    wall({kWest, kNorth}, {kWest, kSouth});
+    tables();
+    shelves();
+    chests();
+    for (const auto& [x, y] : {Corner{-3, -1.9F}, {-3, 1.9F}, {kWest + 0.6F, kSouth + 0.6F}}) {
+      box({x - 0.2F, y - 0.2F}, {x + 0.2F, y + 0.2F}, floor_, top, {Material::Wood, 0.35F});
+    }
+  }
+
+ private:
+  struct Corner {
+    float x, y;
+  };
+  struct Finish {
+    Material material;
+    float tone;
+  };
+
+  std::uint32_t next() { return hash(seed_, number_++, 311); }
+  float random(float low, float high) { return between(next(), low, high); }
+
+  std::uint32_t surface(const Finish& finish, const Vec3& origin = {},
+                        const Vec3& along = {1, 0, 0}) {
+    Surface made;
+    made.material = finish.material;
+    made.tone = finish.tone;
+    made.seed = next();
+    made.origin = origin;
+    made.axis_u = along;
+    return world_.addSurface(made);
+  }
+  void plate(float z, const Finish& finish) {
+    addQuad(world_.fixed,
+            {Vec3{kWest, kSouth, z}, {kEast, kSouth, z}, {kEast, kNorth, z}, {kWest, kNorth, z}},
+            surface(finish));
+  }
+  void box(const Corner& low, const Corner& high, float bottom, float top, const Finish& finish) {
+    const Vec3 corner = {low.x, low.y, bottom};
+    addBox(world_.fixed, corner,
+           {Vec3{high.x - low.x, 0, 0}, Vec3{0, high.y - low.y, 0}, Vec3{0, 0, top - bottom}},
+           surface(finish, corner, {0.8F, 0.6F, 0}));
+  }
+
+  /// A panelled wall with posters of many sizes.
+  void wall(const Corner& a, const Corner& b) {
+    const auto top = static_cast<float>(Hall::kCeiling);
+    const Vec3 from = {a.x, a.y, floor_};
+    const float length = std::hypot(b.x - a.x, b.y - a.y);
+    const Vec3 along = {(b.x - a.x) / length, (b.y - a.y) / length, 0};
+    const Vec3 inward = {-along.y, along.x, 0};
+    addQuad(world_.fixed, {from, Vec3{b.x, b.y, floor_}, Vec3{b.x, b.y, top}, Vec3{a.x, a.y, top}},
+            surface({Material::Wood, 0.5F}, from, along));
+    for (float at = 0.5F; at < length - 1.8F;) {
+      Surface poster;
+      poster.material = Material::Board;
+      poster.seed = next();
+      poster.tone = random(0.15F, 0.6F);
+      poster.width = random(0.6F, 1.7F);
+      poster.height = random(0.6F, 1.5F);
+      poster.axis_u = along;
+      poster.origin = from + along * at + inward * 0.03F + Vec3{0, 0, random(1.0F, 2.2F)};
+      const Vec3 right = along * poster.width;
+      const Vec3 up = {0, 0, poster.height};
+      addQuad(
+          world_.fixed,
+          {poster.origin, poster.origin + right, poster.origin + right + up, poster.origin + up},
+          world_.addSurface(poster));
+      at += poster.width + random(0.3F, 1.1F);
+    }
+  }
+
+  /// Tables in the middle, round which the camera is carried, with objects on them.
+  void tables() {
+    for (const float y : {-1.0F, 0.8F}) {
+      const float top = floor_ + 0.78F;
+      box({-4.2F, y}, {-1.9F, y + 0.9F}, top - 0.05F, top, {Material::Wood, 0.45F});
+      for (const float x : {-4.1F, -2.1F}) {
+        box({x, y + 0.1F}, {x + 0.08F, y + 0.8F}, floor_, top - 0.05F, {Material::Wood, 0.25F});
+      }
+      for (float x = -4.1F; x < -2.2F; x += random(0.3F, 0.6F)) {
+        const float size = random(0.12F, 0.3F);
+        const float back = y + random(0.05F, 0.55F);
+        box({x, back}, {x + size, back + size}, top, top + random(0.1F, 0.45F),
+            {Material::Board, random(0.15F, 0.8F)});
+      }
+    }
+  }
+
+  /// Shelves along the western and the eastern wall, with boxes on their boards.
+  void shelves() {
+    for (const float x : {kWest + 0.05F, kEast - 0.45F}) {
+      for (float y = kSouth + 1.2F; y < kNorth - 2.6F; y += random(2.3F, 3.2F)) {
+        shelf({x, y}, random(1.2F, 1.9F));
+      }
+    }
+  }
+
+  void shelf(const Corner& at, float length) {
+    for (int board = 0; board < 4; ++board) {
+      const float z = floor_ + 0.1F + 0.45F * static_cast<float>(board);
+      box(at, {at.x + 0.4F, at.y + length}, z, z + 0.03F, {Material::Wood, 0.4F});
+      if (board == 3) break;
+      for (float y = at.y + 0.03F; y < at.y + length - 0.35F; y += random(0.25F, 0.5F)) {
+        box({at.x + 0.05F, y}, {at.x + 0.35F, y + random(0.1F, 0.3F)}, z + 0.03F,
+            z + random(0.15F, 0.38F), {Material::Wood, random(0.1F, 0.8F)});
+      }
+    }
+  }
+
+  /// Chests on the floor, beside the path.
+  void chests() {
+    constexpr std::array<Corner, 7> kPlaces = {Corner{-6.9F, kSouth + 0.3F}, {-4.4F, kSouth + 0.2F},
+                                               {-1.5F, kSouth + 0.4F},       {0.6F, kNorth - 1.0F},
+                                               {-2.6F, kNorth - 1.1F},       {-5.4F, kNorth - 1.0F},
+                                               {-7.6F, kNorth - 1.2F}};
+    for (const Corner& place : kPlaces) {
+      const Corner end = {place.x + random(0.5F, 1.0F), place.y + random(0.4F, 0.8F)};
+      box(place, end, floor_, floor_ + random(0.4F, 1.2F), {Material::Wood, random(0.15F, 0.7F)});
+    }
+  }
+
+  World& world_;
+  float floor_;
+  std::uint32_t seed_;
+  std::uint32_t number_ = 0;
+};
+
+}  // namespace
+
+Plot hallPlot() {
+  Plot plot;
+  plot.centre = {(Hall::kWest + Hall::kEast) / 2, (Hall::kSouth + Hall::kNorth) / 2};
+  plot.half_length = (Hall::kEast - Hall::kWest) / 2 + 2;
+  plot.half_depth = (Hall::kNorth - Hall::kSouth) / 2 + 2;
+  return plot;
+}
+
+void addHall(World& world, double floor, std::uint32_t seed) {
+  HallBuilder(world, floor, seed).build();
+}
+
+}  // namespace tolman::town

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The calibration in CameraInfo: of rectified images, or of raw ones, which the host rectifies.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "messages.hpp"
+#include "tolman/camera.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::ros_messages {
+
+/// The messages of one camera or a pair.
+struct CameraInfos {
+  CameraInfoMessage left;
+  std::optional<CameraInfoMessage> right;
+};
+
+/// Whether the images are rectified: "rect" in the name of the topic, or no distortion and no
+/// rotation.
+bool isRectified(const std::string& topic, const CameraInfos& infos);
+
+/// The rig of rectified images of this size, from P. InvalidInput for an invalid calibration.
+Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height);
+
+/// The cameras of raw images of this size, from K, D, R and P.
+Result<RawRig> rawRig(const CameraInfos& infos, int width, int height);
+
+}  // namespace tolman::ros_messages

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// JPEG and PNG images in messages.
+#pragma once
+
+#include "bytes.hpp"
+#include "tolman/image.hpp"
+#include "tolman/status.hpp"
+
+namespace tolman::ros_messages {
+
+struct ImageSize {
+  int width = 0;   ///< px
+  int height = 0;  ///< px
+  bool operator==(const ImageSize&) const = default;
+};
+
+/// The size if an image can have it, otherwise InvalidInput.
+Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height);
+
+/// The size in the header, for bytes that begin and end as a JPEG or PNG file does.
+Result<ImageSize> codedSize(Bytes coded);
+
+/// Decodes 8 or 16 bit to Gray8, or to Bgr8 if `colour`. Checks the end of the file first, because
+/// OpenCV decodes a truncated JPEG with a grey remainder.
+Result<Image> decodeImage(Bytes coded, bool colour);
+
+}  // namespace tolman::ros_messages

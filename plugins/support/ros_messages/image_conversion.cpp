@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "image_conversion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "tolman/image_cv.hpp"
+
+namespace tolman::ros_messages {
+namespace {
+
+constexpr int kCopy = -1;  // no conversion of colours
+
+/// How pixels of an encoding are stored, and which conversions of OpenCV make them grey and BGR.
+struct Encoding {
+  std::string_view name;
+  int channels;
+  int bytes;  ///< of one channel
+  int to_gray;
+  int to_bgr;
+};
+
+// OpenCV names Bayer patterns by the second row, columns two and three.
+constexpr std::array kEncodings = {
+    Encoding{"mono8", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
+    Encoding{"8UC1", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
+    Encoding{"mono16", 1, 2, kCopy, cv::COLOR_GRAY2BGR},
+    Encoding{"bgr8", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
+    Encoding{"8UC3", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
+    Encoding{"rgb8", 3, 1, cv::COLOR_RGB2GRAY, cv::COLOR_RGB2BGR},
+    Encoding{"bgra8", 4, 1, cv::COLOR_BGRA2GRAY, cv::COLOR_BGRA2BGR},
+    Encoding{"rgba8", 4, 1, cv::COLOR_RGBA2GRAY, cv::COLOR_RGBA2BGR},
+    Encoding{"bayer_rggb8", 1, 1, cv::COLOR_BayerBG2GRAY, cv::COLOR_BayerBG2BGR},
+    Encoding{"bayer_bggr8", 1, 1, cv::COLOR_BayerRG2GRAY, cv::COLOR_BayerRG2BGR},
+    Encoding{"bayer_gbrg8", 1, 1, cv::COLOR_BayerGR2GRAY, cv::COLOR_BayerGR2BGR},
+    Encoding{"bayer_grbg8", 1, 1, cv::COLOR_BayerGB2GRAY, cv::COLOR_BayerGB2BGR},
+    Encoding{"yuv422", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
+    Encoding{"uyvy", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
+    Encoding{"yuv422_yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
+    Encoding{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2}};
+
+Status damaged() { return Status::invalidInput("is no complete message"); }
+
+/// Fails unless the message contains all rows, of `pixel_bytes` bytes per pixel.
+Status checkRows(const ImageMessage& image, ImageSize size, int pixel_bytes) {
+  const std::uint64_t row =
+      static_cast<std::uint64_t>(size.width) * static_cast<unsigned>(pixel_bytes);
+  const std::uint64_t rows = static_cast<std::uint64_t>(size.height);
+  if (image.step < row) {
+    return Status::invalidInput("has rows of " + std::to_string(image.step) + " bytes instead of " +
+                                std::to_string(row));
+  }
+  if (image.data.size() >= image.step * (rows - 1) + row) return Status::ok();
+  return Status::invalidInput("has " + std::to_string(image.data.size()) +
+                              " bytes of pixels instead of " + std::to_string(image.step * rows));
+}
+
+/// The upper 8 of 16 bits.
+cv::Mat upperBytes(const ImageMessage& image, ImageSize size) {
+  cv::Mat pixels(size.height, size.width, CV_8UC1);
+  const std::size_t upper = image.big_endian ? 0 : 1;
+  for (int y = 0; y < size.height; ++y) {
+    const std::uint8_t* from =
+        image.data.data() + std::size_t{image.step} * static_cast<unsigned>(y);
+    std::uint8_t* to = pixels.ptr(y);
+    for (int x = 0; x < size.width; ++x) to[x] = from[2 * static_cast<std::size_t>(x) + upper];
+  }
+  return pixels;
+}
+
+Result<Image> convertRaw(const ImageMessage& image, bool colour) {
+  const auto encoding = std::find_if(kEncodings.begin(), kEncodings.end(),
+                                     [&](const Encoding& e) { return e.name == image.encoding; });
+  if (encoding == kEncodings.end()) {
+    return Status::unsupported("has the encoding '" + std::string(image.encoding.substr(0, 40)) +
+                               "', which cannot be converted");
+  }
+  const Result<ImageSize> size = plausibleSize(image.width, image.height);
+  if (!size.isOk()) return size.status();
+  const Status status = checkRows(image, size.value(), encoding->channels * encoding->bytes);
+  if (!status.isOk()) return status;
+  cv::Mat pixels =
+      encoding->bytes == 2
+          ? upperBytes(image, size.value())
+          : cv::Mat(size.value().height, size.value().width, CV_8UC(encoding->channels),
+                    const_cast<std::uint8_t*>(image.data.data()), image.step);
+  const int conversion = colour ? encoding->to_bgr : encoding->to_gray;
+  if (conversion == kCopy) return asImage(pixels.clone());
+  const bool odd = size.value().width % 2 != 0 || size.value().height < 2 || size.value().width < 4;
+  if (odd && (encoding->channels == 2 || encoding->name.starts_with("bayer"))) {
+    return Status::unsupported("has a size that its encoding cannot have");
+  }
+  cv::Mat converted;
+  try {
+    cv::cvtColor(pixels, converted, conversion);
+  } catch (const cv::Exception&) {
+    return Status::unsupported("has a size that its encoding cannot have");
+  }
+  return asImage(converted);
+}
+
+std::string sizeText(ImageSize size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height) + " px";
+}
+
+}  // namespace
+
+Result<ImageSize> imageSize(const std::string& type, const Message& message) {
+  if (type == kCompressedImage) {
+    const auto image = readCompressedImage(message);
+    return image ? codedSize(image->data) : damaged();
+  }
+  const auto image = readImage(message);
+  return image ? plausibleSize(image->width, image->height) : damaged();
+}
+
+Result<Image> convertImage(const std::string& type, const Message& message, bool colour) {
+  if (type == kCompressedImage) {
+    const auto image = readCompressedImage(message);
+    return image ? decodeImage(image->data, colour) : damaged();
+  }
+  const auto image = readImage(message);
+  return image ? convertRaw(*image, colour) : damaged();
+}
+
+Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
+                           ImageSize size, const std::string& first) {
+  Result<Image> image = convertImage(type, message, colour);
+  if (!image.isOk()) return image;
+  const ImageSize found{image.value().width(), image.value().height()};
+  if (found == size) return image;
+  return Status::invalidInput("has " + sizeText(found) + ", and the first of " + first + " has " +
+                              sizeText(size));
+}
+
+Result<std::vector<float>> convertDepth(const Message& message, ImageSize& size) {
+  const auto image = readImage(message);
+  if (!image) return damaged();
+  const bool millimetres = image->encoding == "16UC1" || image->encoding == "mono16";
+  if (!millimetres && image->encoding != "32FC1") {
+    return Status::unsupported("has the encoding '" + std::string(image->encoding.substr(0, 40)) +
+                               "'; depth is 16UC1 or 32FC1");
+  }
+  const Result<ImageSize> claimed = plausibleSize(image->width, image->height);
+  if (!claimed.isOk()) return claimed.status();
+  size = claimed.value();
+  const int bytes = millimetres ? 2 : 4;
+  if (Status status = checkRows(*image, size, bytes); !status.isOk()) return status;
+  std::vector<float> depth;
+  depth.reserve(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+  for (int y = 0; y < size.height; ++y) {
+    const std::uint8_t* at =
+        image->data.data() + std::size_t{image->step} * static_cast<unsigned>(y);
+    for (int x = 0; x < size.width; ++x, at += bytes) {
+      std::uint32_t bits = 0;
+      for (int i = 0; i < bytes; ++i) {
+        bits |= std::uint32_t{at[i]}
+                << static_cast<unsigned>(8 * (image->big_endian ? bytes - 1 - i : i));
+      }
+      const float metres =
+          millimetres ? static_cast<float>(bits) / 1000.0F : std::bit_cast<float>(bits);
+      depth.push_back(metres > 0 && metres < 1e6F ? metres : 0);  // nor NaN
+    }
+  }
+  return depth;
+}
+
+}  // namespace tolman::ros_messages

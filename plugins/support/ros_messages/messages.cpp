@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "messages.hpp"
+
+#include <cmath>
+
+#include "field_reader.hpp"
+
+namespace tolman::ros_messages {
+namespace {
+
+/// The time at the beginning of a header, ns; in ROS 1 it follows the sequence number.
+std::int64_t readStamp(FieldReader& fields) {
+  const bool ros1 = fields.encoding() == Encoding::Ros1;
+  if (ros1) fields.number<std::uint32_t>();
+  const std::int64_t seconds =
+      ros1 ? std::int64_t{fields.number<std::uint32_t>()} : fields.number<std::int32_t>();
+  const std::int64_t nanoseconds = fields.number<std::uint32_t>();
+  return seconds * 1'000'000'000 + nanoseconds;
+}
+
+/// std_msgs/Header; the name of the frame is not used.
+std::int64_t readHeader(FieldReader& fields) {
+  const std::int64_t stamp_ns = readStamp(fields);
+  fields.text();
+  return stamp_ns;
+}
+
+template <std::size_t N>
+bool areFinite(const std::array<double, N>& values) {
+  for (const double value : values) {
+    if (!(std::abs(value) < 1e9)) return false;  // nor NaN
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> headerStamp(const Message& message) {
+  FieldReader fields(message);
+  const std::int64_t stamp_ns = readStamp(fields);
+  if (!fields.ok() || stamp_ns <= 0) return std::nullopt;
+  return stamp_ns;
+}
+
+std::optional<ImageMessage> readImage(const Message& message) {
+  FieldReader fields(message);
+  ImageMessage image;
+  image.stamp_ns = readHeader(fields);
+  image.height = fields.number<std::uint32_t>();
+  image.width = fields.number<std::uint32_t>();
+  image.encoding = fields.text();
+  image.big_endian = fields.number<std::uint8_t>() != 0;
+  image.step = fields.number<std::uint32_t>();
+  image.data = fields.bytes();
+  if (!fields.ok()) return std::nullopt;
+  return image;
+}
+
+std::optional<CompressedImageMessage> readCompressedImage(const Message& message) {
+  FieldReader fields(message);
+  CompressedImageMessage image;
+  image.stamp_ns = readHeader(fields);
+  image.format = fields.text();
+  image.data = fields.bytes();
+  if (!fields.ok()) return std::nullopt;
+  return image;
+}
+
+std::optional<CameraInfoMessage> readCameraInfo(const Message& message) {
+  FieldReader fields(message);
+  CameraInfoMessage info;
+  readHeader(fields);
+  info.height = fields.number<std::uint32_t>();
+  info.width = fields.number<std::uint32_t>();
+  info.model = fields.text();
+  info.D.resize(fields.count(sizeof(double)));
+  for (double& coefficient : info.D) coefficient = fields.number<double>();
+  info.K = fields.numbers<9>();
+  info.R = fields.numbers<9>();
+  info.P = fields.numbers<12>();
+  bool finite = areFinite(info.K) && areFinite(info.R) && areFinite(info.P);
+  for (const double coefficient : info.D) finite = finite && std::abs(coefficient) < 1e9;
+  if (!fields.ok() || !finite) return std::nullopt;
+  return info;
+}
+
+std::optional<ImuMessage> readImu(const Message& message) {
+  FieldReader fields(message);
+  ImuMessage imu;
+  imu.stamp_ns = readHeader(fields);
+  fields.numbers<4 + 9>();  // orientation and its covariance
+  imu.angular_velocity = fields.numbers<3>();
+  fields.numbers<9>();
+  imu.linear_acceleration = fields.numbers<3>();
+  const bool finite = areFinite(imu.angular_velocity) && areFinite(imu.linear_acceleration);
+  if (!fields.ok() || !finite) return std::nullopt;
+  return imu;
+}
+
+std::optional<OdometryMessage> readOdometry(const Message& message) {
+  FieldReader fields(message);
+  OdometryMessage odometry;
+  odometry.stamp_ns = readHeader(fields);
+  fields.text();  // frame id of the robot
+  odometry.position = fields.numbers<3>();
+  odometry.orientation = fields.numbers<4>();
+  const bool finite = areFinite(odometry.position) && areFinite(odometry.orientation);
+  if (!fields.ok() || !finite) return std::nullopt;
+  return odometry;
+}
+
+}  // namespace tolman::ros_messages

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The messages of ROS that sources read, decoded. Views are of the message's bytes.
+// Units are those of ROS: rad/s, m/s^2, m.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "message.hpp"
+
+namespace tolman::ros_messages {
+
+inline constexpr std::string_view kImage = "sensor_msgs/msg/Image";
+inline constexpr std::string_view kCompressedImage = "sensor_msgs/msg/CompressedImage";
+inline constexpr std::string_view kCameraInfo = "sensor_msgs/msg/CameraInfo";
+inline constexpr std::string_view kImu = "sensor_msgs/msg/Imu";
+inline constexpr std::string_view kOdometry = "nav_msgs/msg/Odometry";
+
+struct ImageMessage {
+  std::int64_t stamp_ns = 0;
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string_view encoding;  ///< "mono8", "bgr8", "16UC1", ...
+  bool big_endian = false;
+  std::uint32_t step = 0;  ///< bytes from row to row
+  Bytes data;
+};
+
+struct CompressedImageMessage {
+  std::int64_t stamp_ns = 0;
+  std::string_view format;
+  Bytes data;
+};
+
+struct CameraInfoMessage {
+  std::uint32_t height = 0;
+  std::uint32_t width = 0;
+  std::string model;           ///< "plumb_bob", "rational_polynomial", "equidistant"
+  std::vector<double> D;       ///< distortion
+  std::array<double, 9> K{};   ///< raw images
+  std::array<double, 9> R{};   ///< rotation from the raw to the rectified camera
+  std::array<double, 12> P{};  ///< rectified images
+};
+
+struct ImuMessage {
+  std::int64_t stamp_ns = 0;
+  std::array<double, 3> angular_velocity{};
+  std::array<double, 3> linear_acceleration{};
+};
+
+struct OdometryMessage {
+  std::int64_t stamp_ns = 0;
+  std::array<double, 3> position{};
+  std::array<double, 4> orientation{};  ///< x, y, z, w
+};
+
+/// Time in the header of these messages, ns; empty if it is not set or damaged.
+std::optional<std::int64_t> headerStamp(const Message& message);
+
+/// Empty if the message is incomplete or not of that type.
+std::optional<ImageMessage> readImage(const Message& message);
+std::optional<CompressedImageMessage> readCompressedImage(const Message& message);
+std::optional<CameraInfoMessage> readCameraInfo(const Message& message);
+std::optional<ImuMessage> readImu(const Message& message);
+std::optional<OdometryMessage> readOdometry(const Message& message);
+
+}  // namespace tolman::ros_messages

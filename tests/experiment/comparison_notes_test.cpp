@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "experiment/comparison_notes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "experiment/statistics.hpp"
+
+namespace tolman::experiment {
+namespace {
+
+RunRow row(const std::string& period, const std::string& model, const std::string& sequence,
+           const std::string& results) {
+  RunRow row;
+  row.factors = {{"period", period}, {"model", model}, {"sequence", sequence}, {"seed", "1"}};
+  row.results = results;
+  return row;
+}
+
+}  // namespace
+
+TEST_CASE("a factor is without effect where its levels alone change no byte") {
+  std::vector<RunRow> rows;
+  for (const char* period : {"75", "150"}) {
+    for (const char* model : {"a", "b"}) {
+      for (const char* sequence : {"00", "06"}) {
+        rows.push_back(row(period, model, sequence, std::string(model) + sequence));
+      }
+    }
+  }
+  CHECK(factorsWithoutEffect(rows) == std::vector<std::string>{"period"});
+  rows.back().results += " with another period";
+  CHECK(factorsWithoutEffect(rows).empty());
+}
+
+TEST_CASE("a factor with one level is not without effect, it is not varied") {
+  CHECK(factorsWithoutEffect({row("75", "a", "00", "x"), row("75", "a", "06", "y")}).empty());
+  CHECK(factorsWithoutEffect({}).empty());
+}
+
+TEST_CASE("the least possible p is that of differences which all agree") {
+  for (const std::size_t n : {1U, 2U, 3U, 4U, 5U}) {
+    const double least = signedRank(std::vector<double>(n, 1.0)).p;
+    for (const std::string& text : {fewSamplesNote(n, 3), fewSamplesNote(1, n)}) {
+      if (n == 1 && text.find("and 3 seeds") != std::string::npos) continue;  // the seeds count
+      CHECK(std::stod(text.substr(text.find("below ") + 6)) == Approx(least).epsilon(0.01));
+    }
+  }
+  CHECK(fewSamplesNote(6, 3).empty());
+  CHECK(fewSamplesNote(1, 6).empty());
+}
+
+TEST_CASE("labels of one factor are alternatives, those of several are all needed") {
+  const RunRow run = row("75", "a", "00", "x");
+  CHECK(hasLabels(run, {}));
+  CHECK(hasLabels(run, {{"period", "150"}, {"period", "75"}}));
+  CHECK(hasLabels(run, {{"period", "75"}, {"model", "a"}}));
+  CHECK_FALSE(hasLabels(run, {{"period", "75"}, {"model", "b"}}));
+  CHECK_FALSE(hasLabels(run, {{"unknown", "75"}}));
+}
+
+}  // namespace tolman::experiment

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading of a file of a ROS 1 bag, and small hand-written bags.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "bag_case.hpp"
+#include "ros1_file.hpp"
+
+namespace tolman::ros_bag {
+
+template <class T>
+std::string rawNumber(T value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+inline std::string ros1Text(const std::string& text) {
+  return rawNumber(static_cast<std::uint32_t>(text.size())) + text;
+}
+
+/// A record with these fields, "name=value".
+inline std::string ros1Record(const std::vector<std::string>& fields, const std::string& data) {
+  std::string header;
+  for (const std::string& field : fields) header += ros1Text(field);
+  return ros1Text(header) + ros1Text(data);
+}
+
+inline std::string ros1Op(char kind) { return std::string("op=") + kind; }
+
+/// The start of a bag whose index stands at `index_at`; 0: the recording was killed.
+inline std::string ros1Start(std::uint64_t index_at, const std::string& encryptor = "") {
+  return "#ROSBAG V2.0\n" +
+         ros1Record({ros1Op('\3'), "index_pos=" + rawNumber(index_at), "encryptor=" + encryptor},
+                    std::string(20, ' '));
+}
+
+inline std::string ros1Connection(std::uint32_t number, const std::string& topic,
+                                  const std::string& type) {
+  return ros1Record({ros1Op('\7'), "conn=" + rawNumber(number), "topic=" + topic},
+                    ros1Text("type=" + type) + ros1Text("md5sum=*"));
+}
+
+inline std::string ros1Message(std::uint32_t connection, std::uint32_t seconds,
+                               const std::string& data) {
+  return ros1Record({ros1Op('\2'), "conn=" + rawNumber(connection),
+                     "time=" + rawNumber(seconds) + rawNumber(std::uint32_t{7})},
+                    data);
+}
+
+inline std::string ros1Chunk(const std::string& records, const std::string& compression = "none",
+                             std::uint32_t claimed = 0) {
+  const auto size = claimed == 0 ? static_cast<std::uint32_t>(records.size()) : claimed;
+  return ros1Record({ros1Op('\5'), "compression=" + compression, "size=" + rawNumber(size)},
+                    records);
+}
+
+/// What the reader finds in the bytes of a file.
+struct Ros1Read {
+  explicit Ros1Read(const std::string& bytes) {
+    const test::TemporaryFolder folder;
+    test::writeBytes(folder.path() / "a.bag", bytes);
+    auto file = FileBytes::open(folder.path() / "a.bag");
+    auto opened = Ros1File::open(std::move(file).value());
+    refusal = opened.status().message();
+    if (!opened.isOk()) return;
+    std::vector<MessagePlace> places;
+    opened.value()->visit(
+        [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes message) {
+          messages.push_back(topic.name + " " + topic.type + " " + std::to_string(log_ns) + " " +
+                             std::string(asText(message)));
+          places.push_back(place);
+        },
+        problems);
+    for (auto place = places.rbegin(); place != places.rend(); ++place) {
+      const auto message = opened.value()->read(*place);
+      again.insert(again.begin(), message.isOk() ? std::string(asText(message.value()))
+                                                 : message.status().message());
+    }
+  }
+  std::string refusal;
+  std::vector<std::string> messages;
+  std::vector<std::string> again;  ///< the bytes, read once more from the last to the first
+  std::vector<std::string> problems;
+};
+
+}  // namespace tolman::ros_bag

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/data_digest.hpp"
+
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+
+#include "record/sha256.hpp"
+#include "support/data.hpp"
+
+namespace fs = std::filesystem;
+
+namespace tolman::record {
+namespace {
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+std::string sha256(const std::string& text) {
+  Sha256 sha;
+  sha.add(text);
+  return sha.digest();
+}
+
+}  // namespace
+
+TEST_CASE("the digest of a folder is that of the lines that sha256sum writes, in order of names") {
+  const test::TemporaryFolder folder;
+  write(folder.path() / "b/times.txt", "0.1\n");
+  write(folder.path() / "a.txt", "abc");
+  const auto digest = digestData(folder.path());
+  REQUIRE(digest.isOk());
+  CHECK(digest.value().files == 2);
+  CHECK(digest.value().bytes == 7);
+  CHECK(digest.value().sha256 ==
+        sha256(sha256("abc") + "  a.txt\n" + sha256("0.1\n") + "  b/times.txt\n"));
+}
+
+TEST_CASE("a link to another folder is followed, one back to where it is is not entered") {
+  const test::TemporaryFolder folder;
+  const test::TemporaryFolder other;
+  write(folder.path() / "images/1.png", "left");
+  write(other.path() / "2.png", "right");
+  fs::create_directory_symlink(other.path(), folder.path() / "right");
+  fs::create_directory_symlink(folder.path(), folder.path() / "images/again");
+  fs::create_directory_symlink(".", folder.path() / "images/self");
+  fs::create_directory_symlink(".", folder.path() / "images/itself");
+  const auto digest = digestData(folder.path());
+  REQUIRE(digest.isOk());
+  CHECK(digest.value().files == 2);
+  CHECK(digest.value().bytes == 9);
+}
+
+TEST_CASE("of links to nowhere and named pipes nothing is read") {
+  const test::TemporaryFolder folder;
+  write(folder.path() / "1.png", "left");
+  fs::create_symlink(folder.path() / "missing", folder.path() / "2.png");
+  REQUIRE(::mkfifo((folder.path() / "3.png").c_str(), 0600) == 0);
+  const auto digest = digestData(folder.path());
+  REQUIRE(digest.isOk());
+  CHECK(digest.value().files == 1);
+}
+
+TEST_CASE("contents are read only up to the most bytes, and again only after a change") {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.path() / "poses.txt";
+  write(file, "abc");
+  const auto first = digestData(file);
+  REQUIRE(first.isOk());
+  CHECK(first.value().sha256 == sha256(sha256("abc") + "  \n"));
+  DataDigest known = first.value();
+  known.sha256 = "kept";
+  CHECK(digestData(file, known).value().sha256 == "kept");
+  CHECK(digestData(file, {}, 2).value().sha256.empty());
+  write(file, "abcd");
+  CHECK(digestData(file, known).value().sha256 == sha256(sha256("abcd") + "  \n"));
+}
+
+}  // namespace tolman::record
