@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -104,6 +105,12 @@ int parse(CLI::App& app, std::vector<std::string> words) {
     const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
     return static_cast<int>(printFailure(ExitCode::Internal, text));
   } catch (const std::system_error& error) {
+    std::error_code gone;
+    std::filesystem::current_path(gone);
+    if (gone) {
+      const char* text = "the working directory no longer exists; change to one that does";
+      return static_cast<int>(printFailure(ExitCode::Usage, text));
+    }
     return static_cast<int>(printFailure(ExitCode::Internal, systemErrorText(error)));
   } catch (const std::exception& error) {  // a defect of the host, not of its input data
     const std::string text = std::string("tolman: internal error: ") + error.what();

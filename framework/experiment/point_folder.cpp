@@ -72,12 +72,39 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
 PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
   try {
     const auto state = config::valueNamed<PointState>(json.value("state", ""));
-    return {state.value_or(PointState::Failed), json.value("exit_code", 0),
-            json.value("message", ""), json.value("wall_s", 0.0), json.value("replayed", false)};
+    return withOwnFigures(
+        {state.value_or(PointState::Failed), json.value("exit_code", 0), json.value("message", ""),
+         json.value("wall_s", 0.0), json.value("replayed", false)},
+        json, folder / "run");
   } catch (const Json::exception&) {
     return {PointState::Failed, 0, (folder / "outcome.json").string() + ": is damaged; remove it",
             0, false};
   }
+}
+
+constexpr std::array<const char*, 2> kFigures = {"metrics.json", "results.sha256"};
+
+Json figureDigests(const fs::path& run) {
+  Json digests = Json::object();
+  for (const char* file : kFigures) {
+    const auto digest = record::fileDigest(run / file);
+    if (digest.isOk()) digests[file] = digest.value();
+  }
+  return digests;
+}
+
+/// Sweeps of earlier versions have no digests.
+PointOutcome withOwnFigures(PointOutcome outcome, const Json& json, const fs::path& run) {
+  if (outcome.state != PointState::Done || !json.contains("digests")) return outcome;
+  const Json now = figureDigests(run);
+  for (const char* file : kFigures) {
+    if (json["digests"].value(file, "") == now.value(file, "")) continue;
+    outcome.state = PointState::Failed;
+    outcome.message =
+        (run / file).string() + ": is not the file that this run wrote; run it again with --retry";
+    break;
+  }
+  return outcome;
 }
 
 Json readJson(const fs::path& file) {
@@ -150,9 +177,9 @@ PointOutcome outcomeOf(const fs::path& folder) {
   const Json json = readJson(folder / "outcome.json");
   std::error_code ignored;
   if (json.is_object()) {
-    const PointOutcome outcome = writtenOutcome(json, folder);
     const bool removed = !fs::exists(folder / "run/run.json", ignored);
-    return outcome.state == PointState::Done && removed ? PointOutcome() : outcome;
+    const bool was_done = json.value("state", Json()) == enumName(PointState::Done);
+    return was_done && removed ? PointOutcome() : writtenOutcome(json, folder);
   }
   PointOutcome outcome;
   if (record::RunDirectory::isBeingWritten(folder)) {
@@ -164,11 +191,10 @@ PointOutcome outcomeOf(const fs::path& folder) {
 }
 
 Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
-  const Json json = {{"state", enumName(outcome.state)},
-                     {"exit_code", outcome.exit_code},
-                     {"message", outcome.message},
-                     {"wall_s", outcome.wall_s},
-                     {"replayed", outcome.replayed}};
+  const Json json = {
+      {"state", enumName(outcome.state)}, {"exit_code", outcome.exit_code},
+      {"message", outcome.message},       {"wall_s", outcome.wall_s},
+      {"replayed", outcome.replayed},     {"digests", figureDigests(folder / "run")}};
   return record::writeAtomically(folder / "outcome.json",
                                  json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }

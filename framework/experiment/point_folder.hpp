@@ -3,7 +3,8 @@
 //   config.yaml   the whole configuration, frozen when the run was planned
 //   point.json    name, factors, key, digests of the inputs, the run whose answers it takes
 //   run/          the run directory
-//   outcome.json  written when the run has ended, unless it was interrupted
+//   outcome.json  written when the run has ended, unless it was interrupted; with the digests of its
+//                 figures, so that those of another run are not taken for them
 #pragma once
 
 #include <array>
@@ -50,6 +51,8 @@ Status writePlanOrder(const std::filesystem::path& sweep, const std::vector<Plan
 /// Folders of the last plan; empty where there is no points.txt.
 std::vector<std::string> planOrder(const std::filesystem::path& sweep);
 
+/// A run that was done and whose metrics.json or results.sha256 is not the one that it wrote has
+/// failed: its files were changed, or belong to another run.
 PointOutcome outcomeOf(const std::filesystem::path& folder);
 Status writeOutcome(const std::filesystem::path& folder, const PointOutcome& outcome);
 

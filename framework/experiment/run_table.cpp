@@ -98,6 +98,7 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
     if (std::find(lines.front().begin(), name, *name) == name) continue;
     return bad("line 1 has two columns '" + *name + "'; rename or remove one of them");
   }
+  if (lines.size() == 1) return bad("it has no line after the first");
   std::vector<RunRow> rows;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const auto& fields = lines[i];

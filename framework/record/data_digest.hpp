@@ -19,13 +19,10 @@ struct DataDigest {
 };
 
 inline constexpr std::int64_t kMostData = std::int64_t{64} << 30U;  // bytes
-inline constexpr std::size_t kMostFiles = 1'000'000;
 
-/// The digest of a file, or of all regular files below a folder; of a run directory only the files
-/// that a later run reads: answers.bin and the state. Contents are not read if `known` has the same
-/// path and stamp (then `known` is returned), or if there are more than `most` bytes. Links are
-/// followed, but not back to a folder that contains them. InvalidInput if something cannot be read,
-/// or for more than kMostFiles files.
+/// The digest of a file, or of all dataFiles() below a folder. Contents are not read if `known` has
+/// the same path and stamp (then `known` is returned), or if there are more than `most` bytes.
+/// InvalidInput if something cannot be read, or for more than kMostFiles files.
 Result<DataDigest> digestData(const std::filesystem::path& path, const DataDigest& known = {},
                               std::int64_t most = kMostData);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 
 namespace tolman::run {
 namespace {
@@ -56,6 +57,26 @@ std::vector<std::string> inputPaths(const config::SystemConfig& config,
     });
   }
   return paths;
+}
+
+std::vector<std::string> inputPaths(const CheckedSystem& system) {
+  StageSchemas schemas;
+  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
+    schemas[system.config.stages[i].instance] = &system.plugins[i].schema;
+  }
+  return inputPaths(system.config, system.values, schemas);
+}
+
+std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths) {
+  std::vector<record::DataFile> files;
+  for (const std::string& path : paths) {
+    try {
+      std::ranges::move(record::dataFiles(path), std::back_inserter(files));
+    } catch (const fs::filesystem_error&) {
+      continue;  // run.json has the reason
+    }
+  }
+  return files;
 }
 
 std::set<std::string> missingPaths(const config::SystemConfig& config,

@@ -10,6 +10,8 @@
 
 #include "config/resolved.hpp"
 #include "host/library.hpp"
+#include "record/data_files.hpp"
+#include "run/checked_system.hpp"
 
 namespace tolman::run {
 
@@ -21,6 +23,12 @@ using StageSchemas = std::map<std::string, const Schema*, std::less<>>;
 /// in order. A text parameter that is the path of a file counts as well.
 std::vector<std::string> inputPaths(const config::SystemConfig& config,
                                     const config::StageValues& values, const StageSchemas& schemas);
+
+/// The inputPaths() of a system that is about to run.
+std::vector<std::string> inputPaths(const CheckedSystem& system);
+
+/// All files of these paths, as they are now. Folders that cannot be read are left out.
+std::vector<record::DataFile> inputFiles(const std::vector<std::string>& paths);
 
 /// Paths of the source that do not exist (yet). A run that reads one of them will fail.
 std::set<std::string> missingPaths(const config::SystemConfig& config,

@@ -49,12 +49,8 @@ Json processorFeatures() {
 /// reading them would delay the run.
 Json dataList(const CheckedSystem& system) {
   constexpr std::int64_t kMostDigested = std::int64_t{1} << 30U;
-  StageSchemas schemas;
-  for (std::size_t i = 0; i < system.plugins.size(); ++i) {
-    schemas[system.config.stages[i].instance] = &system.plugins[i].schema;
-  }
   Json list = Json::array();
-  for (const std::string& path : inputPaths(system.config, system.values, schemas)) {
+  for (const std::string& path : inputPaths(system)) {
     const auto digest = record::digestData(path, {}, kMostDigested);
     if (!digest.isOk()) {
       list.push_back({{"path", path}, {"reason", digest.status().message()}});

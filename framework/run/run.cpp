@@ -9,6 +9,7 @@
 #include "config/resolved.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
+#include "run/input_data.hpp"
 #include "run/provenance.hpp"
 #include "run/report_files.hpp"
 #include "run/results.hpp"
@@ -73,6 +74,7 @@ Outcome Run::execute(CheckedSystem system) {
     return outcome;
   }
   drive(outcome);
+  checkInputs(outcome);
   if (const Status moved = directory_->stillInPlace(); !moved.isOk()) {
     outcome.failure = recordFailure(moved);
     writeRunFile(outcome);
@@ -84,6 +86,7 @@ Outcome Run::execute(CheckedSystem system) {
 }
 
 void Run::prepare(CheckedSystem system) {
+  inputs_ = inputFiles(inputPaths(system));
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
   if (!options_.resume.empty()) {
@@ -282,6 +285,18 @@ std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunLi
     return std::nullopt;
   }
   return run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
+}
+
+/// A run whose data changed while it read them has results of two data sets.
+void Run::checkInputs(Outcome& outcome) {
+  if (outcome.failure || outcome.interrupted) return;
+  const std::filesystem::path changed = record::firstChanged(inputs_);
+  if (changed.empty()) return;
+  outcome.failure = Failure{FailureKind::Dataset,
+                            changed.string() +
+                                ": was changed or removed while the run was going, so the results "
+                                "may be of two data sets; run it again"};
+  log_.write(LogLevel::Error, "source", outcome.failure->message, false);
 }
 
 void Run::conclude(Outcome& outcome) {

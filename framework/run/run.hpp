@@ -15,6 +15,7 @@
 #include "evaluation/metrics.hpp"
 #include "pipeline/drive.hpp"
 #include "record/answers_file.hpp"
+#include "record/data_files.hpp"
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
@@ -78,6 +79,7 @@ class Run {
   std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
                                    const RunListener& listener) const;
   std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
+  void checkInputs(Outcome& outcome);
   void conclude(Outcome& outcome);
   bool writeRunFile(Outcome& outcome);
   void check(Outcome& outcome, const Status& written);
@@ -87,6 +89,7 @@ class Run {
   StopRequest stop_;
   RunOptions options_;
   std::unique_ptr<Assembly> assembly_;
+  std::vector<record::DataFile> inputs_;        ///< the files of the data when the run began
   std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
   std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
   std::int64_t first_frame_ = 0;

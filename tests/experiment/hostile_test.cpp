@@ -109,6 +109,29 @@ TEST_CASE("an outcome that is a pipe or no outcome concerns its run only") {
   CHECK(contains(study.status(), "outcome.json: is damaged; remove it"));
 }
 
+TEST_CASE("figures that a run did not write itself are not taken for its own") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path one = study.point("period=100,sequence=a,seed=1") / "run";
+  const auto collected = [&] {
+    return tolman::test::tolman({"sweep", "collect", study.out().string()});
+  };
+  SECTION("runs that were exchanged") {
+    const fs::path other = study.point("period=150,sequence=a,seed=1") / "run";
+    fs::rename(one, study.folder.path() / "kept");
+    fs::rename(other, one);
+    fs::rename(study.folder.path() / "kept", other);
+    CHECK(contains(collected().err, "2 failed"));
+  }
+  SECTION("edited figures") {
+    std::ofstream(one / "metrics.json", std::ios::app) << " ";
+    CHECK(contains(collected().err, "1 failed"));
+    CHECK(contains(study.status(), "metrics.json: is not the file that this run wrote"));
+    CHECK(study.sweep({"--retry"}).exit_code == 0);
+    CHECK_FALSE(contains(collected().err, "failed"));
+  }
+}
+
 TEST_CASE("a sweep without any run that is done gives no empty table") {
   const Study study;
   REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);

@@ -120,6 +120,15 @@ TEST_CASE("what is no table is refused") {
   CHECK(message(asked) == "no run is left to compare");
 }
 
+TEST_CASE("a table that was cut after its first line is told as that") {
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "runs.csv";
+  const std::string text = csvOf(rows());
+  std::ofstream(file) << text.substr(0, text.find('\n') + 1);
+  CHECK(readRunRows({file}).status().message() ==
+        file.string() + ": is no table of `tolman sweep collect`: it has no line after the first");
+}
+
 TEST_CASE("a table of runs is read as it was written") {
   const test::TemporaryFolder folder;
   std::vector<RunRow> written = rows();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The engine in another program: the code of docs/embed.md compiles, runs, and gives the same
 // results as `tolman run`.
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -23,19 +24,33 @@ struct NeverCancelled : Cancellation {
   bool requested() const override { return false; }
 };
 
+/// Replaces an image by another one when a run that goes on first asks whether it is cancelled.
+struct ReplacesImage : Cancellation {
+  explicit ReplacesImage(fs::path folder) : images(std::move(folder)) {}
+  bool requested() const override {
+    if (!replaced.exchange(true)) {
+      fs::copy_file(images / "000001.png", images / "000000.png",
+                    fs::copy_options::overwrite_existing);
+    }
+    return false;
+  }
+  fs::path images;
+  mutable std::atomic<bool> replaced = false;
+};
+
 struct Tiny {
   Tiny() {
     writeTinyKitti(folder.path() / "sequence", 20);
     options.config = writeTinyConfig(folder.path(), folder.path() / "sequence").string();
     options.plugin_paths = {kPlugins, kFixtures + "steady", kFixtures + "misbehaving"};
   }
-  run::Outcome execute() {
+  run::Outcome execute() { return execute(NeverCancelled()); }
+  run::Outcome execute(const Cancellation& cancellation) {
     auto checked = run::checkSystem(options);
     if (const auto* failure = std::get_if<run::Failure>(&checked)) FAIL(failure->message);
     run::RunLog log(true);
     const run::SteadyClock clock;
-    const NeverCancelled never;
-    run::Run run(log, clock, never, {.out = out});
+    run::Run run(log, clock, cancellation, {.out = out});
     return run.execute(std::get<run::CheckedSystem>(std::move(checked)));
   }
   TemporaryFolder folder;
@@ -112,6 +127,18 @@ TEST_CASE("failures carry kind and stage, and not only words") {
     REQUIRE(outcome.failure);
     CHECK(outcome.failure->kind == run::FailureKind::Dataset);
     CHECK(outcome.failure->stage == "source");
+  }
+  SECTION("data that change while the run reads them") {
+    const fs::path images = tiny.folder.path() / "sequence/image_0";
+    const run::Outcome outcome = tiny.execute(ReplacesImage(images));
+    REQUIRE(outcome.failure);
+    CHECK(outcome.failure->kind == run::FailureKind::Dataset);
+    CHECK(outcome.failure->message ==
+          (images / "000000.png").string() +
+              ": was changed or removed while the run was going, so the results may be of two "
+              "data sets; run it again");
+    CHECK(readJson(tiny.out / "run.json")["status"] == "failed");
+    CHECK(outcome.metrics);  // what was computed can still be looked at
   }
   SECTION("the directory") {
     fs::create_directories(tiny.out);

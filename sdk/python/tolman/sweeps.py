@@ -7,6 +7,7 @@
     tolman.compare(study, by="model")                    # a row a level: mean, interval, difference, p
 """
 import csv
+import hashlib
 import json
 import pathlib
 import tempfile
@@ -36,7 +37,7 @@ class Sweep:
         for name in sorted((self.path / "points.txt").read_text(encoding="utf-8").splitlines()):
             folder = self.path / name
             factors, outcome = json.loads((folder / "point.json").read_text(encoding="utf-8"))["factors"], folder / "outcome.json"
-            if factors and outcome.is_file() and json.loads(outcome.read_text(encoding="utf-8"))["state"] == "done":
+            if factors and outcome.is_file() and _is_done(json.loads(outcome.read_text(encoding="utf-8")), folder / "run"):
                 found.append((factors, Run(folder / "run")))
         return found
 
@@ -46,6 +47,13 @@ class Sweep:
             file = pathlib.Path(folder) / "table.csv"
             call("sweep", "collect", self, "--out", file, *(word for metric in metrics for word in ("--metric", metric)))
             return _read(file)
+
+
+def _is_done(outcome, run):
+    """Whether the run ended well and its figures are those that it wrote; sweeps of earlier versions have no digests."""
+    files = outcome.get("digests", {})
+    return outcome["state"] == "done" and all(
+        (run / name).is_file() and hashlib.sha256((run / name).read_bytes()).hexdigest() == digest for name, digest in files.items())
 
 
 def sweep(config, out=None, jobs=None):

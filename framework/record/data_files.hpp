@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files that a run reads, and whether they are still the same.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tolman::record {
+
+inline constexpr std::size_t kMostFiles = 1'000'000;
+
+struct DataFile {
+  std::string name;  ///< relative to the path that was given; empty for a single file
+  std::filesystem::path path;
+  struct stat status {};
+
+  /// Name, device, inode, size and time of modification, as one line.
+  std::string stamp() const;
+};
+
+/// The regular files below `root` by name, or `root` itself if it is a file. Of a run directory
+/// only the files that a later run reads: answers.bin and the state; run directories further below
+/// are left out, because they are results, and not part of the data beside them. Links are
+/// followed, but not back to a folder that contains them. Throws std::filesystem::filesystem_error,
+/// for more than kMostFiles files with std::errc::file_too_large.
+std::vector<DataFile> dataFiles(const std::filesystem::path& root);
+
+/// The first of these files that was changed, replaced or removed since it was listed; empty if
+/// none was.
+std::filesystem::path firstChanged(const std::vector<DataFile>& files);
+
+}  // namespace tolman::record
