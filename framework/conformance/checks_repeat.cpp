@@ -59,8 +59,8 @@ void checkReset(CheckContext& context) {
   instance->clearTranscript();
   compare(context, expected, answersOf(context, *instance, sequence),
           "a run after finish() and reset()");
-  // After the same drive, state that reset() does not clear may not change the answers. After
-  // another drive it does.
+  // State that reset() does not clear can be without effect after the same drive, because it has
+  // the same values. So reset() is also tested after another drive.
   const auto elsewhere = context.configured(sequence.rig);
   context.require(elsewhere->run(context.otherSequence()), "another drive");
   context.require(elsewhere->reset());

@@ -31,7 +31,7 @@ Image uniform(int width, int height, PixelFormat format, int grey) {
                        [&](std::uint8_t* data) { std::memset(data, grey, bytes); });
 }
 
-/// Replaces the records of skipped stages as the host does for later stages.
+/// Replaces the answers to one frame by substitutes such as later stages get after a skipped stage.
 void replaceSkipped(FrameInput& input, std::int64_t experience) {
   Motion& motion = input.motion;
   motion.state = motion.frame == 0 ? TrackingState::Initialising : TrackingState::Lost;

@@ -17,7 +17,7 @@ namespace {
 
 using config::Node;
 
-/// A configuration without the sections of later stages, evaluation and record.
+/// A configuration without the sections of cells, map, observers, evaluation and record.
 std::string frontEndPart(const std::string& yaml) {
   constexpr std::array<std::string_view, 5> kLater = {
       "cells:", "map:", "evaluation:", "record:", "observers:"};
@@ -88,10 +88,10 @@ class Planner {
   struct Plugin {
     host::LoadedPlugin loaded;
     std::string refusal;                         ///< empty: it can be used
-    std::map<std::string, std::string> digests;  ///< of its library, or program and files of that
+    std::map<std::string, std::string> digests;  ///< by file: library, program, its files
   };
 
-  /// Adds a problem unless it is known already.
+  /// Adds a problem unless it was added before.
   void tell(config::Problem problem) {
     if (told_.insert(config::format(problem)).second) plan_.problems.push_back(std::move(problem));
   }
@@ -116,7 +116,7 @@ class Planner {
     return loaded;
   }
 
-  /// Applies plugins first, because another plugin removes the parameters of the previous one.
+  /// Applies plugins and YAML maps first: another plugin removes the previous one's parameters.
   void apply(Node& tree, std::vector<Setting> settings) {
     std::ranges::stable_partition(settings, [](const Setting& setting) {
       return setting.key.ends_with(".plugin") || setting.value->isMap();
@@ -144,8 +144,8 @@ class Planner {
     return made;
   }
 
-  /// The base configuration with the settings of all points, and with the replay of a front end or
-  /// the map of a first session.
+  /// The base configuration with the settings that all points share, and with the replay of a front
+  /// end or the map of a first session.
   const config::Loaded& base(const SweepFile& sweep, const SweepPoint& point,
                              const FrontRun* front) {
     const auto found = bases_.find(point.front_end.get());
@@ -220,7 +220,7 @@ class Planner {
     return &plan_.data.emplace(path, std::move(digest).value()).first->second;
   }
 
-  /// Checks the values of one point; nothing where they have problems.
+  /// The run of one point, with checked values; nothing if they have problems.
   std::optional<PlannedRun> resolve(const config::Loaded& base, const SweepPoint& point,
                                     const FrontRun* front) {
     config::Loaded loaded = base;
@@ -288,8 +288,8 @@ class Planner {
     run.config = config::resolvedYaml(system, values);
   }
 
-  /// The first run with a front end records its answers, and the others take them. Runs that replay
-  /// a front end already (`needs`) are skipped.
+  /// Of several runs with the same front end, the first records its answers and the others replay
+  /// them. Runs that replay the run of a front end anyway (`needs`) are left out.
   static void shareFrontEnds(std::vector<PlannedRun>& runs) {
     std::map<std::string, PlannedRun*> first;  // by front end
     for (PlannedRun& run : runs) {

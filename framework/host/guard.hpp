@@ -64,7 +64,7 @@ Status contained(Work&& work) noexcept {
   }
 }
 
-/// The same, with the call site before the message of a failure where memory suffices.
+/// As contained(), with the call site before the message of a failure, if memory suffices.
 template <class Work>
 Status guarded(const CallSite& site, Work&& work) noexcept {
   Status status = contained(std::forward<Work>(work));

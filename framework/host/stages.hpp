@@ -52,9 +52,9 @@ class SourceStage : public Stage<Source> {
   Status inspect(std::vector<Finding>& findings) {
     return call("inspect", -1, &Source::inspect, findings);
   }
-  /// The next frame after reset() (the defaults), or after a saved state was loaded.
+  /// Sets the next frame: after reset() the defaults, after load() those of the saved state.
   void expect(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
-  /// Number of the first frame of this session in the host; the plugin counts from 0.
+  /// The host's index of the first frame of this session; the plugin counts from 0.
   void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
 
  private:
@@ -86,13 +86,13 @@ class OdometryStage : public Stage<Odometry> {
 class PlaceStage : public Stage<Place> {
  public:
   using Stage::Stage;
-  /// Constant after configure(); a throwing plugin counts as PlaceInput::Frame.
+  /// Constant after configure(); if the plugin throws, PlaceInput::Frame.
   PlaceInput input();
-  /// Checks that template ids are dense and known.
+  /// Checks that new template ids are dense and that others exist.
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
   Status finish() { return call("finish", -1, &Place::finish); }
-  /// Number of templates: 0 after reset(), -1 (not known) after a saved state was loaded. If it is
-  /// not known, the next novel answer determines it.
+  /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded.
+  /// If it is not known, the next novel answer determines it.
   void expect(std::int64_t templates = 0) { templates_ = templates; }
 
  private:
@@ -102,10 +102,10 @@ class PlaceStage : public Stage<Place> {
 class CellsStage : public Stage<Cells> {
  public:
   using Stage::Stage;
-  /// Checks that experience ids are dense and known, heading and confidence in their ranges.
+  /// Checks experience ids, as template ids, and the ranges of heading and confidence.
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish() { return call("finish", -1, &Cells::finish); }
-  /// Number of experiences after reset() (0), or after a saved state was loaded.
+  /// Sets the number of experiences: 0 after reset(), or that of a saved state that was loaded.
   void expect(std::int64_t experiences = 0) {
     experiences_ = experiences;
     last_ = experiences == 0 ? -1 : kUnknown;
@@ -125,7 +125,7 @@ class MapStage : public Stage<Map> {
   /// Also checks the counts and the pose of the last update against the graph; not after finish().
   Status graph(MapGraph& graph);
   Status finish(const std::vector<MotionRevision>& revisions);
-  /// This frame and later ones were not recorded: a graph that names them is refused.
+  /// This frame and later ones were not recorded: a graph that refers to them is refused.
   void forgetFrom(std::int64_t frame) {
     known_.newest_frame = std::min(known_.newest_frame, frame - 1);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether the values of an answer can be recorded: finite, within the limits of a record
-// (config/limits.hpp), enumerations with a name, poses with a rotation. Arrays: see arrays.hpp.
+// (config/limits.hpp), enumerators with a name, orthonormal rotations. Arrays: see arrays.hpp.
 #pragma once
 
 #include <cmath>
@@ -55,7 +55,7 @@ const char* wrongIn(const T& value) {
       return (value.array().abs() <= config::kMostNumber).all() ? nullptr : kTooLarge;
     }
   }
-  return nullptr;  // shorter integers, text, pixels
+  return nullptr;  // not checked: shorter integers, text, pixels
 }
 
 template <Record R>

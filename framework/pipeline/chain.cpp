@@ -9,11 +9,11 @@
 namespace tolman::pipeline {
 namespace {
 
-// A graph up to this size is published at every change; a larger one at proportionally fewer
-// frames.
-constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links
+// A graph below this size is published at every change; a larger one at most every n-th frame,
+// with n in proportion to its size.
+constexpr std::size_t kGraphSizePerFrame = 400;  // number of experiences and links
 
-/// An empty record of a frame.
+/// A record with default values, for this frame.
 template <Record R>
 R recordOf(const Frame& frame) {
   R record;
@@ -134,7 +134,7 @@ bool Chain::decide(FrameRecords& records) {
     return stepped;
   });
   if (!resolve(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
-  // With skip or restart the decision is kept when reading the arrays fails.
+  // With skip or restart the decision is kept if the arrays cannot be read.
   if (!resolve(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
   if (!arrays.isOk()) records.cells.clear();
   if (!status.isOk()) {
@@ -151,7 +151,7 @@ bool Chain::map(FrameRecords& records) {
     return stages_.map.update(records.motion, records.decision, records.map);
   });
   if (!resolve(status, policies_.map, records.frame.frame, Role::Map)) return false;
-  if (!status.isOk()) {  // the frame keeps the last experience; its pose follows the motion
+  if (!status.isOk()) {  // the last experience, and the last pose moved by the motion
     const Eigen::Isometry3d& step = records.motion.T_previous_current;
     records.map = last_map_;
     records.map.frame = records.frame.frame;
@@ -267,8 +267,8 @@ void Chain::countGraph(const MapGraph& graph) {
 }
 
 void Chain::publish(const FrameRecords& records) {
-  // Also after a failure of the listener: the map has processed the frames that were in the flow,
-  // and its graph and trajectory contain them.
+  // Publishes also after a failure of the listener: the map has processed the frames that were in
+  // the flow, and its graph and trajectory contain them.
   if (!records.answered) return;
   Status status = listener_.onFrame(records.snapshot());
   if (status.isOk() && records.checkpoint) status = listener_.onCheckpoint(*records.checkpoint);
@@ -288,8 +288,8 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
                         " frames that update() took; the trajectories lack them");
 }
 
-/// Reads the final poses from the map, because a map that rejects a loop moves the frames attached
-/// through it.
+/// Reads the final poses from the map, because a map that rejects a loop link also moves the frames
+/// that were attached to an experience by it.
 void Chain::publishTrajectory(std::vector<FramePose>& poses) {
   (void)resolve(readTrajectory(poses), policies_.map, -1, Role::Map);
   const Status published = listener_.onTrajectory(poses);

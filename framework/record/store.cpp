@@ -33,8 +33,8 @@ std::string StoreWriter::upsertSql(const std::string& table, const Columns& colu
   std::string sql = insertSql(table, columns) + " ON CONFLICT (\"id\") DO UPDATE SET ";
   const char* separator = "";
   for (const Column& column : columns) {
-    // Setting the key, even to the same value, makes SQLite search for child rows: for each row a
-    // scan of all links.
+    // Setting the key, even to the same value, makes SQLite look for child rows, which scans all
+    // links for each row.
     if (column.name == "id") continue;
     const std::string quoted = "\"" + column.name + "\"";
     sql.append(separator).append(quoted).append(" = excluded.").append(quoted);

@@ -32,7 +32,7 @@ struct Outcome {
   std::optional<Failure> failure;
   bool interrupted = false;  ///< cancellation ended it early; all frames until then are complete
   std::filesystem::path directory;  ///< absolute; empty if the run failed before it was created
-  pipeline::RunCounters counters;   ///< including whether odometry was lost at the end
+  pipeline::RunCounters counters;   ///< also whether odometry was lost at the end
   StageTimes finish_times_ns{};     ///< time that finish() of each stage took
   pipeline::Latency latency{};      ///< of a realtime run
   std::optional<evaluation::Metrics> metrics;  ///< of the recorded frames, if there are any
@@ -47,7 +47,8 @@ struct RunOptions {
   /// except for frames that a realtime run drops.
   std::filesystem::path resume{};
   std::vector<std::string> command_line{};  ///< for run.json
-  /// Record the answers of the front end, as with record.replay, if there are images.
+  /// Record the answers of the front end (source, odometry, place) as with record.replay, if the
+  /// source has images.
   bool share_answers = false;
   /// The exit code of the program for an outcome, for run.json. Null: none is written.
   std::function<int(const Outcome&)> exit_code{};
@@ -89,7 +90,7 @@ class Run {
   StopRequest stop_;
   RunOptions options_;
   std::unique_ptr<Assembly> assembly_;
-  std::vector<record::DataFile> inputs_;        ///< the files of the data when the run began
+  std::vector<record::DataFile> inputs_;        ///< data files as they were when the run began
   std::vector<ArrayInfo> arrays_;               ///< descriptions for observers
   std::unique_ptr<record::RunReader> earlier_;  ///< the run that is continued, until it is copied
   std::int64_t first_frame_ = 0;

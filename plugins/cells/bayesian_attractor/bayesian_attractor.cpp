@@ -145,7 +145,8 @@ const ViewLink* BayesianAttractor::nearestStorey(std::int64_t template_id,
   return nearest;
 }
 
-/// A view that is known from other storeys only is linked to this one as well.
+/// Injects a familiar view, unless it was learned within loop_minimum_travel. A view that is known
+/// from other storeys only is linked to the present one as well.
 BayesianAttractor::Perception BayesianAttractor::perceive(const PlaceObservation& view,
                                                           std::int64_t frame) {
   if (view.recognition != Recognition::Familiar) return {};

@@ -13,7 +13,7 @@ namespace {
 
 /// 99 % quantile of chi-square with three degrees of freedom: a view below it agrees with a bump.
 constexpr double kAgrees = 11.345;
-/// Squared limit for heights that agree: three standard deviations.
+/// Largest squared height difference that agrees, in variances: three standard deviations.
 constexpr double kSameStorey = 9;
 /// m around the path that count as explored, and the smallest explored area, m^2.
 constexpr double kMargin = 20;
@@ -36,12 +36,12 @@ double logStudent(const Eigen::Vector3d& difference, const Eigen::Matrix3d& cova
          (nu + 3) / 2 * std::log1p(squaredMahalanobis(difference, covariance) / nu);
 }
 
-/// 0 without vertical modules, whose heights are all the same.
+/// Squared difference in height over its variance; 0 for variance 0 (no vertical modules).
 double squaredClimb(double climb, double variance) {
   return variance > 0 ? climb * climb / variance : 0;
 }
 
-/// The symmetric matrix with the absolute eigenvalues.
+/// The matrix with the same eigenvectors and the absolute values of the eigenvalues.
 Eigen::Matrix3d absolute(const Eigen::Matrix3d& symmetric) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> spectrum(symmetric);
   const Eigen::Matrix3d& V = spectrum.eigenvectors();
@@ -80,7 +80,7 @@ void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claim
   std::erase_if(state_.calibration, [](const CalibrationBump& c) { return c.energy < kGone; });
 }
 
-/// Adds a hypothesis. Of more than kMostBumps the weakest is removed. Null: that is the new one.
+/// Adds a hypothesis. Of more than kMostBumps the weakest is removed; null if that is the new one.
 CalibrationBump* BumpNetwork::found(const CalibrationBump& bump) {
   auto& bumps = state_.calibration;
   if (bumps.size() == kMostBumps) {
@@ -108,7 +108,7 @@ LearnedPattern BumpNetwork::present() const {
           state_.integrator.height_variance + state_.anchor.height_variance};
 }
 
-/// Covariance of the integrator from the origin of its part.
+/// Covariance of the integrator relative to the origin of its part.
 Eigen::Matrix3d BumpNetwork::total() const {
   return state_.integrator.covariance + carriedTo(state_.integrator.centre, state_.anchor);
 }
@@ -120,7 +120,7 @@ double BumpNetwork::prior() const {
   return std::clamp(share, kLeastPrior, kMostPrior);
 }
 
-/// Log density of a look-alike: anywhere in the explored rectangle, facing anywhere.
+/// Log density of the pose if the view is a look-alike: uniform over explored area and heading.
 double BumpNetwork::lookAlike() const {
   const Eigen::Vector2d sides = state_.most - state_.least + Eigen::Vector2d::Constant(2 * kMargin);
   return -std::log(kTurn * std::max(sides.prod(), kLeastArea));
@@ -171,7 +171,8 @@ bool BumpNetwork::onOneStorey(const LearnedPattern& a, const LearnedPattern& b) 
 /// Log-likelihood ratio, right view against look-alike, of a view that no bump agrees with. A
 /// difference in height only lowers it.
 double BumpNetwork::founding(const LearnedPattern& link, const Bump& seen) const {
-  // The position is unknown: the prior is that the robot is in the mapped area at all.
+  // The position in the other part is unknown. In place of the density ratio stands the
+  // probability that the robot is in the mapped area at all.
   if (link.part != state_.part) return std::log(settings_.prior);
   const Bump& here = state_.integrator;
   const Eigen::Vector3d difference = code_.difference(here.centre, seen.centre);

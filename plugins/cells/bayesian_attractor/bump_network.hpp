@@ -5,8 +5,8 @@
 // the robot is at a known place. Path integration moves and widens all bumps. A familiar view
 // injects energy at the pattern that it is linked to: into the calibration bump that it agrees
 // with, or as a new bump. Energies are in nats: log odds against the hypothesis of the integrator,
-// whose energy is 0. Global inhibition keeps the shares exp(E) summing up to one. A bump whose
-// share exceeds the threshold wins: the integrator moves to it.
+// whose energy is 0. A bump's share (posterior probability) is exp(E) over the sum of all bumps
+// (global inhibition). A bump whose share exceeds the threshold wins: the integrator moves to it.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ inline constexpr std::size_t kMostBumps = 16;
 struct NetworkSettings {
   double period = 150;            ///< m, of the smallest grid module
   int modules = 4;                ///< grid modules
-  double phase_sigma = 0.005;     ///< periods
+  double phase_sigma = 0.005;     ///< periods; with which a phase is read
   double height_period = 0;       ///< m, of the smallest vertical module; 0: a plane
   double drift_position = 0.06;   ///< m / sqrt(m)
   double drift_heading = 0.0012;  ///< rad / sqrt(m)
@@ -31,20 +31,20 @@ struct NetworkSettings {
   double tail = 4;                ///< degrees of freedom of Student's t
   double prior = 0.05;            ///< share of familiar views that are right, before any was seen
   double prior_views = 100;       ///< number of views that weighs as much as `prior`
-  double injection = 1;           ///< factor of a view's log-likelihood ratio
+  double injection = 1;           ///< factor on a view's log-likelihood ratio
   double agreement = 3;           ///< nats, most that a further view adds
   double inhibition = 0.02;       ///< nats / m that each calibration bump loses
-  double threshold = 0.98;        ///< share of the energy at which a bump wins
-  double view_spacing = 5;        ///< m after which the next view is new evidence
+  double threshold = 0.98;        ///< share (posterior probability) above which a bump wins
+  double view_spacing = 5;        ///< m of travel after which the next view counts in full
 };
 
 /// What a view was linked to when it was learned.
 struct LearnedPattern {
   FiringPattern pattern;
   std::int64_t part = 0;     ///< part of the world that the pattern belongs to
-  std::int64_t stretch = 0;  ///< of the path, from one accepted bump to the next
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< from the origin of its part
-  double height_variance = 0;                            ///< m^2, from the same origin
+  std::int64_t stretch = 0;  ///< number of the piece of path between accepted bumps
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< relative to its part's origin
+  double height_variance = 0;                            ///< m^2, likewise
 };
 
 /// A hypothesis.
@@ -61,15 +61,15 @@ struct CalibrationBump {
 struct NetworkState {
   Bump integrator;
   std::vector<CalibrationBump> calibration;
-  std::int64_t bumps = 0;  ///< calibration bumps founded so far
-  std::int64_t part = 0;
-  std::int64_t parts = 1;
+  std::int64_t bumps = 0;  ///< calibration bumps created so far
+  std::int64_t part = 0;   ///< part of the world that the robot is in
+  std::int64_t parts = 1;  ///< number of parts so far
   std::int64_t stretch = 0;
   Bump anchor;        ///< where the stretch begins, with its covariance from the origin of the part
   double travel = 0;  ///< m since the start
   Eigen::Vector2d least = Eigen::Vector2d::Zero();  ///< explored rectangle, m from the origin
   Eigen::Vector2d most = Eigen::Vector2d::Zero();
-  std::int64_t views = 0;  ///< familiar views that injected
+  std::int64_t views = 0;  ///< familiar views that were injected
   std::int64_t right = 0;  ///< of these, views of bumps that won
 };
 
@@ -78,8 +78,8 @@ struct NetworkState {
 struct Recalibration {
   std::int64_t bump = -1;  ///< CalibrationBump::id; -1: too weak to create a bump
   bool won = false;
-  double share = 0;               ///< of the winner in the energy
-  std::int64_t views = 0;         ///< injected into the winner
+  double share = 0;               ///< posterior probability of the winner
+  std::int64_t views = 0;         ///< number of views injected into the winner
   std::int64_t joined_part = -1;  ///< patterns of this part move; -1: no patterns move
   FiringPattern from, to;         ///< they move as `from` moves to `to`
   std::int64_t part = 0;          ///< the part that they belong to afterwards
@@ -91,15 +91,16 @@ class BumpNetwork {
  public:
   explicit BumpNetwork(const NetworkSettings& settings);
 
-  /// `claimed`: covariance of the step by odometry, in the robot's axes.
+  /// `claimed`: covariance of the step as odometry reports it, in the robot's axes.
   void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed, const Climb& climb = {});
-  /// The robot has been carried to an unknown place.
+  /// From here on the pose relative to the earlier path is unknown (a kidnapped robot).
   void startPart();
   /// A familiar view that puts the robot at `offset` from where it was learned.
   Recalibration inject(const LearnedPattern& link, const PlanarPose& offset,
                        const Eigen::Matrix3d& covariance, const Climb& climb = {});
-  /// Squared difference of height, in standard deviations, between the pose that such a view gives
-  /// and path integration. Infinite beyond three standard deviations: that is another storey.
+  /// Squared difference of height, in squared standard deviations, between the pose that such a
+  /// view gives and path integration. Infinite beyond three standard deviations: that is another
+  /// storey.
   double heightMisfit(const LearnedPattern& link, const Climb& climb) const;
   /// Whether the heights of two patterns of the same part agree.
   bool onOneStorey(const LearnedPattern& a, const LearnedPattern& b) const;

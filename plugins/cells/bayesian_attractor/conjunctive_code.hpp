@@ -68,9 +68,9 @@ class ConjunctiveCode {
 
 /// `covariance` of (x, y, heading) seen from axes that are turned by -`angle`.
 Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle);
-/// Jacobian of a pose (x, y, heading) after the displacement `way`, in m, by the pose before it.
+/// Derivative of a pose (x, y, heading) after the displacement `way`, in m, by the pose before it.
 Eigen::Matrix3d carried(const Eigen::Vector2d& way);
-/// y' S^-1 y, with the chord instead of the arc in heading, as von Mises has it.
+/// d' S^-1 d, with the chord instead of the arc in heading, as in the von Mises distribution.
 double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance);
 
 }  // namespace tolman::bayesian_attractor

@@ -28,10 +28,11 @@ class ExperienceLog {
   /// was made, or for a novel view. Loops do not reset this distance: a false loop would otherwise
   /// leave a gap between experiences.
   bool wantsNew(bool view_is_novel) const;
-  /// Not to the current experience, nor before the settings' distances of travel.
+  /// False for the current experience and within loop_minimum_travel and loop_spacing.
   bool allowsLoopTo(std::int64_t experience) const;
 
-  /// The robot was carried to an unknown place: loops to all experiences are allowed.
+  /// From here on the pose relative to the earlier path is unknown. Loops to all experiences are
+  /// allowed.
   void startPart();
 
   /// The robot is at the new experience. Returns its id.
@@ -61,7 +62,7 @@ class ExperienceLog {
   std::int64_t current_ = -1;
   Eigen::Isometry3d T_experience_current_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_made_current_ = Eigen::Isometry3d::Identity();  ///< from the newest one
-  double travel_ = 0;                                                 ///< m since the start
+  double travel_ = 0;                     ///< m, and a gap at startPart()
   double travel_at_loop_ = 0;             ///< m, when the last loop link was made
   std::vector<double> travel_when_left_;  ///< m, of each experience
   bool new_part_ = false;                 ///< a part began, and no experience was reached since

@@ -2,7 +2,7 @@
 // Elimination between the knots, factorisation of the knots, and back-substitution.
 //
 // Products are written so that the left factor is stored by columns (transposed factors are copied
-// first), because Eigen vectorises only these.
+// first), because Eigen vectorises only such products.
 #include "chain_system.hpp"
 
 #include <algorithm>

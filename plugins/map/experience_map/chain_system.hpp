@@ -29,9 +29,9 @@ class ChainSystem {
   ChainSystem() = default;
   ChainSystem(std::size_t nodes, const std::vector<PoseLink<G>>& links) { build(nodes, links); }
 
-  /// Prepares for these nodes and links, in the memory of an earlier system: the first use of new
-  /// memory takes longer than a step. The links may join any nodes, but each node k > 0 needs a
-  /// link from k - 1.
+  /// Prepares for these nodes and links. Reuses the memory of an earlier system, because the first
+  /// use of new memory takes longer than a step. The links may join any nodes, but each node k > 0
+  /// needs a link from k - 1.
   void build(std::size_t nodes, const std::vector<PoseLink<G>>& links);
 
   /// Updates the covariances of the links; their ends must be the same as before.
@@ -41,15 +41,15 @@ class ChainSystem {
   /// W - bend * W r r' W. `visit` is called with each link's number and derivatives.
   void linearise(const std::vector<Pose>& nodes, const std::vector<PoseLink<G>>& links,
                  std::span<const double> bends = {}, const Visit& visit = {});
-  /// Eliminates and factorises. `damping`: this share of the diagonal is added to it. False when
+  /// Eliminates and factorises. `damping`: the diagonal is multiplied by 1 + damping. False when
   /// the system is not positive definite.
   bool factorise(double damping);
-  /// factorise(), then the step of each node; node 0 is fixed.
+  /// factorise(), then computes the step of each node; node 0 is fixed.
   bool solve(double damping, std::vector<Step>& step);
   /// Solves H x = -right with the factorised H, for right-hand sides of the caller.
   template <int kColumns>
   bool solveFor(const Columns<kColumns>& right, Columns<kColumns>& x);
-  /// Logarithm of the determinant of the factorised system.
+  /// Logarithm of the determinant of the factorised system, damping included.
   double logDeterminant() const;
   const std::vector<Step>& gradient() const { return gradient_; }
   /// Inverse covariance of each link.
@@ -82,7 +82,7 @@ class ChainSystem {
 
   std::vector<Block> information_;  ///< of each link
   std::vector<double> log_information_;
-  std::vector<std::size_t> knots_;     ///< nodes with loops, and node 0; ascending
+  std::vector<std::size_t> knots_;     ///< nodes with loop links, and node 0; ascending
   std::vector<std::size_t> joint_of_;  ///< joint of each link that is not of the chain
   std::vector<Joint> joints_;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A keyframe of the window: images, points, pose and affine brightness. Poses are T_camera_world, m
-// and rad; inverse depths are in 1/m.
+// A keyframe of the window: images, points, pose and affine brightness. Poses are T_camera_world,
+// in m; inverse depths are in 1/m.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,7 +31,7 @@ struct Affine {
 enum class ResidualState : std::uint8_t {
   Absent,  ///< never evaluated, or removed
   Good,
-  Outlier,  ///< the images disagree
+  Outlier,  ///< energy too large, or no gradient
   Outside,  ///< projects out of the image
 };
 
@@ -59,7 +59,7 @@ struct ImmaturePoint {
   float v = 0;
   float inverse_depth = 0;  ///< 1/m
   float sigma = 0;          ///< 1/m
-  float quality = 0;        ///< second best match over best match
+  float quality = 0;        ///< error of the second best match over that of the best
   float last_interval = 0;  ///< px, length of the last search
   int failures = 0;
   bool has_depth = false;  ///< false: any inverse depth is possible
@@ -75,7 +75,7 @@ struct Keyframe {
   float right_gain = 1;    ///< right image = gain * left image + offset
   float right_offset = 0;  ///< grey levels
 
-  /// State = first estimate moved by `change`: exp(change.head<6>()) * T0, a0 + ..., b0 + ...
+  /// State: exp(change.head<6>()) * T0_camera_world, affine0.a + change[6], affine0.b + change[7].
   Eigen::Isometry3d T0_camera_world = Eigen::Isometry3d::Identity();
   Affine affine0;
   Vector8d change = Vector8d::Zero();

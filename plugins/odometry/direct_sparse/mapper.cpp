@@ -14,7 +14,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-/// Variance of grey levels (standard deviation 4) that converts a standard deviation to an energy.
+/// Assumed variance of grey values (standard deviation 4 levels): the information 1 / sigma^2 times
+/// this is in the units of the photometric energy.
 constexpr double kGreyVariance = 16;
 
 }  // namespace
@@ -110,7 +111,7 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   const auto offset = static_cast<float>(window_.offset.value());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
-    // Removed: a point that is ambiguous along the row is mostly so along other lines as well.
+    // Removed: a point without a clear match in its row mostly has none along other epipolar lines.
     if (!matches_[i]) continue;
     ImmaturePoint& point = keyframe.immature[i];
     point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);

@@ -32,13 +32,13 @@ class Mapper {
   Window& window() { return window_; }
   const Window& window() const { return window_; }
 
-  /// Swaps the pyramids with old ones, to reuse their memory. `right` may be empty (covered
+  /// Takes the pyramids in exchange for old ones, to reuse memory. `right` may be empty (covered
   /// camera). The oldest keyframe of the window fixes the gauge. Returns the number of points in
   /// the window.
   std::size_t addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                           const Affine& affine, ImagePyramid& left, ImagePyramid& right);
   /// The first keyframe of a single camera, with assumed depths for this camera height (m). The
-  /// next addKeyframe() replaces them by the depths that observe() has found.
+  /// next addKeyframe() replaces its points by those whose depths observe() has found.
   void draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                      double camera_height, ImagePyramid& left);
   bool isDraft() const { return draft_; }

@@ -16,10 +16,12 @@ namespace {
 
 // Fewest compared views from which the usual distance is estimated.
 constexpr std::int64_t kFewest = 4;
-// Number of views that are compared in full after the codes, and of those for the usual distance.
+// Number of the best views by codes that are then compared in full, and size of the sample of views
+// for the usual distance.
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
-// Enough for the best views to contain, for each requested place, the best view elsewhere.
+// The views of one place span about 2 * kSamePlace indices, so this many best views contain the
+// requested places and one more, with which the best is compared.
 constexpr std::size_t kBestViews = (PlaceSearch::kMostPlaces + 1) * 2 * kSamePlace;
 
 /// 1 - cosine of the angle that corresponds to this number of differing bits.
@@ -27,7 +29,7 @@ float distanceOfBits(int bits) {
   return static_cast<float>(1 - std::cos(std::numbers::pi * bits / kCodeBits));
 }
 
-/// The least of the values, 0 at most.
+/// The smallest of the values and 0.
 TOLMAN_WIDE float leastOf(const float* values, std::int64_t count) {
   float lanes[8] = {};
   std::int64_t i = 0;
@@ -83,15 +85,15 @@ void PlaceSearch::step(const ViewQuery& query, double path, double advance) {
   }
 }
 
-/// Number of stored views that were driven until `path`.
+/// Number of stored views up to `path`, in m of driven path.
 std::int64_t PlaceSearch::viewsUntil(double path) const {
   std::int64_t views = bank_.size();
   while (views > 0 && bank_.path(views - 1) > path) --views;
   return views;
 }
 
-/// Computes the standardised distances of all stored views, from the codes of those that have
-/// codes.
+/// Computes the standardised distances of all stored views: by code for views that have one, the
+/// others in full.
 void PlaceSearch::compareAll(const ViewQuery& query) {
   const std::int64_t views = bank_.size();
   const std::int64_t by_code = coded();
@@ -174,7 +176,7 @@ void PlaceSearch::refineBest(const ViewQuery& query) {
   best_.resize(std::min(best_.size(), kBestViews));
 }
 
-/// The candidates with the most evidence, the best first; of equal ones the older.
+/// The candidates with the most evidence (most negative), best first; of equal ones the older.
 std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
   const std::span<const float> evidence = evidence_.evidence();
   std::vector<std::int64_t> best;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kStart = "#ROSBAG V";
 constexpr std::string_view kVersion = "2.0\n";
-constexpr std::uint64_t kBegin = kStart.size() + kVersion.size();  // of the first record
+constexpr std::uint64_t kBegin = kStart.size() + kVersion.size();  // offset of the first record
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Result<std::unique_ptr<Ros1File>> Ros1File::open(FileBytes file) {
 }
 
 std::optional<Ros1File::Contents> Ros1File::readRecord(std::uint64_t at, Problems& problems) {
-  // The length of the header, the header, the length of the data, the data.
+  // A record: the length of its header (4 bytes), the header, the length of its data, the data.
   std::uint64_t size = 0;
   for (int part = 0; part < 2 && size <= kMostBytes; ++part) {
     std::array<std::uint8_t, sizeof(std::uint32_t)> length{};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The records that flow from stage to stage. Plain data, immutable once published.
 //
-// Time is data time in integer nanoseconds. Results do not depend on the wall clock, except that it
-// decides which frames `realtime` drops. A source numbers its frames 0, 1, 2 ...; under `realtime`
-// later stages may miss some, and in a continued run the numbers follow those of the earlier run. A
-// stage answers each frame that it is given exactly once; records of one frame are joined by index,
-// never by time. World frame: the left camera at frame 0 (x right, y down, z forward). 6x6
-// covariances have the order (translation, rotation), so their units are m^2, m rad and rad^2. They
-// are in the tangent space of the current frame, at which the motion ends:
+// Time is that of the data, in integer nanoseconds. Results do not depend on the wall clock, except
+// that it decides which frames `realtime` drops. A source numbers its frames 0, 1, 2 ...; under
+// `realtime` later stages may not get some of them, and in a continued run the numbers follow those
+// of the earlier run. A stage answers each frame that it is given exactly once; records of a frame
+// are joined by index, never by time. World frame: the left camera at frame 0 (x right, y down,
+// z forward). 6x6 covariances have the order (translation, rotation), so their units are m^2, m rad
+// and rad^2. They are in the tangent space of the current frame, at which the motion ends:
 // T = T_estimate * expSe3(noise).
 #pragma once
 
@@ -32,9 +32,9 @@ namespace tolman {
 /// One exposure of the rig, from a source.
 struct Frame {
   static constexpr const char* kRecord = "frame";
-  std::int64_t frame = -1;    ///< 0, 1, 2 ... from a source
-  std::int64_t stamp_ns = 0;  ///< strictly increasing
-  std::int64_t source_index = -1;
+  std::int64_t frame = -1;         ///< 0, 1, 2 ... from a source
+  std::int64_t stamp_ns = 0;       ///< strictly increasing
+  std::int64_t source_index = -1;  ///< in the data set, before `first`, `step` and `order`
   Image left;   ///< empty: no image source, or an image that could not be read (see `defect`)
   Image right;  ///< empty for a single camera; of a pair, both images are empty or neither
   bool has_truth = false;
@@ -91,9 +91,9 @@ struct Motion {
   double dt = 0;  ///< s since the previous frame; 0 at frame 0
   Eigen::Isometry3d T_previous_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
-  double v = 0;              ///< m/s along the plane, negative when reversing
-  double omega = 0;          ///< rad/s about the upward axis, positive to the left
-  bool scale_known = true;   ///< false for a single camera: lengths are in arbitrary units
+  double v = 0;              ///< m/s in the x-z plane of the camera, negative when reversing
+  double omega = 0;          ///< rad/s about the camera's up axis (-y), positive to the left
+  bool scale_known = true;   ///< false (a single camera): lengths are in arbitrary units
   std::int64_t tracked = 0;  ///< number of measurements that the estimate is based on
   bool is_keyframe = false;
   std::int64_t points_frame = -1;  ///< the frame that `points` belong to; -1 for none
@@ -120,8 +120,8 @@ struct Motion {
   }
 };
 
-/// Fills dt (s), v and omega of a motion from T_previous_current, as in the paper (velocity
-/// calculation), but with a negative v when reversing.
+/// Fills dt (s), v and omega of a motion from T_previous_current, as in the paper (arXiv
+/// 2003.03091, velocity calculation), but with a negative v when reversing.
 template <class = void>
 void setPlanarVelocity(Motion& motion, double dt) {
   motion.dt = dt;
@@ -132,7 +132,7 @@ void setPlanarVelocity(Motion& motion, double dt) {
 }
 
 enum class Recognition : std::uint8_t {
-  None,      ///< no observation: no image, or skipped
+  None,      ///< no image, skipped, or a match that is not yet confirmed
   Novel,     ///< a new template was made of this view
   Familiar,  ///< the view matches an earlier template
 };
@@ -196,8 +196,8 @@ struct EarlierLoop {
 ///
 /// - CreateExperience: `experience` is the next id; the first frame creates experience 0.
 /// - CloseLoop: `experience` is any existing id, including the current one. With
-///   has_relative_pose the map takes T_experience_current and `covariance`; without, it assumes the
-///   position of the experience and the heading turned by relative_yaw, with a large covariance.
+///   has_relative_pose the map takes T_experience_current and `covariance`; without, it takes the
+///   position of the experience and a heading turned by relative_yaw, with a large covariance.
 /// - Stay: `experience` is the one of the last decision; the relative fields are not read.
 /// relative_yaw and T_experience_current refer to the experience: compose the observation's pose
 /// relative to the template with the pose of the template relative to the experience.
@@ -241,7 +241,7 @@ struct Decision {
 struct Experience {
   static constexpr const char* kRecord = "experience";
   std::int64_t id = -1;
-  std::int64_t frame = -1;  ///< where it was made
+  std::int64_t frame = -1;  ///< at which it was made
   std::int64_t template_id = -1;
   Eigen::Isometry3d T_world_experience = Eigen::Isometry3d::Identity();
 
@@ -265,7 +265,7 @@ struct Link {
   std::int64_t from = -1;
   std::int64_t to = -1;
   LinkKind kind = LinkKind::Odometry;
-  std::int64_t frame = -1;  ///< where it was made
+  std::int64_t frame = -1;  ///< at which it was made
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
   double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
@@ -296,10 +296,10 @@ struct MapUpdate {
   std::int64_t experience = -1;  ///< the experience to which this frame is attached
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< current estimate
-  std::int64_t version = 0;  ///< grows with every correction of earlier poses
-  std::int64_t experiences = 0;
-  std::int64_t links = 0;
-  std::int64_t loops = 0;
+  std::int64_t version = 0;      ///< grows with every correction of earlier poses
+  std::int64_t experiences = 0;  ///< number of them in the graph
+  std::int64_t links = 0;        ///< number of all links, rejected ones included
+  std::int64_t loops = 0;        ///< number of loop links, rejected ones included
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
@@ -339,8 +339,8 @@ struct MapGraph {
 };
 
 /// Covariance of a motion that was predicted from the last velocity, `lost_frames` frames after the
-/// last measured one. The standard deviations grow by 0.1 m and 30 % of the predicted distance, and
-/// by 0.03 rad (1.7 degrees), with each frame: rough values for a vehicle, not a fit to data.
+/// last measured one. With each frame the standard deviations grow by 0.1 m plus 30 % of the length
+/// of `motion`, and by 0.03 rad (1.7 degrees): rough values for a vehicle, not a fit to data.
 template <class = void>
 Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) {
   const double metres = lost_frames * (0.1 + 0.3 * motion.translation().norm());
@@ -356,13 +356,13 @@ Matrix6d predictionCovariance(const Eigen::Isometry3d& motion, int lost_frames) 
 /// move with them. A motion that then differs from the one reported is returned once as a
 /// revision, which holds the new motion. Poses are T_world_camera, in metres.
 ///
-/// The history does not know the odometry's window. Where it needs keyframes it takes a function
-/// from the frame index of a keyframe to std::optional<Eigen::Isometry3d>, its present
-/// T_world_keyframe, or nothing for one that has left the window.
+/// The history has no access to the odometry's window. Methods that need keyframes take a function
+/// from the frame index of a keyframe to std::optional<Eigen::Isometry3d>: its present
+/// T_world_keyframe, or nothing for a keyframe that has left the window.
 ///
 /// At most kMaxFrames frames are kept, because a camera that stands still makes no keyframes and
-/// removeOld() would then remove none. The class is a template only to save compile time in files
-/// that do not use it; write MotionHistory<>.
+/// removeOld() would then remove no frames. The class is a template only to save compile time in
+/// files that do not use it; write MotionHistory<>.
 template <class = void>
 class MotionHistory {
  public:
@@ -386,7 +386,7 @@ class MotionHistory {
     return entry.reported;
   }
 
-  /// States that the newest frame's motion was reported as the identity, because none was known.
+  /// Records that the newest frame's motion was reported as the identity, because none was known.
   void setLastReportedIdentity() { entries_.back().reported.setIdentity(); }
 
   /// Recomputes the poses of all frames from the present poses of their keyframes.
@@ -417,7 +417,7 @@ class MotionHistory {
   }
 
   /// Revisions of motions that changed by more than 1 mm or 0.01 mrad since they were reported:
-  /// smaller ones are not worth a message at each frame and wait for removeOld() or finish().
+  /// smaller ones are left to removeOld() and finish(), which saves messages at each frame.
   std::vector<MotionRevision> largeRevisions() { return collect(1e-3, 1e-5, entries_.size()); }
 
   /// Removes the oldest frames up to the first one whose keyframe is still in the window. Returns
@@ -427,7 +427,7 @@ class MotionHistory {
     while (end < entries_.size() && !find_keyframe(entries_[end].keyframe)) ++end;
     if (end == 0) return {};
     std::vector<MotionRevision> revisions = collect(0, 0, end);
-    // Keeps the last of them, where the motion of the first remaining frame starts.
+    // Keeps the last of them, because the motion of the next frame starts at its pose.
     entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(end) - 1);
     return revisions;
   }
@@ -445,7 +445,7 @@ class MotionHistory {
     Eigen::Isometry3d reported = Eigen::Isometry3d::Identity();  ///< motion from the frame before
   };
 
-  /// Revisions of the frames before `end` that changed by more than these; they count as reported.
+  /// Revisions of entries 1 to end - 1 that changed by more than these; they count as reported.
   std::vector<MotionRevision> collect(double metres, double radians, std::size_t end) {
     constexpr double kRounding = 1e-9;  // m and rad: products of poses round to less
     std::vector<MotionRevision> revisions;

@@ -8,8 +8,8 @@
 //           threads of its own (oneTBB) inside a call; none may run on after finish().
 // Order:    frames come in order, frame.frame = 0, 1, 2 ...; under `realtime` some may be left out.
 // Sessions: in a run that continues another (--continue), source and odometry count from 0 again;
-//           place, cells and map are restored to their state at its end (StateKeeper). For them and
-//           for observers frame, template and experience numbers continue. The first motion is
+//           place, cells and map start with their state at the end of that run (StateKeeper). For
+//           them and for observers frame, template and experience ids continue. The first motion is
 //           Initialising: the pose relative to the earlier session is unknown.
 // Answers:  outputs are default-constructed records made by the host. Exactly one answer a frame:
 //           copy frame and stamp_ns from the input, fill what you know.
@@ -53,7 +53,7 @@ class Plugin {
   virtual Status reset() = 0;
 };
 
-/// One result of looking at a data set before it is used.
+/// One result of Source::inspect(), which checks a data set before it is used.
 struct Finding {
   static constexpr const char* kRecord = "finding";
   enum class Severity : std::uint8_t { Note, Warning, Error };
@@ -95,7 +95,7 @@ class Source : public Plugin {
   virtual Status info(SourceInfo& info) = 0;
   /// Fills the next frame; Status::endOfStream() after the last. An image that cannot be read is
   /// InvalidInput with file and remedy, or, where the source's parameters allow it, a frame with an
-  /// empty image and `defect` set. stamp_ns grows strictly; images keep one size.
+  /// empty image and `defect` set. stamp_ns increases strictly; all images have one size.
   virtual Status next(Frame& frame) = 0;
   /// Appends results of checking the data: counts, calibration, times, truth. Also called after a
   /// failed configure(), and then explains the failure.
@@ -171,7 +171,7 @@ struct RunEvent {
   }
 };
 
-/// Wall time of one frame in every role, ns, in the order of Role. For display only.
+/// Wall time in ns that each role took for one frame, in the order of Role. For display only.
 using StageTimes = std::array<std::int64_t, kRoleNames.size()>;
 
 /// Everything about one frame, for observers. Pointers are valid during the call only; copy what
@@ -182,8 +182,8 @@ struct Snapshot {
   const PlaceObservation* place = nullptr;
   const Decision* decision = nullptr;
   const MapUpdate* map = nullptr;
-  const std::vector<NamedArray>* cells = nullptr;  ///< the state of the neural populations
-  const MapGraph* graph = nullptr;  ///< null unless the map changed since the last snapshot
+  const std::vector<NamedArray>* cells = nullptr;  ///< arrays of the cells: neural activity
+  const MapGraph* graph = nullptr;  ///< null: unchanged, or a large graph that is given later
   StageTimes stage_times_ns{};      ///< 0 for the observers
   const std::vector<RunEvent>* events = nullptr;  ///< since the last snapshot; may be null
 };
