@@ -10,7 +10,7 @@ namespace {
 
 /// Units of the ring, as drawn in arXiv:2003.03091, and along each side of a module's sheet.
 constexpr int kRingUnits = 36;
-constexpr int kSheetUnits = 30;
+constexpr int kSheetUnits = 30;  // chosen, not tuned; only recorded rates depend on it
 /// Concentration of the von Mises tuning curve of a head direction unit, log 2 / (1 - cos 45
 /// degrees): in the rat it fires above half its peak within 45 degrees of its preferred direction
 /// (Taube, Muller, Ranck 1990).
@@ -18,7 +18,7 @@ constexpr double kRingTuning = 2.3665;
 /// Standard deviation of a grid field, in periods. In the rat a field is half as wide as its
 /// distance to the next one (Hafting et al. 2005).
 constexpr double kFieldWidth = 0.11;
-/// Bumps with a smaller share of the energy add nothing to the rates.
+/// Bumps with a smaller share of the energy add nothing to the rates; bounds the time.
 constexpr double kLeastShare = 1e-3;
 
 struct WeightedBump {

@@ -11,12 +11,13 @@ namespace tolman::bayesian_attractor {
 
 namespace {
 
-constexpr double kNovelSpacing = 1;  // m, between experiences that novel views create
+constexpr double kNovelSpacing = 1;  // m, between experiences of novel views; chosen, not tuned
 
 /// Slope of a steep road, rise over distance. It scales the standard deviation of the height of a
-/// view without measured pose.
+/// view without measured pose. Chosen, not tuned.
 constexpr double kSlope = 0.1;
-/// Most storeys that one view is linked to; the oldest link is removed first.
+/// Most storeys that one view is linked to; the oldest link is removed first. Bounds
+/// memory and time.
 constexpr std::size_t kMostStoreys = 32;
 
 }  // namespace

@@ -15,12 +15,14 @@ namespace {
 constexpr double kAgrees = 11.345;
 /// Largest squared height difference that agrees, in variances: three standard deviations.
 constexpr double kSameStorey = 9;
-/// m around the path that count as explored, and the smallest explored area, m^2.
+/// m around the path that count as explored, and the smallest explored area, m^2. Both chosen, not
+/// tuned.
 constexpr double kMargin = 20;
 constexpr double kLeastArea = 1e4;
 /// Calibration bumps below this energy, in nats, are removed: a share of less than 0.04 %.
+/// Chosen, not tuned; bounds the time.
 constexpr double kGone = -8;
-/// Bounds of the learned share of right views.
+/// Bounds of the learned share of right views. Chosen, not tuned; keep its log odds finite.
 constexpr double kLeastPrior = 0.001;
 constexpr double kMostPrior = 0.9;
 

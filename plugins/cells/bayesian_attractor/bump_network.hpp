@@ -17,9 +17,10 @@
 
 namespace tolman::bayesian_attractor {
 
-/// Most calibration bumps at a time; the weakest is removed first.
+/// Most calibration bumps at a time; the weakest is removed first. Bounds the time.
 inline constexpr std::size_t kMostBumps = 16;
 
+/// The defaults are those of the parameters; docs/method.md has their sources.
 struct NetworkSettings {
   double period = 150;            ///< m, of the smallest grid module
   int modules = 4;                ///< grid modules

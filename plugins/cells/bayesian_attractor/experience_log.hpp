@@ -10,6 +10,7 @@
 
 namespace tolman::bayesian_attractor {
 
+/// Chosen, not tuned (docs/method.md, Parameters).
 struct ExperienceSettings {
   double spacing = 5;               ///< m between experiences at most
   double turn = 0.5;                ///< rad between experiences at most

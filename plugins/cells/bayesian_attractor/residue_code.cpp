@@ -9,7 +9,8 @@ namespace {
 
 /// Ratio of neighbouring modules' periods in the rat (Stensola et al. 2012).
 constexpr double kRatio = 1.42;
-/// Displacements are searched up to this many times the largest period.
+/// Displacements are searched up to this many times the largest period: 21 km with the default
+/// modules. Bounds the time.
 constexpr int kRange = 50;
 /// Squared error in standard deviations, per degree of freedom, up to which phases agree: three.
 constexpr double kAgreement = 9;

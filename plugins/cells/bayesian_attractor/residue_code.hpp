@@ -10,7 +10,7 @@
 
 namespace tolman::bayesian_attractor {
 
-/// Most modules that a code may have.
+/// Most modules that a code may have. Bounds the memory of its phases.
 inline constexpr int kMaxModules = 8;
 
 /// Phases of one coordinate, one entry for each module: m, in [0, period).

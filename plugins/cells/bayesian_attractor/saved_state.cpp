@@ -152,7 +152,7 @@ bool isPose(const Eigen::Isometry3d& T) {
 
 /// Symmetric and positive semidefinite, up to rounding.
 bool isCovariance(const Eigen::Matrix3d& covariance) {
-  const double rounding = 1e-6 * covariance.cwiseAbs().maxCoeff();
+  const double rounding = 1e-6 * covariance.cwiseAbs().maxCoeff();  // m^2, rad^2
   return (covariance - covariance.transpose()).cwiseAbs().maxCoeff() <= rounding &&
          Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvalues()[0] >= -rounding;
 }

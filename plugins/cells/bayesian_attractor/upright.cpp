@@ -6,6 +6,7 @@
 namespace tolman::bayesian_attractor {
 namespace {
 
+// All chosen, not tuned.
 constexpr double kWholeTurn = 0.25;   // rad; smaller turns, of shaking and ramps, are not added
 constexpr double kOneWay = 0.9;       // least ratio of the length of the sum of steps to the path
 constexpr double kLeastTurns = 0.12;  // rad^2; about two turns of kWholeTurn
@@ -36,7 +37,7 @@ Eigen::Vector3d Upright::upOfVehicle() const {
   if (!isVehicle()) return kLevelUp;
   const Eigen::Vector3d ahead = forward.normalized();
   const Eigen::Vector3d assumed = kLevelUp - ahead * ahead.dot(kLevelUp);
-  if (assumed.norm() < 1e-3) return kLevelUp;  // forward is vertical
+  if (assumed.norm() < 1e-3) return kLevelUp;  // forward is vertical, up to 1e-3 rad
   const Eigen::Vector3d up = assumed.normalized();
   // Turns about the two axes perpendicular to forward: yaw about one, pitch of ramps about the
   // other one.

@@ -11,7 +11,7 @@ namespace tolman::can_sheet {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr int kRingUnits = 36;
+constexpr int kRingUnits = 36;  // as in bayesian_attractor; only recorded rates depend on it
 /// Concentration of the von Mises tuning curve of a head direction unit, log 2 / (1 - cos 45
 /// degrees): in the rat it fires above half its peak within 45 degrees of its preferred direction
 /// (Taube, Muller, Ranck 1990).

@@ -11,14 +11,15 @@ namespace tolman::can_sheet {
 namespace {
 
 constexpr double kPaperUnits = 90;  // number of units that the paper's constants hold for
-constexpr int kStepsToRest = 60;
+constexpr int kStepsToRest = 60;    // steps that shape the bump at the start; chosen, not tuned
 /// Units of a row that are summed at a time: as many as the registers of SSE2 hold.
 constexpr std::size_t kTile = 20;
 constexpr std::size_t kSmallTile = 4;  // units at a time in the rest of a row
-/// If the total activity leaves these limits, it is replaced by a bump at rest.
+/// If the total activity leaves these limits, it is replaced by a bump at rest. Keeps
+/// the division by it finite.
 constexpr double kLeastTotal = 1e-6;
 constexpr double kMostTotal = 1e6;
-constexpr double kStartWidth = 0.14;  // periods
+constexpr double kStartWidth = 0.14;  // periods, also of injected bumps; chosen, not tuned
 
 std::size_t unsignedOf(int value) { return static_cast<std::size_t>(value); }
 

@@ -10,7 +10,7 @@
 namespace tolman::can_sheet {
 namespace {
 
-constexpr double kRingWidth = 0.5;  // rad, of the bump of heading
+constexpr double kRingWidth = 0.5;  // rad, of the bump of heading; chosen, not tuned
 
 /// The camera relative to the template. A view without measured pose is at the template.
 Eigen::Isometry3d seenPose(const PlaceObservation& view) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of the attractor sheets. Those of the network are the paper's; those of views and
-// experiences were chosen on recorded motion, see README.md.
+// The parameters of the attractor sheets. I, T, sigma and tau are the paper's; the sources of the
+// others stand beside them.
 #pragma once
 
 #include <tuple>
@@ -10,19 +10,19 @@
 namespace tolman::can_sheet {
 
 struct CanSheetParameters {
-  double period = 100;
-  int modules = 3;
-  double ratio = 1.42;
-  double orientation = 0.13;
-  int units = 40;
-  double intensity = 0.3;
-  double width = 0.24;
-  double inhibition = 0.05;
-  double stabilisation = 0.8;
-  double injection = 0.05;
-  double view_spacing = 1;
-  double agreement = 0.1;
-  double experience_spacing = 5;
+  double period = 100;            // m; chosen, not tuned
+  int modules = 3;                // chosen, not tuned
+  double ratio = 1.42;            // of the rat (Stensola et al. 2012)
+  double orientation = 0.13;      // rad; 7.5 degrees in the rat
+  int units = 40;                 // chosen, not tuned: bounds the time (README.md)
+  double intensity = 0.3;         // the paper's I
+  double width = 0.24;            // periods; the paper's sigma
+  double inhibition = 0.05;       // the paper's T
+  double stabilisation = 0.8;     // the paper's tau
+  double injection = 0.05;        // best of six pairs on KITTI 00 and 06 (README.md)
+  double view_spacing = 1;        // m; chosen, not tuned
+  double agreement = 0.1;         // periods; as `injection`
+  double experience_spacing = 5;  // m; this and those below: chosen, not tuned
   double experience_turn = 0.5;
   double loop_minimum_travel = 30;
   double loop_spacing = 5;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parameters of NeuroSLAM's cells. Defaults are those of the published program for its
-// synthetic panoramas, where there are any; cell_size, cell_height and experience_threshold are
-// RatSLAM's for a car, because the published ones are in units of its odometry.
+// synthetic panoramas, where there are any; those of cell_size, cell_height and
+// experience_threshold are not, because the published ones are in units of its odometry.
 #pragma once
 
 #include <tuple>
@@ -13,8 +13,8 @@ namespace tolman::neuroslam_cells {
 struct Parameters {
   int side = 36;
   int headings = 36;
-  double cell_size = 2;
-  double cell_height = 0.5;
+  double cell_size = 2;      // m; RatSLAM's for a car (St Lucia)
+  double cell_height = 0.5;  // m; a sixth of a storey (README.md)
   int grid_excitation_width = 7;
   double grid_excitation_sigma = 1.5;
   int grid_inhibition_width = 5;
@@ -22,7 +22,7 @@ struct Parameters {
   double grid_global_inhibition = 2.5e-4;
   double grid_injected_energy = 0.01;
   int grid_packet = 4;
-  int head_excitation_width = 9;
+  int head_excitation_width = 9;  // 8 as published, but widths are odd here
   double head_excitation_sigma = 1.9;
   int head_inhibition_width = 5;
   double head_inhibition_sigma = 3.1;
@@ -31,7 +31,7 @@ struct Parameters {
   int head_packet = 5;
   double active_decay = 2;
   double restore = 0.5;
-  double experience_threshold = 2;
+  double experience_threshold = 2;  // cells; the code default of OpenRatSLAM
 
  private:
   static constexpr auto gridParameters() {

@@ -7,7 +7,8 @@
 namespace tolman::paper_attractor {
 namespace {
 
-/// Units of the ring and along each side of the sheet.
+/// Units of the ring, as drawn in the paper, and along each side of the sheet (chosen, not tuned).
+/// Only recorded rates depend on them.
 constexpr int kRingUnits = 36;
 constexpr int kSheetUnits = 30;
 /// Standard deviation of a grid field in periods, as in the rat (Hafting et al. 2005).

@@ -9,6 +9,7 @@
 
 namespace tolman::paper_attractor {
 
+/// The defaults are those of the parameters; parameters.hpp has their sources.
 struct NetworkSettings {
   double period = 1;                       ///< of every axis: rad on the ring, cells on the torus
   double energy = 1;                       ///< E: the total precision, kept by global inhibition

@@ -10,6 +10,7 @@
 
 namespace tolman::paper_attractor {
 
+/// Chosen, not tuned; the defaults are those of the parameters.
 struct ExperienceSettings {
   double spacing = 5;               ///< m between experiences at most
   double turn = 0.5;                ///< rad between experiences at most

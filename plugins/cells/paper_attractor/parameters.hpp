@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The parameters of the paper's network. Where the paper names no value, the default is that of the
-// authors' later program.
+// The parameters of the paper's network, whose values the paper does not name. Where nothing else
+// is said the default is that of a public program that is descended from the authors' own
+// (iRobotVision/Hybird-NeuroSLAM).
 #pragma once
 
 #include <tuple>
@@ -18,15 +19,15 @@ struct PaperAttractorParameters {
   double floor = 1e-4;
   double injected_strength = 0.4;
   double inhibition_of_calibration = 0.2;
-  double inhibition_of_integrator = 0.2;
-  double lost_trust = 0.5;
-  double decision_heading = 0.1;
-  double decision_position = 0.2;
+  double inhibition_of_integrator = 0.2;  // as the other one: the paper's symmetric form
+  double lost_trust = 0.5;                // chosen, not tuned
+  double decision_heading = 0.1;          // rad; chosen, not tuned
+  double decision_position = 0.2;         // cells; chosen, not tuned
   int newest_ignored = 10;
   int first_views_ignored = 50;
-  double habituation_increment = 1.0;
-  double habituation_recovery = 0.04;
-  double experience_spacing = 5;
+  double habituation_increment = 1.0;  // RatSLAM's
+  double habituation_recovery = 0.04;  // RatSLAM's for St Lucia
+  double experience_spacing = 5;       // m; this and those below: chosen, not tuned
   double experience_turn = 0.5;
   double novel_spacing = 1;
   double loop_minimum_travel = 30;

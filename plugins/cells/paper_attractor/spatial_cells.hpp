@@ -14,6 +14,7 @@ struct CellPose {
   Phase<2> position = Phase<2>::Zero();  ///< cells in [0, period)
 };
 
+/// Chosen, not tuned; the defaults are those of the parameters.
 struct DecisionSettings {
   double heading = 0.1;   ///< rad
   double position = 0.2;  ///< cells

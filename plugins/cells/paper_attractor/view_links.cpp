@@ -6,7 +6,7 @@
 
 namespace tolman::paper_attractor {
 namespace {
-constexpr double kRestingDecay = 1.0;
+constexpr double kRestingDecay = 1.0;  // RatSLAM's; so are the limit 30 and the factor 1.2 below
 }
 
 void ViewLinks::learn(std::int64_t template_id, ViewLink link) {

@@ -10,6 +10,7 @@
 
 namespace tolman::paper_attractor {
 
+/// RatSLAM's rule; the defaults are those of the parameters.
 struct HabituationSettings {
   double increment = 1.0;   ///< of the decay, per immediate repetition
   double recovery = 0.04;   ///< of the decay, per view

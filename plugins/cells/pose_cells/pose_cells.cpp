@@ -9,8 +9,9 @@
 namespace tolman::pose_cells {
 namespace {
 
-constexpr int kPeakRadius = 3;     // cells round the strongest one that count for the estimate
-constexpr int kSupportRadius = 4;  // cells round a view's place whose activity supports it
+// README.md has the choice of kSupportRadius, on KITTI 00 and 06.
+constexpr int kPeakRadius = 3;     // cells round the strongest one that count; OpenRatSLAM's
+constexpr int kSupportRadius = 4;  // cells round a view's place that support it; 2 and 4 tried
 
 void scaleToPeak(std::vector<float>& rates) {
   const float peak = *std::ranges::max_element(rates);

@@ -108,7 +108,7 @@ ceres::Solver::Options solverOptions(const OptimiserOptions& options) {
   solver.num_threads = 1;
   solver.max_num_iterations = options.iterations;
   solver.function_tolerance = options.tolerance;
-  solver.gradient_tolerance = 1e-12;
+  solver.gradient_tolerance = 1e-12;  // so small that function_tolerance decides
   solver.parameter_tolerance = 1e-12;
   solver.logging_type = ceres::SILENT;
   return solver;

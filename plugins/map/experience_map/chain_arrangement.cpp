@@ -12,7 +12,8 @@ namespace tolman::experience_map {
 namespace {
 
 /// A loop with a smaller residual after two parts were aligned starts with full weight: its
-/// residual may come from drift within the parts, which is not yet corrected.
+/// residual may come from drift within the parts, which is not yet corrected. Chosen,
+/// not tuned.
 constexpr double kNearTranslation = 20;  // m
 constexpr double kNearRotation = 0.5;    // rad
 

@@ -81,8 +81,8 @@ ChainProblem<G> ExperienceChain::problem(const DeadReckoning& log) const {
 template <class G>
 Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions options,
                                    Effort effort) {
-  constexpr std::size_t kFinalAttempts = 10;  // bounds the time of the final correction
-  constexpr double kToleranceBeforeLearning = 1e-6;
+  constexpr std::size_t kFinalAttempts = 10;         // bounds the time of the final correction
+  constexpr double kToleranceBeforeLearning = 1e-6;  // of the energy; chosen, not tuned
   options.solver = parameters_.solver;
   options.loss = parameters_.loss;
   // The expected squared residual of a right link is its number of dimensions; the parameters are

@@ -9,7 +9,7 @@ namespace {
 
 /// Whether the motion has no height, pitch and roll, up to rounding.
 bool isInPlane(const Eigen::Isometry3d& motion) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // m and elements of the rotation
   return std::abs(motion.translation().y()) <= kRounding &&
          (motion.linear().col(1) - Eigen::Vector3d::UnitY()).cwiseAbs().maxCoeff() <= kRounding;
 }

@@ -110,8 +110,8 @@ SpatialLink withDrift(SpatialLink way, double length, double rotation, const Dri
 DriftModel learnDrift(const std::vector<Eigen::Isometry3d>& nodes,
                       const std::vector<SpatialLink>& links, const std::vector<double>& lengths,
                       const DriftPrior& prior, ChainSystem<Space>& system) {
-  constexpr int kQuarters = 2;
-  constexpr double kSpread = 2.3;  // of the prior's logarithm: a factor of ten
+  constexpr int kQuarters = 2;  // README.md: a quarter and a sixteenth are tried; chosen, not tuned
+  constexpr double kSpread = 2.3;  // of the prior's logarithm: a factor of ten; chosen, not tuned
   DriftModel best;
   best.rotation = prior.rotation;
   double most = -std::numeric_limits<double>::infinity();

@@ -130,7 +130,7 @@ void ExperienceChain::countLinks() {
 
 Link ExperienceChain::foldedLink(const DeadReckoning& log, std::size_t before,
                                  std::size_t i) const {
-  constexpr double kLeastWeight = 1e-6;
+  constexpr double kLeastWeight = 1e-6;  // keeps the division finite
   const Anchor& from = anchors_[before];
   const Anchor& to = anchors_[i];
   UncertainPose pose;

@@ -13,7 +13,8 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr double kAcceptedWeight = 0.5;  ///< with all weights above it, other starts are not tried
+/// With all weights above it, other starts are not tried. Chosen, not tuned.
+constexpr double kAcceptedWeight = 0.5;
 
 void moveAll(const std::vector<PlanarPose>& start, const std::vector<Eigen::Vector3d>& step,
              std::vector<PlanarPose>& nodes) {
@@ -102,8 +103,8 @@ class GaussNewton {
  private:
   /// Approximate least squares over all links: the start of graduated non-convexity.
   Status descendRoughly() {
-    constexpr int kSteps = 20;
-    constexpr double kRest = 0.01;
+    constexpr int kSteps = 20;      // chosen, not tuned: this is only the start
+    constexpr double kRest = 0.01;  // relative decrease that ends it; chosen, not tuned
     double before = leastSquares();
     for (int i = 0; i < kSteps; ++i) {
       if (Status taken = step(); !taken.isOk()) return taken;
@@ -124,7 +125,7 @@ class GaussNewton {
   }
 
   bool cannotReachBound(int iteration, double gain, double energy) const {
-    constexpr int kPatience = 10;  // iterations before the rate of decrease is meaningful
+    constexpr int kPatience = 10;  // iterations until the rate counts; chosen, not tuned
     const int left = options_.iterations - iteration - 1;
     return iteration >= kPatience && energy - left * gain > options_.energy_bound;
   }
@@ -161,8 +162,8 @@ class GaussNewton {
 
   /// One Levenberg-Marquardt step with fixed weights.
   Status step() {
-    constexpr double kLeastDamping = 1e-4;
-    constexpr double kMostDamping = 1e8;
+    constexpr double kLeastDamping = 1e-4;  // relative to the diagonal; chosen, not tuned
+    constexpr double kMostDamping = 1e8;  // beyond it the step is below rounding; chosen, not tuned
     start_ = nodes_;
     const double before = leastSquares();
     system_.linearise(nodes_, links_, bends_);

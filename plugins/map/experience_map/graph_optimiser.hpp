@@ -22,7 +22,7 @@
 
 namespace tolman::experience_map {
 
-/// Initial weight of a loop that is excluded.
+/// Initial weight of a loop that is excluded: nearly none. Chosen, not tuned.
 inline constexpr double kRejectedWeight = 1e-6;
 
 /// rho as a function of r, the length of a residual in standard deviations.
@@ -42,7 +42,7 @@ constexpr std::span<const std::string_view> enumNames(Solver) { return kSolverNa
 
 struct OptimiserOptions {
   Solver solver = Solver::Elimination;
-  int iterations = 100;
+  int iterations = 100;  ///< at most; see kFinalIterations
   Loss loss = Loss::Huber;
   double delta = 1;          ///< Huber: r up to which the loss is quadratic; Geman-McClure: c
   bool annealed = false;     ///< Geman-McClure: graduated non-convexity from weights of 1

@@ -8,9 +8,9 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr std::size_t kBlock = 256;      // slots
-constexpr std::size_t kInMemory = 1024;  // slots; more than the window of any odometry
-constexpr std::size_t kNumbers = 16 + 36;
+constexpr std::size_t kBlock = 256;        // slots that are moved to the file at once
+constexpr std::size_t kInMemory = 1024;    // slots; more than the window of any odometry; 0.4 MB
+constexpr std::size_t kNumbers = 16 + 36;  // pose and covariance
 constexpr std::size_t kBytes = kNumbers * sizeof(double);
 
 std::int64_t offsetOf(std::size_t slot) { return static_cast<std::int64_t>(slot * kBytes); }

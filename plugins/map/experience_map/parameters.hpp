@@ -14,28 +14,29 @@ enum class Geometry : std::uint8_t { Auto, Plane, Space };
 inline constexpr std::array<std::string_view, 3> kGeometryNames = {"auto", "plane", "space"};
 constexpr std::span<const std::string_view> enumNames(Geometry) { return kGeometryNames; }
 
+/// Where nothing else is said the default is chosen, not tuned.
 struct Parameters {
   bool optimise = true;
   Geometry space = Geometry::Auto;
   int online_iterations = 5;
   int interval = 10;
-  double interval_growth = 0.02;
+  double interval_growth = 0.02;  // frames; bounds the mean time of a frame
   Solver solver = Solver::Elimination;
   Loss loss = Loss::GemanMcclure;
-  double huber_delta = 1.0;
-  double geman_mcclure_scale = 4.0;
+  double huber_delta = 1.0;          // the paper names none
+  double geman_mcclure_scale = 4.0;  // standard deviations
   double min_loop_weight = 0.1;
   bool huber_odometry = false;
-  double drift_translation = 0.01;
-  double drift_rotation = 0.0005;
+  double drift_translation = 0.01;  // m/m
+  double drift_rotation = 0.0005;   // rad/m; loops may lower it (learn_drift)
   bool learn_drift = true;
-  double steady_drift = 0.003;
-  double lost_sigma_translation = 1.0;
-  double lost_sigma_rotation = 0.1;
-  double assumed_sigma_translation = 3.0;
-  double assumed_sigma_rotation = 0.15;
-  double measured_sigma_translation = 0.1;
-  double measured_sigma_rotation = 0.01;
+  double steady_drift = 0.003;              // m/m; 0.001 to 0.005 are alike (README.md)
+  double lost_sigma_translation = 1.0;      // m
+  double lost_sigma_rotation = 0.1;         // rad
+  double assumed_sigma_translation = 3.0;   // m
+  double assumed_sigma_rotation = 0.15;     // rad
+  double measured_sigma_translation = 0.1;  // m
+  double measured_sigma_rotation = 0.01;    // rad
 
  private:
   static constexpr auto optimiserParameters() {

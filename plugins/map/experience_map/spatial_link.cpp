@@ -45,7 +45,7 @@ Upper inverseRightJacobian(const Vector6d& r) {
     sum.shift += factor * power.shift;
     const double largest =
         std::max(power.turn.cwiseAbs().maxCoeff(), power.shift.cwiseAbs().maxCoeff());
-    if (largest < 1e-12) break;
+    if (largest < 1e-12) break;  // the other terms are below rounding
     power = power * squared;
   }
   return sum;
@@ -56,7 +56,7 @@ Upper inverseRightJacobian(const Vector6d& r) {
 Eigen::Vector3d turnedBack(const Eigen::Vector3d& w, const Eigen::Vector3d& translation) {
   const double square = w.squaredNorm();
   double factor = 1.0 / 12 + square / 720;
-  if (square > 1e-6) {
+  if (square > 1e-6) {  // rad^2; below it the quotient loses digits, and the series is exact
     const double half = 0.5 * std::sqrt(square);
     factor = (1 - half * std::cos(half) / std::sin(half)) / square;
   }

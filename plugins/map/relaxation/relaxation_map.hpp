@@ -15,8 +15,8 @@
 namespace tolman::relaxation {
 
 struct Parameters {
-  int sweeps = 20;
-  double correction = 0.5;
+  int sweeps = 20;          // RatSLAM's for St Lucia
+  double correction = 0.5;  // RatSLAM's
   bool height = false;
 
   static constexpr auto declaration() {

@@ -21,7 +21,7 @@ struct Landing {
 Landing land(const PairGeometry& pair, const GradientImage& image, float u, float v, float d) {
   const auto& m = pair.warp;
   const float z = m[6] * u + m[7] * v + m[8] + pair.shift[2] * d;
-  if (!(z > 1e-3F)) return {};
+  if (!(z > 1e-3F)) return {};  // of the host's depth; keeps the division finite
   const float x = (m[0] * u + m[1] * v + m[2] + pair.shift[0] * d) / z;
   const float y = (m[3] * u + m[4] * v + m[5] + pair.shift[1] * d) / z;
   return {image.contains(x, y, kPatternRadius + 1), x, y};
@@ -80,13 +80,13 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
   point.u = candidate.u;
   point.v = candidate.v;
   point.pattern = candidate.pattern;
-  point.inverse_depth = std::max(candidate.inverse_depth, 1e-5F);
+  point.inverse_depth = std::max(candidate.inverse_depth, 1e-5F);  // 1/m; stays in front
   const StereoGeometry stereo{static_cast<float>(rig.pinhole.fx * rig.baseline),
                               static_cast<float>(window.offset.value()), keyframe.right_gain,
                               keyframe.right_offset};
   const bool use_stereo = keyframe.has_right && settings.lambda > 0;
   for (int i = 0; i < kIterations; ++i) {
-    float information = 1e-3F;
+    float information = 1e-3F;  // keeps the division finite
     float gradient = 0;
     int good = 0;
     int seen = 0;
@@ -125,7 +125,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
     const float step = std::clamp(-gradient / information, -limit, limit);
     point.inverse_depth = std::max(point.inverse_depth + step, 1e-5F);
     point.information = information;
-    if (std::fabs(step) < 4e-3F * point.inverse_depth) break;
+    if (std::fabs(step) < 4e-3F * point.inverse_depth) break;  // chosen, not tuned
   }
   return point;
 }
@@ -133,7 +133,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
 // Sequential placing at random of points at least s apart ends when discs of diameter s cover about
 // 0.55 of the area. The factor 0.6 of the first spacing gives about the wanted number. From
 // keyframe to keyframe the spacing changes by a fifth at most, so that one view with little texture
-// has little influence.
+// has little influence. It stays between 2 and 40 px (chosen, not tuned).
 void Activator::adaptSpacing(const CameraRig& rig, int wanted) {
   if (spacing_ == 0) {
     spacing_ = static_cast<float>(

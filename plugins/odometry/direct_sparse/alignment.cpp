@@ -17,6 +17,7 @@ constexpr std::size_t kLanes = ReferenceLevel::kGroup;
 constexpr std::size_t kGroupsPerChunk = 128;  // fixed, for the same sums with any thread count
 // Grey levels; larger residuals are outliers. The value of the published program of Engel et al.
 constexpr float kCutoff = 20;
+// At most, by level. Chosen, not tuned; they bound the time.
 constexpr std::array<int, ImagePyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
 
 /// T_current_reference and the camera of one level, in float.
@@ -27,7 +28,7 @@ struct LevelView {
   float gain, offset;
 };
 
-constexpr double kLargestFlow = 0.06;  // share of width + height; 97 px on KITTI
+constexpr double kLargestFlow = 0.06;  // share of width + height; 97 px on KITTI; chosen, not tuned
 
 /// Grid over the image that records which parts have samples.
 class CoverageGrid {
@@ -46,8 +47,8 @@ class CoverageGrid {
   int taken() const { return count_; }
 
  private:
-  static constexpr int kColumns = 16;
-  static constexpr int kRows = 8;
+  static constexpr int kColumns = 16;  // cells; chosen, not tuned
+  static constexpr int kRows = 8;      // cells; chosen, not tuned
   const CameraRig& rig_;
   std::array<bool, kColumns * kRows> taken_{};
   int count_ = 0;
@@ -212,6 +213,8 @@ void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, cons
                          int l, AlignmentState& state, NormalEquations& normal) {
   float cutoff = kCutoff;
   evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
+  // The share of 0.4 and the damping (0.01, halved, quadrupled) are those of the published program,
+  // the limits chosen, not tuned.
   while (normal.inliers < 0.4 * normal.in_view && cutoff < 6 * kCutoff) {
     cutoff *= 2;
     evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
@@ -221,7 +224,7 @@ void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, cons
   for (int i = 0; i < kIterations[static_cast<std::size_t>(l)]; ++i) {
     Eigen::Matrix<double, 8, 8> damped = normal.H;
     damped.diagonal() *= 1 + lambda;
-    damped.diagonal().array() += 1e-6;
+    damped.diagonal().array() += 1e-6;  // keeps the scaling finite
     const Vector8d scale = damped.diagonal().array().rsqrt();
     const Eigen::Matrix<double, 8, 8> scaled = scale.asDiagonal() * damped * scale.asDiagonal();
     const Vector8d step = -scale.cwiseProduct(scaled.ldlt().solve(scale.cwiseProduct(normal.b)));
@@ -281,13 +284,13 @@ void measureFlow(const CameraRig& rig, const AlignmentReference& reference,
   double flow = 0;
   double translation_flow = 0;
   double count = 0;
-  for (std::size_t i = 0; i < level.count; i += 5) {
+  for (std::size_t i = 0; i < level.count; i += 5) {  // bounds the time
     const Eigen::Vector3d ray(level.x[i], level.y[i], 1);
     const double d = level.d[i];
     const Eigen::Vector3d full = R * ray + t * d;
     const Eigen::Vector3d shifted = ray + t * d;
     before.add(ray);
-    if (full.z() < 1e-3 || shifted.z() < 1e-3) continue;
+    if (full.z() < 1e-3 || shifted.z() < 1e-3) continue;  // keeps the division finite
     now.add(full / full.z());
     flow += flowOf(full, ray);
     translation_flow += flowOf(shifted, ray);

@@ -40,7 +40,7 @@ void ChunkSystem::clear(int host) {
 }
 
 ResidualState ChunkSystem::judge(const PixelSums& sums, float threshold) {
-  constexpr float kLeastGradient = 2;
+  constexpr float kLeastGradient = 2;  // squared grey levels / px^2; as in the published program
   const float root = std::min(std::sqrt(sums.energy), 127.0F);
   ++histogram[static_cast<std::size_t>(root)];
   energy += std::min(sums.energy, threshold);
@@ -135,7 +135,7 @@ void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline, float lamb
 }
 
 void ChunkSystem::eliminate(std::span<PointTerms> points) {
-  constexpr float kLeastInformation = 1e-3F;
+  constexpr float kLeastInformation = 1e-3F;  // m^2; keeps the division finite
   for (PointTerms& point : points) {
     point.information += kLeastInformation;
     point.coupling[kGradientIndex] = point.gradient;  // eliminated like one more variable

@@ -11,6 +11,7 @@ namespace tolman::direct_sparse {
 namespace {
 
 // Grey levels, standard deviation: images below it (covered, dark, saturated) are not used.
+// Chosen, not tuned.
 constexpr float kWeakestContrast = 3;
 
 /// Brightness of a frame that is seen through `relative` from a frame of brightness `reference`.
@@ -21,7 +22,7 @@ Affine absolute(const Affine& reference, const Affine& relative) {
 /// Tracking and the window use the same images, so an adjustment moves keyframes by centimetres and
 /// fractions of a degree. A larger change means that the window is wrong.
 bool isSound(const AdjustmentResult& adjustment, double largest_metres) {
-  constexpr double kLargestRadians = 0.05;  // 3 degrees
+  constexpr double kLargestRadians = 0.05;  // 3 degrees; chosen, not tuned
   return adjustment.metres < largest_metres && adjustment.radians < kLargestRadians;
 }
 
@@ -91,7 +92,7 @@ Status DirectSparse::checkRig() const {
                                "; use an odometry plugin for such cameras, or a source of "
                                "calibrated, rectified stereo images");
   }
-  constexpr int kSmallest = 48;
+  constexpr int kSmallest = 48;  // px; chosen, not tuned
   if (std::min(rig_.width, rig_.height) >= kSmallest) return Status::ok();
   return Status::unsupported("images of " + std::to_string(rig_.width) + "x" +
                              std::to_string(rig_.height) + " pixels are too small; give at least " +
@@ -191,7 +192,8 @@ std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt
 
 /// Few samples, or road marks and fences after a gap, may also fit at a wrong place, which would
 /// need an acceleration of more than one g. The reversed velocity is allowed too, for clips that
-/// are played forwards and backwards.
+/// are played forwards and backwards. The limits were chosen on faults of KITTI 06
+/// (docs/odometry.md).
 bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
   const bool in_metres = cameras_ == Cameras::Stereo;
   if (!has_velocity_ || !in_metres) return true;
@@ -214,7 +216,7 @@ bool DirectSparse::isDoubtful(const AlignmentResult& tracked, const Frame& frame
 }
 
 std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation) {
-  constexpr int kRounds = 2;
+  constexpr int kRounds = 2;  // chosen, not tuned
   std::vector<ImmaturePoint>& candidates = mapper_.window().newest().immature;
   auto tracked = tracker_.track(rig_, current_, expectation, Tracker::Demand::Guess);
   for (int round = 1; tracked && round <= kRounds; ++round) {
@@ -253,12 +255,12 @@ Eigen::Isometry3d DirectSparse::remember(const Eigen::Isometry3d& T_world_camera
 }
 
 bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
-  constexpr int kDraftFrames = 2;  // frames that must refine the assumed depths first
+  constexpr int kDraftFrames = 2;  // that must refine the assumed depths first; chosen, not tuned
   if (mapper_.isDraft() && draft_frames_ < kDraftFrames) return false;
   // Engel et al., section 3.1: a keyframe when a weighted sum of flow, flow without rotation and
   // brightness change exceeds 1. The weights are those of their published program, 0.04 and 0.02
   // for flow relative to 640 + 480 px, and 2; so is the limit of twice the first RMS. The limits of
-  // view and coverage are our own.
+  // view and coverage (shares) are our own: chosen, not tuned.
   constexpr double kTranslationFlow = 0.04 * (640 + 480);
   constexpr double kFlow = 0.02 * (640 + 480);
   const double size = rig_.width + rig_.height;
@@ -395,7 +397,7 @@ Matrix6d DirectSparse::motionCovariance(const AlignmentResult& tracked,
   // of the town along KITTI 07 (with 20, 8 % of the errors were outside of their 99 % ellipsoid).
   constexpr double kCorrelation = 30;
   Eigen::Matrix<double, 8, 8> information = tracked.information;
-  information.diagonal().array() += 1e-6;
+  information.diagonal().array() += 1e-6;  // keeps the solution finite
   const Eigen::Matrix<double, 8, 8> covariance = information.ldlt().solve(
       Eigen::Matrix<double, 8, 8>::Identity() * (kCorrelation * tracked.rms * tracked.rms));
   // The aligner perturbs the reference side; the record needs the tangent space of the new frame.
@@ -404,13 +406,13 @@ Matrix6d DirectSparse::motionCovariance(const AlignmentResult& tracked,
   const Matrix6d B = adjointSe3(T_previous_current.inverse());
   Matrix6d both = own + B * pose_covariance_ * B.transpose();
   both = (0.5 * (both + both.transpose())).eval();
-  both.diagonal().array() += 1e-12;
+  both.diagonal().array() += 1e-12;  // m^2, rad^2; positive definite in spite of rounding
   pose_covariance_ = own;
   return both;
 }
 
 void DirectSparse::publishPoints(Motion& motion) const {
-  constexpr float kGreyVariance = 16;
+  constexpr float kGreyVariance = 16;  // as in mapper.cpp
   const Keyframe& newest = mapper_.window().newest();
   motion.points_frame = motion.frame;
   motion.points.resize(4, static_cast<Eigen::Index>(newest.points.size()));

@@ -10,8 +10,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr int kMostSteps = 128;
-constexpr float kMargin = kPatternRadius + 3;
+constexpr int kMostSteps = 128;                // px; bounds the time
+constexpr float kMargin = kPatternRadius + 3;  // px; keeps reads within the image
 
 /// The epipolar line: a point of inverse depth d projects to start + shift * d, dehomogenised.
 struct Epipolar {
@@ -109,7 +109,7 @@ Found searchLine(const GrayLevel& image, const TurnedPattern& pattern, const Eig
   for (int i = 0; i < steps; ++i) {
     if (std::abs(i - best) > 2) second = std::min(second, energies[static_cast<std::size_t>(i)]);
   }
-  constexpr float kNoise = 50;
+  constexpr float kNoise = 50;  // makes two perfect matches ambiguous; chosen, not tuned
   const float ratio = (second + kNoise) / (energies[static_cast<std::size_t>(best)] + kNoise);
   return {from + static_cast<float>(best) * along, std::min(ratio, 100.0F), true};
 }
@@ -138,7 +138,7 @@ void fuse(float measured, float sigma, ImmaturePoint& point) {
 
 void observeImmature(const PairGeometry& pair, const GrayLevel& image,
                      const EpipolarSettings& settings, ImmaturePoint& point) {
-  constexpr float kWorthwhile = 1.5F;  // px
+  constexpr float kWorthwhile = 1.5F;  // px; as in the published program of Engel et al.
   const auto& m = pair.warp;
   const Epipolar line{
       {m[0] * point.u + m[1] * point.v + m[2], m[3] * point.u + m[4] * point.v + m[5],
@@ -146,7 +146,8 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
       {pair.shift[0], pair.shift[1], pair.shift[2]}};
   const float reach = 2 * point.sigma;
   const float low = point.has_depth ? std::max(point.inverse_depth - reach, 1e-5F) : 1e-5F;
-  // Skips depths at which the point would be five times nearer to the frame than to the host.
+  // Skips depths at which the point would be five times nearer to the frame than to the host
+  // (chosen, not tuned).
   constexpr float kNearest = 0.2F;
   const float ahead_limit = line.shift.z() < 0
                                 ? (kNearest * line.start.z() - line.start.z()) / line.shift.z()
@@ -168,27 +169,29 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
   if (!found.inside) return;
   Eigen::Vector2f p = found.pixel;
   LineFit fit;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {  // steps; as in the published program
     if (!image.contains(p.x(), p.y(), kMargin)) return;
     fit = fitAt(image, pattern, p, along);
     p += fit.shift * along;
-    if (std::fabs(fit.shift) < 0.05F) break;
+    if (std::fabs(fit.shift) < 0.05F) break;  // px; chosen, not tuned
   }
   float gradients = 1;  // sum of squared gradients of the pattern in the host
   for (const float weight : point.pattern.weight) {
     gradients += kGradientConstant2 * (1 / weight - 1);
   }
-  constexpr float kMostEnergy = 12 * 12 * kPatternSize;
+  constexpr float kMostEnergy = 12 * 12 * kPatternSize;  // as Window::kFirstThreshold
   if (fit.energy > kMostEnergy || fit.information < 0.05F * gradients) {
     ++point.failures;
     return;
   }
-  // Position error along the line, from the direction error of the line and from image noise.
+  // Position error along the line, px, from the direction error of the line and from image noise;
+  // the constants are those of the published program.
   const float error = std::min(0.2F + 0.2F * gradients / fit.information, 10.0F);
   const float measured = line.inverseDepth(p);
   const float ahead = line.inverseDepth(p + error * along);
   if (!std::isfinite(measured) || !std::isfinite(ahead)) return;
   point.quality = found.quality;
+  // Ratio of the second best energy to the best: chosen, not tuned.
   if (found.quality < 1.2F || measured < -std::fabs(ahead - measured)) {
     ++point.failures;
     return;

@@ -9,8 +9,8 @@
 namespace tolman::direct_sparse {
 
 struct EpipolarSettings {
-  float largest_inverse_depth = 2;  ///< 1/m, for points without depth
-  float longest = 60;               ///< px, of a search
+  float largest_inverse_depth = 2;  ///< 1/m, for points without depth; chosen, not tuned
+  float longest = 60;               ///< px, of a search; Mapper sets it by the size of the image
 };
 
 /// `pair` maps the point's host to the frame; its brightness fields are used. Counts failures.

@@ -26,7 +26,7 @@ struct Followed {
 /// Points of all keyframes that the newest one sees. `after` is where they are expected.
 Followed pointsInView(const CameraRig& rig, const Window& window,
                       const Eigen::Isometry3d& expected) {
-  constexpr double kNearest = 0.1;  // m
+  constexpr double kNearest = 0.1;  // m; keeps the projection finite
   const GrayLevel& image = window.newest().left.level(0);
   Followed followed;
   for (const Eigen::Vector3d& p :
@@ -48,7 +48,7 @@ void follow(const cv::Mat& before, const cv::Mat& after, Followed& followed) {
   // Pyramidal Lucas-Kanade (Bouguet 2001) with OpenCV's default termination criteria. Four levels
   // with windows of 15 px follow about 60 px.
   constexpr int kLevels = 4;
-  constexpr double kConsistency = 1;  // px
+  constexpr double kConsistency = 1;  // px; chosen, not tuned
   const cv::Size window(15, 15);
   const cv::TermCriteria stop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
   const auto flow = [&](const cv::Mat& from, const cv::Mat& to, const auto& at, auto& moved) {
@@ -76,9 +76,9 @@ std::optional<Eigen::Isometry3d> poseByConsensus(const CameraRig& rig, const Fol
   // The guess is only a start for the photometric alignment, which rejects a wrong one. Derived,
   // not chosen on a clip: with 35 % inliers, 300 samples of four points contain one without
   // outliers with 99 % confidence, (1 - 0.35^4)^300 = 0.01.
-  constexpr int kFewest = 30;
-  constexpr double kShare = 0.3;
-  constexpr double kNoise = 2;  // px, twice the largest error of the flow
+  constexpr int kFewest = 30;     // chosen, not tuned
+  constexpr double kShare = 0.3;  // a little below the 35 %
+  constexpr double kNoise = 2;    // px, twice the largest error of the flow
   constexpr int kSamples = 300;
   if (followed.points.size() < kFewest) return std::nullopt;
   const cv::Matx33d K(rig.pinhole.fx, 0, rig.pinhole.cx, 0, rig.pinhole.fy, rig.pinhole.cy, 0, 0,

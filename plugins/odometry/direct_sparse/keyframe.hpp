@@ -17,7 +17,7 @@
 namespace tolman::direct_sparse {
 
 /// Slots for keyframes in the window; a slot is also the position of its variables in the linear
-/// system.
+/// system. One more than the largest `window`.
 inline constexpr int kSlots = 8;
 
 using Vector8d = Eigen::Matrix<double, 8, 1>;

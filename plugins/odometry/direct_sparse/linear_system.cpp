@@ -245,6 +245,7 @@ double LinearSystem::applyToDepths(Window& window, const SystemVector& step) con
         const float* c = terms.coupling.data() + kFrameVariables * slot;
         for (int i = 0; i < kFrameVariables; ++i) dot += c[i] * x[kFrameVariables * slot + i];
       }
+      // Limits of a step, relative and in 1/m: chosen, not tuned.
       const float limit = 0.5F * point.inverse_depth + 0.01F;
       const float change = std::clamp(-dot / terms.information, -limit, limit);
       point.inverse_depth = std::max(point.inverse_depth + change, 1e-5F);
@@ -279,6 +280,7 @@ float LinearSystem::outlierThreshold() const {
   for (int below = histogram[0]; bin + 1 < histogram.size() && 10 * below < 7 * count;) {
     below += histogram[++bin];
   }
+  // Of the 70th percentile, as in the published program of Engel et al.
   const float root = 13.0F + 0.75F * (static_cast<float>(bin) + 0.5F);
   return root * root;
 }
@@ -317,7 +319,7 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
     whole(i, i) = 1;
     rhs[i] = 0;
   }
-  const SystemVector units = (whole.diagonal().array() + 1e-9).rsqrt();
+  const SystemVector units = (whole.diagonal().array() + 1e-9).rsqrt();  // keeps the scaling finite
   whole = units.asDiagonal() * whole * units.asDiagonal();
   whole.diagonal().array() += kLeastDamping;
   if (scale == Scale::Free && window.size() > 1) {

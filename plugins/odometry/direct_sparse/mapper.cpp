@@ -14,8 +14,13 @@
 namespace tolman::direct_sparse {
 namespace {
 
+<<<<<<< HEAD
 /// Assumed variance of grey values (standard deviation 4 levels): the information 1 / sigma^2 times
 /// this is in the units of the photometric energy.
+=======
+/// Variance of grey levels (standard deviation 4) that converts a standard deviation to an energy.
+/// Chosen, not tuned.
+>>>>>>> constants
 constexpr double kGreyVariance = 16;
 
 }  // namespace
@@ -35,7 +40,7 @@ void Mapper::reset() {
 }
 
 void Mapper::holdOffset() {
-  const double sigma = std::max(settings_.offset_sigma, 1e-6);
+  const double sigma = std::max(settings_.offset_sigma, 1e-6);  // px; keeps the division finite
   window_.prior.H(kOffsetIndex, kOffsetIndex) = kGreyVariance / (sigma * sigma);
 }
 
@@ -68,7 +73,7 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
 }
 
 AdjustmentSettings Mapper::adjustmentFor(const Keyframe& keyframe) const {
-  constexpr int kFirstIterations = 30;
+  constexpr int kFirstIterations = 30;  // chosen, not tuned; the published program has 20
   AdjustmentSettings settings = settings_.adjustment;
   const bool young = window_.size() < settings_.window && !keyframe.has_right;
   if (young) settings.iterations = std::max(settings.iterations, kFirstIterations);
@@ -126,7 +131,7 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
 void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) const {
   double gain = search.gain;
   double offset = search.offset;
-  for (int iteration = 0; iteration < 4; ++iteration) {
+  for (int iteration = 0; iteration < 4; ++iteration) {  // bounds the time
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < matches_.size(); ++i) {
       if (!matches_[i]) continue;
@@ -146,7 +151,8 @@ void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) const 
       }
     }
     const double spread = n * sxx - sx * sx;
-    if (!(n > 100) || !(spread > n * n)) break;
+    if (!(n > 100) || !(spread > n * n)) break;  // pixels, and grey levels^2: chosen, not tuned
+    // Larger ratios of exposure are not followed: chosen, not tuned.
     gain = std::clamp((n * sxy - sx * sy) / spread, 0.3, 3.0);
     offset = (sy - gain * sx) / n;
   }
@@ -167,6 +173,7 @@ void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affi
   observer_.T0_camera_world = T_world_camera.inverse();
   observer_.affine0 = affine;
   EpipolarSettings settings;
+  // Chosen, not tuned; the published program has 0.027.
   settings.longest = 0.03F * static_cast<float>(rig_.width + rig_.height);
   for (const int slot : window_.order()) {
     Keyframe& keyframe = window_.keyframe(slot);

@@ -14,6 +14,7 @@
 
 namespace tolman::direct_sparse {
 
+/// DirectSparse::configure() sets them from the parameters.
 struct MapperSettings {
   int points = 2000;
   int candidates = 1500;

@@ -33,7 +33,7 @@ double crowding(const Window& window, int slot) {
 
 bool exhausted(const Window& window, int slot) {
   constexpr double kFewest = 0.05;
-  constexpr double kBrightnessChange = 0.7;  // of the logarithm
+  constexpr double kBrightnessChange = 0.7;  // of the logarithm; both as in the published program
   const Keyframe& keyframe = window.keyframe(slot);
   const double kept = static_cast<double>(keyframe.points.size() + keyframe.immature.size());
   const double made = static_cast<double>(keyframe.points_made) + kept;
@@ -67,7 +67,7 @@ FrameBlock byGauge(const Keyframe& keyframe, const Keyframe& anchor) {
 }
 
 bool worthKeeping(const Point& point) {
-  constexpr float kLeastInformation = 50;
+  constexpr float kLeastInformation = 50;  // m^2; as in the published program of Engel et al.
   return point.information > kLeastInformation && point.seen_good >= 3;
 }
 
@@ -77,7 +77,7 @@ std::vector<int> chooseLeaving(const Window& window, int most) {
   std::vector<int> leaving;
   if (window.size() <= 2) return leaving;
   const std::vector<int>& order = window.order();
-  const int fewest = std::max(2, most - 2);
+  const int fewest = std::max(2, most - 2);  // 5 of 7 as in the published program
   for (std::size_t i = 0; i < protectedFrom(window); ++i) {
     const int left = window.size() - static_cast<int>(leaving.size());
     if (left > fewest && exhausted(window, order[i])) leaving.push_back(order[i]);
@@ -135,7 +135,7 @@ void marginaliseKeyframe(int slot, Window& window) {
   const Block own = 0.5 * (H.block<n, n>(i, i) + H.block<n, n>(i, i).transpose());
   const Eigen::Matrix<double, n, 1> scale = (own.diagonal().array() + 1e-3).rsqrt();
   Block scaled = scale.asDiagonal() * own * scale.asDiagonal();
-  scaled.diagonal().array() += 1e-9;
+  scaled.diagonal().array() += 1e-9;  // keeps the inverse finite
   const Block inverse =
       scale.asDiagonal() * Eigen::LDLT<Block>(scaled).solve(Block::Identity()) * scale.asDiagonal();
   const Eigen::Matrix<double, kVariables, n> across = H.middleCols<n>(i);

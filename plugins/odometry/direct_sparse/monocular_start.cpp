@@ -8,9 +8,9 @@
 namespace tolman::direct_sparse {
 
 void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe) {
-  constexpr double kWall = 5;       // distance of the walls, in heights of the camera
-  constexpr double kFarthest = 40;  // largest depth, in heights of the camera
-  constexpr float kDeviation = 0.5F;
+  constexpr double kWall = 5;  // distance of the walls, in heights of the camera; chosen, not tuned
+  constexpr double kFarthest = 40;    // largest depth, in heights of the camera; chosen, not tuned
+  constexpr float kDeviation = 0.5F;  // of the inverse depth; chosen, not tuned
   for (ImmaturePoint& point : keyframe.immature) {
     const Eigen::Vector3d ray = rig.pinhole.ray({point.u, point.v});
     const double ground = ray.y();
@@ -22,7 +22,7 @@ void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe) {
 }
 
 void draftPoints(Keyframe& keyframe) {
-  constexpr int kMostFailures = 3;
+  constexpr int kMostFailures = 3;  // as in activation.cpp
   keyframe.points.clear();
   for (const ImmaturePoint& candidate : keyframe.immature) {
     if (candidate.failures >= kMostFailures) continue;

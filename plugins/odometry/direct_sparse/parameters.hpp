@@ -16,15 +16,15 @@ namespace tolman::direct_sparse {
 struct Parameters {
   int points = 1500;
   int candidates = 1200;
-  int window = 7;
+  int window = 7;  // keyframes; 5 to 7 in the published program of Engel et al.
   int iterations = 2;
-  double coupling = 1.5;
+  double coupling = 1.5;  // 1 to 2 is best in Stereo DSO (Wang et al. 2017)
   double keyframe_weight = 1.2;
-  double nearest = 2.5;
-  double marginal_weight = 0.06;
-  double largest_adjustment = 0.5;
-  double offset_sigma = 1;
-  double camera_height = 1.65;
+  double nearest = 2.5;             // m; bounds the search; chosen, not tuned
+  double marginal_weight = 0.06;    // chosen, not tuned; 0 to 1 are alike on KITTI 01
+  double largest_adjustment = 0.5;  // m; chosen, not tuned
+  double offset_sigma = 1;          // px; as rigs are off (docs/odometry.md)
+  double camera_height = 1.65;      // m; KITTI's car
 
   template <class P>
   static constexpr auto declare() {
@@ -76,7 +76,7 @@ struct Parameters {
 };
 
 /// A single camera measures depth only by the motion between keyframes: keyframes are farther
-/// apart, and there are more points and more iterations until depths converge.
+/// apart, and there are more points and more iterations until depths converge. Chosen, not tuned.
 struct MonoParameters : Parameters {
   constexpr MonoParameters() {
     points = 2000;

@@ -10,7 +10,7 @@ namespace tolman::direct_sparse {
 namespace {
 
 constexpr float kBorder = 2;             // px that projections keep from the border
-constexpr float kSmallestDepth = 1e-3F;  // of the host's depth
+constexpr float kSmallestDepth = 1e-3F;  // of the host's depth; keeps the division finite
 
 /// Pixels of the pattern in the target; false when one is not usable.
 TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage& target,

@@ -13,6 +13,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
+// As in the published program of Engel et al.
 constexpr int kBlock = 32;         // px
 constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this
 constexpr float kAboveMedian = 7;  // grey levels / px
@@ -155,7 +156,7 @@ void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int
 
 void PointSelector::pickFromCells(const GradientImage& image, int border) {
   pixels_.clear();
-  constexpr float kRelax = 0.75F;
+  constexpr float kRelax = 0.75F;  // for each doubling; as in the published program
   const int large = 4 * cell_;
   for (int v = 0; v < height_; v += large) {
     for (int u = 0; u < width_; u += large) {
@@ -181,15 +182,15 @@ const std::vector<Pixel>& PointSelector::select(const GradientImage& image, int 
   findThresholds();
   if (cell_ == 0) {
     const double area = static_cast<double>(width_) * height_ / std::max(1, wanted);
-    cell_ = std::max(2, static_cast<int>(0.7 * std::sqrt(area)));
+    cell_ = std::max(2, static_cast<int>(0.7 * std::sqrt(area)));  // a first guess
   }
-  for (int attempt = 0; attempt < 3; ++attempt) {
+  for (int attempt = 0; attempt < 3; ++attempt) {  // bounds the time
     pickFromCells(image, border);
     const double ratio = static_cast<double>(pixels_.size()) / wanted;
-    if (ratio > 0.8 && ratio < 1.5) break;
+    if (ratio > 0.8 && ratio < 1.5) break;  // chosen, not tuned
     // The number of pixels is proportional to 1 / (cell + 1)^2.
     const int better = static_cast<int>(std::lround((cell_ + 1) * std::sqrt(ratio))) - 1;
-    const int next = std::clamp(better, 2, 64);
+    const int next = std::clamp(better, 2, 64);  // px; chosen, not tuned
     if (next == cell_) break;
     cell_ = next;
     if (attempt > 0) break;  // used from the next keyframe on

@@ -41,7 +41,7 @@ void GrayLevel::resize(int new_width, int new_height) {
 }
 
 void ImagePyramid::build(const Image& image, int most) {
-  constexpr int kSmallestSide = 16;
+  constexpr int kSmallestSide = 16;  // px; chosen, not tuned
   GrayLevel& base = images_[0];
   base.resize(image.width(), image.height());
   for (int v = 0; v < base.height; ++v) {
@@ -61,7 +61,7 @@ void ImagePyramid::build(const Image& image, int most) {
 }
 
 GrayStatistics grayStatistics(const GrayLevel& image) {
-  constexpr int kStep = 4;  // px
+  constexpr int kStep = 4;  // px; bounds the time
   double sum = 0;
   double squares = 0;
   double count = 0;

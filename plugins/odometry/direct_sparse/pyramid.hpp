@@ -13,7 +13,7 @@ namespace tolman::direct_sparse {
 
 /// One level. Pixels are packed; a few bytes behind the last one may be read (they are zero).
 struct GrayLevel {
-  static constexpr std::size_t kPadding = 32;
+  static constexpr std::size_t kPadding = 32;  // bytes
   int width = 0;
   int height = 0;
   std::vector<std::uint8_t> pixels;
@@ -52,7 +52,7 @@ inline float toLevel(float pixel, int level) {
 
 class ImagePyramid {
  public:
-  static constexpr int kMostLevels = 6;
+  static constexpr int kMostLevels = 6;  // as in the published program
 
   /// Reuses its memory. Levels stop before a side falls below 16 px, or at `most`.
   void build(const Image& image, int most = kMostLevels);

@@ -16,8 +16,9 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr int kWidth = 8;  // px of the patch; columns -4 ... 3 around the pixel
-constexpr int kHeight = 5;
+// The sizes of the patches are chosen, not tuned.
+constexpr int kWidth = 8;   // px of the patch; columns -4 ... 3 around the pixel
+constexpr int kHeight = 5;  // px
 constexpr int kRadius = 3;  // px, half side of the patch of the refinement
 
 using StereoPatch = std::array<std::uint8_t, kWidth*(kHeight + 1)>;  // the sixth row stays zero
@@ -138,11 +139,12 @@ StereoStep shiftOf(const GrayLevel& left, const GrayLevel& right, int u, int v, 
 std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right, int u, int v,
                                   int u_found, float gain) {
   constexpr float kMargin = kRadius + 2;
+  // Chosen, not tuned.
   constexpr float kLeastInformation = 300;  // a step of 18 grey levels in one pixel
   constexpr float kLargestRms = 14;         // grey levels
   auto u_right = static_cast<float>(u_found);
   StereoStep shift;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 6; ++i) {  // bounds the time
     if (!right.contains(u_right, static_cast<float>(v), kMargin - 2)) return std::nullopt;
     if (u_right < kMargin || u_right > static_cast<float>(right.width) - kMargin - 1) {
       return std::nullopt;
@@ -150,7 +152,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
     shift = shiftOf(left, right, u, v, u_right, gain);
     if (shift.information < kLeastInformation) return std::nullopt;
     u_right += std::clamp(shift.step, -0.7F, 0.7F);
-    if (std::fabs(shift.step) < 0.005F) break;
+    if (std::fabs(shift.step) < 0.005F) break;  // px; chosen, not tuned
   }
   if (std::fabs(u_right - static_cast<float>(u_found)) > 1.5F || shift.rms > kLargestRms) {
     return std::nullopt;
@@ -158,6 +160,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
   StereoMatch match;
   match.disparity = static_cast<float>(u) - u_right;
   // Standard deviation from grey level noise, plus 0.05 px for depths that differ within the patch.
+  // 0.05 px and the least noise of 2 grey levels are chosen, not tuned.
   match.sigma = 0.05F + std::max(shift.rms, 2.0F) / std::sqrt(shift.information);
   return match;
 }
@@ -166,9 +169,9 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
 
 std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& right, int u, int v,
                                        const StereoSearch& search) {
-  constexpr float kLeastRatio = 1.15F;
-  constexpr int kLargestMiss = 1;  // px, from right to left
-  constexpr int kBehind = 2;       // px below zero disparity, for the refinement of far points
+  constexpr float kLeastRatio = 1.15F;  // of the second best cost to the best; chosen, not tuned
+  constexpr int kLargestMiss = 1;       // px, from right to left; as in HorizonAD/stereo_dso
+  constexpr int kBehind = 2;            // px below zero disparity, for the refinement of far points
   const int lowest = kStereoBorder;
   const int highest = right.width - kStereoBorder;
   const StereoPatch patch = patchAround(left, u, v, search.gain, search.offset);
@@ -180,7 +183,7 @@ std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& r
   const float quality = (static_cast<float>(forth.second) + kNoise) / (best + kNoise);
   if (forth.best == std::numeric_limits<int>::max() || quality < kLeastRatio) return std::nullopt;
 
-  const float inverse_gain = 1.0F / std::max(search.gain, 0.05F);
+  const float inverse_gain = 1.0F / std::max(search.gain, 0.05F);  // keeps the division finite
   const StereoPatch back_patch =
       patchAround(right, forth.u, v, inverse_gain, -search.offset * inverse_gain);
   const RowMinimum back = searchRow(back_patch, left, std::max(lowest, forth.u - kBehind),

@@ -9,7 +9,7 @@
 
 namespace tolman::direct_sparse {
 
-inline constexpr int kMostDisparities = 512;
+inline constexpr int kMostDisparities = 512;  // px; bounds the time of a row search
 
 struct StereoSearch {
   int max_disparity = 160;  ///< px, at most kMostDisparities

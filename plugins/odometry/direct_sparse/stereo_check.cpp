@@ -10,8 +10,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr std::size_t kMostCompared = 300;
-constexpr double kNearest = 0.1;  // m
+constexpr std::size_t kMostCompared = 300;  // bounds the time
+constexpr double kNearest = 0.1;            // m; keeps the projection finite
 
 /// A point of the window in the new frame: pixel and disparity, px.
 struct Expected {
@@ -39,7 +39,7 @@ StereoAgreement compareWithStereo(const CameraRig& rig, const Window& window,
                                   const Eigen::Isometry3d& T_world_camera, const GrayLevel& left,
                                   const GrayLevel& right, int max_disparity) {
   // Wide limits: a wrong place is wrong by metres. Moving objects and depth edges disagree at the
-  // right place, too.
+  // right place, too. Chosen as StereoAgreement::confirms().
   constexpr double kSlack = 1;     // px
   constexpr double kShare = 0.15;  // of the disparity
   StereoSearch search;

@@ -8,12 +8,12 @@
 namespace tolman::direct_sparse {
 namespace {
 
-// Fewest samples for the eight variables of an alignment.
+// Fewest samples for the eight variables of an alignment. Chosen, not tuned.
 constexpr int kFewestSamples = 100;
 
 bool isAccepted(const AlignmentResult& result, Tracker::Demand demand) {
-  // The limits of inliers and view are our own; that of the brightness change is the one of the
-  // published program of Engel et al.
+  // The limits of inliers and view are our own (chosen, not tuned); that of the brightness change
+  // is the one of the published program of Engel et al.
   const double least_inliers = demand == Tracker::Demand::Certain ? 0.6 : 0.3;
   constexpr double kLeastInView = 0.15;
   constexpr double kMostGain = 1.2;  // logarithm of the exposure ratio
@@ -24,7 +24,7 @@ bool isAccepted(const AlignmentResult& result, Tracker::Demand demand) {
 /// Least number of samples of an accepted alignment, as a share of the usual number. Chosen on
 /// kitti_clips/06: blurred images leave a tenth, and their motion is wrong by a third.
 constexpr double kLeastShare = 0.15;
-constexpr double kRenewal = 0.1;  // weight of a new frame in the running mean of samples
+constexpr double kRenewal = 0.1;  // of a frame in the mean of samples; chosen, not tuned
 
 /// Largest RMS of an accepted alignment: a wrong place may fit in part. Chosen on kitti_clips/06
 /// with simulated faults: right alignments had at most twice the last RMS (behind a lorry, after
@@ -38,7 +38,7 @@ double mostRms(double last_rms) {
 
 /// Motions since the last frame to try when the expected one fails: standing, other speeds, the
 /// pose of the keyframe, starts of up to 3.3 m per frame (33 m/s at 10 Hz), and turns of up to 0.1
-/// rad.
+/// rad. The steps between are chosen, not tuned.
 std::vector<Eigen::Isometry3d> hypotheses(const Expectation& expectation) {
   const Eigen::Isometry3d& expected = expectation.T_previous_current;
   std::vector<Eigen::Isometry3d> motions = {Eigen::Isometry3d::Identity()};
@@ -91,6 +91,7 @@ AlignmentResult Tracker::bestOf(const CameraRig& rig, const ImagePyramid& image,
     guess.T_current_reference = (expectation.T_reference_previous * motion).inverse();
     guess.brightness = expectation.brightness;
     const AlignmentResult result = aligner_.align(rig, reference_, image, guess, coarsest, finest);
+    // Share in view: chosen, not tuned.
     if (result.in_view < 0.3 || result.rms >= best_rms) continue;
     best_rms = result.rms;
     best = result;
@@ -124,7 +125,7 @@ std::optional<AlignmentResult> Tracker::track(const CameraRig& rig, const ImageP
 
 std::optional<AlignmentResult> Tracker::refine(const CameraRig& rig, const ImagePyramid& image,
                                                const AlignmentState& guess) {
-  constexpr int kCoarsest = 2;
+  constexpr int kCoarsest = 2;  // level; chosen, not tuned
   AlignmentResult result = aligner_.align(rig, reference_, image, guess,
                                           std::min(kCoarsest, reference_.levels() - 1), 0);
   return accept(rig, result, Demand::Confirmed) ? std::optional(result) : std::nullopt;

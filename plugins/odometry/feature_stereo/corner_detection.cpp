@@ -35,11 +35,11 @@ std::vector<cv::Point2f> detectCorners(const cv::Mat& gray,
   const int border = settings.border;
   if (gray.cols <= 2 * border || gray.rows <= 2 * border) return corners;
   cv::Mat response;
-  cv::cornerMinEigenVal(gray, response, 5);
+  cv::cornerMinEigenVal(gray, response, 5);  // px, side of the block; chosen, not tuned
   const cv::Rect inside(border, border, gray.cols - 2 * border, gray.rows - 2 * border);
   double strongest = 0;
   cv::minMaxLoc(response(inside), nullptr, &strongest);
-  const double weakest = std::max(settings.quality * strongest, 1e-6);
+  const double weakest = std::max(settings.quality * strongest, 1e-6);  // nothing in blank images
 
   const int cell = cellSize(gray.size(), settings.count);
   const cv::Size grid((gray.cols + cell - 1) / cell, (gray.rows + cell - 1) / cell);

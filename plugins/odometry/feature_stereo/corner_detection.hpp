@@ -10,7 +10,7 @@ namespace tolman::feature_stereo {
 struct CornerSettings {
   int count = 500;         ///< approximate number of grid cells
   double quality = 0.003;  ///< smallest response relative to the strongest one
-  int border = 12;         ///< px without corners along each edge
+  int border = 12;         ///< px without corners along each edge; chosen, not tuned
 };
 
 /// The strongest Shi-Tomasi corner (smaller eigenvalue of the structure tensor) of each grid cell

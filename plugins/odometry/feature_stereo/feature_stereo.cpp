@@ -19,7 +19,7 @@ cv::Mat usableGray(const Image& image) {
   cv::Scalar mean;
   cv::Scalar deviation;
   cv::meanStdDev(gray, mean, deviation);
-  constexpr double kWeakestContrast = 3;  // grey levels
+  constexpr double kWeakestContrast = 3;  // grey levels, standard deviation; chosen, not tuned
   return deviation[0] < kWeakestContrast ? cv::Mat() : gray;
 }
 
@@ -115,7 +115,8 @@ Status FeatureStereo::track(const Frame& frame, Motion& motion) {
 
 void FeatureStereo::answer(const std::optional<StereoPyramids>& images, Motion& motion) {
   const bool started = !history_.empty();
-  constexpr int kLongestGap = 100;  // frames; afterwards the last tracked view is not searched for
+  // Frames; afterwards the last tracked view is not searched for. Chosen, not tuned.
+  constexpr int kLongestGap = 100;
   if (started && images && lost_frames_ <= kLongestGap) {
     if (auto tracked = trackAny(*images, predictPose(motion.dt))) {
       answerMeasured(*images, std::move(*tracked), motion);
@@ -313,7 +314,7 @@ void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
 }
 
 void FeatureStereo::publishPoints(Motion& motion) {
-  constexpr double kFarthest = 1e-4;  // 1/m
+  constexpr double kFarthest = 1e-4;  // 1/m; leaves out points at infinity
   const double fb = rig_.pinhole.fx * rig_.baseline;
   std::vector<Eigen::Vector4f> points;
   for (const Track& track : tracks_) {

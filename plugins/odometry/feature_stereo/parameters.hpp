@@ -8,6 +8,8 @@
 
 namespace tolman::feature_stereo {
 
+/// Chosen on KITTI 06, raw 0001 and the town along KITTI 07, if at all (docs/odometry.md); how is
+/// not recorded, but where something is said.
 struct Parameters {
   int corners = 500;
   double corner_quality = 0.003;
@@ -15,16 +17,16 @@ struct Parameters {
   int track_levels = 4;
   double track_consistency = 0.7;
   double stereo_consistency = 0.7;
-  double nearest = 2.5;
+  double nearest = 2.5;  // m; bounds the search
   double sigma_track = 0.25;
   double sigma_disparity = 0.15;
-  double sigma_doubling = 14;
-  int ransac_iterations = 100;
+  double sigma_doubling = 14;   // px; one for tracks and disparities on KITTI (projection.hpp)
+  int ransac_iterations = 100;  // bounds the time
   int min_inliers = 20;
   int window = 7;
   double keyframe_flow = 15;
   double keyframe_survival = 0.75;
-  int refinement_iterations = 6;
+  int refinement_iterations = 6;  // three are worse where 06 is blurred (docs/odometry.md)
   double offset_sigma = 0.2;
 
   /// Corners, their tracking, and its accuracy.

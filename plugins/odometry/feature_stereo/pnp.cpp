@@ -76,6 +76,7 @@ class PoseProblem {
       gradient += weighted * error;
     }
     const Eigen::LDLT<Matrix6d> factor(information);
+    // Singular up to rounding.
     if (factor.info() != Eigen::Success || factor.rcond() < 1e-14) return false;
     const Vector6d update = factor.solve(gradient);
     if (!update.allFinite()) return false;
@@ -139,6 +140,7 @@ std::vector<Eigen::Isometry3d> solveThree(const CameraRig& rig,
 
 /// RANSAC samples needed for one without outlier, with 99.9 % confidence.
 double samplesNeeded(double cost, std::size_t count) {
+  // 0.01 and 1e-9 keep the logarithms finite.
   const double inliers = std::max(0.01, 1 - cost / (kGate * double(count)));
   return std::log(1e-3) / std::log(std::max(1e-9, 1 - inliers * inliers * inliers));
 }
@@ -177,7 +179,7 @@ std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
   estimate.T_world_camera =
       bestSample(rig, matches, problem, guess, settings.iterations, random).T_world_camera;
   // Reweighted least squares converges linearly; a fixed number makes the time per frame constant.
-  constexpr int kSteps = 8;
+  constexpr int kSteps = 8;  // chosen, not tuned
   Matrix6d information = Matrix6d::Zero();
   for (int k = 0; k < kSteps; ++k) {
     problem.weigh(estimate.T_world_camera);

@@ -15,7 +15,7 @@ Eigen::Vector3d scaledCameraPoint(const Eigen::Isometry3d& T_world_camera,
 
 std::optional<StereoPixel> project(const CameraRig& rig, const Eigen::Isometry3d& T_world_camera,
                                    const InverseDepthPoint& point, ProjectionJacobians* jacobians) {
-  constexpr double kNearPlane = 1e-3;  // least depth, relative to the depth in the reference
+  constexpr double kNearPlane = 1e-3;  // of the depth in the reference; keeps the division finite
   const Eigen::Vector3d q = scaledCameraPoint(T_world_camera, point);
   if (q.z() < kNearPlane) return std::nullopt;
   const Pinhole& pinhole = rig.pinhole;

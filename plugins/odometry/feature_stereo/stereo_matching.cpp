@@ -10,7 +10,7 @@
 namespace tolman::feature_stereo {
 namespace {
 
-constexpr int kRadius = 4;
+constexpr int kRadius = 4;  // px, at half resolution; chosen, not tuned
 constexpr int kSide = 2 * kRadius + 1;
 constexpr int kArea = kSide * kSide;
 using RowPatch = std::array<int, kArea>;
@@ -38,7 +38,7 @@ int difference(const RowPatch& a, const RowPatch& b) {
 
 /// Whether the cost at `best` is clearly lower than all costs more than 2 px away.
 bool isUnique(const std::vector<int>& costs, std::size_t best) {
-  constexpr double kClearly = 1.15;
+  constexpr double kClearly = 1.15;  // chosen, not tuned
   for (std::size_t d = 0; d < costs.size(); ++d) {
     const bool beside = d + 2 >= best && d <= best + 2;
     if (!beside && costs[d] <= kClearly * costs[best]) return false;
@@ -58,7 +58,7 @@ float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int
   }
   const auto best =
       static_cast<std::size_t>(std::min_element(costs.begin(), costs.end()) - costs.begin());
-  constexpr int kWorstMean = 20;  // grey levels a pixel
+  constexpr int kWorstMean = 20;  // grey levels a pixel; chosen, not tuned
   if (costs[best] > kWorstMean * kArea || !isUnique(costs, best)) return kNoDisparity;
   return static_cast<float>(best);
 }

@@ -16,7 +16,7 @@ struct StereoSettings {
   double max_disparity = 150;  ///< px
   double min_disparity = -1;   ///< px; noise makes some far disparities negative, and dropping only
                                ///< these would bias far points towards the camera
-  double epipolar = 1;         ///< px, largest difference of rows
+  double epipolar = 1;         ///< px, largest difference of rows; chosen, not tuned
 };
 
 /// Means "no guess" or "no match".

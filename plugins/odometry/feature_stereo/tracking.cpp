@@ -12,6 +12,7 @@ std::vector<uchar> flow(const FlowPyramid& from_image, const FlowPyramid& to_ima
                         const TrackSettings& settings) {
   std::vector<uchar> found;
   std::vector<float> error;
+  // OpenCV's defaults: steps, px, and smallest eigenvalue.
   const cv::TermCriteria stop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
   constexpr double kWeakestTexture = 1e-4;
   cv::calcOpticalFlowPyrLK(from_image.images(), to_image.images(), from, to, found, error,
@@ -21,7 +22,8 @@ std::vector<uchar> flow(const FlowPyramid& from_image, const FlowPyramid& to_ima
 }
 
 bool inside(const cv::Point2f& point, const cv::Size& size) {
-  constexpr float kMargin = 3;  // px of the centre from the border; the patch may exceed it
+  // px of the centre from the border; the patch may exceed it. Chosen, not tuned.
+  constexpr float kMargin = 3;
   return point.x >= kMargin && point.y >= kMargin &&
          point.x < static_cast<float>(size.width) - kMargin &&
          point.y < static_cast<float>(size.height) - kMargin;

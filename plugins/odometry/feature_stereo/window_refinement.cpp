@@ -10,7 +10,7 @@ namespace tolman::feature_stereo {
 namespace {
 
 using CeresJacobian = Eigen::Matrix<double, 3, 7, Eigen::RowMajor>;
-constexpr double kHuber = 2.0;   // sigmas
+constexpr double kHuber = 2.0;   // sigmas; chosen, not tuned
 constexpr double kGate = 11.34;  // chi square, 3 degrees of freedom, 99 %
 
 /// 1 / sigma; 0 for a disparity that was not measured.
@@ -82,7 +82,7 @@ void solve(const CameraRig& rig, const RefinementSettings& settings, const Windo
   options.linear_solver_ordering = ordering;
   options.num_threads = 1;
   options.max_num_iterations = settings.iterations;
-  options.function_tolerance = 1e-5;
+  options.function_tolerance = 1e-5;  // relative; chosen, not tuned
   options.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);

@@ -12,8 +12,9 @@ namespace tolman::feature_stereo {
 struct RefinementSettings {
   PixelNoise noise;
   int iterations = 6;
-  double offset_sigma = 0.2;   ///< px, prior standard deviation of the disparity offset
-  double offset_drift = 0.01;  ///< px, standard deviation of its change per keyframe
+  double offset_sigma = 0.2;  ///< px, prior standard deviation of the disparity offset
+  /// px, standard deviation of its change per keyframe; chosen, not tuned
+  double offset_drift = 0.01;
 };
 
 /// Stereo reprojection error of one observation, in standard deviations. Blocks: pose, coordinates

@@ -105,7 +105,8 @@ Status MotionReplay::track(const Frame& frame, Motion& motion) {
   motion.T_previous_current = fromPlanar(last_step_);
   const double distance = std::hypot(last_step_.x, last_step_.y);
   motion.T_previous_current.translation().y() += parameters_.bias_height * distance;
-  const double factor = lost ? 10 : 1;  // multiplies the standard deviations
+  const double factor = lost ? 10 : 1;  // multiplies the standard deviations; chosen, not tuned
+  // 1e-3 m and 1e-4 rad keep the covariance regular at standstill.
   const double along = factor * (parameters_.sigma_distance * distance + 1e-3);
   const double turn = factor * (parameters_.sigma_heading * std::sqrt(distance) + 1e-4);
   motion.covariance.diagonal() << along * along, along * along, along * along, turn * turn,

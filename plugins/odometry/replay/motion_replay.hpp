@@ -15,8 +15,8 @@ namespace tolman::motion_replay {
 
 struct MotionReplayParameters {
   std::string record;
-  double sigma_distance = 0.02;
-  double sigma_heading = 0.002;
+  double sigma_distance = 0.02;  // chosen, not tuned
+  double sigma_heading = 0.002;  // rad/m^0.5; chosen, not tuned
   double noise_distance = 0;
   double noise_heading = 0;
   double bias_distance = 0;

@@ -38,7 +38,7 @@ double tipOfV(double before, double least, double after) {
 double basin(const std::vector<double>& costs, std::size_t best) {
   double mean = 0;
   for (const double cost : costs) mean += cost / static_cast<double>(costs.size());
-  const double level = costs[best] + 0.1 * (mean - costs[best]);
+  const double level = costs[best] + 0.1 * (mean - costs[best]);  // chosen, not tuned
   std::size_t first = best;
   std::size_t last = best;
   for (std::size_t i = 0; i < costs.size(); ++i) {  // other minima too: any may be the true one

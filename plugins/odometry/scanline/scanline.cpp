@@ -25,7 +25,7 @@ PlanarPose arc(double distance, double turn) {
 }
 
 /// Covariance along and across the motion, and of the turn. The deviations of height, pitch and
-/// roll, which the method does not measure, are those of a car on a road.
+/// roll, which the method does not measure, are those of a car on a road. Chosen, not tuned.
 Matrix6d covarianceOf(double sigma_distance, double sigma_turn) {
   constexpr double kUnseenTurn = 0.01;  // rad
   Vector6d sigmas;
@@ -51,7 +51,7 @@ Status Scanline::configure(const Context& context) {
   }
   turn_maker_.emplace(rig_, turn, p.field_of_view * kDegree);
   speed_maker_.emplace(rig_, speed, p.field_of_view * kDegree);
-  constexpr int kFewestColumns = 8;
+  constexpr int kFewestColumns = 8;  // chosen, not tuned
   if (std::min(turn_maker_->samples(), speed_maker_->samples()) < kFewestColumns) {
     return Status::invalidParameter("a part of the image has fewer than 8 columns; make it wider");
   }
@@ -92,7 +92,7 @@ Status Scanline::track(const Frame& frame, Motion& motion) {
   if (!reference_) {
     // Nothing to compare with: no speed is reported.
     motion.state = TrackingState::Initialising;
-    if (motion.dt > 0) motion.covariance = covarianceOf(10, 1);
+    if (motion.dt > 0) motion.covariance = covarianceOf(10, 1);  // m, rad: unknown
   } else if (now) {
     answerMeasured(*now, motion);
   } else {

@@ -8,8 +8,8 @@
 namespace tolman::landmarks {
 namespace {
 
-constexpr double kSigma = 1.0;   // px, standard deviation of a matched corner
-constexpr double kInlier = 3.0;  // px
+constexpr double kSigma = 1.0;   // px, standard deviation of a matched corner; chosen, not tuned
+constexpr double kInlier = 3.0;  // px, three deviations; chosen, not tuned
 using Jacobian = Eigen::Matrix<double, 2, 6>;
 
 cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
@@ -25,6 +25,7 @@ std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& mat
   }
   cv::Vec3d rotation;
   cv::Vec3d translation;
+  // At most 200 samples (chosen, not tuned; bounds the time), and 99.9 % confidence.
   const bool found =
       cv::solvePnPRansac(points, pixels, matrixOf(pinhole), cv::noArray(), rotation, translation,
                          false, 200, kInlier, 0.999, cv::noArray(), cv::SOLVEPNP_AP3P);
@@ -49,7 +50,7 @@ PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const P
   for (const LandmarkMatch& match : matches) {
     const Eigen::Vector3d p =
         T_current_template * Eigen::Vector3d(match.point.x, match.point.y, match.point.z);
-    if (p.z() < 0.1) continue;
+    if (p.z() < 0.1) continue;  // m; keeps the projection finite
     const Eigen::Vector2d error = Eigen::Vector2d(match.pixel.x, match.pixel.y) - K.project(p);
     if (error.norm() > kInlier) continue;
     Eigen::Matrix<double, 2, 3> projection;
@@ -71,7 +72,7 @@ PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const P
 std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& corners) {
   std::vector<LandmarkMatch> matches;
   if (landmarks.points.empty() || corners.pixels.size() < 2) return matches;
-  constexpr float kFarthest = 64;  // of 256 bits
+  constexpr float kFarthest = 64;  // of 256 bits; chosen, not tuned
   constexpr float kRival = 0.8F;   // ratio test (Lowe, IJCV 2004)
   std::vector<std::vector<cv::DMatch>> nearest;
   cv::BFMatcher(cv::NORM_HAMMING)
@@ -92,7 +93,7 @@ std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
   MeasuredPose measured;
   measured.T_template_current = *start;
   PoseEquations normal = poseEquationsOf(matches, pinhole, *start);
-  constexpr int kSteps = 5;
+  constexpr int kSteps = 5;  // fixed, bounds the time; chosen, not tuned
   for (int step = 0; step < kSteps && normal.inliers >= least; ++step) {
     measured.T_template_current =
         normalised(measured.T_template_current * expSe3(Vector6d(normal.H.ldlt().solve(normal.b))));

@@ -12,9 +12,9 @@
 namespace tolman::landmarks {
 namespace {
 
-constexpr double kNearest = 2;  // m
-constexpr double kLeastDisparity = 1;
-constexpr int kHalfPatch = 5;
+constexpr double kNearest = 2;         // m; bounds the search; chosen, not tuned
+constexpr double kLeastDisparity = 1;  // px; chosen, not tuned
+constexpr int kHalfPatch = 5;          // px; chosen, not tuned
 
 /// Peak of the parabola through three values at -1, 0 and 1; the middle one is the largest.
 double peakOf(double before, double at, double after) {
@@ -24,8 +24,8 @@ double peakOf(double before, double at, double after) {
 
 /// Index of the largest correlation, interpolated; negative if it is low or not unique.
 double uniquePeak(const std::vector<float>& value) {
-  constexpr float kPoor = 0.85F;
-  constexpr float kRival = 0.95F;
+  constexpr float kPoor = 0.85F;   // correlation; chosen, not tuned
+  constexpr float kRival = 0.95F;  // chosen, not tuned
   const auto best = static_cast<std::size_t>(std::ranges::max_element(value) - value.begin());
   if (value[best] < kPoor || best == 0 || best + 1 == value.size()) return -1;
   for (std::size_t i = 0; i < value.size(); ++i) {
@@ -109,6 +109,7 @@ cv::Mat grayOf(const Image& image) {
 }
 
 Corners findCorners(const cv::Mat& gray, int count) {
+  // Factor between levels and their number: chosen, not tuned.
   const cv::Ptr<cv::ORB> orb = cv::ORB::create(count, 1.3F, 5);
   std::vector<cv::KeyPoint> found;
   Corners corners;

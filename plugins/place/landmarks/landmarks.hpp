@@ -16,7 +16,7 @@ struct Corners {
   std::vector<cv::Point2f> pixels;
   cv::Mat descriptions;  ///< CV_8U, a row of kDescriptionBytes for each
 };
-inline constexpr int kDescriptionBytes = 32;
+inline constexpr int kDescriptionBytes = 32;  // of ORB: 256 bits
 
 /// Landmarks in the frame of the left camera, m.
 struct Landmarks {

@@ -17,13 +17,13 @@ namespace tolman::place_replay {
 
 struct PlaceReplayParameters {
   std::string record;
-  int view_step = 5;
+  int view_step = 5;  // frames; the detector of the recorded candidates looked at every 5th
   bool relative_pose = false;
-  double sigma_position = 1.0;
-  double sigma_heading = 0.1;
+  double sigma_position = 1.0;  // m; chosen, not tuned; configs/motion.yaml has the measured one
+  double sigma_heading = 0.1;   // rad; chosen, not tuned; as above
   double kept = 1;
   double invented = 0;
-  int invented_age = 100;
+  int invented_age = 100;  // frames; chosen, not tuned
   int invented_run = 1;
 
   static constexpr auto declaration() {

@@ -22,7 +22,7 @@ std::vector<float> enhancedContrast(std::span<const float> differences, int wind
     for (const float value : around) {
       variance += (value - mean) * (value - mean) / static_cast<double>(around.size());
     }
-    constexpr double kAlike = 1e-12;
+    constexpr double kAlike = 1e-12;  // variance of equal differences, up to rounding; avoids 0 / 0
     const double away = differences[static_cast<std::size_t>(i)] - mean;
     enhanced.push_back(variance > kAlike ? static_cast<float>(away / std::sqrt(variance)) : 0);
   }

@@ -13,7 +13,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 }  // namespace
 
 LineSearch::LineSearch(const LineSettings& settings) : settings_(settings) {
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // so that the fastest speed is tried
   const double range = settings.fastest - settings.slowest;
   const auto steps = static_cast<int>(std::floor(range / settings.speed_step + kRounding));
   for (int s = 0; s <= steps; ++s) {

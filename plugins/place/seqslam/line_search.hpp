@@ -10,6 +10,7 @@
 
 namespace tolman::seqslam {
 
+/// The defaults are those of the parameters; seqslam.hpp has their sources.
 struct LineSettings {
   int images = 10;       ///< length of a line
   double slowest = 0.8;  ///< stored views for each image

@@ -20,18 +20,19 @@ namespace tolman::seqslam {
 
 class SeqSlam final : public Place, public StateKeeper {
  public:
+  /// Where nothing else is said the default is as published.
   struct Parameters {
     int columns = 64;
     int rows = 32;
     int patch = 8;
-    int contrast_window = 10;
+    int contrast_window = 10;  // views; no source noted
     int sequence = 10;
     double slowest = 0.8;
     double fastest = 1.2;
-    double speed_step = 0.1;
-    int same_place = 5;
-    int recent = 20;
-    double quotient = 0.7;
+    double speed_step = 0.1;  // chosen, not tuned
+    int same_place = 5;       // views; chosen, not tuned
+    int recent = 20;          // images; chosen, not tuned
+    double quotient = 0.7;    // chosen, not tuned; README.md
 
     static constexpr auto declaration() {
       using P = Parameters;

@@ -12,9 +12,9 @@ namespace tolman::view_sequences {
 namespace {
 
 // Grids contain points from 30 m back to 12 m ahead, so grids with less path in between share
-// points.
+// points. Chosen, not tuned: 2 m may be shared.
 constexpr double kSharedPath = 40;  // m
-// Fewest compared grids from which the usual distance is estimated.
+// Fewest compared grids from which the usual distance is estimated. Chosen, not tuned.
 constexpr std::int64_t kFewestGrids = 10;
 // z of a view that is not compared; so large that no evidence is passed on.
 constexpr float kNotCompared = 5;
@@ -104,7 +104,7 @@ void BackwardSearch::compareAll(const StructureQuery& query) {
 /// Whether one of the next views has no structure. The evidence would then remain at this view
 /// while the robot drives on.
 bool BackwardSearch::isAtEnd(std::int64_t view) const {
-  constexpr std::int64_t kAhead = 5;
+  constexpr std::int64_t kAhead = 5;  // views; chosen, not tuned
   if (view < kAhead) return true;
   const auto* grids = grid_of_view_.data() + view;
   return std::any_of(grids - kAhead, grids + 1, [](std::int32_t grid) { return grid < 0; });

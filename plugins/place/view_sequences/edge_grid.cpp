@@ -11,12 +11,13 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr int kCell = 12;  // px of the reduced image
+constexpr int kCell = 12;  // px of the reduced image; chosen, not tuned
 constexpr int kWidth = kColumns * kCell;
 constexpr int kHeight = kRows * kCell;
-// Gradients below this, in grey levels of 0 to 1 over two pixels, are treated as noise.
+// Gradients below this, in grey levels of 0 to 1 over two pixels, are treated as noise. Chosen,
+// not tuned.
 constexpr float kNoise = 0.01F;
-// A view with a smaller mean strength of edges is blank.
+// A view with a smaller mean strength of edges, in the same units, is blank. Chosen, not tuned.
 constexpr float kBlank = 0.002F;
 
 cv::Mat reduced(const Image& image) {

@@ -12,6 +12,7 @@
 
 namespace tolman::view_sequences {
 
+/// Chosen, not tuned.
 inline constexpr int kColumns = 13;
 inline constexpr int kRows = 8;
 inline constexpr int kDirections = 6;  ///< over 180 degrees: the sign of a gradient is ignored

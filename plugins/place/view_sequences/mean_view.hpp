@@ -19,7 +19,7 @@ class MeanView {
   }
   /// The light may be different in the next pass, so the mean so far counts as only 20 views.
   void beginPass() {
-    constexpr float kCarried = 20;
+    constexpr float kCarried = 20;  // chosen, not tuned
     weight_ = std::min(weight_, kCarried);
   }
   const EdgeValues& mean() const { return mean_; }
@@ -37,7 +37,7 @@ class MeanView {
   }
 
  private:
-  static constexpr float kViews = 100;
+  static constexpr float kViews = 100;  // chosen, not tuned
 
   EdgeValues mean_{};
   float weight_ = 0;

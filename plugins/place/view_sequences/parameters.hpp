@@ -6,19 +6,21 @@
 
 namespace tolman::view_sequences {
 
+/// docs/places.md says on what data memory and probabilities were chosen. The others are chosen,
+/// not tuned.
 struct Parameters {
-  double spacing = 1.0;
-  double recent = 20;
-  double probability = 0.8;
-  double memory = 0.92;
-  int exhaustive = 4000;
-  double field_of_view = 81.6;
+  double spacing = 1.0;         // m
+  double recent = 20;           // m
+  double probability = 0.8;     // for images without look-alikes (README.md)
+  double memory = 0.92;         // walks, corridor
+  int exhaustive = 4000;        // views; bounds the time
+  double field_of_view = 81.6;  // deg; KITTI's
   int landmarks = 0;
   int landmarks_agreeing = 20;
   int landmark_spacing = 4;
-  double probability_verified = 0.01;
+  double probability_verified = 0.01;  // town 06, 07
   bool backwards = false;
-  double probability_backwards = 0.999;
+  double probability_backwards = 0.999;  // one false claim on 00 has 0.9989
 
   static constexpr auto declaration() {
     using P = Parameters;

@@ -28,7 +28,7 @@ std::optional<PathStep> PathSteps::move(const Motion& motion) {
     since_step_ += length;
   }
   has_started_ = true;
-  constexpr double kRounding = 1e-9;
+  constexpr double kRounding = 1e-9;  // relative; of sums of motions
   if (!pass_is_due_ && since_step_ < spacing_ * (1 - kRounding)) return std::nullopt;
   const PathStep step{path_, pass_is_due_ ? 1 : since_step_ / spacing_, pass_is_due_};
   pass_is_due_ = false;

@@ -6,7 +6,7 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Cells between the tried shifts: codes hardly change over one cell.
+// Cells between the tried shifts: codes hardly change over one cell. Chosen, not tuned.
 constexpr int kCodeShift = 2;
 
 /// splitmix64 (Steele et al., OOPSLA 2014): the same numbers everywhere.
@@ -20,7 +20,7 @@ std::uint64_t nextRandom(std::uint64_t& state) {
 }  // namespace
 
 CodeMaker::CodeMaker() {
-  std::uint64_t state = 20;
+  std::uint64_t state = 20;  // seed; any other gives other codes
   for (auto& terms : terms_) {
     for (std::uint16_t& term : terms) {
       term = static_cast<std::uint16_t>(nextRandom(state) % kValues);

@@ -24,7 +24,7 @@ class CodeMaker {
   PlaceCode codeOfShifted(const EdgeValues& deviation, int shift) const;
 
  private:
-  static constexpr int kTerms = 48;
+  static constexpr int kTerms = 48;  // chosen, not tuned
   /// Indices of values for each bit: the first half is added, the other subtracted.
   std::array<std::array<std::uint16_t, kTerms>, kCodeBits> terms_;
 };

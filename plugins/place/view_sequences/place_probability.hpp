@@ -8,9 +8,9 @@
 
 namespace tolman::view_sequences {
 
-/// Views nearer to each other than this show the same place.
+/// Views nearer to each other than this show the same place. Chosen, not tuned.
 inline constexpr std::int64_t kSamePlace = 10;
-/// Evidence of the hypothesis that the robot is at no known place.
+/// Evidence of the hypothesis that the robot is at no known place. Chosen as kNatsPerEvidence.
 inline constexpr double kEvidenceOfNovelty = -4;
 
 /// Posterior of the place with this evidence against its rivals: the best other place, the same

@@ -14,10 +14,10 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Fewest compared views from which the usual distance is estimated.
+// Fewest compared views from which the usual distance is estimated. Chosen, not tuned.
 constexpr std::int64_t kFewest = 4;
 // Number of the best views by codes that are then compared in full, and size of the sample of views
-// for the usual distance.
+// for the usual distance. Chosen, not tuned; they bound the time.
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
 // The views of one place span about 2 * kSamePlace indices, so this many best views contain the
@@ -117,7 +117,7 @@ void PlaceSearch::compareAll(const ViewQuery& query) {
 
 /// Sums of the distances, by codes, of the first `count` views, or of a sample of them.
 Sums PlaceSearch::sumsOfBits(std::int64_t count) const {
-  constexpr std::int64_t kEnough = 65536;
+  constexpr std::int64_t kEnough = 65536;  // views; bounds the time; chosen, not tuned
   const std::int64_t stride = 1 + count / kEnough;
   std::array<std::int64_t, kCodeBits + 1> views_with{};
   for (std::int64_t i = 0; i < count; i += stride) ++views_with[bits_[static_cast<std::size_t>(i)]];
@@ -183,8 +183,8 @@ std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
   const auto isBetter = [&](std::int64_t a, std::int64_t b) {
     return evidence[static_cast<std::size_t>(a)] < evidence[static_cast<std::size_t>(b)];
   };
-  float limit = 0;  // only negative values are evidence for a place
-  constexpr std::int64_t kBlock = 64;
+  float limit = 0;                     // only negative values are evidence for a place
+  constexpr std::int64_t kBlock = 64;  // views; only for speed
   for (std::int64_t block = 0; block < candidates_; block += kBlock) {
     const std::int64_t end = std::min(block + kBlock, candidates_);
     if (leastOf(evidence.data() + block, end - block) >= limit) continue;

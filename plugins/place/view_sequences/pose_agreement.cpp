@@ -7,6 +7,7 @@
 namespace tolman::view_sequences {
 namespace {
 
+// Chosen, not tuned.
 constexpr double kLeastApart = 4;             // m of path: a chance match does not last so long
 constexpr double kMostApart = 12;             // m of path
 constexpr double kLargestGap = 1.5;           // m, between the poses

@@ -8,10 +8,10 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr double kStreetReach = 30;     // m of path
-constexpr double kLeastReach = 15;      // m; grids over less differ too much from those over 30 m
-constexpr double kPatchSpacing = 0.99;  // m between patches
-constexpr std::int64_t kFewestPoints = 500;  // points in a grid; a street has ten thousand
+constexpr double kStreetReach = 30;     // m of path; chosen on district (docs/places.md)
+constexpr double kLeastReach = 15;      // m; grids over less differ too much; chosen, not tuned
+constexpr double kPatchSpacing = 0.99;  // m between patches: once in a step of 1 m
+constexpr std::int64_t kFewestPoints = 500;  // in a grid; a street has 10^4; chosen, not tuned
 constexpr std::uint64_t kMostPatches = 64;   // a larger number is damage
 
 void putPose(StateWriter& writer, const Eigen::Isometry3d& T) {

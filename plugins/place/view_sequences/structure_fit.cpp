@@ -9,8 +9,8 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr int kSide = 6;   // largest shift to the side that is tried, cells
-constexpr int kFront = 4;  // largest shift along the street that is tried, cells
+constexpr int kSide = 6;   // largest shift to the side, cells; chosen, not tuned
+constexpr int kFront = 4;  // largest shift along the street, cells; chosen, not tuned
 
 using Correlations = std::array<std::array<double, 2 * kFront + 1>, 2 * kSide + 1>;
 

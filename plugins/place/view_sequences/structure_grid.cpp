@@ -7,7 +7,8 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Limits of the bands, m above the street. Lower points are the street itself.
+// Limits of the bands, m above the street. Lower points are the street itself. Chosen on
+// district.
 constexpr std::array<float, kHeights + 1> kLimits = {0.4F, 1.2F, 2.2F, 3.5F, 5.5F, 8.0F, 30.0F};
 // Height of the camera above the street, m: that of KITTI's car. Another height shifts all bands
 // equally, in stored grids and in the present one.

@@ -12,6 +12,8 @@
 
 namespace tolman::view_sequences {
 
+/// Chosen on district: a prototype found 64 % there, with cells of 2.5 m 33 %, with three
+/// heights 36.
 inline constexpr int kLateral = 21;
 inline constexpr int kAlong = 16;
 inline constexpr int kHeights = 6;

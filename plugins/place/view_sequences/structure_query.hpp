@@ -10,7 +10,8 @@
 
 namespace tolman::view_sequences {
 
-/// Largest shift to either side, cells: the other lane is two or three cells away.
+/// Largest shift to either side, cells: the other lane is two or three cells away. Chosen on
+/// district.
 inline constexpr int kStructureShift = 5;
 
 class StructureQuery {

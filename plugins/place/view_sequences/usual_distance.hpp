@@ -23,7 +23,8 @@ class UsualDistance {
   // prior it counts as much as this number of views. Grids of structure use the same.
   static constexpr double kPriorDeviation = 0.12;
   static constexpr double kPriorViews = 20;
-  // Limits the effect of a single view, however similar.
+  // Limits the effect of a single view, however similar. Chosen on the walks and a corridor
+  // (docs/places.md).
   static constexpr float kLargest = 4;
 
   double mean_;

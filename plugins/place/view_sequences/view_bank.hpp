@@ -21,7 +21,7 @@ struct Chunk {
   std::int64_t pass = 0;
   std::array<std::uint8_t, kValues> mean{};  ///< in units of 1 / kMeanScale levels
 };
-inline constexpr float kMeanScale = 16;
+inline constexpr float kMeanScale = 16;  // so that 15 levels fit a byte
 
 class ViewBank {
  public:

@@ -11,7 +11,8 @@
 
 namespace tolman::view_sequences {
 
-/// Largest shift to either side, cells: a quarter of the view.
+/// Largest shift to either side, cells: a quarter of the view. Chosen, not tuned; docs/places.md
+/// has the figures without shifts.
 inline constexpr int kShift = 3;
 inline constexpr int kShifts = 2 * kShift + 1;
 

@@ -123,7 +123,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
                              PlaceObservation& observation) {
   // Between two measurements, and for kBelieved steps after the last one, a likely place is not
   // reported (nor stored as new): without a pose it would be known only to a few metres.
-  constexpr std::int64_t kBelieved = 20;  // steps
+  constexpr std::int64_t kBelieved = 20;  // steps; chosen, not tuned
   const std::vector<PlaceCandidate> found =
       search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMostPlaces : 1);
   const double probability = found.empty() ? 0 : found.front().probability;

@@ -41,7 +41,7 @@ class ViewSequences final : public Place,
   Status load(std::istream& stream) override;
 
  private:
-  static constexpr std::int64_t kNever = 1'000'000;
+  static constexpr std::int64_t kNever = 1'000'000;  // steps: more than any spacing
 
   /// A stored view at the present place, with the measured pose, if any.
   struct VerifiedView {

@@ -91,7 +91,7 @@ void averageCrop(const Image& image, const Crop& crop, int columns, int rows,
 
 void gradientCells(const std::vector<float>& samples, int columns, int rows,
                    std::vector<float>& cells) {
-  // Mean gradient of noise, in grey levels of 0 to 1 over two samples.
+  // Mean gradient of noise, in grey levels of 0 to 1 over two samples. Chosen, not tuned.
   constexpr float kNoise = 0.01F;
   constexpr float kSamples = kSamplesPerCell * kSamplesPerCell;
   std::vector<float> sums(indexOf(0, rows * kDirections, columns));

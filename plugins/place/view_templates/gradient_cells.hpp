@@ -9,9 +9,10 @@
 
 namespace tolman::view_templates {
 
-/// Directions of an edge over 180 degrees: the sign of the gradient is ignored.
+/// Directions of an edge over 180 degrees: the sign of the gradient is ignored. Chosen, not
+/// tuned.
 inline constexpr int kDirections = 8;
-/// Samples along each side of a cell, from which its gradients are computed.
+/// Samples along each side of a cell, from which its gradients are computed. Chosen, not tuned.
 inline constexpr int kSamplesPerCell = 8;
 
 /// Part of an image, px.

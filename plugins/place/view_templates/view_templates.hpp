@@ -21,6 +21,7 @@ class ViewTemplates final : public Place,
                             public ArrayDescriptions,
                             public StateKeeper {
  public:
+  /// The defaults of grey cells are those of the program Hybrid-NeuroSLAM for KITTI.
   struct Parameters {
     int columns = 60;
     int rows = 10;
@@ -38,9 +39,9 @@ class ViewTemplates final : public Place,
     int patch_radius = 0;
     double patch_minimum_std = 0;
     bool panoramic = false;
-    double field_of_view = 81.6;
+    double field_of_view = 81.6;  // deg; KITTI's
     int landmarks = 0;
-    int landmarks_agreeing = 20;
+    int landmarks_agreeing = 20;  // chosen, not tuned
 
     static constexpr auto declaration() {
       using P = Parameters;

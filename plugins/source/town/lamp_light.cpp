@@ -9,8 +9,9 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kReach = 30;          ///< m; also the size of the cells of the grid
-constexpr float kIntensity = 9;       ///< m^2: 0.25 on the road 6 m below
+// All chosen, not tuned.
+constexpr float kReach = 30;     ///< m; also the size of the cells of the grid; bounds the time
+constexpr float kIntensity = 9;  ///< m^2: 0.25 on the road 6 m below
 constexpr float kHeadRadius = 0.55F;  ///< m about the middle of a lamp's head
 constexpr float kBeam = 50;           ///< m^2, straight ahead
 constexpr float kBeamWidth = 0.4F;    ///< rad to either side
@@ -81,8 +82,8 @@ float headlightsOnto(const Headlights& beams, const Vec3& point, const Vec3& n) 
 }
 
 float carLamps(const SurfaceHit& hit) {
-  constexpr float kFront = 25;
-  constexpr float kRear = 1;
+  constexpr float kFront = 25;  // radiance; chosen, not tuned
+  constexpr float kRear = 1;    // chosen, not tuned
   const float aside = std::abs(hit.point.y);
   const bool at_lamp =
       hit.point.z > 0.52F && hit.point.z < 0.7F && aside > 0.42F && std::abs(hit.normal.x) > 0.3F;

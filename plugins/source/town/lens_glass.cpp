@@ -10,6 +10,7 @@
 namespace tolman::town {
 namespace {
 
+// All chosen, not tuned.
 constexpr float kSpot = 70;         ///< px at scale 1, wavelength of dirt
 constexpr float kSoft = 0.35F;      ///< range of the noise over which a spot fades out
 constexpr float kDims = 0.55F;      ///< share of light that dirt absorbs

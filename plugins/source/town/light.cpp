@@ -32,6 +32,8 @@ Vec3 sunAt(double hour) {
 
 }  // namespace
 
+/// The shares of reflected light (0.2 of sky, 0.25 of sun, halves of a quarter) are chosen, not
+/// tuned.
 float Light::onto(const Vec3& n, float lit) const {
   const float direct = lit * sun * std::max(0.0F, dot(n, to_sun));
   const float from_above = sky * (0.5F + 0.5F * n.z);
@@ -41,6 +43,7 @@ float Light::onto(const Vec3& n, float lit) const {
   return direct + from_above * facing + from_ground;
 }
 
+/// Height of the clouds, their wavelength and contrast are chosen, not tuned.
 float Light::fromSky(const Vec3& d, float spread) const {
   const float up = std::max(0.0F, d.z / norm(d));
   float radiance = horizon + (zenith - horizon) * std::sqrt(up);
@@ -59,6 +62,8 @@ float Light::through(float of, float distance) const {
   return horizon + (of - horizon) * clear;
 }
 
+/// Radiances are in units of Light and chosen, not tuned; docs/town.md compares images of a clear
+/// day with those of KITTI.
 Light makeLight(double hour, Weather weather, double haze, std::uint32_t seed) {
   Light light;
   light.seed = seed;
@@ -81,12 +86,12 @@ Light makeLight(double hour, Weather weather, double haze, std::uint32_t seed) {
 }
 
 void makeNight(Light& light) {
-  constexpr float kSky = 0.003F;
+  constexpr float kSky = 0.003F;  // irradiance / pi; chosen, not tuned
   const float factor = kSky / light.sky;
   for (float* part : {&light.sky, &light.horizon, &light.zenith}) *part *= factor;
   light.sun = 0;
   light.lamps = 1;
-  light.dimness = 15;
+  light.dimness = 15;  // chosen, not tuned
 }
 
 Light meanOf(std::span<const Light> lights) {

@@ -9,12 +9,13 @@
 namespace tolman::town {
 namespace {
 
+// All chosen, not tuned.
 constexpr std::uint32_t kDrops = 3000;  ///< number in front of the cameras in heavy rain
 constexpr double kNearest = 0.8;        ///< m
 constexpr double kFarthest = 12;        ///< m
 constexpr double kFall = 8;             ///< m/s, drops of 3 mm
 constexpr double kWidth = 0.003;        ///< m
-constexpr float kOpacity = 0.3F;
+constexpr float kOpacity = 0.3F;        // of light that a drop replaces
 
 /// Draws a line of the given width in px. A line thinner than a pixel covers only a part of it.
 void drawLine(std::vector<float>& radiance, const RenderCamera& view, const Eigen::Vector2d& from,

@@ -11,11 +11,11 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kSky = 1e4;      ///< m
-constexpr float kSharp = 0.1F;    ///< px; a pixel with a shorter path is not changed
-constexpr float kLongest = 200;   ///< px
-constexpr int kMostSamples = 17;  ///< per pixel
-constexpr double kNearest = 0.1;  ///< m in front of the camera
+constexpr double kSky = 1e4;    ///< m; as good as infinite
+constexpr float kSharp = 0.1F;  ///< px; pixels with shorter paths keep their value; bounds the time
+constexpr float kLongest = 200;   ///< px; bounds the time
+constexpr int kMostSamples = 17;  ///< per pixel; bounds the time
+constexpr double kNearest = 0.1;  ///< m in front of the camera; keeps the projection finite
 
 }  // namespace
 

@@ -43,7 +43,7 @@ RenderCamera TownCamera::viewAt(const Moment& moment, double part) const {
 std::vector<float>& TownCamera::openShutter(Renderer& renderer, const Moment& moment,
                                             double time_ms) {
   const double open = parameters_.motion_blur;
-  const int shots = open > 0 ? 5 : 1;
+  const int shots = open > 0 ? 5 : 1;              // bounds the time
   for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, to keep its depth
     renderer.render(viewAt(moment, open * shot / shots), rendered_);
     if (shots == 1) break;
@@ -68,6 +68,8 @@ Sensor TownCamera::sensorFor(const Moment& moment, double amplification) const {
   sensor.gain = moment.gain * p.gain[index_];
   sensor.gamma = p.gamma[index_];
   sensor.vignetting = p.vignetting + p.vignetting_error[index_];
+  // Grey levels, and grey levels^2 per grey level; together about 1.5 grey levels (docs/town.md).
+  // Chosen, not tuned.
   sensor.read_noise = 0.8 * p.noise * amplification;
   sensor.shot_noise = 0.015 * p.noise * p.noise * amplification;
   sensor.seed = run_seed_;
@@ -79,6 +81,7 @@ Rain TownCamera::rainAt(const Light& light, const Moment& moment, const Exposure
       moment.T_town_left(1).translation() - moment.T_town_left(0).translation();
   Rain rain;
   rain.density = light.rain;
+  // A little brighter than the sky behind: chosen, not tuned.
   rain.brightness = 1.1F * (light.horizon + 0.02F * light.lamps);
   if (exposure.time_ms > 0) rain.exposure_s = exposure.time_ms * 1e-3;
   rain.speed_m_s = step.norm() / moment.interval_s;

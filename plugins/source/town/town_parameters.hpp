@@ -47,14 +47,14 @@ struct TownParameters : FrameSelection, CameraDisturbances, StreetLife {
   double aliasing = 0.15;
   double density = 1;
   bool guard_rails = false;
-  // Light, weather and image formation.
-  double hour = 10.5;
+  // Light, weather and image formation: chosen, not tuned.
+  double hour = 10.5;  // h
   Weather weather = Weather::Clear;
-  double haze = 0.0008;
+  double haze = 0.0008;  // 1/m
   std::string conditions;
-  double noise = 1;
-  double vignetting = 0.25;
-  double exposure_change = 0.06;
+  double noise = 1;               // of the usual noise
+  double vignetting = 0.25;       // share that the corners lose
+  double exposure_change = 0.06;  // of the logarithm of the gain
   double motion_blur = 0;
   std::int64_t edge_samples = 2;
   bool depth = false;

@@ -112,7 +112,7 @@ void setSize(FileCamera& found, const Node* width, const Node* height) {
   if (width == nullptr || height == nullptr) return;
   for (const Node* side : {width, height}) {
     const double size = side->number();
-    if (size >= 1 && size <= 65000 && size == std::floor(size)) continue;
+    if (size >= 1 && size <= 65000 && size == std::floor(size)) continue;  // more is damage
     throw FileError(side->line, inQuotes(side->text) + " is no size of an image in pixels");
   }
   found.size_line = width->line;
@@ -229,9 +229,10 @@ FileCamera matrixCamera(const Node& tree, Names matrix, Names coefficients) {
 
 Eigen::Matrix3d rotationOf(const Eigen::Matrix3d& M, int line) {
   const double error = (M.transpose() * M - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-  if (!(error < 1e-3) || M.determinant() < 0) {
+  if (!(error < 1e-3) || M.determinant() < 0) {  // digits that files print
     throw FileError(line, "has no rotation in its first three columns; correct the calibration");
   }
+  // Below 1e-9 it is exact up to rounding.
   return error < 1e-9 ? M : Eigen::Quaterniond(M).normalized().toRotationMatrix();
 }
 

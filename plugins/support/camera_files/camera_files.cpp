@@ -16,7 +16,7 @@ namespace {
 
 /// Throws FileError.
 std::string readText(const fs::path& file) {
-  constexpr std::uintmax_t kMostBytes = 1U << 20U;
+  constexpr std::uintmax_t kMostBytes = 1U << 20U;  // bounds memory
   std::error_code failure;
   if (!fs::is_regular_file(file, failure)) {
     throw FileError(0, "is missing; restore it, or correct the path");
@@ -62,7 +62,7 @@ void checkCamera(FileCamera& found, const WantedCameras& wanted) {
                         "; give the calibration of these images");
   }
   const Pinhole& K = camera.pinhole;
-  if (!(K.fx > 0 && K.fy > 0 && K.fx < 1e6 && K.fy < 1e6)) {
+  if (!(K.fx > 0 && K.fy > 0 && K.fx < 1e6 && K.fy < 1e6)) {  // px; a larger number is damage
     throw FileError(found.pinhole_line, "focal lengths must be positive, in pixels; correct them");
   }
   const bool inside = K.cx > 0 && K.cy > 0 && K.cx < camera.width && K.cy < camera.height;
@@ -90,7 +90,7 @@ void prescribe(const std::vector<FileCamera>& cameras, RawRig& rig) {
   if (cameras.size() == 1) return;
   const FileCamera& right = cameras[1];
   const Projection& Q = *right.P_rectified;
-  if (!(P.leftCols<3>() - Q.leftCols<3>()).isZero(1e-3)) {
+  if (!(P.leftCols<3>() - Q.leftCols<3>()).isZero(1e-3)) {  // px; digits that files print
     throw FileError(right.rectified_line,
                     "the two rectified cameras have different focal lengths or centres; calibrate "
                     "them as a pair");

@@ -36,7 +36,7 @@ struct Node {
   void checkKeys() const;
 };
 
-inline constexpr int kDeepest = 16;  // levels
+inline constexpr int kDeepest = 16;  // levels; bounds the recursion
 
 /// YAML: maps and lists as blocks or in brackets, plain and quoted values, comments, tags and
 /// directives (ignored). Throws FileError, also for a key that is given twice in one map.

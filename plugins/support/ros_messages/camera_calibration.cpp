@@ -13,6 +13,7 @@ Eigen::Matrix3d rotationOf(const CameraInfoMessage& info) {
 }
 
 bool isRotation(const Eigen::Matrix3d& R) {
+  // 1e-3: digits that files print.
   return (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-3 && R.determinant() > 0;
 }
 
@@ -43,7 +44,7 @@ Status checkPinhole(const Pinhole& K, int width, int height) {
 
 Result<double> baselineOf(const CameraInfoMessage& right) {
   const double baseline = hasP(right) ? -right.P[3] / right.P[0] : 0;
-  if (baseline > 1e-3 && baseline < 5) return baseline;
+  if (baseline > 1e-3 && baseline < 5) return baseline;  // m; chosen, not tuned
   return Status::invalidInput(
       "has no baseline between 1 mm and 5 m in P of the right camera: exchange left and right, or "
       "set mono: true");

@@ -17,7 +17,7 @@ std::uint32_t bigEndian(Bytes bytes, std::size_t at, std::size_t count) {
 }
 
 Result<ImageSize> pngSize(Bytes coded) {
-  constexpr std::size_t kHeaderEnd = 33;
+  constexpr std::size_t kHeaderEnd = 33;  // bytes; signature and IHDR of PNG
   if (coded.size() < kHeaderEnd || asText(coded).substr(12, 4) != "IHDR") {
     return Status::invalidInput("is a PNG image with a damaged header");
   }
@@ -47,7 +47,7 @@ Result<ImageSize> jpegSize(Bytes coded) {
 }  // namespace
 
 Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height) {
-  constexpr std::uint64_t kMostPixels = 100'000'000;
+  constexpr std::uint64_t kMostPixels = 100'000'000;  // bounds memory: 300 MB of colour
   if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels / width) {
     return Status::invalidInput("claims an impossible size of " + std::to_string(width) + "x" +
                                 std::to_string(height) + " px");

@@ -162,7 +162,7 @@ Result<std::vector<float>> convertDepth(const Message& message, ImageSize& size)
       }
       const float metres =
           millimetres ? static_cast<float>(bits) / 1000.0F : std::bit_cast<float>(bits);
-      depth.push_back(metres > 0 && metres < 1e6F ? metres : 0);  // nor NaN
+      depth.push_back(metres > 0 && metres < 1e6F ? metres : 0);  // nor infinite, nor NaN
     }
   }
   return depth;

@@ -21,7 +21,7 @@ struct CameraParameters : GivenPinhole {
   bool mono = false;
   std::string left_info;
   std::string right_info;
-  double tolerance = 0.005;
+  double tolerance = 0.005;  // s; chosen, not tuned
   bool colour = false;
   OnCorrupt on_corrupt = OnCorrupt::Stop;
 };

@@ -12,6 +12,7 @@
 
 namespace tolman {
 
+/// The defaults are OpenRatSLAM's (for St Lucia).
 struct HabituationSettings {
   double energy = 1;         ///< of a rested view
   double resting_decay = 1;  ///< of a rested view, and what an immediate repetition adds
@@ -43,7 +44,7 @@ class HabituatingViews {
     recover(view);
     if (repeated) view.decay += settings_.resting_decay;
     if (view.order >= count - settings_.newest_ignored) return std::nullopt;
-    // Falls as an exponential of the decay, to nothing at ln(30) / 1.2 = 2.8.
+    // Falls as an exponential of the decay, to nothing at ln(30) / 1.2 = 2.8; OpenRatSLAM's.
     const double energy = settings_.energy * (30 - std::exp(1.2 * view.decay)) / 30;
     if (!(energy > 0)) return std::nullopt;
     return Injection{view.place, energy};
