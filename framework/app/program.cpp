@@ -89,6 +89,11 @@ std::string systemErrorText(const std::system_error& error) {
   return std::string("tolman: internal error: ") + error.what();
 }
 
+bool hasWorkingDirectory() {
+  std::error_code ignored;
+  return !std::filesystem::current_path(ignored).empty();
+}
+
 int parse(CLI::App& app, std::vector<std::string> words) {
   try {
     std::ranges::reverse(words);  // CLI11 expects the last word first
@@ -105,9 +110,7 @@ int parse(CLI::App& app, std::vector<std::string> words) {
     const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
     return static_cast<int>(printFailure(ExitCode::Internal, text));
   } catch (const std::system_error& error) {
-    std::error_code gone;
-    std::filesystem::current_path(gone);
-    if (gone) {
+    if (!hasWorkingDirectory()) {
       const char* text = "the working directory no longer exists; change to one that does";
       return static_cast<int>(printFailure(ExitCode::Usage, text));
     }
