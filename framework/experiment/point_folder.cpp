@@ -68,20 +68,6 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
   return run;
 }
 
-/// A file with values of other types is the outcome of a failed run.
-PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
-  try {
-    const auto state = config::valueNamed<PointState>(json.value("state", ""));
-    return withOwnFigures(
-        {state.value_or(PointState::Failed), json.value("exit_code", 0), json.value("message", ""),
-         json.value("wall_s", 0.0), json.value("replayed", false)},
-        json, folder / "run");
-  } catch (const Json::exception&) {
-    return {PointState::Failed, 0, (folder / "outcome.json").string() + ": is damaged; remove it",
-            0, false};
-  }
-}
-
 constexpr std::array<const char*, 2> kFigures = {"metrics.json", "results.sha256"};
 
 Json figureDigests(const fs::path& run) {
@@ -105,6 +91,20 @@ PointOutcome withOwnFigures(PointOutcome outcome, const Json& json, const fs::pa
     break;
   }
   return outcome;
+}
+
+/// A file with values of other types is the outcome of a failed run.
+PointOutcome writtenOutcome(const Json& json, const fs::path& folder) {
+  try {
+    const auto state = config::valueNamed<PointState>(json.value("state", ""));
+    return withOwnFigures(
+        {state.value_or(PointState::Failed), json.value("exit_code", 0), json.value("message", ""),
+         json.value("wall_s", 0.0), json.value("replayed", false)},
+        json, folder / "run");
+  } catch (const Json::exception&) {
+    return {PointState::Failed, 0, (folder / "outcome.json").string() + ": is damaged; remove it",
+            0, false};
+  }
 }
 
 Json readJson(const fs::path& file) {
