@@ -14,13 +14,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-<<<<<<< HEAD
-/// Assumed variance of grey values (standard deviation 4 levels): the information 1 / sigma^2 times
-/// this is in the units of the photometric energy.
-=======
-/// Variance of grey levels (standard deviation 4) that converts a standard deviation to an energy.
-/// Chosen, not tuned.
->>>>>>> constants
+/// Assumed variance of grey values (standard deviation 4 levels; chosen, not tuned): the information
+/// 1 / sigma^2 times this is in the units of the photometric energy.
 constexpr double kGreyVariance = 16;
 
 }  // namespace
