@@ -14,8 +14,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-/// Assumed variance of grey values (standard deviation 4 levels; chosen, not tuned): the information
-/// 1 / sigma^2 times this is in the units of the photometric energy.
+/// Assumed variance of grey values (standard deviation 4 levels; chosen, not tuned): the
+/// information 1 / sigma^2 times this is in the units of the photometric energy.
 constexpr double kGreyVariance = 16;
 
 }  // namespace
