@@ -3,9 +3,8 @@
 //   config.yaml   the whole configuration, frozen when the run was planned
 //   point.json    name, factors, key, digests of the inputs, the run whose answers it takes
 //   run/          the run directory
-//   outcome.json  written when the run has ended, unless it was interrupted; with the digests of
-//   its
-//                 figures, so that those of another run are not taken for them
+//   outcome.json  written when the run has ended, unless it was interrupted; has the digests of
+//                 its figures, so that those of another run are not taken for them
 #pragma once
 
 #include <array>
