@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman compare: tables and figures of many runs.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 
 #include "app/program.hpp"
@@ -88,8 +91,38 @@ void refuseUnused(const CompareCommand& command) {
   }
 }
 
+/// Whether a file is one of those that are compared, or lies in a run or in the folder of one.
+/// Files beside the runs of a sweep are free, but for its own two.
+bool isOfInput(const std::filesystem::path& file, const std::filesystem::path& input) {
+  if (std::ranges::mismatch(input, file).in1 != input.end()) return false;
+  std::error_code ignored;
+  const std::filesystem::path below = file.lexically_relative(input);
+  const bool is_sweep = std::filesystem::is_directory(input, ignored) &&
+                        !std::filesystem::exists(input / "run.json", ignored);
+  const bool is_beside_runs = std::distance(below.begin(), below.end()) == 1;
+  return !is_sweep || !is_beside_runs || below == "points.txt" || below == "data.json";
+}
+
+/// Refuses to write over the runs and tables that are compared.
+void refuseInputs(const CompareCommand& command) {
+  std::vector<std::string> files = command.figures;
+  if (!command.out.empty()) files.push_back(command.out);
+  std::error_code ignored;
+  for (const std::string& file : files) {
+    for (const std::string& run : command.runs) {
+      if (!isOfInput(std::filesystem::weakly_canonical(file, ignored),
+                     std::filesystem::weakly_canonical(run, ignored))) {
+        continue;
+      }
+      throw Ended{ExitCode::Usage, file + ": belongs to " + run +
+                                       ", which is compared; choose a file outside of it"};
+    }
+  }
+}
+
 void compare(CompareCommand& command, const Invocation& invocation) {
   refuseUnused(command);
+  refuseInputs(command);
   if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {
     command.options.only.push_back(pairOf(only, "--only FACTOR=LABEL"));

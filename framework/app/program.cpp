@@ -110,6 +110,10 @@ int parse(CLI::App& app, std::vector<std::string> words) {
     const char* text = "tolman: out of memory; give it more (`ulimit -v`), or less to do";
     return static_cast<int>(printFailure(ExitCode::Internal, text));
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::filename_too_long) {
+      const char* text = "a path of the command line is too long for the file system";
+      return static_cast<int>(printFailure(ExitCode::Usage, text));
+    }
     if (!hasWorkingDirectory()) {
       const char* text = "the working directory no longer exists; change to one that does";
       return static_cast<int>(printFailure(ExitCode::Usage, text));

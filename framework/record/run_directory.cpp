@@ -144,13 +144,28 @@ Status RunDirectory::clear(bool replace) const {
                           ": holds a run; choose another --out, or give --force to replace it");
   }
   for (const char* file : {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm", "run.sqlite-journal",
-                           "run.json", "config.resolved.yaml", "metrics.json", "log.txt",
-                           "report.html", "results.sha256", "answers.bin"}) {
+                           "run.json", "config.resolved.yaml", "log.txt", "answers.bin"}) {
     fs::remove(path_ / file);
   }
-  for (const std::string_view file : kExportedFiles) fs::remove(path_ / file);
-  for (const char* folder : {"artefacts", "figures", "state"}) fs::remove_all(path_ / folder);
-  return Status::ok();
+  for (const char* folder : {"artefacts", "state"}) fs::remove_all(path_ / folder);
+  return removeDerived();
+}
+
+Status RunDirectory::removeDerived() const {
+  std::vector<fs::path> derived(kExportedFiles.begin(), kExportedFiles.end());
+  for (const char* name : {"metrics.json", "report.html", "results.sha256", "map.svg", "run.npz",
+                           "run.nwb", "figures"}) {
+    derived.emplace_back(name);
+  }
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path_, error)) {
+    const fs::path name = entry.path().filename();
+    if (name.string().starts_with("session-") && entry.is_directory(error)) derived.push_back(name);
+  }
+  for (const fs::path& name : derived) {
+    if (!error) fs::remove_all(path_ / name, error);
+  }
+  return error ? Status::failed(path_.string() + ": " + error.message()) : Status::ok();
 }
 
 Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState state) const {

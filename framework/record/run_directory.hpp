@@ -52,6 +52,10 @@ class RunDirectory {
   /// Fails if the folder was moved, removed or replaced: path() may then be another run.
   Status stillInPlace() const;
 
+  /// Removes what `export`, `report` or the end of the run computed from a record that is about to
+  /// change: trajectories, map, metrics, figures, run.npz, run.nwb and the folders session-N.
+  Status removeDerived() const;
+
   /// Writes run.json: the object `provenance` and "status". Writes into this folder even if it was
   /// moved.
   Status writeRunFile(nlohmann::ordered_json provenance, RunState state) const;

@@ -55,6 +55,20 @@ void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_j
                    (run / "run.json").string() + "); put them back, or run it again");
 }
 
+/// Refuses to make the run in a folder that has data which it reads: replacing an earlier run there
+/// could remove them.
+void refuseInputsIn(const std::filesystem::path& out, const std::vector<record::DataFile>& inputs) {
+  std::error_code ignored;
+  if (out.empty() || !std::filesystem::exists(out, ignored)) return;
+  const std::filesystem::path folder = std::filesystem::canonical(out, ignored);
+  for (const record::DataFile& input : inputs) {
+    const auto file = std::filesystem::weakly_canonical(input.path, ignored);
+    if (std::ranges::mismatch(folder, file).in1 != folder.end()) continue;
+    throw Failed({FailureKind::Record, out.string() + ": holds data that the run reads (" +
+                                           input.path.string() + "); choose another --out"});
+  }
+}
+
 }  // namespace
 
 Outcome Run::execute(CheckedSystem system) {
@@ -150,6 +164,7 @@ void Run::resumeRun() {
 
 void Run::reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now) {
   const std::int64_t next_frame = resume_->checkpoint.frame + 1;
+  require(directory_->removeDerived(), FailureKind::Record);
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
   run_file_ = std::move(now);
@@ -186,6 +201,7 @@ void Run::recordSessions() {
 /// Called after all plugins are configured and the earlier run is read: failures until then leave
 /// an existing run directory unchanged.
 void Run::openDirectory() {
+  refuseInputsIn(options_.out, inputs_);
   record::RunDirectoryOptions options;
   options.name = config().general.name;
   options.utc_seconds = utcSeconds();

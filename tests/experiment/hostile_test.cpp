@@ -132,6 +132,32 @@ TEST_CASE("figures that a run did not write itself are not taken for its own") {
   }
 }
 
+TEST_CASE("tables and figures are not written over what they are made of") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path run = study.point("period=100,sequence=a,seed=1") / "run";
+  const fs::path table = study.folder.path() / "runs.csv";
+  REQUIRE(tolman::test::tolman({"sweep", "collect", study.out().string(), "--out", table.string()})
+              .exit_code == 0);
+  const auto compare = [](const fs::path& runs, const std::string& option, const fs::path& file) {
+    return tolman::test::tolman({"compare", runs.string(), option, file.string()});
+  };
+  for (const Finished& refused :
+       {compare(study.out(), "--out", run / "run.sqlite"), compare(table, "--out", table),
+        compare(study.out(), "--out", study.out() / "points.txt"),
+        compare(study.out(), "--figure", run / "map.svg")}) {
+    CHECK(refused.exit_code == 2);
+    CHECK(contains(refused.err, "which is compared; choose a file outside of it"));
+  }
+  CHECK(compare(study.out(), "--out", study.out() / "table.md").exit_code == 0);
+}
+
+TEST_CASE("a name that no file system takes is an error of the command line") {
+  const Finished refused = tolman::test::tolman({"compare", std::string(256, 'y')});
+  CHECK(refused.exit_code == 2);
+  CHECK(contains(refused.err, "too long for the file system"));
+}
+
 TEST_CASE("a sweep without any run that is done gives no empty table") {
   const Study study;
   REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);

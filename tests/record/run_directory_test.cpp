@@ -63,6 +63,9 @@ TEST_CASE("--out takes new and empty folders, those of a run only by force, and 
     std::ofstream(out / "notes.txt") << "mine";
     std::ofstream(out / "run.sqlite-wal") << "of a killed run";
     REQUIRE(ArtefactFolder(out, "map").write("a.txt", bytes("a")).isOk());
+    std::ofstream(out / "run.npz") << "of the earlier run";
+    fs::create_directory(out / "session-0");
+    std::ofstream(out / "session-0/trajectory.tum") << "of the earlier run";
   }
   CHECK(RunDirectory::create(at(out)).status().message() ==
         out.string() + ": holds a run; choose another --out, or give --force to replace it");
@@ -73,6 +76,8 @@ TEST_CASE("--out takes new and empty folders, those of a run only by force, and 
   CHECK_FALSE(fs::exists(out / "run.json"));
   CHECK_FALSE(fs::exists(out / "run.sqlite-wal"));
   CHECK_FALSE(fs::exists(out / "artefacts"));
+  CHECK_FALSE(fs::exists(out / "run.npz"));
+  CHECK_FALSE(fs::exists(out / "session-0"));
   CHECK(contentOf(out / "notes.txt") == "mine");  // not ours to remove
   // Now it holds a stranger's file and no run.
   CHECK(RunDirectory::create(at(out)).status().message() ==

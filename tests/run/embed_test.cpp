@@ -140,6 +140,14 @@ TEST_CASE("failures carry kind and stage, and not only words") {
     CHECK(readJson(tiny.out / "run.json")["status"] == "failed");
     CHECK(outcome.metrics);  // what was computed can still be looked at
   }
+  SECTION("data in the folder of a run that would be replaced") {
+    tiny.out = tiny.folder.path() / "sequence";
+    const run::Outcome outcome = tiny.execute();
+    REQUIRE(outcome.failure);
+    CHECK(outcome.failure->kind == run::FailureKind::Record);
+    CHECK(contains(outcome.failure->message, "holds data that the run reads"));
+    CHECK(fs::exists(tiny.out / "image_0/000000.png"));
+  }
   SECTION("the directory") {
     fs::create_directories(tiny.out);
     std::ofstream(tiny.out / "letter.txt") << "not a run";
