@@ -100,7 +100,8 @@ bool isOfInput(const std::filesystem::path& file, const std::filesystem::path& i
   const bool is_sweep = std::filesystem::is_directory(input, ignored) &&
                         !std::filesystem::exists(input / "run.json", ignored);
   const bool is_beside_runs = std::distance(below.begin(), below.end()) == 1;
-  return !is_sweep || !is_beside_runs || below == "points.txt" || below == "data.json";
+  const bool is_own = below == "points.txt" || below == "data.json" || below == "results.csv";
+  return !is_sweep || !is_beside_runs || is_own;
 }
 
 /// Refuses to write over the runs and tables that are compared.

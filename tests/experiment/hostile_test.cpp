@@ -145,6 +145,7 @@ TEST_CASE("tables and figures are not written over what they are made of") {
   for (const Finished& refused :
        {compare(study.out(), "--out", run / "run.sqlite"), compare(table, "--out", table),
         compare(study.out(), "--out", study.out() / "points.txt"),
+        compare(study.out(), "--out", study.out() / "results.csv"),
         compare(study.out(), "--figure", run / "map.svg")}) {
     CHECK(refused.exit_code == 2);
     CHECK(contains(refused.err, "which is compared; choose a file outside of it"));
