@@ -34,8 +34,8 @@
 
 namespace tolman {
 
-/// One plugin object, with the interfaces that it implements (null: not implemented). All pointers
-/// are to the same object.
+/// One plugin object, with the interfaces that it implements; the pointer of any other is null. All
+/// pointers are to the same object.
 struct PluginObject {
   Plugin* plugin = nullptr;
   ArraySource* arrays = nullptr;
