@@ -7,7 +7,7 @@ using namespace tolman;
 
 namespace {
 
-host::LoadedPlugin toy() {
+host::LoadedPlugin toyPlugin() {
   host::LoadedPlugin plugin;
   plugin.manifest.id = "toy";
   plugin.manifest.role = Role::Cells;
@@ -38,7 +38,7 @@ host::LoadedPlugin toy() {
 }  // namespace
 
 TEST_CASE("parameters as text") {
-  CHECK(app::parametersText(toy()) ==
+  CHECK(app::parametersText(toyPlugin()) ==
         "toy 1.0 (cells): A toy.\n"
         "  count                      integer       default 3 px  [>= 1]\n"
         "      How many.\n"
@@ -53,7 +53,7 @@ TEST_CASE("parameters as text") {
 }
 
 TEST_CASE("parameters as a reference page") {
-  CHECK(app::parametersMarkdown(toy()) ==
+  CHECK(app::parametersMarkdown(toyPlugin()) ==
         "## `toy` (cells)\n\nA toy.\n\n"
         "| parameter | type | default | unit | range | meaning |\n|---|---|---|---|---|---|\n"
         "| `count` | integer | 3 | px | >= 1 | How many. |\n"
@@ -62,7 +62,7 @@ TEST_CASE("parameters as a reference page") {
 }
 
 TEST_CASE("parameters as JSON") {
-  const auto json = app::parametersJson(toy());
+  const auto json = app::parametersJson(toyPlugin());
   CHECK(json["parameters"].size() == 3);
   CHECK(json["parameters"][0]["min"] == 1);
   CHECK_FALSE(json["parameters"][0].contains("max"));

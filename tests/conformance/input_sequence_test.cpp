@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "conformance/contract.hpp"
+#include "conformance/hash_of.hpp"
 #include "conformance/input_faults.hpp"
 #include "conformance/transcript.hpp"
 #include "host/answers.hpp"
@@ -30,12 +31,6 @@ InputSequence withImages() {
   options.width = 64;
   options.height = 24;
   return makeSequence(options);
-}
-
-std::uint64_t hash(const auto& value) {
-  BitHash hash;
-  hash.add(value);
-  return hash.value();
 }
 
 /// The generated records satisfy the contract of host and kit. Returns the number of templates.
@@ -129,8 +124,8 @@ TEST_CASE("in the second circle a drive with stops stands, goes on, reverses, an
 TEST_CASE("a seed determines the sequence") {
   SequenceOptions options;
   options.frames = 4;
-  const auto left = [&] { return hash(makeSequence(options).inputs[3].frame.left); };
-  const auto motion = [&] { return hash(makeSequence(options).inputs[3].motion); };
+  const auto left = [&] { return test::hashOf(makeSequence(options).inputs[3].frame.left); };
+  const auto motion = [&] { return test::hashOf(makeSequence(options).inputs[3].motion); };
   const auto first = std::pair(left(), motion());
   CHECK(first == std::pair(left(), motion()));
   options.seed = 2;
@@ -183,7 +178,7 @@ TEST_CASE("padding changes the stride and no pixel") {
   for (std::size_t i = 0; i < plain.inputs.size(); ++i) {
     const Image& image = padded.inputs[i].frame.right;
     CHECK(image.stride() > image.width());
-    CHECK(hash(image) == hash(plain.inputs[i].frame.right));
+    CHECK(test::hashOf(image) == test::hashOf(plain.inputs[i].frame.right));
   }
 }
 

@@ -3,6 +3,7 @@
 // kept.
 #include <catch2/catch.hpp>
 
+#include "end_to_end/fixture_plugins.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
@@ -11,8 +12,6 @@ using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 /// Runs the tiny sequence with another odometry, from the fixture library `library`.
 struct Attempt {
@@ -25,8 +24,8 @@ struct Attempt {
     writeTinyKitti(folder.path() / "sequence", 6);
     const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
     std::vector<std::string> arguments = {
-        "run",           config.string(),     "--out", out.string(),
-        "--plugin-path", kFixtures + library, "--set", "odometry={plugin: " + plugin + "}"};
+        "run",           config.string(),           "--out", out.string(),
+        "--plugin-path", kFixturePlugins + library, "--set", "odometry={plugin: " + plugin + "}"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     finished = tolman::test::tolman(arguments);
   }
@@ -103,8 +102,9 @@ void expectStopped(const std::string& stage, const WrongAnswer& wrong,
   const auto out = folder.path() / "run";
   auto arguments = tinyRun(writeTinyConfig(folder.path(), folder.path() / "sequence"), out);
   for (const std::string& word : std::vector<std::string>{
-           "--plugin-path", kFixtures + "answer_faults", "--plugin-path", kFixtures + "role_faults",
-           "--set", stage + "={plugin: " + wrong.plugin + ", isolation: " + isolation + "}"}) {
+           "--plugin-path", kFixturePlugins + "answer_faults", "--plugin-path",
+           kFixturePlugins + "role_faults", "--set",
+           stage + "={plugin: " + wrong.plugin + ", isolation: " + isolation + "}"}) {
     arguments.push_back(word);
   }
   const Finished run = tolman::test::tolman(arguments);

@@ -4,15 +4,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "end_to_end/fixture_plugins.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
 
 using namespace tolman::test;
-
-namespace {
-const std::string kFixtures = inBuild("tests/fixtures/plugins/");
-}
 
 TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   const Finished help = tolman::test::tolman({"--help"});
@@ -32,7 +29,8 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
   CHECK(contains(tolman::test::tolman({"version"}).out, "tolman 0.1.0"));
   CHECK(tolman::test::tolman({"help"}).out == help.out);
   CHECK(tolman::test::tolman({"help", "plan"}).out == plan.out);
-  const std::string folder = kFixtures + "steady";  // the option takes one folder, not the rest
+  const std::string folder =
+      kFixturePlugins + "steady";  // the option takes one folder, not the rest
   CHECK(tolman::test::tolman({"check", "--plugin-path", folder, "demo"}).exit_code == 0);
   const auto words = [](const std::vector<std::string>& arguments) {
     const Finished finished = tolman::test::tolman(arguments);
@@ -54,8 +52,8 @@ TEST_CASE("plugins list shows all of ours, and broken ones with their refusal") 
     CHECK(contains(list.out, id));
   }
   const Finished broken =
-      tolman::test::tolman({"plugins", "list", "--plugin-path", kFixtures + "bad_json",
-                            "--plugin-path", kFixtures + "wrong_major"});
+      tolman::test::tolman({"plugins", "list", "--plugin-path", kFixturePlugins + "bad_json",
+                            "--plugin-path", kFixturePlugins + "wrong_major"});
   CHECK(broken.exit_code == 0);
   CHECK(contains(broken.out, "refused: plugin/bad-manifest"));
   CHECK(contains(broken.out, "refused: plugin/sdk-major"));
@@ -63,7 +61,7 @@ TEST_CASE("plugins list shows all of ours, and broken ones with their refusal") 
 
 TEST_CASE("plugins describe shows parameters as text, Markdown and JSON") {
   const std::vector<std::string> base = {"plugins", "describe", "steady", "--plugin-path",
-                                         kFixtures + "steady"};
+                                         kFixturePlugins + "steady"};
   const auto with = [&](const char* flag) {
     auto words = base;
     words.emplace_back(flag);
@@ -87,7 +85,7 @@ TEST_CASE("plugins describe shows parameters as text, Markdown and JSON") {
 TEST_CASE("plugins doctor goes step by step") {
   const auto doctor = [](const std::string& name) {
     return tolman::test::tolman(
-        {"plugins", "doctor", kFixtures + name + "/tolman_odometry_" + name + ".so"});
+        {"plugins", "doctor", kFixturePlugins + name + "/tolman_odometry_" + name + ".so"});
   };
   const Finished sound = doctor("steady");
   CHECK(sound.exit_code == 0);
@@ -104,7 +102,7 @@ TEST_CASE("check --explain tells every value's origin") {
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const Finished explained =
       tolman::test::tolman({"check", config.string(), "--explain", "--set", "seed=9",
-                            "--plugin-path", kFixtures + "steady"});
+                            "--plugin-path", kFixturePlugins + "steady"});
   INFO(explained.err);
   REQUIRE(explained.exit_code == 0);
   CHECK(contains(explained.out, "--set seed=9"));

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <thread>
 
+#include "end_to_end/fixture_plugins.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
@@ -14,8 +15,6 @@ using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 std::vector<std::string> isolated(const std::vector<std::string>& stages) {
   std::vector<std::string> arguments;
@@ -37,8 +36,8 @@ struct Attempt {
     const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
     const std::string value = "{plugin: " + plugin + ", isolation: process" + more + "}";
     finished = tolman::test::tolman(
-        {"run", config.string(), "--out", out.string(), "--plugin-path", kFixtures + library,
-         "--plugin-path", kFixtures + "steady", "--set",
+        {"run", config.string(), "--out", out.string(), "--plugin-path", kFixturePlugins + library,
+         "--plugin-path", kFixturePlugins + "steady", "--set",
          stage == "observers" ? "observers=[" + value + "]" : stage + "=" + value, "--set",
          "isolation.deadline=3", "--set", "isolation.memory_limit=1024"});
   }
@@ -113,8 +112,8 @@ TEST_CASE("an observer learns the time of every stage and what went wrong, where
     const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
     auto arguments = tinyRun(config, folder.path() / "run");
     for (const std::string& word : std::vector<std::string>{
-             "--plugin-path", kFixtures + "snapshot_log", "--plugin-path",
-             kFixtures + "misbehaving", "--plugin-path", kFixtures + "steady", "--set",
+             "--plugin-path", kFixturePlugins + "snapshot_log", "--plugin-path",
+             kFixturePlugins + "misbehaving", "--plugin-path", kFixturePlugins + "steady", "--set",
              "odometry={plugin: throws_in_track, on_failure: skip}", "--set",
              "observers=[{plugin: snapshot_log, isolation: " + isolation + "}]"}) {
       arguments.push_back(word);
@@ -188,7 +187,7 @@ TEST_CASE("standard output stays the host's: a plugin that prints does not spoil
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const Finished finished =
       tolman::test::tolman({"run", config.string(), "--out", (folder.path() / "run").string(),
-                            "--json", "--plugin-path", kFixtures + "process_faults", "--set",
+                            "--json", "--plugin-path", kFixturePlugins + "process_faults", "--set",
                             "odometry={plugin: write_to_stdout, isolation: process}"});
   CHECK(finished.exit_code == 0);
   CHECK(nlohmann::json::parse(finished.out)["exit_code"] == 0);
@@ -202,9 +201,9 @@ TEST_CASE("when the host is killed its stages do not live on") {
   const std::string mark = folder.path().string();
   Process host(
       {"/usr/bin/env", "TOLMAN_TEST_MARK=" + mark, tolmanProgram().string(), "run", config.string(),
-       "--out", (folder.path() / "run").string(), "--plugin-path", kFixtures + "process_faults",
-       "--set", "odometry={plugin: loop_forever, isolation: process}", "--set",
-       "isolation.deadline=0"},
+       "--out", (folder.path() / "run").string(), "--plugin-path",
+       kFixturePlugins + "process_faults", "--set",
+       "odometry={plugin: loop_forever, isolation: process}", "--set", "isolation.deadline=0"},
       folder.path());
   const auto marked = [&] {
     int count = 0;

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "end_to_end/fixture_plugins.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
@@ -16,8 +17,6 @@ using namespace tolman::test;
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::string kFixtures = inBuild("tests/fixtures/plugins/");
 
 /// Ends with 124 where `tolman` hangs.
 Finished bounded(std::vector<std::string> words) {
@@ -35,7 +34,7 @@ fs::path pipeAt(const fs::path& path) {
 
 TEST_CASE("plugins that crash, hang or pretend when they are opened are refused") {
   const std::string trap = GENERATE("abort", "exit", "hang");
-  const std::string folder = kFixtures + "dies_on_load";
+  const std::string folder = kFixturePlugins + "dies_on_load";
   TemporaryFolder work;
   const std::string config = work.path() / "trap.yaml";
   std::ofstream(config) << "source: {plugin: kitti, path: .}\nodometry: {plugin: dies_on_load}\n"
@@ -57,7 +56,7 @@ TEST_CASE("plugins that crash, hang or pretend when they are opened are refused"
 TEST_CASE("damaged libraries are refused or work; they never end the doctor") {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "mutant.so";
-  const std::string sound = readText(kFixtures + "steady/tolman_odometry_steady.so");
+  const std::string sound = readText(kFixturePlugins + "steady/tolman_odometry_steady.so");
   tolman::RandomStream random(17);
   int refused = 0;
   for (int mutant = 0; mutant < 40; ++mutant) {

@@ -49,7 +49,7 @@ struct Loops {
   int false_ones = 0;
 };
 
-Loops loopsOf(const fs::path& run) {
+Loops loopCounts(const fs::path& run) {
   const auto rows =
       recordRows(run,
                  "SELECT fa.T_world_camera_truth_x - fb.T_world_camera_truth_x, "
@@ -103,7 +103,7 @@ TEST_CASE("a second session joins the map of the first, as good as in one go", "
   CHECK(joint <= cut.bar);
   WARN("KITTI " << cut.sequence << ", second session from frame " << cut.first << ": joint RMSE "
                 << joint << " m");
-  const Loops loops = loopsOf(second);
+  const Loops loops = loopCounts(second);
   CHECK(loops.all > 0);
   CHECK(loops.false_ones == 0);
   // The record is complete in itself, and the exported trajectories are of one session each.

@@ -13,7 +13,7 @@ using namespace tolman::evaluation;
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kArena = 40;  // m
 
 /// A walk in straight legs that turns at random, within a square.
@@ -23,11 +23,11 @@ std::vector<Sample> walkOf(std::size_t length, std::uint64_t seed) {
   walk[0].position.setConstant(kArena / 2);
   double heading = 0;
   while (walk.size() < length) {
-    if (random.uniform() < 0.1) heading = random.uniform(0, kTurn);
+    if (random.uniform() < 0.1) heading = random.uniform(0, kFullTurn);
     const Eigen::Vector2d next =
         walk.back().position + Eigen::Vector2d(-std::sin(heading), std::cos(heading));
     if (next.minCoeff() < 0 || next.maxCoeff() > kArena) {
-      heading = random.uniform(0, kTurn);
+      heading = random.uniform(0, kFullTurn);
       continue;
     }
     walk.push_back({next, heading, 0});
@@ -65,7 +65,7 @@ TEST_CASE("an ideal von Mises ring: width and vector of the closed form, all abo
   const RingScores scores = scoreRing(
       unitsOf(12,
               [&](std::size_t unit, const Sample& sample) {
-                const double off = sample.heading - static_cast<double>(unit) * kTurn / 12;
+                const double off = sample.heading - static_cast<double>(unit) * kFullTurn / 12;
                 return std::exp(kConcentration * (std::cos(off) - 1));
               }),
       kShuffling);

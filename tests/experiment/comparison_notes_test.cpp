@@ -8,8 +8,8 @@
 namespace tolman::experiment {
 namespace {
 
-RunRow row(const std::string& period, const std::string& model, const std::string& sequence,
-           const std::string& results) {
+RunRow rowWith(const std::string& period, const std::string& model, const std::string& sequence,
+               const std::string& results) {
   RunRow row;
   row.factors = {{"period", period}, {"model", model}, {"sequence", sequence}, {"seed", "1"}};
   row.results = results;
@@ -23,7 +23,7 @@ TEST_CASE("a factor is without effect where its levels alone change no byte") {
   for (const char* period : {"75", "150"}) {
     for (const char* model : {"a", "b"}) {
       for (const char* sequence : {"00", "06"}) {
-        rows.push_back(row(period, model, sequence, std::string(model) + sequence));
+        rows.push_back(rowWith(period, model, sequence, std::string(model) + sequence));
       }
     }
   }
@@ -33,7 +33,8 @@ TEST_CASE("a factor is without effect where its levels alone change no byte") {
 }
 
 TEST_CASE("a factor with one level is not without effect, it is not varied") {
-  CHECK(factorsWithoutEffect({row("75", "a", "00", "x"), row("75", "a", "06", "y")}).empty());
+  CHECK(
+      factorsWithoutEffect({rowWith("75", "a", "00", "x"), rowWith("75", "a", "06", "y")}).empty());
   CHECK(factorsWithoutEffect({}).empty());
 }
 
@@ -50,7 +51,7 @@ TEST_CASE("the least possible p is that of differences which all agree") {
 }
 
 TEST_CASE("labels of one factor are alternatives, those of several are all needed") {
-  const RunRow run = row("75", "a", "00", "x");
+  const RunRow run = rowWith("75", "a", "00", "x");
   CHECK(hasLabels(run, {}));
   CHECK(hasLabels(run, {{"period", "150"}, {"period", "75"}}));
   CHECK(hasLabels(run, {{"period", "75"}, {"model", "a"}}));

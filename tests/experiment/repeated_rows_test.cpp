@@ -12,7 +12,7 @@ using namespace tolman::experiment;
 
 namespace {
 
-RunRow row(const std::string& sweep, const std::string& period, int seed, double error) {
+RunRow repeatedRow(const std::string& sweep, const std::string& period, int seed, double error) {
   RunRow row;
   row.factors = {{"period", period}, {"seed", std::to_string(seed)}};
   row.name = period + "/" + std::to_string(seed);
@@ -26,8 +26,8 @@ RunRow row(const std::string& sweep, const std::string& period, int seed, double
 std::vector<RunRow> sweep(const std::string& name) {
   std::vector<RunRow> rows;
   for (const int seed : {1, 2, 3}) {
-    rows.push_back(row(name, "75", seed, seed));
-    rows.push_back(row(name, "150", seed, 10 + seed));
+    rows.push_back(repeatedRow(name, "75", seed, seed));
+    rows.push_back(repeatedRow(name, "150", seed, 10 + seed));
   }
   return rows;
 }
@@ -64,7 +64,7 @@ TEST_CASE("of runs with the same factors, seed and results one is left") {
 }
 
 TEST_CASE("the order of factors does not matter, and without digests the figures decide") {
-  std::vector<RunRow> rows = {row("a", "75", 1, 1), row("b", "75", 1, 1)};
+  std::vector<RunRow> rows = {repeatedRow("a", "75", 1, 1), repeatedRow("b", "75", 1, 1)};
   std::swap(rows[1].factors[0], rows[1].factors[1]);
   for (RunRow& r : rows) r.results.clear();
   rows[1].metrics["timing.map.mean_ms"] = 7;  // a slower computer
@@ -93,7 +93,7 @@ TEST_CASE("so are the cells of a table") {
   options.columns = "period";
   options.cell = "{map.ate.rmse_m:.2f}";
   std::vector<RunRow> uneven = sweep("a");
-  uneven.push_back(row("b", "75", 1, 1));
+  uneven.push_back(repeatedRow("b", "75", 1, 1));
   const auto table = pivotOf(uneven, options);
   REQUIRE(table.isOk());
   CHECK(table.value().rows[0][1] == "2.00");  // of 1, 2, 3, not of 1, 2, 3, 1
@@ -105,7 +105,7 @@ TEST_CASE("so are the cells of a table") {
 }
 
 TEST_CASE("labels that look alike together are not one setting in silence") {
-  std::vector<RunRow> rows = {row("a", "1, 2", 3, 1), row("a", "1", 3, 2)};
+  std::vector<RunRow> rows = {repeatedRow("a", "1, 2", 3, 1), repeatedRow("a", "1", 3, 2)};
   rows[0].factors = {{"x", "1, 2"}, {"y", "3"}};
   rows[1].factors = {{"x", "1"}, {"y", "2, 3"}};
   ComparisonOptions options;

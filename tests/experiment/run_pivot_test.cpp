@@ -12,7 +12,7 @@ using namespace tolman::experiment;
 
 namespace {
 
-RunRow row(const std::string& model, const std::string& sequence, int seed, double error) {
+RunRow modelRow(const std::string& model, const std::string& sequence, int seed, double error) {
   RunRow row;
   row.factors = {{"model", model}, {"sequence", sequence}, {"seed", std::to_string(seed)}};
   row.name = model + "/" + sequence + "/" + std::to_string(seed);
@@ -23,9 +23,9 @@ RunRow row(const std::string& model, const std::string& sequence, int seed, doub
   return row;
 }
 
-std::vector<RunRow> rows() {
-  return {row("a", "00", 1, 1), row("a", "00", 2, 2),    row("a", "05", 1, 4),
-          row("a", "05", 2, 4), row("b, c", "00", 1, 8), row("b, c", "00", 2, 8)};
+std::vector<RunRow> modelRows() {
+  return {modelRow("a", "00", 1, 1), modelRow("a", "00", 2, 2),    modelRow("a", "05", 1, 4),
+          modelRow("a", "05", 2, 4), modelRow("b, c", "00", 1, 8), modelRow("b, c", "00", 2, 8)};
 }
 
 PivotOptions options() {
@@ -40,7 +40,7 @@ PivotOptions options() {
 TEST_CASE("cells have the means over seeds, and stay empty without runs") {
   PivotOptions asked = options();
   asked.heads = {{"loops", "{loops.true_links:.1f}"}};
-  const auto table = pivotOf(rows(), asked);
+  const auto table = pivotOf(modelRows(), asked);
   REQUIRE(table.isOk());
   CHECK(table.value().heading == std::vector<std::string>{"model", "00", "05"});
   CHECK(table.value().rows == std::vector<std::vector<std::string>>{{"loops", "15.0", "40.0"},
@@ -56,7 +56,7 @@ TEST_CASE("a column for each of several metrics") {
   PivotOptions asked;
   asked.by = {"model", "sequence"};
   asked.values = {{"error, m", "{map.ate.rmse_m:.2f}"}, {"loops", "{loops.true_links:.0f} true"}};
-  const auto table = pivotOf(rows(), asked);
+  const auto table = pivotOf(modelRows(), asked);
   REQUIRE(table.isOk());
   CHECK(table.value().heading == std::vector<std::string>{"model, sequence", "error, m", "loops"});
   CHECK(table.value().rows ==
@@ -64,17 +64,18 @@ TEST_CASE("a column for each of several metrics") {
                                               {"a, 05", "4.00", "40 true"},
                                               {"b, c, 00", "8.00", "80 true"}});
   asked.by = {"model"};
-  CHECK_FALSE(pivotOf(rows(), asked).isOk());  // two sequences in one cell
+  CHECK_FALSE(pivotOf(modelRows(), asked).isOk());  // two sequences in one cell
   asked.over = {"sequence"};
-  CHECK(pivotOf(rows(), asked).value().rows[0] == std::vector<std::string>{"a", "2.75", "28 true"});
+  CHECK(pivotOf(modelRows(), asked).value().rows[0] ==
+        std::vector<std::string>{"a", "2.75", "28 true"});
   asked.over.clear();
   asked.by.clear();  // all factors but the seed
-  CHECK(pivotOf(rows(), asked).value().rows.size() == 3);
+  CHECK(pivotOf(modelRows(), asked).value().rows.size() == 3);
 }
 
 TEST_CASE("runs of one cell must not differ in alignment, truth or coverage") {
   const auto refusal = [](const auto& change, const PivotOptions& asked) {
-    std::vector<RunRow> all = rows();
+    std::vector<RunRow> all = modelRows();
     change(all[1]);
     return pivotOf(all, asked).status().message();
   };
@@ -94,7 +95,7 @@ TEST_CASE("runs of one cell must not differ in alignment, truth or coverage") {
 
 TEST_CASE("what is no table is refused") {
   const auto message = [](const PivotOptions& asked) {
-    const auto table = pivotOf(rows(), asked);
+    const auto table = pivotOf(modelRows(), asked);
     return table.isOk() ? std::string("none") : table.status().message();
   };
   PivotOptions asked = options();
@@ -123,7 +124,7 @@ TEST_CASE("what is no table is refused") {
 TEST_CASE("a table that was cut after its first line is told as that") {
   const test::TemporaryFolder folder;
   const auto file = folder.path() / "runs.csv";
-  const std::string text = csvOf(rows());
+  const std::string text = csvOf(modelRows());
   std::ofstream(file) << text.substr(0, text.find('\n') + 1);
   CHECK(readRunRows({file}).status().message() ==
         file.string() + ": is no table of `tolman sweep collect`: it has no line after the first");
@@ -131,7 +132,7 @@ TEST_CASE("a table that was cut after its first line is told as that") {
 
 TEST_CASE("a table of runs is read as it was written") {
   const test::TemporaryFolder folder;
-  std::vector<RunRow> written = rows();
+  std::vector<RunRow> written = modelRows();
   written[0].metrics["map.ate.rmse_m"] = 0.1 + 0.2;
   const auto file = folder.path() / "runs.csv";
   std::ofstream(file) << csvOf(written);

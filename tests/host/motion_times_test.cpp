@@ -3,17 +3,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "host/frame_at.hpp"
+
 using namespace tolman;
 using namespace tolman::host;
+using tolman::test::frameAt;
 
 namespace {
-
-Frame frameAt(std::int64_t index) {  // 10 Hz
-  Frame frame;
-  frame.frame = index;
-  frame.stamp_ns = index * 100'000'000;
-  return frame;
-}
 
 bool allows(const MotionTimes& times, std::int64_t frame, double dt,
             TrackingState state = TrackingState::Tracking) {

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "host/fixture_plugins.hpp"
+#include "host/frame_at.hpp"
 #include "support/context.hpp"
 
 using namespace tolman;
 using namespace tolman::host;
+using tolman::test::frameAt;
 using tolman::test::load;
 
 namespace {
@@ -19,13 +21,6 @@ std::unique_ptr<Instance> instanceOf(const std::string& library, const std::stri
   auto created = Instance::create(std::get<LoadedPlugin>(loaded), "odometry");
   REQUIRE(std::holds_alternative<std::unique_ptr<Instance>>(created));
   return std::move(std::get<std::unique_ptr<Instance>>(created));
-}
-
-Frame frameAt(std::int64_t index) {
-  Frame frame;
-  frame.frame = index;
-  frame.stamp_ns = index * 100'000'000;
-  return frame;
 }
 
 /// Tracks frames 0 ... 4 and returns the first failure.

@@ -12,8 +12,6 @@ using namespace tolman::imaging;
 
 namespace {
 
-cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
-
 std::vector<double> coefficients(const RawCamera& camera, Eigen::Index count) {
   return {camera.distortion.data(), camera.distortion.data() + count};
 }
@@ -24,10 +22,10 @@ Eigen::Vector2d projected(const RawCamera& camera, const Eigen::Vector3d& p) {
   const cv::Vec3d none(0, 0, 0);
   std::vector<cv::Point2d> pixels;
   if (camera.model == LensModel::Equidistant) {
-    cv::fisheye::projectPoints(points, pixels, none, none, matrixOf(camera.pinhole),
+    cv::fisheye::projectPoints(points, pixels, none, none, test::matrixOf(camera.pinhole),
                                coefficients(camera, 4));
   } else {
-    cv::projectPoints(points, none, none, matrixOf(camera.pinhole), coefficients(camera, 8),
+    cv::projectPoints(points, none, none, test::matrixOf(camera.pinhole), coefficients(camera, 8),
                       pixels);
   }
   return {pixels[0].x, pixels[0].y};

@@ -26,8 +26,6 @@ Image picture(const RawCamera& camera) {
   });
 }
 
-cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
-
 /// The rectified image by OpenCV.
 cv::Mat byOpenCv(const RawCamera& camera, const Eigen::Matrix3d& R, const CameraRig& rig,
                  const Image& image) {
@@ -38,11 +36,12 @@ cv::Mat byOpenCv(const RawCamera& camera, const Eigen::Matrix3d& R, const Camera
   cv::Mat y;
   const double* k = camera.distortion.data();
   if (camera.model == LensModel::Equidistant) {
-    cv::fisheye::initUndistortRectifyMap(matrixOf(camera.pinhole), std::vector<double>(k, k + 4),
-                                         turn, matrixOf(rig.pinhole), size, CV_32FC1, x, y);
+    cv::fisheye::initUndistortRectifyMap(test::matrixOf(camera.pinhole),
+                                         std::vector<double>(k, k + 4), turn,
+                                         test::matrixOf(rig.pinhole), size, CV_32FC1, x, y);
   } else {
-    cv::initUndistortRectifyMap(matrixOf(camera.pinhole), std::vector<double>(k, k + 8), turn,
-                                matrixOf(rig.pinhole), size, CV_32FC1, x, y);
+    cv::initUndistortRectifyMap(test::matrixOf(camera.pinhole), std::vector<double>(k, k + 8), turn,
+                                test::matrixOf(rig.pinhole), size, CV_32FC1, x, y);
   }
   cv::Mat out;
   cv::remap(asMat(image), out, x, y, cv::INTER_LINEAR, cv::BORDER_CONSTANT, 0);

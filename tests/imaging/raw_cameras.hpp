@@ -3,10 +3,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 
 #include "tolman/camera.hpp"
 
 namespace tolman::test {
+
+/// OpenCV's camera matrix.
+inline cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
 
 inline RawCamera rawCamera(LensModel model, int width, int height, const Pinhole& pinhole,
                            std::initializer_list<double> distortion) {

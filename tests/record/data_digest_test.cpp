@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "record/by_hand.hpp"
 #include "record/sha256.hpp"
 #include "support/data.hpp"
 
@@ -14,11 +15,6 @@ namespace fs = std::filesystem;
 
 namespace tolman::record {
 namespace {
-
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
 
 std::string sha256(const std::string& text) {
   Sha256 sha;
@@ -30,8 +26,8 @@ std::string sha256(const std::string& text) {
 
 TEST_CASE("the digest of a folder is that of the lines that sha256sum writes, in order of names") {
   const test::TemporaryFolder folder;
-  write(folder.path() / "b/times.txt", "0.1\n");
-  write(folder.path() / "a.txt", "abc");
+  test::writeFile(folder.path() / "b/times.txt", "0.1\n");
+  test::writeFile(folder.path() / "a.txt", "abc");
   const auto digest = digestData(folder.path());
   REQUIRE(digest.isOk());
   CHECK(digest.value().files == 2);
@@ -43,8 +39,8 @@ TEST_CASE("the digest of a folder is that of the lines that sha256sum writes, in
 TEST_CASE("a link to another folder is followed, one back to where it is is not entered") {
   const test::TemporaryFolder folder;
   const test::TemporaryFolder other;
-  write(folder.path() / "images/1.png", "left");
-  write(other.path() / "2.png", "right");
+  test::writeFile(folder.path() / "images/1.png", "left");
+  test::writeFile(other.path() / "2.png", "right");
   fs::create_directory_symlink(other.path(), folder.path() / "right");
   fs::create_directory_symlink(folder.path(), folder.path() / "images/again");
   fs::create_directory_symlink(".", folder.path() / "images/self");
@@ -57,7 +53,7 @@ TEST_CASE("a link to another folder is followed, one back to where it is is not 
 
 TEST_CASE("of links to nowhere and named pipes nothing is read") {
   const test::TemporaryFolder folder;
-  write(folder.path() / "1.png", "left");
+  test::writeFile(folder.path() / "1.png", "left");
   fs::create_symlink(folder.path() / "missing", folder.path() / "2.png");
   REQUIRE(::mkfifo((folder.path() / "3.png").c_str(), 0600) == 0);
   const auto digest = digestData(folder.path());
@@ -68,7 +64,7 @@ TEST_CASE("of links to nowhere and named pipes nothing is read") {
 TEST_CASE("contents are read only up to the most bytes, and again only after a change") {
   const test::TemporaryFolder folder;
   const fs::path file = folder.path() / "poses.txt";
-  write(file, "abc");
+  test::writeFile(file, "abc");
   const auto first = digestData(file);
   REQUIRE(first.isOk());
   CHECK(first.value().sha256 == sha256(sha256("abc") + "  \n"));
@@ -76,7 +72,7 @@ TEST_CASE("contents are read only up to the most bytes, and again only after a c
   known.sha256 = "kept";
   CHECK(digestData(file, known).value().sha256 == "kept");
   CHECK(digestData(file, {}, 2).value().sha256.empty());
-  write(file, "abcd");
+  test::writeFile(file, "abcd");
   CHECK(digestData(file, known).value().sha256 == sha256(sha256("abcd") + "  \n"));
 }
 

@@ -6,17 +6,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "record/by_hand.hpp"
 #include "support/data.hpp"
 
 namespace fs = std::filesystem;
 
 namespace tolman::record {
 namespace {
-
-void write(const fs::path& file, const std::string& text) {
-  fs::create_directories(file.parent_path());
-  std::ofstream(file, std::ios::binary) << text;
-}
 
 std::vector<std::string> namesOf(const std::vector<DataFile>& files) {
   std::vector<std::string> names;
@@ -28,9 +24,9 @@ std::vector<std::string> namesOf(const std::vector<DataFile>& files) {
 
 TEST_CASE("files are listed by name, relative to the folder that was given") {
   const test::TemporaryFolder folder;
-  write(folder.path() / "times.txt", "0\n");
-  write(folder.path() / "image_0/2.png", "b");
-  write(folder.path() / "image_0/1.png", "a");
+  test::writeFile(folder.path() / "times.txt", "0\n");
+  test::writeFile(folder.path() / "image_0/2.png", "b");
+  test::writeFile(folder.path() / "image_0/1.png", "a");
   CHECK(namesOf(dataFiles(folder.path())) ==
         std::vector<std::string>{"image_0/1.png", "image_0/2.png", "times.txt"});
   CHECK(namesOf(dataFiles(folder.path() / "times.txt")) == std::vector<std::string>{""});
@@ -38,10 +34,10 @@ TEST_CASE("files are listed by name, relative to the folder that was given") {
 
 TEST_CASE("runs beside the data are no data, a run that is named gives its answers and state") {
   const test::TemporaryFolder folder;
-  write(folder.path() / "times.txt", "0\n");
+  test::writeFile(folder.path() / "times.txt", "0\n");
   const fs::path run = folder.path() / "runs/kitti";
   for (const char* file : {"run.json", "run.sqlite", "answers.bin", "state/map.bin"}) {
-    write(run / file, "x");
+    test::writeFile(run / file, "x");
   }
   CHECK(namesOf(dataFiles(folder.path())) == std::vector<std::string>{"times.txt"});
   CHECK(namesOf(dataFiles(run)) == std::vector<std::string>{"answers.bin", "state/map.bin"});
@@ -50,14 +46,14 @@ TEST_CASE("runs beside the data are no data, a run that is named gives its answe
 TEST_CASE("a changed, replaced or removed file is found, new ones are no change") {
   const test::TemporaryFolder folder;
   const fs::path image = folder.path() / "1.png";
-  write(image, "left");
-  write(folder.path() / "2.png", "right");
+  test::writeFile(image, "left");
+  test::writeFile(folder.path() / "2.png", "right");
   const auto files = dataFiles(folder.path());
   REQUIRE(firstChanged(files).empty());
-  write(folder.path() / "3.png", "new");
+  test::writeFile(folder.path() / "3.png", "new");
   CHECK(firstChanged(files).empty());
   SECTION("longer") {
-    write(image, "left and more");
+    test::writeFile(image, "left and more");
     CHECK(firstChanged(files) == image);
   }
   SECTION("other bytes of the same length") {
@@ -66,7 +62,7 @@ TEST_CASE("a changed, replaced or removed file is found, new ones are no change"
   }
   SECTION("another file of the same name and age") {
     const auto age = fs::last_write_time(image);
-    write(folder.path() / "4.png", "LEFT");
+    test::writeFile(folder.path() / "4.png", "LEFT");
     fs::last_write_time(folder.path() / "4.png", age);
     fs::rename(folder.path() / "4.png", image);
     CHECK(firstChanged(files) == image);

@@ -54,7 +54,7 @@ void finish(Recorder& recorder, std::int64_t frames) {
 }
 
 /// All rows of all tables as text, in the order of writing.
-std::string contentOf(const std::filesystem::path& folder) {
+std::string tablesOf(const std::filesystem::path& folder) {
   SQLite::Database database((folder / "run.sqlite").string());
   std::string text;
   for (const Table& table : schema()) {
@@ -96,7 +96,7 @@ TEST_CASE("recorded up to any frame and opened again at an earlier one, the reco
   begin(*recorder);
   recordFrames(*recorder, next, kFrames);
   finish(*recorder, kFrames);
-  CHECK(contentOf(folder.path()) == contentOf(whole.path()));
+  CHECK(tablesOf(folder.path()) == tablesOf(whole.path()));
 }
 
 TEST_CASE("what cannot be opened again says so") {

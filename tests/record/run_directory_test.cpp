@@ -21,7 +21,7 @@ RunDirectoryOptions named(const fs::path& root, const std::string& name) {
 
 RunDirectoryOptions at(const fs::path& out) { return {"runs", "run", kNoon, out}; }
 
-std::span<const std::byte> bytes(std::string_view text) {
+std::span<const std::byte> bytesOf(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("--out takes new and empty folders, those of a run only by force, and 
     REQUIRE(run.value().writeRunFile({{"seed", 1}}, RunState::Finished).isOk());
     std::ofstream(out / "notes.txt") << "mine";
     std::ofstream(out / "run.sqlite-wal") << "of a killed run";
-    REQUIRE(ArtefactFolder(out, "map").write("a.txt", bytes("a")).isOk());
+    REQUIRE(ArtefactFolder(out, "map").write("a.txt", bytesOf("a")).isOk());
     std::ofstream(out / "run.npz") << "of the earlier run";
     fs::create_directory(out / "session-0");
     std::ofstream(out / "session-0/trajectory.tum") << "of the earlier run";

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <regex>
 
+#include "report/count_of.hpp"
 #include "report/raster.hpp"
 #include "report/recorded_walk.hpp"
 #include "report/sample_pages.hpp"
@@ -30,12 +31,6 @@ struct RecordedRun {
   }
 };
 
-int count(const std::string& text, const std::string& part) {
-  int n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
-}
-
 }  // namespace
 
 TEST_CASE("errors are those of the aligned frames") {
@@ -46,7 +41,7 @@ TEST_CASE("errors are those of the aligned frames") {
   for (const double metres : sample.data.map_error.metres)
     CHECK(metres == Approx(0.005).margin(5e-4));
   const std::string svg = errorFigure(sample.data);
-  CHECK(count(svg, "<polyline") == 2);
+  CHECK(test::countOf(svg, "<polyline") == 2);
   CHECK(svg.find("map, rmse 0.005 m") != std::string::npos);
 }
 
@@ -66,7 +61,7 @@ TEST_CASE(
     climbing.odometry.push_back(pose);
   }
   const std::string svg = elevationFigure(climbing);
-  CHECK(count(svg, "<polyline") == 2);
+  CHECK(test::countOf(svg, "<polyline") == 2);
   CHECK(svg.find(">6<") != std::string::npos);   // 10 steps of 0.3 units of 2 m
   CHECK(svg.find(">10<") != std::string::npos);  // 10 steps of 0.5 units of 2 m
   CHECK(svg.find("truth") == std::string::npos);
@@ -78,8 +73,8 @@ TEST_CASE("each view is a dot, novel and familiar ones in their own colour") {
   const RecordedRun sample;
   const auto places = sample.reader->records<PlaceObservation>().value();
   const std::string svg = templateFigure(places);
-  CHECK(count(svg, "fill=\"" + std::string(kBlue) + "\"") == 6);
-  CHECK(count(svg, "fill=\"" + std::string(kVermilion) + "\"") == 6);
+  CHECK(test::countOf(svg, "fill=\"" + std::string(kBlue) + "\"") == 6);
+  CHECK(test::countOf(svg, "fill=\"" + std::string(kVermilion) + "\"") == 6);
 }
 
 TEST_CASE("the activity of every unit is drawn at four moments") {
@@ -87,8 +82,8 @@ TEST_CASE("the activity of every unit is drawn at four moments") {
   const evaluation::CellHistory& cells = sample.data.cells;
   REQUIRE((cells.rings.size() == 1 && cells.sheets.size() == 1));
   const std::string svg = activityFigure(cells, sample.reader->records<Decision>().value());
-  CHECK(count(svg, "stroke-width=\"6\"") == 4 * 4);
-  CHECK(count(svg, "<image") == 4);
+  CHECK(test::countOf(svg, "stroke-width=\"6\"") == 4 * 4);
+  CHECK(test::countOf(svg, "<image") == 4);
   CHECK(svg.find("frame 11, heading 0.0 deg") != std::string::npos);
   CHECK(svg.find("grid.activity, one period of 30 m: x to the right, y up") != std::string::npos);
 }
@@ -98,7 +93,7 @@ TEST_CASE("arrays that no figure knows are drawn as they are, and one by one") {
   REQUIRE(sample.data.cells.others.size() == 1);
   const std::string svg = arrayFigure(sample.data.cells.others);
   CHECK(svg.find("noise (2)") != std::string::npos);
-  CHECK(count(svg, "<polyline") == 2);
+  CHECK(test::countOf(svg, "<polyline") == 2);
   evaluation::PopulationHistory large = sample.data.cells.others[0];
   large.info = {"place", ArrayKind::Values, "Hz", "rates of places", "", {}};
   large.shape = {2, 6};
@@ -106,7 +101,7 @@ TEST_CASE("arrays that no figure knows are drawn as they are, and one by one") {
   large.activity[3][5] = NAN;
   const std::string heat_map = arrayFigure({large});
   CHECK(heat_map.find("place (2 x 6, Hz): rates of places") != std::string::npos);
-  CHECK(count(heat_map, "<image") == 1);
+  CHECK(test::countOf(heat_map, "<image") == 1);
   CHECK(heat_map.find("nan") == std::string::npos);
 }
 
@@ -128,8 +123,8 @@ TEST_CASE("rates of two opposite head direction units and one grid unit") {
 TEST_CASE("all units: a dial for each of every ring, a picture for every module") {
   const RunData run = test::readWalk({});
   const std::string svg = unitsFigure(run);
-  CHECK(count(svg, "<polyline") == 24);
-  CHECK(count(svg, "<image") == 2);
+  CHECK(test::countOf(svg, "<polyline") == 24);
+  CHECK(test::countOf(svg, "<image") == 2);
   CHECK(svg.find("hd.activity: 24 head direction units") != std::string::npos);
   CHECK(svg.find("grid0.activity: 144 grid units, period 20 m") != std::string::npos);
   CHECK(svg.find("grid1.activity: 144 grid units, period 28.4 m") != std::string::npos);

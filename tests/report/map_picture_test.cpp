@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <regex>
 
+#include "report/count_of.hpp"
+
 using namespace tolman;
 
 namespace {
@@ -30,12 +32,6 @@ std::vector<Eigen::Vector2d> polyline(const std::string& svg, int n) {
     points.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
   }
   return points;
-}
-
-int count(const std::string& text, const std::string& part) {
-  int n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-  return n;
 }
 
 }  // namespace
@@ -77,8 +73,8 @@ TEST_CASE("experiences are circles, loop links lines; the title cannot break the
   }
   picture.graph.rejected = {2};
   const std::string svg = report::svgText(picture);
-  CHECK(count(svg, "<circle") == 3);
-  CHECK(count(svg, "stroke-width=\"2\"/>") == 1);
+  CHECK(test::countOf(svg, "<circle") == 3);
+  CHECK(test::countOf(svg, "stroke-width=\"2\"/>") == 1);
   CHECK(svg.find("a&lt;b &amp; c") != std::string::npos);
   CHECK(svg.find("3 experiences") != std::string::npos);
   CHECK(svg.find("1 loop link<") != std::string::npos);

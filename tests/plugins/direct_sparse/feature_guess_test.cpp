@@ -12,11 +12,11 @@ using namespace tolman::direct_sparse;
 
 namespace {
 
-struct Case {
+struct GuessCase {
   CameraRig rig = test::streetRig();
   std::unique_ptr<Window> window = test::streetWindow({test::streetPose(0), test::streetPose(0.5)});
 
-  Case() { test::addTruePoints(*window, 400); }
+  GuessCase() { test::addTruePoints(*window, 400); }
   /// The pose of the newest keyframe in the frame, as guessed for the image.
   std::optional<Eigen::Isometry3d> guess(const GrayLevel& image) const {
     return guessByFeatures(rig, *window, image, Eigen::Isometry3d::Identity());
@@ -35,7 +35,7 @@ GrayLevel levelAt(const Eigen::Isometry3d& T_world_camera) {
 }  // namespace
 
 TEST_CASE("turns and steps that were not expected are found") {
-  const Case c;
+  const GuessCase c;
   for (const auto& [z, yaw] : {std::pair(0.5, 0.06), std::pair(1.4, 0.0), std::pair(0.9, -0.04)}) {
     const Eigen::Isometry3d pose = test::streetPose(z, yaw);
     CAPTURE(z, yaw);
@@ -47,7 +47,7 @@ TEST_CASE("turns and steps that were not expected are found") {
 }
 
 TEST_CASE("what covers a third of the view does not mislead") {
-  const Case c;
+  const GuessCase c;
   const Eigen::Isometry3d pose = test::streetPose(0.9, 0.02);
   GrayLevel image = levelAt(pose);
   for (int v = 0; v < image.height; ++v) {
@@ -59,7 +59,7 @@ TEST_CASE("what covers a third of the view does not mislead") {
 }
 
 TEST_CASE("no guess without points that agree") {
-  Case c;
+  GuessCase c;
   CHECK_FALSE(c.guess(test::levelOf(c.rig.width, c.rig.height, [](int, int) { return 90; })));
   RandomStream random(3);
   CHECK_FALSE(c.guess(test::levelOf(

@@ -14,12 +14,12 @@ using namespace tolman::direct_sparse;
 
 namespace {
 
-struct Case {
+struct MapperCase {
   CameraRig rig = test::streetRig();
   MapperSettings settings;
   Mapper mapper;
 
-  Case() {
+  MapperCase() {
     settings.points = 500;
     settings.candidates = 500;
     settings.window = 4;
@@ -52,7 +52,7 @@ double depthError(const Window& window) {
 }  // namespace
 
 TEST_CASE("the first keyframe has points from static stereo at once, and holds the gauge") {
-  Case c;
+  MapperCase c;
   c.keyframe(0, test::streetPose(3));
   CHECK(c.mapper.window().size() == 1);
   CHECK(c.mapper.window().pointCount() > 100);
@@ -61,7 +61,7 @@ TEST_CASE("the first keyframe has points from static stereo at once, and holds t
 }
 
 TEST_CASE("a drive: the window stays at its size, the poses stay true") {
-  Case c;
+  MapperCase c;
   for (int k = 0; k < 8; ++k) {
     const Eigen::Isometry3d pose = test::streetPose(0.5 * k);
     c.keyframe(k, pose);
@@ -77,7 +77,7 @@ TEST_CASE("a drive: the window stays at its size, the poses stay true") {
 }
 
 TEST_CASE("a covered right camera leaves a keyframe whose candidates wait for motion") {
-  Case c;
+  MapperCase c;
   c.keyframe(0, test::streetPose(0));
   c.keyframe(1, test::streetPose(0.5), true);
   const Keyframe& covered = c.mapper.window().newest();
@@ -95,7 +95,7 @@ TEST_CASE("a covered right camera leaves a keyframe whose candidates wait for mo
 }
 
 TEST_CASE("gain and offset of the right camera are measured from the matches") {
-  Case c;
+  MapperCase c;
   const Frame frame = test::streetFrame(0, test::streetPose(0));
   ImagePyramid left;
   ImagePyramid right;
@@ -110,13 +110,13 @@ TEST_CASE("gain and offset of the right camera are measured from the matches") {
 }
 
 TEST_CASE("reset equals fresh") {
-  Case c;
+  MapperCase c;
   c.keyframe(0, test::streetPose(0));
   c.keyframe(1, test::streetPose(0.5));
   c.mapper.reset();
   CHECK(c.mapper.window().empty());
   c.keyframe(0, test::streetPose(0));
-  Case fresh;
+  MapperCase fresh;
   fresh.keyframe(0, test::streetPose(0));
   const auto& a = c.mapper.window().newest().points;
   const auto& b = fresh.mapper.window().newest().points;

@@ -13,13 +13,13 @@ namespace {
 
 constexpr int kDisparities = 100;
 
-struct Case {
+struct CheckCase {
   CameraRig rig = test::streetRig();
   std::unique_ptr<Window> window = test::streetWindow({test::streetPose(0), test::streetPose(0.5)});
   ImagePyramid left;
   ImagePyramid right;
 
-  Case() {
+  CheckCase() {
     test::addTruePoints(*window, 400);
     see(test::streetPose(3));
   }
@@ -36,7 +36,7 @@ struct Case {
 }  // namespace
 
 TEST_CASE("the right pose is confirmed by most points") {
-  const Case c;
+  const CheckCase c;
   const StereoAgreement agreement = c.at(test::streetPose(3));
   CHECK(agreement.compared >= 100);
   CHECK(agreement.agreeing > 0.9 * agreement.compared);
@@ -44,7 +44,7 @@ TEST_CASE("the right pose is confirmed by most points") {
 }
 
 TEST_CASE("poses at a wrong place are not") {
-  const Case c;
+  const CheckCase c;
   for (const double metres : {-3.0, 3.0}) {  // sideways: along the street all looks the same
     const Eigen::Isometry3d beside = Eigen::Translation3d(metres, 0, 0) * test::streetPose(3);
     CHECK_FALSE(c.at(beside).confirms());
@@ -53,13 +53,13 @@ TEST_CASE("poses at a wrong place are not") {
 }
 
 TEST_CASE("an offset of all disparities is taken into account") {
-  Case c;
+  CheckCase c;
   c.window->offset.first = 30;
   CHECK_FALSE(c.at(test::streetPose(3)).confirms());
 }
 
 TEST_CASE("without points, or with sides that do not match, nothing is confirmed") {
-  Case c;
+  CheckCase c;
   c.right.build(test::streetFrame(2, test::streetPose(30, 1.5)).right, 1);
   CHECK_FALSE(c.at(test::streetPose(3)).confirms());
   c.see(test::streetPose(3));

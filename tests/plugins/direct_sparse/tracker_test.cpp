@@ -12,18 +12,18 @@ using namespace tolman::direct_sparse;
 
 namespace {
 
-struct Case {
+struct TrackerCase {
   CameraRig rig = test::streetRig();
   std::unique_ptr<Window> window = test::streetWindow({test::streetPose(0)});
   Tracker tracker;
 
-  Case() {
+  TrackerCase() {
     test::addTruePoints(*window, 600);
     REQUIRE(tracker.setReference(rig, *window));
   }
 };
 
-double metresOff(const AlignmentResult& result, const Eigen::Isometry3d& truth) {
+double trackedOff(const AlignmentResult& result, const Eigen::Isometry3d& truth) {
   return (result.state.T_current_reference * truth).translation().norm();
 }
 
@@ -31,17 +31,17 @@ double metresOff(const AlignmentResult& result, const Eigen::Isometry3d& truth) 
 
 TEST_CASE("a fast start: without any velocity, large steps both ways are found") {
   for (const double step : {-1.6, -0.6, 0.0, 0.9, 1.9}) {
-    Case c;
+    TrackerCase c;
     const Eigen::Isometry3d pose = test::streetPose(step, 0.01);
     const auto result = c.tracker.track(c.rig, test::streetPyramid(pose), {});
     CAPTURE(step);
     REQUIRE(result);
-    CHECK(metresOff(*result, pose) < 0.01);
+    CHECK(trackedOff(*result, pose) < 0.01);
   }
 }
 
 TEST_CASE("a wrong expectation is overruled: stopping and turning back") {
-  Case c;
+  TrackerCase c;
   Expectation expectation;
   expectation.T_reference_previous = test::streetPose(0.5);
   expectation.T_previous_current = test::streetPose(0.8);
@@ -51,12 +51,12 @@ TEST_CASE("a wrong expectation is overruled: stopping and turning back") {
     const auto result = c.tracker.track(c.rig, test::streetPyramid(pose), expectation);
     CAPTURE(z);
     REQUIRE(result);
-    CHECK(metresOff(*result, pose) < 0.01);
+    CHECK(trackedOff(*result, pose) < 0.01);
   }
 }
 
 TEST_CASE("another place is not recognised") {
-  Case c;
+  TrackerCase c;
   const Eigen::Isometry3d elsewhere = Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *
                                       Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY());
   CHECK_FALSE(c.tracker.track(c.rig, test::streetPyramid(elsewhere), {}));
@@ -72,7 +72,7 @@ TEST_CASE("a reference without points cannot be tracked from") {
 }
 
 TEST_CASE("from the guess of features a part of the view is enough") {
-  Case c;
+  TrackerCase c;
   const Eigen::Isometry3d pose = test::streetPose(0.6, 0.01);
   const auto first = c.tracker.track(c.rig, test::streetPyramid(test::streetPose(0.3)), {});
   REQUIRE(first);  // says what is usual
@@ -85,7 +85,7 @@ TEST_CASE("from the guess of features a part of the view is enough") {
   covered.build(frame.left);
   const auto refined = c.tracker.refine(c.rig, covered, {pose.inverse(), {}});
   REQUIRE(refined);
-  CHECK(metresOff(*refined, pose) < 0.02);
+  CHECK(trackedOff(*refined, pose) < 0.02);
   const AlignmentState elsewhere{test::streetPose(20, 0.5).inverse(), {}};
   CHECK_FALSE(c.tracker.refine(c.rig, covered, elsewhere));
 }

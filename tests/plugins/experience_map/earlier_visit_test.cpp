@@ -7,7 +7,7 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr int kFrames = 241;
+constexpr int kWalkFrames = 241;
 
 /// With an odometry that says how much it drifts.
 struct HonestFixture : Fixture {
@@ -28,7 +28,7 @@ EarlierLoop loopAt(std::int64_t frame) {
 MapUpdate threeLaps(Fixture& fixture, bool late) {
   std::vector<EarlierLoop> waiting;
   MapUpdate update = fixture.create(step(0));
-  for (int k = 1; k < kFrames; ++k) {
+  for (int k = 1; k < kWalkFrames; ++k) {
     if (k < 80 && k % 5 == 0) {
       update = fixture.create(drifting(k));
     } else if (k <= 80 || k % 10 != 0) {
@@ -67,7 +67,7 @@ TEST_CASE("loops told later give the map that they would have given at once") {
   CHECK(a.loops == b.loops);
   REQUIRE(at_once.map.finish({}).isOk());
   REQUIRE(later.map.finish({}).isOk());
-  for (int k = 0; k < kFrames; ++k) {
+  for (int k = 0; k < kWalkFrames; ++k) {
     REQUIRE(distance(at_once.poseOf(k), later.poseOf(k)) < 1e-4);
   }
   const MapGraph x = at_once.graph();
@@ -131,8 +131,8 @@ TEST_CASE("a map with inserted visits is saved and goes on as it would") {
   HonestFixture loaded;
   REQUIRE(loaded.map.load(stream).isOk());
   loaded.frame = saved.frame;
-  const MapUpdate a = saved.closeMeasured(drifting(kFrames), 0, step(0));
-  const MapUpdate b = loaded.closeMeasured(drifting(kFrames), 0, step(0));
+  const MapUpdate a = saved.closeMeasured(drifting(kWalkFrames), 0, step(0));
+  const MapUpdate b = loaded.closeMeasured(drifting(kWalkFrames), 0, step(0));
   CHECK(difference(a.T_world_camera, b.T_world_camera) < 1e-9);
   CHECK(a.loops == b.loops);
 }

@@ -5,14 +5,14 @@
 namespace tolman::experience_map {
 namespace {
 
-constexpr int kFrames = 160;
+constexpr int kRevisedFrames = 160;
 
 Eigen::Isometry3d rightStep(int k) { return step(1, k % 40 == 0 ? std::numbers::pi / 2 : 0.001); }
 Eigen::Isometry3d wrongStep(int k) { return step(0.9 + 0.002 * k, k % 40 == 0 ? 1.4 : -0.01); }
 
 /// A square driven once, with an experience every 8 m; ends on a loop when asked.
 void decide(Fixture& fixture, const Motion& motion, int k, bool loop) {
-  if (loop && k == kFrames - 10) {
+  if (loop && k == kRevisedFrames - 10) {
     Decision decision = fixture.decision(Action::CloseLoop, 0);
     fixture.feed(motion, decision);
   } else if (k % 8 == 0) {
@@ -23,7 +23,7 @@ void decide(Fixture& fixture, const Motion& motion, int k, bool loop) {
 }
 
 void drive(Fixture& fixture, bool right_from_start, bool loop) {
-  for (int k = 0; k < kFrames; ++k) {
+  for (int k = 0; k < kRevisedFrames; ++k) {
     Motion motion = fixture.motion(right_from_start ? rightStep(k) : wrongStep(k));
     for (int old = k - 10; !right_from_start && old <= k - 8; ++old) {  // overlapping windows
       if (old < 0) continue;
@@ -35,7 +35,7 @@ void drive(Fixture& fixture, bool right_from_start, bool loop) {
 
 std::vector<MotionRevision> lastRevisions(const Fixture& fixture) {
   std::vector<MotionRevision> revisions;
-  for (int k = kFrames - 8; k < kFrames; ++k) {
+  for (int k = kRevisedFrames - 8; k < kRevisedFrames; ++k) {
     revisions.push_back({k, rightStep(k), fixture.motion(step(0)).covariance});
   }
   return revisions;
@@ -48,7 +48,7 @@ void compare(bool loop, double tolerance) {
   drive(right, true, loop);
   REQUIRE(late.map.finish(lastRevisions(late)).isOk());
   REQUIRE(right.map.finish({}).isOk());
-  for (int k = 0; k < kFrames; ++k) {
+  for (int k = 0; k < kRevisedFrames; ++k) {
     REQUIRE(difference(late.poseOf(k), right.poseOf(k)) < tolerance);
   }
   const MapGraph a = late.graph();

@@ -37,8 +37,8 @@ void writeEuroc(const DataFolder& data) {
   }
 }
 
-struct Opened {
-  Opened(const DataFolder& data, ParameterValues values = {}) {
+struct EurocOpened {
+  EurocOpened(const DataFolder& data, ParameterValues values = {}) {
     if (!values.contains("path")) values["path"] = data.path().string();
     message = data.anonymous(configure(source, std::move(values)));
     if (!message.empty()) return;
@@ -59,7 +59,7 @@ struct Opened {
 TEST_CASE("pairs of one time, with exact stamps and raw cameras") {
   const DataFolder data;
   writeEuroc(data);
-  const Opened pair(data);
+  const EurocOpened pair(data);
   REQUIRE(pair.message.empty());
   REQUIRE(pair.frames.size() == 2);
   CHECK(pair.frames[0].stamp_ns == 1403715273262142976);
@@ -71,7 +71,7 @@ TEST_CASE("pairs of one time, with exact stamps and raw cameras") {
   CHECK(pair.info.rig.width == 64);
   REQUIRE(pair.rig.cameras.size() == 2);
   CHECK(pair.rig.cameras[1].T_reference_camera.translation().x() == 0.11);
-  const Opened mono(data, {{"mono", true}, {"path", data.path("mav0").string()}});
+  const EurocOpened mono(data, {{"mono", true}, {"path", data.path("mav0").string()}});
   CHECK(mono.frames.size() == 3);
   CHECK(mono.rig.cameras.size() == 1);
 }
@@ -83,34 +83,34 @@ TEST_CASE("without tables the names of the images are the stamps, as in TUM-VI")
     std::filesystem::rename(data.path(camera) / "data", data.path(camera) / "images");
     data.remove(std::string(camera) + "/data.csv");
   }
-  const Opened pair(data);
+  const EurocOpened pair(data);
   REQUIRE(pair.frames.size() == 2);
   CHECK(pair.frames[1].stamp_ns == 1403715273362142976);
 }
 
 TEST_CASE("what is missing in EuRoC's layout is named") {
   const DataFolder data;
-  CHECK(Opened(data).message ==
+  CHECK(EurocOpened(data).message ==
         "DATA/: has no cam0; set path to the folder with mav0, or with cam0");
   writeEuroc(data);
   data.remove("mav0/cam0/sensor.yaml");
-  CHECK(Opened(data).message ==
+  CHECK(EurocOpened(data).message ==
         "DATA/mav0/camchain.yaml: is missing; restore it, or correct the path");
   data.write("mav0/cam0/sensor.yaml", sensor(0));
   data.write("mav0/cam1/data.csv", "1403715273262142976,a.png\n1403715273262142975,b.png\n");
-  CHECK(Opened(data).message ==
+  CHECK(EurocOpened(data).message ==
         "DATA/mav0/cam1/data.csv:2: is no later than the line before; sort the file");
   data.write("mav0/cam1/data.csv", "14037152732621429.5e9,../../a.png\n");
-  CHECK_THAT(Opened(data).message, Catch::Contains("is not of the form 'nanoseconds,image'"));
+  CHECK_THAT(EurocOpened(data).message, Catch::Contains("is not of the form 'nanoseconds,image'"));
   data.write("mav0/cam1/data.csv", "5,a.png\n");
-  CHECK_THAT(Opened(data).message, Catch::Contains("has no two images of one time"));
+  CHECK_THAT(EurocOpened(data).message, Catch::Contains("has no two images of one time"));
 }
 
 TEST_CASE("ten pairs of EuRoC V1_01: stamps, pixels and warnings", "[data]") {
   const auto path = test::dataOrSkip("euroc_v101");
   if (!path) return;
   const DataFolder data;
-  Opened pair(data, {{"path", path->string()}});
+  EurocOpened pair(data, {{"path", path->string()}});
   REQUIRE(pair.message.empty());
   REQUIRE(pair.frames.size() == 10);
   CHECK(pair.frames[1].stamp_ns == 1403715273312143104);
@@ -125,7 +125,7 @@ TEST_CASE("four pairs of TUM-VI of 16 bits: stamps and the high bytes", "[data]"
   const auto path = test::dataOrSkip("tumvi_room1");
   if (!path) return;
   const DataFolder data;
-  const Opened pair(data, {{"path", path->string()}});
+  const EurocOpened pair(data, {{"path", path->string()}});
   REQUIRE(pair.message.empty());
   REQUIRE(pair.frames.size() == 4);
   CHECK(pair.frames[3].stamp_ns == 1520530308349502521);

@@ -10,8 +10,8 @@ namespace tolman::image_folders {
 namespace {
 
 /// Configures with the folder as path; the failure's message goes to `message`.
-struct Opened {
-  Opened(const DataFolder& data, ParameterValues values) {
+struct ImagesOpened {
+  ImagesOpened(const DataFolder& data, ParameterValues values) {
     values["path"] = data.path().string();
     message = data.anonymous(configure(source, std::move(values)));
     if (!message.empty()) return;
@@ -37,7 +37,7 @@ ParameterValues pairWith(ParameterValues more) {
 
 TEST_CASE("one uncalibrated folder") {
   const DataFolder data;
-  const Opened mono(data, {{"left", std::string("image_0")}});
+  const ImagesOpened mono(data, {{"left", std::string("image_0")}});
   CHECK(mono.message.empty());
   CHECK(mono.info.description ==
         "images, 4 images of one camera of 64x48 px at 10.0 Hz, uncalibrated, no truth");
@@ -49,16 +49,16 @@ TEST_CASE("one uncalibrated folder") {
 
 TEST_CASE("the left folder is found where none is named") {
   const DataFolder data;
-  CHECK(Opened(data, {}).message == "DATA/: has no .png or .jpg images; check the path");
+  CHECK(ImagesOpened(data, {}).message == "DATA/: has no .png or .jpg images; check the path");
   data.writeImage("top.png", 8, 8);
-  CHECK(Opened(data, {}).frames.size() == 1);
+  CHECK(ImagesOpened(data, {}).frames.size() == 1);
   std::filesystem::rename(data.path("image_0"), data.path("images"));
-  CHECK(Opened(data, {}).frames.size() == 4);
+  CHECK(ImagesOpened(data, {}).frames.size() == 4);
 }
 
 TEST_CASE("a pair with a calibration file") {
   const DataFolder data;
-  const Opened stereo(data, pairWith({{"calibration", std::string("calib.txt")}}));
+  const ImagesOpened stereo(data, pairWith({{"calibration", std::string("calib.txt")}}));
   CHECK(stereo.message.empty());
   CHECK(stereo.info.rig.baseline == Approx(0.5));
   CHECK_FALSE(stereo.frames[0].right.empty());
@@ -66,7 +66,7 @@ TEST_CASE("a pair with a calibration file") {
 
 TEST_CASE("a pair with numbers: the centre of the image is the default centre") {
   const DataFolder data;
-  const Opened stereo(data, pairWith({{"fx", 40.0}, {"baseline", 0.2}, {"cy", 20.0}}));
+  const ImagesOpened stereo(data, pairWith({{"fx", 40.0}, {"baseline", 0.2}, {"cy", 20.0}}));
   CHECK(stereo.message.empty());
   const CameraRig& rig = stereo.info.rig;
   CHECK(rig.calibrated);
@@ -85,8 +85,8 @@ TEST_CASE("a raw pair with the calibration of another program") {
       "23, 0, 0, 1]}\ndistortion_coefficients: [-0.1, 0, 0, 0, 0]\n";
   data.write("left.yaml", camera);
   data.write("right.yml", camera + "R: [1, 0, 0, 0, 1, 0, 0, 0, 1]\nT: [-0.2, 0, 0]\n");
-  Opened pair(data, pairWith({{"calibration", std::string("left.yaml")},
-                              {"calibration_right", std::string("right.yml")}}));
+  ImagesOpened pair(data, pairWith({{"calibration", std::string("left.yaml")},
+                                    {"calibration_right", std::string("right.yml")}}));
   CHECK(pair.message.empty());
   RawRig rig;
   REQUIRE(pair.source.rawRig(rig).isOk());
@@ -95,7 +95,7 @@ TEST_CASE("a raw pair with the calibration of another program") {
   CHECK_FALSE(pair.info.rig.calibrated);
   CHECK_FALSE(pair.info.rig.isStereo());
   data.write("left.yaml", "nothing: here\n");
-  CHECK_THAT(Opened(data, pairWith({{"calibration", std::string("left.yaml")}})).message,
+  CHECK_THAT(ImagesOpened(data, pairWith({{"calibration", std::string("left.yaml")}})).message,
              Catch::StartsWith("DATA/left.yaml: is no calibration of Kalibr"));
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("stamps in other units, and in the names of the images") {
   data.write("us.txt", "1403715273262142\n1403715273312143\n1403715273362142\n1403715273412143\n");
   const auto stamps = [&](ParameterValues values) {
     values["left"] = std::string("image_0");
-    const Opened opened(data, std::move(values));
+    const ImagesOpened opened(data, std::move(values));
     INFO(opened.message);
     REQUIRE(opened.frames.size() == 4);
     return opened.frames[1].stamp_ns;
@@ -112,10 +112,11 @@ TEST_CASE("stamps in other units, and in the names of the images") {
   CHECK(stamps({{"stamps", std::string("us.txt")}, {"stamps_unit", std::string("us")}}) ==
         1403715273312143000);
   CHECK(stamps({{"stamps_in_names", true}, {"stamps_unit", std::string("ms")}}) == 1'000'000);
-  const Opened seconds(data, {{"left", std::string("image_0")}, {"stamps", std::string("us.txt")}});
+  const ImagesOpened seconds(data,
+                             {{"left", std::string("image_0")}, {"stamps", std::string("us.txt")}});
   CHECK_THAT(seconds.message, Catch::Contains("or set stamps_unit (of `images`) to ns or us"));
   data.writeImage("image_0/later.png", 64, 48);
-  const Opened unnamed(data, {{"left", std::string("image_0")}, {"stamps_in_names", true}});
+  const ImagesOpened unnamed(data, {{"left", std::string("image_0")}, {"stamps_in_names", true}});
   CHECK_THAT(unnamed.message, Catch::Contains("later.png: its name is no time in seconds"));
 }
 
@@ -125,11 +126,11 @@ TEST_CASE("stamps from a file") {
                             {"stamps", std::string("frames.csv")},
                             {"stamps_column", std::string("t")}};
   data.write("frames.csv", "name,t\na,0.5\nb,0.75\nc,1\nd,2\n");
-  const Opened mono(data, values);
+  const ImagesOpened mono(data, values);
   CHECK(mono.message.empty());
   CHECK(mono.frames[1].stamp_ns == 750'000'000);
   data.write("frames.csv", "name,t\na,0.5\nb,0.75\n");
-  CHECK(Opened(data, values).message ==
+  CHECK(ImagesOpened(data, values).message ==
         "DATA/frames.csv: has 2 entries, but there are 4 images; one line per image is needed");
 }
 
@@ -155,25 +156,26 @@ TEST_CASE("a warning is listed and told in the log, and the run goes on") {
 
 TEST_CASE("contradictions are refused") {
   const DataFolder data;
-  CHECK(Opened(data, kPair).message ==
+  CHECK(ImagesOpened(data, kPair).message ==
         "two cameras need a calibration; give the file, or fx and baseline");
-  CHECK(Opened(data, pairWith({{"fx", 40.0}})).message ==
+  CHECK(ImagesOpened(data, pairWith({{"fx", 40.0}})).message ==
         "two cameras need a calibration; give the file, or fx and baseline");
-  CHECK(Opened(data, {{"baseline", 0.2}}).message ==
+  CHECK(ImagesOpened(data, {{"baseline", 0.2}}).message ==
         "baseline is given without right; name the right folder");
-  CHECK(Opened(data, pairWith({{"calibration", std::string("calib.txt")}, {"fx", 4.0}})).message ==
-        "calibration and fx or baseline are both given; keep one");
-  CHECK(Opened(data, {{"stamps_column", std::string("t")}}).message ==
+  CHECK(ImagesOpened(data, pairWith({{"calibration", std::string("calib.txt")}, {"fx", 4.0}}))
+            .message == "calibration and fx or baseline are both given; keep one");
+  CHECK(ImagesOpened(data, {{"stamps_column", std::string("t")}}).message ==
         "stamps_column is given without stamps; name the file");
-  CHECK(Opened(data, {{"left", std::string("image_0")}, {"fx", 40.0}, {"cx", 640.0}}).message ==
-        "cx, cy: principal point (640.0, 23.5) is outside of the 64x48 image; give the calibration "
-        "of these images");
+  CHECK(
+      ImagesOpened(data, {{"left", std::string("image_0")}, {"fx", 40.0}, {"cx", 640.0}}).message ==
+      "cx, cy: principal point (640.0, 23.5) is outside of the 64x48 image; give the calibration "
+      "of these images");
 }
 
 TEST_CASE("folders of unequal counts") {
   const DataFolder data;
   data.remove("image_0/000000.png");
-  CHECK(Opened(data, pairWith({{"calibration", std::string("calib.txt")}})).message ==
+  CHECK(ImagesOpened(data, pairWith({{"calibration", std::string("calib.txt")}})).message ==
         "DATA/image_0: has no 000000, the partner of image_1/000000.png; restore it, or remove the "
         "partner");
 }

@@ -21,7 +21,7 @@ namespace {
 using Bytes = std::vector<std::uint8_t>;
 
 /// Smooth structure and some noise, as images of cameras have it.
-cv::Mat picture(int type) {
+cv::Mat blurredPicture(int type) {
   cv::Mat pixels(96, 128, type);
   cv::RNG(7).fill(pixels, cv::RNG::UNIFORM, 0, 256);
   cv::GaussianBlur(pixels, pixels, {7, 7}, 2);
@@ -30,7 +30,7 @@ cv::Mat picture(int type) {
 
 Bytes encoded(int type, const std::vector<int>& options = {}) {
   Bytes bytes;
-  cv::imencode(".jpg", picture(type), bytes, options);
+  cv::imencode(".jpg", blurredPicture(type), bytes, options);
   return bytes;
 }
 

@@ -29,8 +29,8 @@ void writeTum(const DataFolder& data) {
   data.write("depth.txt", depth);
 }
 
-struct Opened {
-  explicit Opened(const std::filesystem::path& path, ParameterValues values = {}) {
+struct TumOpened {
+  explicit TumOpened(const std::filesystem::path& path, ParameterValues values = {}) {
     values["path"] = path.string();
     message = configure(source, std::move(values));
     if (!message.empty()) return;
@@ -51,7 +51,7 @@ const ParameterValues kSmall = {{"cx", 31.5}, {"cy", 23.5}};
 TEST_CASE("depth goes along in metres; images without depth are left out") {
   const DataFolder data;
   writeTum(data);
-  Opened tum(data.path(), kSmall);
+  TumOpened tum(data.path(), kSmall);
   INFO(tum.message << tum.failure);
   REQUIRE(tum.frames.size() == 2);
   CHECK(tum.frames[1].stamp_ns == 1305031104100000000);
@@ -67,7 +67,7 @@ TEST_CASE("depth goes along in metres; images without depth are left out") {
   CHECK(arrays[0].kind == ArrayKind::DepthImage);
   const auto findings = inspect(tum.source);
   CHECK_THAT(data.anonymous(findings[0]), Catch::Contains("no depth near the time of 1 colour"));
-  const Opened plain(data.path(), {{"depth", false}, {"cx", 31.5}, {"cy", 23.5}, {"fx", 50.0}});
+  const TumOpened plain(data.path(), {{"depth", false}, {"cx", 31.5}, {"cy", 23.5}, {"fx", 50.0}});
   CHECK(plain.frames.size() == 3);
   CHECK(plain.frames[0].sensors.empty());
   CHECK(plain.info.rig.pinhole.fx == 50);
@@ -93,17 +93,17 @@ TEST_CASE("broken lists and poses are named with their line") {
   const DataFolder data;
   writeTum(data);
   data.write("groundtruth.txt", "1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 2\n");
-  CHECK_THAT(data.anonymous(Opened(data.path()).message),
+  CHECK_THAT(data.anonymous(TumOpened(data.path()).message),
              Catch::StartsWith("DATA/groundtruth.txt:2: is no pose"));
   data.write("rgb.txt", "12 ../../etc/x.png\n");
-  CHECK_THAT(data.anonymous(Opened(data.path()).message),
+  CHECK_THAT(data.anonymous(TumOpened(data.path()).message),
              Catch::StartsWith("DATA/rgb.txt:1: is not of the form 'seconds file'"));
 }
 
 TEST_CASE("ten images of TUM fr1/xyz with depth and truth", "[data]") {
   const auto path = test::dataOrSkip("tum_fr1_xyz");
   if (!path) return;
-  Opened tum(*path);
+  TumOpened tum(*path);
   INFO(tum.message);
   REQUIRE(tum.frames.size() == 10);
   CHECK(tum.frames[0].stamp_ns == 1305031102175304000);

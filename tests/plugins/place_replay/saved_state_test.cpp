@@ -14,8 +14,8 @@ using namespace tolman::place_replay;
 namespace {
 
 /// A plugin that drops and invents candidates, so that all of its state is used.
-struct Replay {
-  Replay()
+struct SavedReplay {
+  SavedReplay()
       : context({{"relative_pose", true},
                  {"kept", 0.7},
                  {"invented", 0.5},
@@ -43,7 +43,7 @@ struct Replay {
 };
 
 std::string payload() {
-  Replay replay;
+  SavedReplay replay;
   for (std::int64_t i = 0; i < 150; ++i) replay.look(i);
   return test::savedPayload(replay.place);
 }
@@ -57,17 +57,17 @@ TEST_CASE("every other length is refused at once, whatever the count of views sa
     std::string bytes = sound;
     if (count > 0) std::memcpy(bytes.data() + kCount, &count, sizeof count);
     for (std::size_t length = 0; length < bytes.size(); length += 3) {
-      Replay replay;
+      SavedReplay replay;
       CAPTURE(count, length);
       REQUIRE(replay.load(bytes.substr(0, length)).message() ==
               "the saved views are damaged: numbers that cannot be");
     }
     for (std::size_t more = 1; more < 9; ++more) {
-      Replay replay;
+      SavedReplay replay;
       REQUIRE_FALSE(replay.load(bytes + std::string(more, '\0')).isOk());
     }
   }
-  Replay replay;
+  SavedReplay replay;
   CHECK(replay.load(sound).isOk());
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("indices whose differences are no index are refused") {
   for (const std::int64_t index : {INT64_MIN + 2, INT64_MAX}) {
     std::string bytes = sound;
     std::memcpy(bytes.data() + kFirstView, &index, sizeof index);
-    Replay replay;
+    SavedReplay replay;
     CHECK(replay.load(bytes).message() == "the saved views are damaged: numbers that cannot be");
   }
 }
@@ -90,7 +90,7 @@ TEST_CASE("wild numbers are refused, or views are reported that the host accepts
     for (const double wild : {std::numeric_limits<double>::quiet_NaN(), -1.0, 1e300}) {
       std::string bytes = sound;
       std::memcpy(bytes.data() + at, &wild, sizeof wild);
-      Replay replay;
+      SavedReplay replay;
       if (replay.load(bytes).isOk()) {
         ++taken;
         for (std::int64_t i = 150; i < 165; ++i) replay.look(i);

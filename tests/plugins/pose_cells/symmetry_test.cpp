@@ -12,16 +12,17 @@ using namespace tolman::pose_cells;
 
 namespace {
 
-constexpr int kSide = 12;
-constexpr int kHeadings = 10;
+constexpr int kTorusSide = 12;
+constexpr int kTorusHeadings = 10;
 
 int wrapped(int value, int count) { return ((value % count) + count) % count; }
 
 ActivityVolume randomVolume(RandomStream& random) {
-  ActivityVolume volume(kSide, kHeadings);
+  ActivityVolume volume(kTorusSide, kTorusHeadings);
   for (int i = 0; i < 25; ++i) {
-    volume.add(static_cast<int>(random.below(kSide)), static_cast<int>(random.below(kSide)),
-               static_cast<int>(random.below(kHeadings)), static_cast<float>(random.uniform()));
+    volume.add(
+        static_cast<int>(random.below(kTorusSide)), static_cast<int>(random.below(kTorusSide)),
+        static_cast<int>(random.below(kTorusHeadings)), static_cast<float>(random.uniform()));
   }
   return volume;
 }
@@ -29,13 +30,13 @@ ActivityVolume randomVolume(RandomStream& random) {
 /// Every cell of `volume` at the place that `to(x, y, theta)` says.
 template <class To>
 ActivityVolume rearranged(const ActivityVolume& volume, const To& to) {
-  ActivityVolume result(kSide, kHeadings);
-  for (int theta = 0; theta < kHeadings; ++theta) {
-    for (int y = 0; y < kSide; ++y) {
-      for (int x = 0; x < kSide; ++x) {
+  ActivityVolume result(kTorusSide, kTorusHeadings);
+  for (int theta = 0; theta < kTorusHeadings; ++theta) {
+    for (int y = 0; y < kTorusSide; ++y) {
+      for (int x = 0; x < kTorusSide; ++x) {
         const std::array<int, 3> place = to(x, y, theta);
-        result.add(wrapped(place[0], kSide), wrapped(place[1], kSide), wrapped(place[2], kHeadings),
-                   volume.at(x, y, theta));
+        result.add(wrapped(place[0], kTorusSide), wrapped(place[1], kTorusSide),
+                   wrapped(place[2], kTorusHeadings), volume.at(x, y, theta));
       }
     }
   }
@@ -57,9 +58,9 @@ TEST_CASE("the dynamics do not know where on the torus a packet is") {
   const std::vector<float> narrow = gaussianKernel(5, 1);
   const std::vector<float> wide = gaussianKernel(7, 2);
   for (int round = 0; round < 10; ++round) {
-    const int dx = static_cast<int>(random.below(kSide));
-    const int dy = static_cast<int>(random.below(kSide));
-    const int dtheta = static_cast<int>(random.below(kHeadings));
+    const int dx = static_cast<int>(random.below(kTorusSide));
+    const int dy = static_cast<int>(random.below(kTorusSide));
+    const int dtheta = static_cast<int>(random.below(kTorusHeadings));
     const auto shift = [&](int x, int y, int theta) {
       return std::array<int, 3>{x + dx, y + dy, theta + dtheta};
     };
@@ -83,8 +84,8 @@ TEST_CASE("the dynamics do not know where on the torus a packet is") {
 TEST_CASE("path integration is the same everywhere in the plane") {
   RandomStream random(4);
   for (int round = 0; round < 10; ++round) {
-    const int dx = static_cast<int>(random.below(kSide));
-    const int dy = static_cast<int>(random.below(kSide));
+    const int dx = static_cast<int>(random.below(kTorusSide));
+    const int dy = static_cast<int>(random.below(kTorusSide));
     const auto shift = [&](int x, int y, int theta) {
       return std::array<int, 3>{x + dx, y + dy, theta};
     };

@@ -9,20 +9,21 @@
 #include "drawn_route.hpp"
 #include "probe.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 namespace {
 
-constexpr double kCamera = 1.65;
+constexpr double kParkCamera = 1.65;
 
 struct CarParkTown {
-  CameraRoute route = test::builtIn("car_park", 3);
-  StreetPlan plan = StreetPlan::grow(route, kCamera).value();
+  CameraRoute route = town::test::builtIn("car_park", 3);
+  StreetPlan plan = StreetPlan::grow(route, kParkCamera).value();
   World world = build();
 
   World build() const {
     World made = buildWorld(plan, {1, 0.15, 1, false, {carParkPlot()}});
-    addCarPark(made, -kCamera, 7);
+    addCarPark(made, -kParkCamera, 7);
     return made;
   }
   bool holds(const Vec3& p) const {
@@ -47,7 +48,7 @@ TEST_CASE("a ramp rises by a storey without a kink") {
 }
 
 TEST_CASE("the drive climbs to the fifth floor and comes down, twice") {
-  const CameraRoute route = test::builtIn("car_park");
+  const CameraRoute route = town::test::builtIn("car_park");
   int tops = 0;
   bool was_top = false;
   double length = 0;
@@ -82,13 +83,13 @@ TEST_CASE("floors and ramps lie below the cameras at their height, and nothing s
     const Eigen::Isometry3d& T = building.route.T_town_camera[i];
     const Eigen::Vector3d camera = T.translation();
     CAPTURE(i, camera.transpose());
-    REQUIRE(test::distanceTo(scene, camera, -Eigen::Vector3d::UnitZ()) ==
-            Approx(kCamera).margin(0.03));
+    REQUIRE(town::test::distanceTo(scene, camera, -Eigen::Vector3d::UnitZ()) ==
+            Approx(kParkCamera).margin(0.03));
     for (const double side : {-1.0, 1.0}) {  // a car is 1.8 m wide
       const Eigen::Vector3d over = side * T.linear().col(0);
-      REQUIRE(test::distanceTo(scene, camera - Eigen::Vector3d(0, 0, 1), over) > 0.95);
+      REQUIRE(town::test::distanceTo(scene, camera - Eigen::Vector3d(0, 0, 1), over) > 0.95);
     }
-    REQUIRE(test::distanceTo(scene, camera, T.linear().col(2)) > 2);
+    REQUIRE(town::test::distanceTo(scene, camera, T.linear().col(2)) > 2);
   }
 }
 
@@ -98,7 +99,7 @@ TEST_CASE("all floors are alike: the same cars at the same places") {
   for (const MeshInstance& car : building.world.instances) {
     const Vec3& p = car.placement.position;
     if (!building.holds(p)) continue;
-    const double level = (static_cast<double>(p.z) + kCamera) / CarPark::kStorey;
+    const double level = (static_cast<double>(p.z) + kParkCamera) / CarPark::kStorey;
     REQUIRE(level == Approx(std::round(level)).margin(1e-5));
     floors.at(static_cast<std::size_t>(std::lround(level)))
         .push_back({p.x, p.y, car.placement.cosine, static_cast<float>(car.prototype)});
@@ -111,7 +112,7 @@ TEST_CASE("the ground is below the lowest floor, and no house stands in the buil
   const CarParkTown building;
   for (double x = CarPark::kWest; x <= CarPark::kEast; x += 1.7) {
     for (double y = 56; y <= 108; y += 1.3) {
-      REQUIRE(building.plan.height(x, y) + StreetPlan::kKerbHeight < -kCamera - 0.1);
+      REQUIRE(building.plan.height(x, y) + StreetPlan::kKerbHeight < -kParkCamera - 0.1);
     }
   }
   const World street = buildWorld(building.plan, {1, 0.15, 1, false, {carParkPlot()}});

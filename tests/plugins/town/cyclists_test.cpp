@@ -6,16 +6,14 @@
 
 #include "drawn_route.hpp"
 #include "people.hpp"
+#include "place_of.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 namespace {
 
-const CameraRoute kRoute = test::drawnRoute(LanePath(0).ahead(500));
-
-Eigen::Vector2d placeOf(const Placement& p) {
-  return {static_cast<double>(p.position.x), static_cast<double>(p.position.y)};
-}
+const CameraRoute kRoute = town::test::drawnRoute(LanePath(0).ahead(500));
 
 }  // namespace
 
@@ -28,7 +26,8 @@ TEST_CASE("cyclists ride at the right edge in either direction") {
     for (double t = 0; t < 100; t += 7.3) {
       const auto [now, phase] = cyclists.at(i, t);
       const auto [soon, next_phase] = cyclists.at(i, t + 0.1);
-      const Eigen::Vector2d step = placeOf(soon) - placeOf(now);
+      const Eigen::Vector2d step =
+          tolman::town::test::placeOf(soon) - tolman::town::test::placeOf(now);
       if (step.norm() > 10) continue;  // from one end of the lane to the other
       CAPTURE(i, t);
       CHECK(step.norm() > 0.1 * 3.5 - 1e-3);
@@ -41,7 +40,9 @@ TEST_CASE("cyclists ride at the right edge in either direction") {
       CHECK(phase >= 0);
       CHECK(phase < kPedalPhases);
       CHECK(static_cast<double>(now.position.z) ==
-            Approx(plan.height(placeOf(now).x(), placeOf(now).y())).margin(1e-4));
+            Approx(plan.height(tolman::town::test::placeOf(now).x(),
+                               tolman::town::test::placeOf(now).y()))
+                .margin(1e-4));
     }
   }
   CHECK(coming > 30);
@@ -53,7 +54,9 @@ TEST_CASE("a seed makes the cyclists, and no density none") {
   const Cyclists a(kRoute, plan, 10, 3);
   const Cyclists b(kRoute, plan, 10, 3);
   const Cyclists c(kRoute, plan, 10, 4);
-  CHECK(placeOf(a.at(2, 11).placement) == placeOf(b.at(2, 11).placement));
-  CHECK(placeOf(a.at(2, 11).placement) != placeOf(c.at(2, 11).placement));
+  CHECK(tolman::town::test::placeOf(a.at(2, 11).placement) ==
+        tolman::town::test::placeOf(b.at(2, 11).placement));
+  CHECK(tolman::town::test::placeOf(a.at(2, 11).placement) !=
+        tolman::town::test::placeOf(c.at(2, 11).placement));
   CHECK(Cyclists(kRoute, plan, 0, 3).size() == 0);
 }

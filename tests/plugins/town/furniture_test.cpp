@@ -54,7 +54,7 @@ StreetPlan straightPlan() {
   for (int i = 0; i <= 200; ++i) {
     route.stamps_ns.push_back(std::int64_t{i} * 100'000'000);
     route.T_town_camera.push_back(
-        test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 1.65));
+        town::test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 1.65));
   }
   return StreetPlan::grow(route, 1.65).value();
 }
@@ -161,7 +161,7 @@ TEST_CASE("dashes of 3 m every 9 m lie on the middle of the road, just above it"
 }
 
 TEST_CASE("no dash crosses a junction") {
-  const StreetPlan plan = StreetPlan::grow(test::builtIn("eights"), 1.65).value();
+  const StreetPlan plan = StreetPlan::grow(town::test::builtIn("eights"), 1.65).value();
   World world;
   addLaneMarkings(world, plan, 1);
   REQUIRE(world.fixed.triangles.size() > 50);

@@ -13,7 +13,6 @@
 namespace tolman::town::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr GroundSurfaces kSurfaces{10, 11, 12};
 constexpr double kHalf = StreetPlan::kRoadHalfWidth;
 
@@ -148,12 +147,12 @@ TEST_CASE("the kerb of a straight street is a stadium") {
   const Town town = townOf(straightRoute());
   const double length = 100 + 2 * 50;
   CHECK(areaOf(town.mesh, kSurfaces.road) ==
-        Approx(2 * kHalf * length + kPi * kHalf * kHalf).epsilon(0.002));
+        Approx(2 * kHalf * length + std::numbers::pi * kHalf * kHalf).epsilon(0.002));
   double kerb_area = 0;
   for (std::size_t i = 0; i < town.mesh.triangles.size(); ++i) {
     if (town.mesh.surfaces[i] == kSurfaces.kerb) kerb_area += normal(town.mesh, i).norm() / 2;
   }
-  const double perimeter = 2 * length + 2 * kPi * kHalf;
+  const double perimeter = 2 * length + 2 * std::numbers::pi * kHalf;
   CHECK(kerb_area == Approx(perimeter * StreetPlan::kKerbHeight).epsilon(0.01));
 }
 
@@ -162,7 +161,7 @@ TEST_CASE("fine land reaches kFarthest, the skirt to the horizon, a little lower
   const double far = StreetPlan::kFarthest;
   const double fine =
       areaOf(town.without_skirt, kSurfaces.road) + areaOf(town.without_skirt, kSurfaces.land);
-  CHECK(fine == Approx(2 * far * 200 + kPi * far * far).epsilon(0.02));
+  CHECK(fine == Approx(2 * far * 200 + std::numbers::pi * far * far).epsilon(0.02));
   const std::size_t first = town.without_skirt.vertices.size();
   float low_x = 0;
   float high_x = 0;
@@ -200,7 +199,7 @@ TEST_CASE("the skirt leaves no gap around the fine ground and none of it shows t
 
 TEST_CASE("a roundabout has an island") {
   LanePath path(StreetPlan::kLaneOffset);
-  path.ahead(60).roundabout(11, 10, kPi).ahead(60);
+  path.ahead(60).roundabout(11, 10, std::numbers::pi).ahead(60);
   const Town town = townOf(drawnRoute(path));
   const Eigen::Vector2d island(-StreetPlan::kLaneOffset, 60);
   bool land = false;

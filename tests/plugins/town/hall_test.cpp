@@ -9,23 +9,24 @@
 #include "drawn_route.hpp"
 #include "probe.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 namespace {
 
-constexpr double kCamera = 1.5;
+constexpr double kHallCamera = 1.5;
 
 CameraRoute walk() {
   RouteOptions options;
   options.rate = 10;
-  options.camera_height = kCamera;
+  options.camera_height = kHallCamera;
   return builtInRoute("hall", options).value();
 }
 
 Scene sceneAround(const CameraRoute& route) {
-  const StreetPlan plan = StreetPlan::grow(streetBesideHall(route), kCamera).value();
+  const StreetPlan plan = StreetPlan::grow(streetBesideHall(route), kHallCamera).value();
   World world = buildWorld(plan, {1, 0.15, 1, false, {hallPlot()}});
-  addHall(world, -kCamera, 7);
+  addHall(world, -kHallCamera, 7);
   return Scene(std::move(world));
 }
 
@@ -66,15 +67,15 @@ TEST_CASE("the hall is closed, and nothing stands in the way of the camera") {
     for (int k = 0; k < 16; ++k) {
       const double angle = 2 * std::numbers::pi * k / 16;
       const Eigen::Vector3d level(std::cos(angle), std::sin(angle), 0);
-      const double wall = test::distanceTo(scene, camera, level);
+      const double wall = town::test::distanceTo(scene, camera, level);
       REQUIRE(wall > 0.4);
       REQUIRE(wall < 18);
-      REQUIRE(test::distanceTo(scene, camera, (level + Eigen::Vector3d(0, 0, 1)).normalized()) <
-              18);
+      REQUIRE(town::test::distanceTo(scene, camera,
+                                     (level + Eigen::Vector3d(0, 0, 1)).normalized()) < 18);
     }
-    REQUIRE(test::distanceTo(scene, camera, -Eigen::Vector3d::UnitZ()) ==
-            Approx(kCamera + camera.z()).margin(1e-3));
-    REQUIRE(test::distanceTo(scene, camera, Eigen::Vector3d::UnitZ()) ==
+    REQUIRE(town::test::distanceTo(scene, camera, -Eigen::Vector3d::UnitZ()) ==
+            Approx(kHallCamera + camera.z()).margin(1e-3));
+    REQUIRE(town::test::distanceTo(scene, camera, Eigen::Vector3d::UnitZ()) ==
             Approx(Hall::kCeiling - camera.z()).margin(1e-3));
   }
 }

@@ -6,12 +6,13 @@
 
 #include "drawn_route.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 TEST_CASE("a lane beside a straight street is parallel to it") {
   LanePath path(0);
   path.ahead(100);
-  const CameraRoute route = test::drawnRoute(path);
+  const CameraRoute route = town::test::drawnRoute(path);
   for (const double left : {3.4, -1.2, 0.0}) {
     const Lane lane(route, left);
     REQUIRE_FALSE(lane.isEmpty());
@@ -29,14 +30,14 @@ TEST_CASE("a lane beside a straight street is parallel to it") {
 TEST_CASE("in a bend the outer lane is longer by its offset times the angle") {
   LanePath path(0);
   path.ahead(20).curve(30, 1.5).ahead(20);
-  const CameraRoute route = test::drawnRoute(path);
+  const CameraRoute route = town::test::drawnRoute(path);
   const double middle = Lane(route, 0).length();
   CHECK(Lane(route, -4).length() - middle == Approx(4 * 1.5).margin(0.6));  // ends on whole metres
   CHECK(middle - Lane(route, 4).length() == Approx(4 * 1.5).margin(1.2));
 }
 
 TEST_CASE("a route that stands still has no lane") {
-  CameraRoute route = test::drawnRoute(LanePath(0).ahead(5));
+  CameraRoute route = town::test::drawnRoute(LanePath(0).ahead(5));
   route.T_town_camera.resize(1);
   CHECK(Lane(route, 1).isEmpty());
   CHECK(Lane().length() == 0);

@@ -16,7 +16,7 @@ using namespace tolman::town::test;
 
 namespace {
 
-constexpr double kCamera = 1.65;
+constexpr double kLevelCamera = 1.65;
 
 /// Over its start at a right angle, `apart` m higher.
 CameraRoute crossing(double apart) {
@@ -30,21 +30,22 @@ CameraRoute crossing(double apart) {
 TEST_CASE("a levelled route has streets, and the camera its height above them") {
   for (const double apart : {4.4, 6.2}) {
     const CameraRoute route = crossing(apart);
-    REQUIRE_FALSE(StreetPlan::grow(route, kCamera).isOk());
-    const CameraRoute level = levelled(route, kCamera);
-    const Result<StreetPlan> plan = StreetPlan::grow(level, kCamera);
+    REQUIRE_FALSE(StreetPlan::grow(route, kLevelCamera).isOk());
+    const CameraRoute level = levelled(route, kLevelCamera);
+    const Result<StreetPlan> plan = StreetPlan::grow(level, kLevelCamera);
     INFO(plan.status().message());
     REQUIRE(plan.isOk());
     for (const Eigen::Isometry3d& T : level.T_town_camera) {
       const Eigen::Vector3d place = T.translation();
-      CHECK(place.z() - plan.value().height(place.x(), place.y()) == Approx(kCamera).margin(0.25));
+      CHECK(place.z() - plan.value().height(place.x(), place.y()) ==
+            Approx(kLevelCamera).margin(0.25));
     }
   }
 }
 
 TEST_CASE("levelling changes heights and pitch only, smoothly") {
   const CameraRoute route = crossing(4.4);
-  const CameraRoute level = levelled(route, kCamera);
+  const CameraRoute level = levelled(route, kLevelCamera);
   REQUIRE(level.T_town_camera.size() == route.T_town_camera.size());
   CHECK(level.stamps_ns == route.stamps_ns);
   double before =
@@ -68,7 +69,7 @@ TEST_CASE("levelling changes heights and pitch only, smoothly") {
 
 TEST_CASE("a route that agrees with itself stays where it is") {
   const CameraRoute route = builtIn("block");
-  const CameraRoute level = levelled(route, kCamera);
+  const CameraRoute level = levelled(route, kLevelCamera);
   for (std::size_t i = 0; i < route.T_town_camera.size(); ++i) {
     CHECK((level.T_town_camera[i].translation() - route.T_town_camera[i].translation()).norm() <
           0.02);
@@ -79,6 +80,6 @@ TEST_CASE("KITTI 02, which crosses itself 4.4 m apart, gets streets", "[data]") 
   const auto file = tolman::test::dataOrSkip("kitti_poses/02.txt");
   if (!file) return;
   const CameraRoute route = readRoute(*file, {}).value();
-  CHECK_FALSE(StreetPlan::grow(route, kCamera).isOk());
-  CHECK(StreetPlan::grow(levelled(route, kCamera), kCamera).isOk());
+  CHECK_FALSE(StreetPlan::grow(route, kLevelCamera).isOk());
+  CHECK(StreetPlan::grow(levelled(route, kLevelCamera), kLevelCamera).isOk());
 }

@@ -22,7 +22,7 @@ constexpr std::array<Material, 12> kMaterials = {
 
 /// With a street whose middle is 1.7 m left of the origin, so that x leads off it.
 const StreetPlan& thePlan() {
-  static const StreetPlan plan = StreetPlan::grow(test::builtIn("block"), 1.65).value();
+  static const StreetPlan plan = StreetPlan::grow(town::test::builtIn("block"), 1.65).value();
   return plan;
 }
 

@@ -6,13 +6,14 @@
 
 #include "drawn_route.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 namespace {
 
 StreetPlan planOf(const CameraRoute& route) { return StreetPlan::grow(route, 1.65).value(); }
 
-StreetPlan straight() { return planOf(test::drawnRoute(LanePath(0).ahead(150))); }
+StreetPlan straight() { return planOf(town::test::drawnRoute(LanePath(0).ahead(150))); }
 
 }  // namespace
 
@@ -51,7 +52,7 @@ TEST_CASE("people go round a parked car") {
 
 TEST_CASE("pavements end at side streets") {
   for (const char* name : {"block", "district"}) {
-    const StreetPlan plan = planOf(test::builtIn(name));
+    const StreetPlan plan = planOf(town::test::builtIn(name));
     const std::vector<PavementRun> runs = pavementRuns(plan, {});
     CHECK(runs.size() >= 2);
     for (const PavementRun& run : runs) {

@@ -7,13 +7,15 @@
 #include <set>
 
 #include "drawn_route.hpp"
+#include "place_of.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 namespace {
 
 struct Street {
-  CameraRoute route = test::builtIn("district");
+  CameraRoute route = town::test::builtIn("district");
   StreetPlan plan = StreetPlan::grow(route, 1.65).value();
   Pedestrians people(double per_km, std::uint32_t seed = 4) const {
     return {pavementRuns(plan, {}), plan, per_km, seed};
@@ -24,10 +26,6 @@ struct Street {
     return sum;
   }
 };
-
-Eigen::Vector2d placeOf(const Placement& p) {
-  return {static_cast<double>(p.position.x), static_cast<double>(p.position.y)};
-}
 
 }  // namespace
 
@@ -40,8 +38,10 @@ TEST_CASE("there are as many people as asked for, and others for another seed") 
   const Pedestrians other = street.people(50, 5);
   std::size_t same = 0;
   for (std::size_t i = 0; i < people.size(); ++i) {
-    CHECK(placeOf(people.at(i, 7).placement) == placeOf(again.at(i, 7).placement));
-    same += placeOf(people.at(i, 7).placement) == placeOf(other.at(i, 7).placement);
+    CHECK(tolman::town::test::placeOf(people.at(i, 7).placement) ==
+          tolman::town::test::placeOf(again.at(i, 7).placement));
+    same += tolman::town::test::placeOf(people.at(i, 7).placement) ==
+            tolman::town::test::placeOf(other.at(i, 7).placement);
   }
   CHECK(same == 0);
 }
@@ -55,15 +55,16 @@ TEST_CASE("people walk at walking speed and face where they go; those who wait f
     for (double t = 0; t < 200; t += 3.7) {
       const Pedestrians::Posture now = people.at(i, t);
       const Pedestrians::Posture soon = people.at(i, t + 0.05);
-      const Eigen::Vector2d step = placeOf(soon.placement) - placeOf(now.placement);
+      const Eigen::Vector2d step =
+          tolman::town::test::placeOf(soon.placement) - tolman::town::test::placeOf(now.placement);
       const Eigen::Vector2d facing(static_cast<double>(now.placement.cosine),
                                    static_cast<double>(now.placement.sine));
       CAPTURE(i, t);
       REQUIRE(step.norm() < 0.05 * 1.6 + 1e-3);
       if (now.phase == kStanding && soon.phase == kStanding) {
         REQUIRE(step.norm() < 1e-4);
-        const Eigen::Vector2d ahead = placeOf(now.placement) + facing;
-        const Eigen::Vector2d here = placeOf(now.placement);
+        const Eigen::Vector2d ahead = tolman::town::test::placeOf(now.placement) + facing;
+        const Eigen::Vector2d here = tolman::town::test::placeOf(now.placement);
         CHECK(street.plan.distance(ahead.x(), ahead.y()) <
               street.plan.distance(here.x(), here.y()));
         ++waiting;
@@ -83,7 +84,7 @@ TEST_CASE("people stand on the pavement's height and never on a road") {
   for (std::size_t i = 0; i < people.size(); ++i) {
     for (double t = -50; t < 500; t += 41) {
       const Placement p = people.at(i, t).placement;
-      const Eigen::Vector2d at = placeOf(p);
+      const Eigen::Vector2d at = tolman::town::test::placeOf(p);
       REQUIRE(street.plan.distance(at.x(), at.y()) > StreetPlan::kRoadHalfWidth + 0.3);
       REQUIRE(static_cast<double>(p.position.z) ==
               Approx(street.plan.height(at.x(), at.y()) + StreetPlan::kKerbHeight).margin(1e-4));
@@ -105,8 +106,9 @@ TEST_CASE("a stride takes all postures in their order") {
       stands = stands || now == kStanding || next == kStanding;
       if (stands) break;
       seen.insert(now);
-      const bool turned = placeOf(people.at(i, t).placement)
-                              .isApprox(placeOf(people.at(i, t + 0.01).placement), 1e-9);
+      const bool turned =
+          tolman::town::test::placeOf(people.at(i, t).placement)
+              .isApprox(tolman::town::test::placeOf(people.at(i, t + 0.01).placement), 1e-9);
       if (!turned) REQUIRE((next == now || next == (now + 1) % kGaitPhases));
     }
     if (!stands) CHECK(seen.size() == kGaitPhases);

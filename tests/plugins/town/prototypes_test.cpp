@@ -10,7 +10,7 @@ using namespace tolman::town;
 
 namespace {
 
-struct Extent {
+struct MaterialExtent {
   Vec3 low = {1e9F, 1e9F, 1e9F};
   Vec3 high = {-1e9F, -1e9F, -1e9F};
 
@@ -21,8 +21,8 @@ struct Extent {
 };
 
 /// Of the triangles of one material.
-Extent extentOf(const World& world, const Mesh& mesh, Material material) {
-  Extent extent;
+MaterialExtent extentOf(const World& world, const Mesh& mesh, Material material) {
+  MaterialExtent extent;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (world.surfaces[mesh.surfaces[i]].material != material) continue;
     for (const std::uint32_t corner : mesh.triangles[i]) extent.take(mesh.vertices[corner]);
@@ -37,14 +37,14 @@ TEST_CASE("a car is as long and high as its shape, stands on its wheels and is s
   for (const CarShape& shape :
        {CarShape{}, CarShape{4.6F, 1.43F, 1.2F, 0.8F, 0.75F, 0.6F}, CarShape{5, 2, 0.8F}}) {
     const Mesh& car = world.prototypes[addCar(world, shape)];
-    const Extent body = extentOf(world, car, Material::Body);
+    const MaterialExtent body = extentOf(world, car, Material::Body);
     CHECK(body.high.x - body.low.x == Approx(shape.length));
     CHECK(body.high.x == Approx(-body.low.x));
     CHECK(body.high.z == Approx(shape.height));
     CHECK(body.low.z > 0.1F);  // ground clearance
     CHECK(body.high.y - body.low.y > 1.6F);
     CHECK(body.high.y - body.low.y < 1.9F);
-    const Extent wheels = extentOf(world, car, Material::Plain);
+    const MaterialExtent wheels = extentOf(world, car, Material::Plain);
     CHECK(wheels.low.z == Approx(0).margin(0.02));
     CHECK(wheels.high.z < 0.7F);
     CHECK(wheels.high.x < body.high.x);
@@ -96,8 +96,8 @@ TEST_CASE("a broad-leaved tree is about as high as asked, with a free trunk root
     World world;
     const float height = 5 + 0.8F * static_cast<float>(seed);
     const Mesh& tree = world.prototypes[addBroadleaf(world, height, 2, seed)];
-    const Extent crown = extentOf(world, tree, Material::Leaves);
-    const Extent trunk = extentOf(world, tree, Material::Bark);
+    const MaterialExtent crown = extentOf(world, tree, Material::Leaves);
+    const MaterialExtent trunk = extentOf(world, tree, Material::Bark);
     CAPTURE(seed, height, crown.high.z, crown.low.z);
     CHECK(crown.high.z > 0.75F * height);
     CHECK(crown.high.z < 1.25F * height);
@@ -134,8 +134,8 @@ TEST_CASE("bushes grow with their size, and a seed makes one plant") {
     return extentOf(world, mesh, Material::Leaves);
   };
   for (std::uint32_t seed = 1; seed <= 8; ++seed) {
-    const Extent small = bush(1, seed);
-    const Extent large = bush(2, seed);
+    const MaterialExtent small = bush(1, seed);
+    const MaterialExtent large = bush(2, seed);
     CHECK(large.high.z == Approx(2 * small.high.z).epsilon(0.1));
     CHECK(small.high.z > 0.4F);
     CHECK(small.high.z < 1.3F);

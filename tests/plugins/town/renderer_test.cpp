@@ -14,7 +14,7 @@
 
 using namespace tolman;
 using namespace tolman::town;
-using test::SmallTown;
+using town::test::SmallTown;
 
 namespace {
 

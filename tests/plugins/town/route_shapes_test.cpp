@@ -10,8 +10,7 @@
 namespace tolman::town::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kLane = 1.7;
+constexpr double kShapeLane = 1.7;
 constexpr std::array<const char*, 4> kNames = {"block", "eights", "district", "highway"};
 
 Eigen::Vector3d place(const CameraRoute& route, std::size_t i) {
@@ -49,7 +48,7 @@ int countRevisits(const CameraRoute& route, double reach, double low, double hig
 }  // namespace
 
 TEST_CASE("a lane path goes straight on from the origin along Y") {
-  LanePath path(kLane);
+  LanePath path(kShapeLane);
   path.ahead(30).ahead(12);
   CHECK(path.length() == Approx(42));
   CHECK((path.at(17).position - Eigen::Vector2d(0, 17)).norm() < 1e-12);
@@ -59,12 +58,13 @@ TEST_CASE("a lane path goes straight on from the origin along Y") {
 }
 
 TEST_CASE("a full circle of street leads the lane back to where it began") {
-  for (const double angle : {2 * kPi, -2 * kPi}) {
-    LanePath path(kLane);
+  for (const double angle : {2 * std::numbers::pi, -2 * std::numbers::pi}) {
+    LanePath path(kShapeLane);
     path.curve(20, angle);
-    CHECK(path.length() == Approx(2 * kPi * (20 + (angle > 0 ? kLane : -kLane))));
+    CHECK(path.length() ==
+          Approx(2 * std::numbers::pi * (20 + (angle > 0 ? kShapeLane : -kShapeLane))));
     CHECK(path.at(path.length()).position.norm() < 1e-9);
-    const Eigen::Vector2d centre(angle > 0 ? -20 - kLane : 20 - kLane, 0);
+    const Eigen::Vector2d centre(angle > 0 ? -20 - kShapeLane : 20 - kShapeLane, 0);
     for (double s = 0; s < path.length(); s += 3) {
       CHECK((path.at(s).position - centre).norm() == Approx(centre.norm()));
     }
@@ -73,7 +73,7 @@ TEST_CASE("a full circle of street leads the lane back to where it began") {
 
 TEST_CASE("four turns round a block of any radii close by the lengths of its streets") {
   for (const double side : {-1.0, 1.0}) {
-    LanePath path(kLane);
+    LanePath path(kShapeLane);
     const auto turn = [&](double radius) {
       side < 0 ? path.turnRight(radius) : path.turnLeft(radius);
     };
@@ -93,7 +93,7 @@ TEST_CASE("four turns round a block of any radii close by the lengths of its str
 
 TEST_CASE("a bulge comes back to its line, 4 r sin(angle) on") {
   for (const double angle : {0.3, -0.3}) {
-    LanePath path(kLane);
+    LanePath path(kShapeLane);
     path.bulge(40, angle);
     const LanePosition end = path.at(path.length());
     CHECK(std::abs(end.position.x()) < 1e-9);
@@ -103,13 +103,14 @@ TEST_CASE("a bulge comes back to its line, 4 r sin(angle) on") {
 }
 
 TEST_CASE("a roundabout keeps its radius and leaves where it is told") {
-  for (const double angle : {0.0, kPi / 2, kPi}) {
-    LanePath path(kLane);
+  for (const double angle : {0.0, std::numbers::pi / 2, std::numbers::pi}) {
+    LanePath path(kShapeLane);
     path.ahead(50).roundabout(11, 10, angle).ahead(50);
     // Both arms lie right of their street's centreline; the island is 50 m ahead on it.
-    const Eigen::Vector2d island(-kLane, 50);
+    const Eigen::Vector2d island(-kShapeLane, 50);
     const Eigen::Vector2d out(-std::sin(angle), std::cos(angle));
-    const Eigen::Vector2d expected = island + 50 * out + kLane * Eigen::Vector2d(out.y(), -out.x());
+    const Eigen::Vector2d expected =
+        island + 50 * out + kShapeLane * Eigen::Vector2d(out.y(), -out.x());
     const LanePosition end = path.at(path.length());
     CHECK((end.position - expected).norm() < 1e-9);
     CHECK((end.direction - out).norm() < 1e-9);
@@ -120,13 +121,14 @@ TEST_CASE("a roundabout keeps its radius and leaves where it is told") {
       if (path.curvature(s) > 0) round += 0.01 * path.curvature(s);
     }
     CHECK(nearest == Approx(11).margin(1e-3));
-    if (angle == kPi) CHECK(round > 1.5 * kPi);
+    if (angle == std::numbers::pi) CHECK(round > 1.5 * std::numbers::pi);
   }
 }
 
 TEST_CASE("direction and curvature are the derivatives of the position") {
-  LanePath path(kLane);
-  path.ahead(20).turnRight(6).ahead(40).bulge(30, 0.2).ahead(30).roundabout(11, 10, kPi / 2);
+  LanePath path(kShapeLane);
+  path.ahead(20).turnRight(6).ahead(40).bulge(30, 0.2).ahead(30).roundabout(11, 10,
+                                                                            std::numbers::pi / 2);
   path.ahead(30).turnLeft(9).ahead(30);
   constexpr double h = 1e-4;
   for (double s = 0.5; s < path.length() - 1; s += 0.37) {
@@ -141,10 +143,10 @@ TEST_CASE("direction and curvature are the derivatives of the position") {
 }
 
 TEST_CASE("a street that is shorter than its turns is a mistake in the route") {
-  LanePath path(kLane);
+  LanePath path(kShapeLane);
   path.ahead(20).turnRight(9).ahead(15);
   CHECK_THROWS_AS(path.turnRight(9), std::invalid_argument);
-  LanePath narrow(kLane);
+  LanePath narrow(kShapeLane);
   CHECK_THROWS_AS(narrow.ahead(50).roundabout(1, 10, 0), std::invalid_argument);
 }
 
@@ -231,7 +233,7 @@ TEST_CASE("eights crosses itself at a right angle and repeats every loop") {
 TEST_CASE("district comes back both ways") {
   const CameraRoute route = builtIn("district");
   CHECK(countRevisits(route, 0.5, 0.99, 1) > 150);
-  CHECK(countRevisits(route, 2 * kLane + 0.1, -1, -0.99) > 300);
+  CHECK(countRevisits(route, 2 * kShapeLane + 0.1, -1, -0.99) > 300);
 }
 
 TEST_CASE("heights are those of one ground wherever passes meet") {

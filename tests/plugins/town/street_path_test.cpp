@@ -34,7 +34,7 @@ PathPoint pointAt(double s, double x, double degrees) {
 
 TEST_CASE("points lie a metre apart on the path, whatever the frame rate") {
   for (const double rate : {3.0, 10.0, 50.0}) {
-    const CameraRoute route = test::builtIn("block", rate);
+    const CameraRoute route = town::test::builtIn("block", rate);
     const std::vector<PathPoint> path = drivenOver(samplePath(route, 1.65));
     REQUIRE(path.size() > 250);
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -53,7 +53,7 @@ TEST_CASE("points lie a metre apart on the path, whatever the frame rate") {
 }
 
 TEST_CASE("the centreline is a lane's offset to the left, the road a camera's height below") {
-  const CameraRoute route = test::builtIn("district");
+  const CameraRoute route = town::test::builtIn("district");
   for (const PathPoint& point : samplePath(route, 2.5)) {
     const Eigen::Vector2d left(-point.direction.y(), point.direction.x());
     REQUIRE(point.direction.norm() == Approx(1));
@@ -72,7 +72,7 @@ TEST_CASE("a straight street goes on for 50 m beyond either end, its slope fadin
   for (int i = 0; i <= 100; ++i) {
     route.stamps_ns.push_back(i);
     route.T_town_camera.push_back(
-        test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 0.1 * i));
+        town::test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 0.1 * i));
   }
   const std::vector<PathPoint> path = samplePath(route, 0);
   CHECK(path.front().driven.y() == Approx(-50));

@@ -16,7 +16,6 @@ namespace {
 
 using tolman::test::dataOrSkip;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLane = StreetPlan::kLaneOffset;
 constexpr double kBeyond = 50;  // m of street beyond either end of a route
 constexpr double kCamera = 1.65;
@@ -81,7 +80,7 @@ LanePath straight(double length) {
 /// Out, round a roundabout, and back on the other lane.
 LanePath thereAndBack(double length) {
   LanePath path(kLane);
-  path.ahead(length).roundabout(11, 10, kPi).ahead(length);
+  path.ahead(length).roundabout(11, 10, std::numbers::pi).ahead(length);
   return path;
 }
 
@@ -180,8 +179,9 @@ TEST_CASE("a street that is driven twice is built once") {
   const StreetPlan block = grown(builtIn("block"));
   CHECK(block.sections().size() == 1);
   const double bulge_more = 4 * 30 * (0.28 - std::sin(0.28));
-  CHECK(totalLength(block) ==
-        Approx(2 * (80 + 65) - 4 * (2 - kPi / 2) * (7 + kLane) + bulge_more).margin(8));
+  CHECK(
+      totalLength(block) ==
+      Approx(2 * (80 + 65) - 4 * (2 - std::numbers::pi / 2) * (7 + kLane) + bulge_more).margin(8));
 
   // eights drives every street of its two loops at least twice.
   const CameraRoute eights = builtIn("eights");
@@ -191,7 +191,7 @@ TEST_CASE("a street that is driven twice is built once") {
 TEST_CASE("the way back on the opposite lane is the same street") {
   const StreetPlan plan = grown(drawnRoute(thereAndBack(120)));
   // Out to the roundabout, round it, and a bit of doubt where the arms meet.
-  CHECK(totalLength(plan) < 120 + kBeyond + 2 * kPi * 11 + 10);
+  CHECK(totalLength(plan) < 120 + kBeyond + 2 * std::numbers::pi * 11 + 10);
   CHECK(totalLength(plan) > 120);
   REQUIRE_FALSE(plan.sections().empty());
   for (const StreetPoint& point : plan.sections()[0].points) {
@@ -262,7 +262,7 @@ TEST_CASE("the ground is continuous, from the road to the horizon") {
   const CameraRoute route = builtIn("district");
   const StreetPlan plan = grown(route);
   const Eigen::Vector2d centre = (plan.lowCorner() + plan.highCorner()) / 2;
-  for (double angle = 0; angle < 2 * kPi; angle += 0.3) {
+  for (double angle = 0; angle < 2 * std::numbers::pi; angle += 0.3) {
     const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
     double before = plan.height(centre.x(), centre.y());
     for (double r = 0.1; r < 700; r += 0.1) {

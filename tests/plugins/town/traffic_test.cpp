@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "drawn_route.hpp"
+#include "place_of.hpp"
 
 using namespace tolman;
 using namespace tolman::town;
@@ -24,18 +25,17 @@ CameraRoute straight(int length) {
   for (int i = 0; i <= length; ++i) {
     route.stamps_ns.push_back(std::int64_t{i} * 100'000'000);
     route.T_town_camera.push_back(
-        test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 0.1 * i));
+        town::test::levelPose({Eigen::Vector2d(0, i), Eigen::Vector2d(0, 1)}, 0.1 * i));
   }
   return route;
 }
 
-Eigen::Vector2d placeOf(const Placement& p) {
-  return {static_cast<double>(p.position.x), static_cast<double>(p.position.y)};
-}
-
 /// m/s of car `index` between two times that it does not leave the road in.
 double speedOf(const Traffic& traffic, std::size_t index, double from, double to) {
-  return (placeOf(traffic.at(index, to)) - placeOf(traffic.at(index, from))).norm() / (to - from);
+  return (tolman::town::test::placeOf(traffic.at(index, to)) -
+          tolman::town::test::placeOf(traffic.at(index, from)))
+             .norm() /
+         (to - from);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ TEST_CASE("on a straight street every car comes down the left lane at its own st
   REQUIRE(traffic.size() == 12);
   std::vector<double> speeds;
   for (std::size_t i = 0; i < traffic.size(); ++i) {
-    const double start = placeOf(traffic.at(i, 0)).y();
+    const double start = tolman::town::test::placeOf(traffic.at(i, 0)).y();
     CHECK(start >= 50.0 * static_cast<double>(i));  // one car in each twelfth of the street
     CHECK(start < 50.0 * static_cast<double>(i + 1));
     if (start < 30) continue;  // turns over to the far end soon
@@ -76,20 +76,20 @@ TEST_CASE("a car that reaches the beginning of the route comes again from its en
   const double speed = speedOf(traffic, 2, 0, 1);  // begins in the last third
   const double round = 300 / speed;
   for (const double t : {0.0, 3.3, 11.0}) {
-    const Eigen::Vector2d now = placeOf(traffic.at(2, t));
-    CHECK((placeOf(traffic.at(2, t + round)) - now).norm() < 0.05);
-    CHECK((placeOf(traffic.at(2, t + 5 * round)) - now).norm() < 0.2);
+    const Eigen::Vector2d now = tolman::town::test::placeOf(traffic.at(2, t));
+    CHECK((tolman::town::test::placeOf(traffic.at(2, t + round)) - now).norm() < 0.05);
+    CHECK((tolman::town::test::placeOf(traffic.at(2, t + 5 * round)) - now).norm() < 0.2);
   }
   // Long after and long before the drive it is on the street all the same.
   for (const double t : {-1e5, 1e6}) {
-    const Eigen::Vector2d p = placeOf(traffic.at(2, t));
+    const Eigen::Vector2d p = tolman::town::test::placeOf(traffic.at(2, t));
     CHECK(p.y() >= 0);
     CHECK(p.y() <= 300);
   }
 }
 
 TEST_CASE("through bends cars keep their lane and look where they drive") {
-  const CameraRoute route = test::builtIn("block");
+  const CameraRoute route = town::test::builtIn("block");
   const StreetPlan plan = planOf(route);
   const Traffic traffic(route, plan, 15, 2);
   REQUIRE(traffic.size() >= 4);
@@ -97,11 +97,13 @@ TEST_CASE("through bends cars keep their lane and look where they drive") {
   for (std::size_t i = 0; i < traffic.size(); ++i) {
     for (double t = 0; t < 60; t += 0.93) {
       const Placement now = traffic.at(i, t);
-      const Eigen::Vector2d step = placeOf(traffic.at(i, t + 0.02)) - placeOf(now);
+      const Eigen::Vector2d step =
+          tolman::town::test::placeOf(traffic.at(i, t + 0.02)) - tolman::town::test::placeOf(now);
       if (step.norm() > 1) continue;  // from the beginning to the end
       double nearest = std::numeric_limits<double>::infinity();
       for (const Eigen::Isometry3d& T : route.T_town_camera) {
-        nearest = std::min(nearest, (T.translation().head<2>() - placeOf(now)).norm());
+        nearest = std::min(nearest,
+                           (T.translation().head<2>() - tolman::town::test::placeOf(now)).norm());
       }
       CAPTURE(i, t);
       REQUIRE(nearest > 2 * StreetPlan::kLaneOffset - 0.1);
@@ -116,10 +118,10 @@ TEST_CASE("through bends cars keep their lane and look where they drive") {
 
 TEST_CASE("a car that would drive through the camera passes beside it") {
   const Eigen::Isometry3d camera =
-      test::levelPose({Eigen::Vector2d(10, 50), Eigen::Vector2d(0, 1)}, 0);
+      town::test::levelPose({Eigen::Vector2d(10, 50), Eigen::Vector2d(0, 1)}, 0);
   const auto moved = [&](double right, double ahead) {
     const Placement car = Placement::at({float(10 + right), float(50 + ahead), 0}, 1.5F);
-    return placeOf(besideCamera(car, camera));
+    return tolman::town::test::placeOf(besideCamera(car, camera));
   };
   for (const double right : {-2.5, -1.0, 0.0, 1.0, 2.5}) {
     double last = moved(right, -30).x();

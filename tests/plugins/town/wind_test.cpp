@@ -7,10 +7,11 @@
 
 #include "small_town.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
 
 TEST_CASE("plants with leaves sway about a lean that grows with the square of the speed") {
-  const test::SmallTown town;
+  const town::test::SmallTown town;
   const World world = buildWorld(town.plan, {});
   const Wind calm(world, 4, 1);
   const Wind gale(world, 16, 1);

@@ -7,8 +7,9 @@
 
 #include "small_town.hpp"
 
+using namespace tolman;
 using namespace tolman::town;
-using test::SmallTown;
+using town::test::SmallTown;
 
 namespace {
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kMagic = "TESTMARK";
 
-Frame streetAt(double z, double yaw = 0) {
+Frame frameAlong(double z, double yaw = 0) {
   return tolman::test::streetFrame(0, Eigen::Translation3d(0, 0, z) *
                                           Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()) *
                                           Eigen::Isometry3d::Identity());
@@ -47,7 +47,7 @@ bool takes(LandmarkMemory& memory, const std::string& payload) {
 
 TEST_CASE("a street seen again is measured, from ahead, from behind and turned") {
   LandmarkMemory memory = streetMemory();
-  const Frame first = streetAt(0);
+  const Frame first = frameAlong(0);
   memory.beginFrame();
   memory.add(first);
   REQUIRE(memory.hasEnough(0));
@@ -55,7 +55,7 @@ TEST_CASE("a street seen again is measured, from ahead, from behind and turned")
     double z, yaw;
   };
   for (const Case& c : {Case{0, 0}, {0.8, 0}, {-0.8, 0}, {1.5, 0}, {0.4, 0.03}, {0.4, -0.03}}) {
-    const Frame now = streetAt(c.z, c.yaw);
+    const Frame now = frameAlong(c.z, c.yaw);
     memory.beginFrame();
     const auto measured = memory.locate(now, 0);
     CAPTURE(c.z, c.yaw);
@@ -70,28 +70,28 @@ TEST_CASE("a street seen again is measured, from ahead, from behind and turned")
 TEST_CASE("another picture is not located, and nothing is kept of the frame before") {
   LandmarkMemory memory = streetMemory();
   memory.beginFrame();
-  memory.add(streetAt(0));
-  Frame grey = streetAt(0);
+  memory.add(frameAlong(0));
+  Frame grey = frameAlong(0);
   grey.left = tolman::test::filled(90);
   memory.beginFrame();
   CHECK_FALSE(memory.locate(grey, 0));
   memory.beginFrame();
-  CHECK(memory.locate(streetAt(0.5), 0));
+  CHECK(memory.locate(frameAlong(0.5), 0));
 }
 
 TEST_CASE("without a right image or a calibration a template has no landmarks, but a number") {
   LandmarkMemory memory = streetMemory();
-  Frame one_eyed = streetAt(0);
+  Frame one_eyed = frameAlong(0);
   one_eyed.right = Image();
   memory.beginFrame();
   memory.add(one_eyed);
   memory.beginFrame();
-  memory.add(streetAt(0));
+  memory.add(frameAlong(0));
   CHECK(memory.size() == 2);
   CHECK_FALSE(memory.hasEnough(0));
   CHECK(memory.hasEnough(1));
   memory.beginFrame();
-  CHECK_FALSE(memory.locate(streetAt(0), 0));
+  CHECK_FALSE(memory.locate(frameAlong(0), 0));
   CameraRig uncalibrated = tolman::test::streetRig();
   uncalibrated.calibrated = false;
   CHECK_FALSE(LandmarkMemory(uncalibrated, 400, 12).hasStereo());
@@ -102,13 +102,13 @@ TEST_CASE("a loaded memory measures to the bit what the saved one does") {
   LandmarkMemory saved = streetMemory();
   for (const double z : {0.0, 5.0, 9.0}) {
     saved.beginFrame();
-    saved.add(streetAt(z));
+    saved.add(frameAlong(z));
   }
   LandmarkMemory loaded = streetMemory();
   REQUIRE(takes(loaded, payloadOf(saved)));
   CHECK(payloadOf(loaded) == payloadOf(saved));
   for (std::int64_t id = 0; id < 3; ++id) {
-    const Frame now = streetAt(5 * static_cast<double>(id) + 0.3);
+    const Frame now = frameAlong(5 * static_cast<double>(id) + 0.3);
     saved.beginFrame();
     loaded.beginFrame();
     const auto a = saved.locate(now, id);
@@ -121,7 +121,7 @@ TEST_CASE("a loaded memory measures to the bit what the saved one does") {
 TEST_CASE("sizes that the bytes cannot hold are refused without asking for their memory") {
   LandmarkMemory memory = streetMemory();
   memory.beginFrame();
-  memory.add(streetAt(0));
+  memory.add(frameAlong(0));
   const std::string sound = payloadOf(memory);
   RandomStream random(6);
   int refused = 0;

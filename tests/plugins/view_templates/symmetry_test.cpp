@@ -11,8 +11,8 @@ using namespace tolman::view_templates::test;
 
 namespace {
 
-constexpr int kWidth = 160;
-constexpr int kHeight = 64;
+constexpr int kViewWidth = 160;
+constexpr int kViewHeight = 64;
 
 /// The whole image, in cells of whole pixels, so that none is left over at one side.
 ParameterValues whole() {
@@ -31,7 +31,7 @@ std::vector<Image> drive(std::uint64_t seed) {
   std::vector<Image> images;
   for (int i = 0; i < 60; ++i) {
     const double heading = 0.8 * static_cast<double>(random.below(8)) + 0.03 * random.normal();
-    images.push_back(pinholeView(kWidth, kHeight, 140, heading));
+    images.push_back(pinholeView(kViewWidth, kViewHeight, 140, heading));
   }
   return images;
 }
@@ -74,14 +74,14 @@ TEST_CASE("rows with padding behind them are the same image") {
   ViewTemplates padded;
   REQUIRE(configure(packed, whole()).isOk());
   REQUIRE(configure(padded, whole()).isOk());
-  constexpr std::ptrdiff_t kStride = kWidth + 13;
+  constexpr std::ptrdiff_t kStride = kViewWidth + 13;
   std::int64_t frame = 0;
   for (const Image& image : drive(9)) {
-    const auto bytes = std::make_shared<std::vector<std::uint8_t>>(kStride * kHeight, 99);
-    for (int y = 0; y < kHeight; ++y) {
-      std::copy_n(image.row(y), kWidth, bytes->begin() + y * kStride);
+    const auto bytes = std::make_shared<std::vector<std::uint8_t>>(kStride * kViewHeight, 99);
+    for (int y = 0; y < kViewHeight; ++y) {
+      std::copy_n(image.row(y), kViewWidth, bytes->begin() + y * kStride);
     }
-    const Image other(bytes->data(), kWidth, kHeight, kStride, PixelFormat::Gray8, bytes);
+    const Image other(bytes->data(), kViewWidth, kViewHeight, kStride, PixelFormat::Gray8, bytes);
     const PlaceObservation a = observe(packed, image, frame);
     const PlaceObservation b = observe(padded, other, frame++);
     REQUIRE(a.template_id == b.template_id);
