@@ -13,7 +13,7 @@ namespace tolman::experience_map {
 namespace {
 
 template <class G>
-struct ChainProblem {
+struct RandomProblem {
   std::vector<typename G::Pose> nodes;
   std::vector<PoseLink<G>> links;
 };
@@ -44,10 +44,10 @@ PoseLink<G> randomLink(RandomStream& random, std::size_t from, std::size_t to) {
 
 /// A chain with the given loops, nothing of which fits.
 template <class G>
-ChainProblem<G> randomProblem(std::uint64_t seed, std::size_t count,
-                              const std::vector<std::pair<std::size_t, std::size_t>>& loops) {
+RandomProblem<G> randomProblem(std::uint64_t seed, std::size_t count,
+                               const std::vector<std::pair<std::size_t, std::size_t>>& loops) {
   RandomStream random(seed);
-  ChainProblem<G> problem;
+  RandomProblem<G> problem;
   for (std::size_t k = 0; k < count; ++k) {
     problem.nodes.push_back(randomPose<G>(random, 10));
     if (k > 0) problem.links.push_back(randomLink<G>(random, k - 1, k));
@@ -72,7 +72,7 @@ struct Dense {
 };
 
 template <class G>
-Dense<G> dense(const ChainProblem<G>& problem, double damping) {
+Dense<G> dense(const RandomProblem<G>& problem, double damping) {
   constexpr int kSize = G::kSize;
   const auto size = static_cast<Eigen::Index>(kSize * problem.nodes.size());
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
@@ -94,12 +94,12 @@ Dense<G> dense(const ChainProblem<G>& problem, double damping) {
 }
 
 template <class G>
-std::vector<StepOf<G>> denseStep(const ChainProblem<G>& problem, double damping) {
+std::vector<StepOf<G>> denseStep(const RandomProblem<G>& problem, double damping) {
   return dense(problem, damping).step();
 }
 
 template <class G>
-void checkAgainstDense(const ChainProblem<G>& problem, double damping) {
+void checkAgainstDense(const RandomProblem<G>& problem, double damping) {
   ChainSystem<G> system(problem.nodes.size(), problem.links);
   system.linearise(problem.nodes, problem.links);
   std::vector<StepOf<G>> step;
@@ -114,7 +114,7 @@ void checkAgainstDense(const ChainProblem<G>& problem, double damping) {
 
 /// The system that solve() has left, with a gradient of another kind, and its determinant.
 template <class G>
-void checkLeftSystem(const ChainProblem<G>& problem, double damping) {
+void checkLeftSystem(const RandomProblem<G>& problem, double damping) {
   ChainSystem<G> system(problem.nodes.size(), problem.links);
   system.linearise(problem.nodes, problem.links);
   std::vector<StepOf<G>> step;
@@ -175,7 +175,7 @@ TEMPLATE_TEST_CASE("a system that is built again in its memory gives the bytes o
                    Plane, Space) {
   using Loops = std::vector<std::pair<std::size_t, std::size_t>>;
   ChainSystem<TestType> used;
-  for (const ChainProblem<TestType>& problem :
+  for (const RandomProblem<TestType>& problem :
        {randomProblem<TestType>(4, 60, Loops{{2, 50}, {45, 10}, {20, 30}}),
         randomProblem<TestType>(2, 12, {}), randomProblem<TestType>(3, 70, Loops{{0, 7}, {9, 60}}),
         randomProblem<TestType>(5, 20, Loops{{4, 15}, {15, 4}})}) {
@@ -195,9 +195,9 @@ TEMPLATE_TEST_CASE("a system that is built again in its memory gives the bytes o
 TEMPLATE_TEST_CASE("a bend is taken from the information along the residual, not from the pull", "",
                    Plane, Space) {
   using Step = StepOf<TestType>;
-  ChainProblem<TestType> problem = randomProblem<TestType>(10, 20, {{1, 15}, {4, 18}});
+  RandomProblem<TestType> problem = randomProblem<TestType>(10, 20, {{1, 15}, {4, 18}});
   std::vector<double> bends(problem.links.size());
-  ChainProblem<TestType> bent = problem;  // the same curvature by another covariance
+  RandomProblem<TestType> bent = problem;  // the same curvature by another covariance
   for (const std::size_t k : {19, 20}) {
     const PoseLink<TestType>& link = problem.links[k];
     const Step r = residualOf(link, problem.nodes[link.from], problem.nodes[link.to]);
@@ -219,7 +219,7 @@ TEMPLATE_TEST_CASE("a bend is taken from the information along the residual, not
 
 TEMPLATE_TEST_CASE("covariances may change, and four right-hand sides are solved at once", "",
                    Space) {
-  ChainProblem<TestType> problem = randomProblem<TestType>(11, 30, {{1, 15}, {4, 28}});
+  RandomProblem<TestType> problem = randomProblem<TestType>(11, 30, {{1, 15}, {4, 28}});
   ChainSystem<TestType> system(problem.nodes.size(), problem.links);
   for (PoseLink<TestType>& link : problem.links) link.covariance *= 0.25;
   problem.links[3].covariance.diagonal().array() += 0.1;
@@ -246,7 +246,7 @@ TEMPLATE_TEST_CASE("covariances may change, and four right-hand sides are solved
 }
 
 TEMPLATE_TEST_CASE("one system serves many linearisations", "", Plane, Space) {
-  ChainProblem<TestType> problem = randomProblem<TestType>(8, 25, {{1, 20}});
+  RandomProblem<TestType> problem = randomProblem<TestType>(8, 25, {{1, 20}});
   ChainSystem<TestType> system(problem.nodes.size(), problem.links);
   std::vector<StepOf<TestType>> step;
   for (int round = 0; round < 3; ++round) {
@@ -260,7 +260,7 @@ TEMPLATE_TEST_CASE("one system serves many linearisations", "", Plane, Space) {
 
 TEMPLATE_TEST_CASE("a node that no link holds makes the system singular, and it says so", "", Plane,
                    Space) {
-  ChainProblem<TestType> problem = randomProblem<TestType>(9, 10, {{2, 8}});
+  RandomProblem<TestType> problem = randomProblem<TestType>(9, 10, {{2, 8}});
   std::erase_if(problem.links, [](const PoseLink<TestType>& link) { return link.to == 5; });
   ChainSystem<TestType> system(problem.nodes.size(), problem.links);
   system.linearise(problem.nodes, problem.links);
