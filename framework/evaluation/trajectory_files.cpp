@@ -141,6 +141,25 @@ void append(Trajectory& trajectory, TrajectoryPose pose, bool has_stamps) {
   trajectory.push_back(pose);
 }
 
+/// Notices a file that was cut within the last number of a line: the last line has no end, and the
+/// number fewer decimals than that of every line before.
+class CutLine {
+ public:
+  void check(std::string_view last_word, bool has_end) {
+    const std::size_t decimals = last_word.size() - std::min(last_word.find('.'), last_word.size());
+    if (!has_end && lines_ >= 2 && decimals < fewest_) {
+      throw LineError("the file ends within this line, its last number " + shown(last_word) +
+                      " is cut; put back the whole file");
+    }
+    fewest_ = std::min(fewest_, decimals);
+    ++lines_;
+  }
+
+ private:
+  std::size_t fewest_ = std::string_view::npos;
+  int lines_ = 0;
+};
+
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
@@ -152,6 +171,7 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
   }
   Trajectory trajectory;
   LineReader reader = nullptr;
+  CutLine cut_line;
   std::string line;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
     if (number_of_line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // of UTF-8
@@ -160,6 +180,7 @@ Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
       if (entries.empty()) continue;
       if (reader == nullptr) reader = formatOf(entries);
       append(trajectory, reader(entries), entries.size() == 8);
+      cut_line.check(entries.back(), !stream.eof());
     } catch (const LineError& error) {
       return Status::invalidInput(file.string() + ":" + std::to_string(number_of_line) + ": " +
                                   error.what());

@@ -7,13 +7,15 @@
 
 #include "record/answers_codec.hpp"
 #include "record/regular_file.hpp"
+#include "record/run_id.hpp"
 
 namespace tolman::record {
 namespace {
 
-constexpr std::string_view kAnswersMagic = "TLMANSW1";
+constexpr std::string_view kAnswersMagic = "TLMANSW2";
 constexpr std::int64_t kAnswersStart = -1;
 constexpr std::int64_t kAnswersEnd = -2;
+constexpr std::uint64_t kMostTextBytes = 1U << 20U;  // of a text in the first block
 
 struct AnswersBlock {
   std::int64_t tag = 0;
@@ -51,11 +53,26 @@ std::optional<AnswersBlock> nextBlock(std::ifstream& stream) {
   return block;
 }
 
+/// The id in the first block: its second text. Empty where there is none.
+std::string answersRunId(const std::filesystem::path& file) {
+  std::ifstream stream = openRegular(file);
+  stream.seekg(static_cast<std::streamoff>(kAnswersMagic.size() + sizeof(AnswersBlock)));
+  const auto names = rawAt<std::uint64_t>(stream);
+  if (!stream || names > kMostTextBytes) return "";
+  stream.seekg(static_cast<std::streamoff>(names), std::ios::cur);
+  const auto size = rawAt<std::uint64_t>(stream);
+  if (!stream || size > kMostTextBytes) return "";
+  std::string id(size, '\0');
+  stream.read(id.data(), static_cast<std::streamsize>(size));
+  return stream ? id : "";
+}
+
 }  // namespace
 
 Result<AnswersFile> AnswersFile::create(const std::filesystem::path& directory,
                                         const SourceInfo& source,
-                                        const std::vector<ArrayInfo>& sensors) {
+                                        const std::vector<ArrayInfo>& sensors,
+                                        const std::string& run_id) {
   AnswersFile file(directory / kAnswersFile);
   Status status = file.open(std::ios::trunc);
   if (!status.isOk()) return status;
@@ -63,14 +80,16 @@ Result<AnswersFile> AnswersFile::create(const std::filesystem::path& directory,
   const std::string names = fieldNames<SourceInfo>() + fieldNames<ArrayInfo>() +
                             fieldNames<Frame>() + fieldNames<Motion>() +
                             fieldNames<PlaceObservation>();
-  status = file.block(kAnswersStart, encoded(names, encoded(source), encoded(sensors)));
+  status = file.block(kAnswersStart, encoded(names, run_id, encoded(source), encoded(sensors)));
   if (!status.isOk()) return status;
   return file;
 }
 
 Result<AnswersFile> AnswersFile::reopen(const std::filesystem::path& directory,
-                                        std::int64_t next_frame) {
+                                        std::int64_t next_frame, const std::string& run_id) {
   AnswersFile file(directory / kAnswersFile);
+  Status of_run = isOfRun(file.file_, answersRunId(file.file_), run_id);
+  if (!of_run.isOk()) return of_run;
   std::ifstream stream = openRegular(file.file_);
   stream.seekg(static_cast<std::streamoff>(kAnswersMagic.size()));
   std::int64_t last = kAnswersStart;

@@ -3,8 +3,9 @@
 // Cells and map that are given these answers again do the same as in the recorded run. (run.sqlite
 // has rotations as quaternions, which are not exact.)
 //
-// The file is "TLMANSW1", then blocks: i64 tag, u64 size, u64 FNV-1a of the payload, payload.
-//   tag -1            texts: field names of the records, SourceInfo, ArrayInfos of the sensors
+// The file is "TLMANSW2", then blocks: i64 tag, u64 size, u64 FNV-1a of the payload, payload.
+//   tag -1            texts: field names of the records, id of the run, SourceInfo, ArrayInfos of
+//                     the sensors
 //   tag 0, 1, 2 ...   texts: Frame, bool `same points as before` and Motion, PlaceObservation
 //   tag -2            text: the motions that odometry revised after the last frame
 // A text is u64 length and bytes; its contents are encoded as answers_codec.hpp says.
@@ -26,12 +27,13 @@ class AnswersFile {
  public:
   /// Creates answers.bin in a run directory.
   static Result<AnswersFile> create(const std::filesystem::path& directory,
-                                    const SourceInfo& source,
-                                    const std::vector<ArrayInfo>& sensors);
+                                    const SourceInfo& source, const std::vector<ArrayInfo>& sensors,
+                                    const std::string& run_id = "");
   /// Opens answers.bin of an interrupted or killed run, and removes the answers from frame
-  /// `next_frame` on. InvalidInput if an earlier frame is missing or damaged.
-  static Result<AnswersFile> reopen(const std::filesystem::path& directory,
-                                    std::int64_t next_frame);
+  /// `next_frame` on. InvalidInput if an earlier frame is missing or damaged, or if the
+  /// answers are of another run than `run_id`.
+  static Result<AnswersFile> reopen(const std::filesystem::path& directory, std::int64_t next_frame,
+                                    const std::string& run_id = "");
 
   Status add(const Frame& frame, const Motion& motion, const PlaceObservation& place);
   /// Afterwards all answers so far are in the file, even if the process is killed.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "record/run_id.hpp"
 #include "record/schema_check.hpp"
 #include "record/views.hpp"
 
@@ -79,7 +80,7 @@ std::string rowsFrom(const Table& table, const std::string& next, const std::str
   return has("frame") ? "\"frame\" >= " + next : "";
 }
 
-Database createDatabase(const std::filesystem::path& file) {
+Database createDatabase(const std::filesystem::path& file, const std::string& run_id) {
   Database database = openDatabase(file, Access::Create);
   database.exec(kJournal);
   database.exec("BEGIN");
@@ -89,19 +90,27 @@ Database createDatabase(const std::filesystem::path& file) {
       "CREATE INDEX \"motion_revision_announced\" ON \"motion_revision\" (\"announced_at\");"
       "CREATE INDEX \"earlier_loop_announced\" ON \"earlier_loop\" (\"announced_at\");"
       "INSERT INTO \"run\" VALUES ('schema_version', '" +
-      std::to_string(kSchemaVersion) + "'); COMMIT");
+      std::to_string(kSchemaVersion) + "')");
+  if (!run_id.empty()) {
+    Statement row(database, "INSERT INTO \"run\" VALUES (?, ?)");
+    row.bindNext(std::string(kRunIdKey));
+    row.bindNext(run_id);
+    row.run();
+  }
+  database.exec("COMMIT");
   return database;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& directory) {
+Result<std::unique_ptr<Recorder>> Recorder::open(const std::filesystem::path& directory,
+                                                 const std::string& run_id) {
   const std::filesystem::path file = directory / "run.sqlite";
   if (std::filesystem::exists(file)) {
     return Status::failed(file.string() + ": exists; record into a fresh directory");
   }
   return answered(file.string(), [&] {
-    return std::unique_ptr<Recorder>(new Recorder(file, createDatabase(file)));
+    return std::unique_ptr<Recorder>(new Recorder(file, createDatabase(file, run_id)));
   });
 }
 

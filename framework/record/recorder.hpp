@@ -27,8 +27,9 @@ namespace tolman::record {
 /// have none. Tables `experience` and `link` have the latest values.
 class Recorder {
  public:
-  /// Creates run.sqlite in an existing directory that has none.
-  static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory);
+  /// Creates run.sqlite, with the id of the run, in an existing directory that has none.
+  static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory,
+                                                const std::string& run_id = "");
   /// Opens run.sqlite of an interrupted or killed run. Removes the rows from frame `next_frame` on,
   /// and the tables that a run writes once: begin(), graph() and finalPoses() write them again.
   static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
+#include "record/run_id.hpp"
 #include "record/schema_check.hpp"
 
 namespace tolman::record {
@@ -14,9 +15,14 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
                                 "that a run has written");
   }
   std::unique_ptr<RunReader> reader;
-  const Status status =
-      guarded(file.string(), [&] { reader.reset(new RunReader(directory, file)); });
+  std::string id;
+  const Status status = guarded(file.string(), [&] {
+    reader.reset(new RunReader(directory, file));
+    id = reader->entry(kRunIdKey);
+  });
   if (!status.isOk()) return Status::invalidInput(status.message());
+  Status of_run = isOfRun(file, id, runIdOf(directory));
+  if (!of_run.isOk()) return of_run;
   return reader;
 }
 
@@ -32,11 +38,17 @@ RunReader::RunReader(std::filesystem::path directory, const std::filesystem::pat
 
 void RunReader::checkVersion() const {
   if (!database_.tableExists("run")) throw BadRow("is no run database; it has no table `run`");
-  Statement row(database_, "SELECT \"value\" FROM \"run\" WHERE \"key\" = 'schema_version'");
-  const std::string version = row.step() ? row.next().getString() : "none";
+  const std::string version = entry("schema_version");
   if (version == std::to_string(kSchemaVersion)) return;
-  throw BadRow("has schema version " + version + ", this program reads " +
-               std::to_string(kSchemaVersion) + "; run again to record it anew");
+  throw BadRow("has schema version " + (version.empty() ? "none" : version) +
+               ", this program reads " + std::to_string(kSchemaVersion) +
+               "; run again to record it anew");
+}
+
+std::string RunReader::entry(const std::string& key) const {
+  Statement row(database_, "SELECT \"value\" FROM \"run\" WHERE \"key\" = ?");
+  row.bindNext(key);
+  return row.step() ? row.next().getString() : "";
 }
 
 Result<std::vector<ArrayInfo>> RunReader::arrayInfos() const {

@@ -76,6 +76,8 @@ class RunReader {
  private:
   RunReader(std::filesystem::path directory, const std::filesystem::path& file);
   void checkVersion() const;
+  /// A value of table `run`; empty where it has none.
+  std::string entry(const std::string& key) const;
   template <class T, class Work>
   const Result<T>& once(std::optional<Result<T>>& kept, Work&& work) const {
     if (!kept) kept = answered(name_, work);

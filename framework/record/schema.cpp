@@ -46,7 +46,7 @@ Column announcedAt() {
 std::vector<Table> schema() {
   return {
       {"run",
-       "properties of the run, among them schema_version",
+       "properties of the run: schema_version, name, and the id that run.json has too",
        {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
        primaryKey("key")},
       table<RecordedSession>("the runs whose frames are recorded here, this one the last",

@@ -170,6 +170,17 @@ Json provenance(const Assembly& assembly, const std::vector<std::string>& comman
   return json;
 }
 
+std::string newRunId(Json run_file, bool is_realtime) {
+  if (is_realtime) {
+    run_file["time_ns"] = std::chrono::system_clock::now().time_since_epoch().count();
+  } else {
+    for (const char* key : {"started", "command_line", "machine"}) run_file.erase(key);
+  }
+  constexpr std::size_t kDigits = 32;
+  const std::string text = run_file.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return record::textDigest(text).substr(0, kDigits);
+}
+
 Json countersJson(const pipeline::RunCounters& counters) {
   Json json = Json::object();
   pipeline::RunCounters::visit(counters,

@@ -9,6 +9,7 @@
 #include "config/resolved.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
+#include "record/run_id.hpp"
 #include "run/input_data.hpp"
 #include "run/provenance.hpp"
 #include "run/report_files.hpp"
@@ -168,7 +169,8 @@ void Run::reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now
   require(log_.openFile(directory_->path() / "log.txt", RunLog::Open::Append), FailureKind::Record);
   assembly_->openArtefacts(directory_->path());
   run_file_ = std::move(now);
-  for (const char* kept : {"started", "command_line", kConfigDigest, "continued", "resumed"}) {
+  for (const char* kept :
+       {record::kRunIdKey, "started", "command_line", kConfigDigest, "continued", "resumed"}) {
     if (before.contains(kept)) run_file_[kept] = std::move(before[kept]);
   }
   if (!run_file_["resumed"].is_array()) run_file_["resumed"] = nlohmann::ordered_json::array();
@@ -177,7 +179,7 @@ void Run::reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now
   recorder_ =
       require(record::Recorder::reopen(directory_->path(), next_frame), FailureKind::Record);
   if (config().record.replay) {
-    answers_ = require(record::AnswersFile::reopen(directory_->path(), next_frame),
+    answers_ = require(record::AnswersFile::reopen(directory_->path(), next_frame, runId()),
                        FailureKind::Continuation);
   }
   MapGraph graph;
@@ -223,20 +225,24 @@ void Run::openRecord() {
   require(record::writeAtomically(directory_->path() / kResolvedConfig, yaml), FailureKind::Record);
   run_file_[kConfigDigest] =
       require(record::fileDigest(directory_->path() / kResolvedConfig), FailureKind::Record);
+  const bool is_realtime = config().pipeline.mode == config::PipelineMode::Realtime;
+  run_file_[record::kRunIdKey] = newRunId(run_file_, is_realtime);
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
-  recorder_ = require(record::Recorder::open(directory_->path()), FailureKind::Record);
+  recorder_ = require(record::Recorder::open(directory_->path(), runId()), FailureKind::Record);
   recordSessions();
   require(recorder_->meta("name", config().general.name), FailureKind::Record);
   const bool has_images = assembly_->sourceInfo().rig.width > 0;
   if (config().record.replay || (options_.share_answers && has_images)) openAnswers();
 }
 
+std::string Run::runId() const { return run_file_.value(record::kRunIdKey, ""); }
+
 void Run::openAnswers() {
   std::vector<ArrayInfo> sensors;
   require(assembly_->source().instance().describe(sensors), FailureKind::Plugin);
-  answers_ =
-      require(record::AnswersFile::create(directory_->path(), assembly_->sourceInfo(), sensors),
-              FailureKind::Record);
+  answers_ = require(
+      record::AnswersFile::create(directory_->path(), assembly_->sourceInfo(), sensors, runId()),
+      FailureKind::Record);
 }
 
 void Run::drive(Outcome& outcome) {

@@ -74,6 +74,7 @@ class Run {
   void openRecord();
   void recordSessions();
   void openAnswers();
+  std::string runId() const;
 
   void drive(Outcome& outcome);
   WatchdogSettings watchdogSettings(RunListener& listener);

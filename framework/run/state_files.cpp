@@ -9,6 +9,7 @@
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
+#include "record/run_id.hpp"
 #include "run/value_json.hpp"
 
 namespace tolman::run {
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr int kFormat = 1;
+constexpr const char* kRun = "run";
 
 /// One of the stages whose state a later run needs.
 struct SavedStage {
@@ -130,6 +132,7 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
   // files fails.
   fs::create_directory(folder, error);
   contents["format"] = kFormat;
+  contents[kRun] = record::runIdOf(folder.parent_path());
   contents["stages"] = Json::array();
   for (const SavedStage& stage : savedStages(assembly)) {
     const auto state = states.find(stage.config->role);
@@ -157,6 +160,11 @@ Json readContents(const fs::path& file) {
     refuseToContinue(file.string() + ": has format " + std::to_string(format) +
                      ", this program reads " + std::to_string(kFormat) +
                      "; use the version of Tolman that wrote it");
+  }
+  const std::string run = record::runIdOf(file.parent_path().parent_path());
+  if (!run.empty()) {
+    const Status of_run = record::isOfRun(file, json.at(kRun).get<std::string>(), run);
+    if (!of_run.isOk()) refuseToContinue(of_run.message());
   }
   return json;
 }

@@ -16,11 +16,11 @@ namespace tolman::run {
 Result<std::map<Role, std::string>> savedStates(Assembly& assembly);
 
 /// Writes PREFIXstage.bin for each state, and then `file`: `contents` with the description of the
-/// states. Each file is written atomically.
+/// states and the id of the run in whose folder `state` they are. Each file is written atomically.
 Status writeStates(Assembly& assembly, const std::filesystem::path& file, const std::string& prefix,
                    const std::map<Role, std::string>& states, nlohmann::ordered_json contents);
 
-/// The JSON that writeStates() wrote into `file`. Throws Failed.
+/// The JSON that writeStates() wrote into `file`. Throws Failed, also if it is of another run.
 nlohmann::ordered_json readContents(const std::filesystem::path& file);
 
 /// Loads the states of place, cells and map into a new assembly. Throws Failed if a state is

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
+#include <cstring>
 #include <fstream>
 #include <thread>
 
@@ -40,6 +41,14 @@ struct Recorded {
     return tolman::test::tolman(words(config, out, settings));
   }
   std::string text(const std::string& file) const { return readText(folder.path() / file); }
+  /// answers.bin of a run without its first block, which has the id of the run.
+  std::string answers(const std::string& run) const {
+    const std::string file = text(run + "/answers.bin");
+    std::uint64_t size = 0;  // of the first block, after the magic and its tag
+    REQUIRE(file.size() > 32);
+    std::memcpy(&size, file.data() + 16, sizeof size);
+    return file.substr(32 + size);
+  }
 };
 
 // Noise, lost frames and false matches: all kinds of answers.
@@ -78,7 +87,7 @@ TEST_CASE("cells and map on recorded answers give the same bytes as with the fro
 
   // A replay can be recorded and replayed as well.
   REQUIRE(data.run("again.yaml", "copy", {"seed=7", "record.replay=true"}).exit_code == 0);
-  CHECK(data.text("copy/answers.bin") == data.text("run/answers.bin"));
+  CHECK(data.answers("copy") == data.answers("run"));
 }
 
 TEST_CASE("noise on recorded motion is drawn from the seed") {
@@ -120,7 +129,7 @@ TEST_CASE("a run that was killed and resumed has the same answers as one without
   CHECK(contains(early.err, "the run has not ended"));
 
   REQUIRE(tolman::test::tolman({"run", "--resume", out.string(), "--quiet"}).exit_code == 0);
-  CHECK(data.text("run/answers.bin") == data.text("whole/answers.bin"));
+  CHECK(data.answers("run") == data.answers("whole"));
 }
 
 TEST_CASE("what cannot be replayed is told with its remedy") {
@@ -144,6 +153,38 @@ TEST_CASE("what cannot be replayed is told with its remedy") {
   const Finished damaged = data.run("again.yaml", "again");
   CHECK(damaged.exit_code != 0);
   CHECK(contains(damaged.err, "answers.bin"));
+}
+
+TEST_CASE("files of another run in a run directory are refused") {
+  Recorded data;
+  REQUIRE(data.run("motion.yaml", "run", {"record.replay=true"}).exit_code == 0);
+  REQUIRE(data.run("motion.yaml", "other", {"record.replay=true", "seed=8"}).exit_code == 0);
+  REQUIRE(data.run("motion.yaml", "same", {"record.replay=true"}).exit_code == 0);
+  const fs::path run = data.folder.path() / "run";
+  CHECK(readJson(run / "run.json")["id"] ==
+        readJson(data.folder.path() / "same/run.json")["id"]);  // the same results as well
+  const auto exchanged = [&](const std::string& name, const Words& command) {
+    const fs::path kept = data.folder.path() / "kept";
+    fs::rename(run / name, kept);
+    fs::copy(data.folder.path() / "other" / name, run / name, fs::copy_options::recursive);
+    const Finished finished = tolman::test::tolman(command);
+    INFO(name << ": " << finished.err);
+    CHECK(contains(finished.err, "is of another run than"));
+    CHECK(std::count(finished.err.begin(), finished.err.end(), '\n') == 1);
+    fs::remove_all(run / name);
+    fs::rename(kept, run / name);
+    return finished.exit_code;
+  };
+  const std::string path = run.string();
+  CHECK(exchanged("run.sqlite", {"report", path}) == 5);
+  CHECK(exchanged("run.sqlite", {"export", path}) == 5);
+  Words onward = data.words("motion.yaml", "onward", {});
+  onward.insert(onward.end(), {"--continue", path});
+  CHECK(exchanged("run.sqlite", onward) == 9);
+  CHECK(exchanged("state", onward) == 9);
+  CHECK(exchanged("answers.bin", data.words("again.yaml", "again", {})) == 5);
+  CHECK_FALSE(fs::exists(data.folder.path() / "onward"));
+  CHECK(tolman::test::tolman(onward).exit_code == 0);
 }
 
 TEST_CASE("a run that is made again gives the same bytes, or what has changed is told") {

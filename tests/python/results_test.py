@@ -91,6 +91,15 @@ class RunTest(Systems):
         with self.assertRaisesRegex(FileNotFoundError, "no run.sqlite"):
             tolman.Run(self.folder)
 
+    def test_a_record_of_another_run_is_refused(self):
+        run = self.made()
+        file = run.path / "run.json"
+        info = json.loads(file.read_text())
+        self.assertEqual(len(info["id"]), 32)
+        file.write_text(json.dumps({**info, "id": "f" * 32}))
+        with self.assertRaisesRegex(ValueError, "run.sqlite: is of another run"):
+            tolman.Run(run.path)
+
     def test_runs_from_python(self):
         config = self.config()
         run = tolman.run(config, set={"seed": 3, "cells": {"plugin": "bayesian_attractor"}}, out=self.folder / "a")

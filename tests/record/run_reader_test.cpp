@@ -186,6 +186,21 @@ TEST_CASE("what is no run is refused by name") {
   CHECK(refusal(folder.path()) == "/run.sqlite: is no run database; it has no table `run`");
 }
 
+TEST_CASE("a database of another run than run.json is refused") {
+  const test::TemporaryFolder folder;
+  REQUIRE(Recorder::open(folder.path(), "0a1b").value()->close().isOk());
+  CHECK(RunReader::open(folder.path()).isOk());  // alone it is of no other run
+  std::ofstream(folder.path() / "run.json") << R"({"id": "0a1b"})";
+  CHECK(RunReader::open(folder.path()).isOk());
+  std::ofstream(folder.path() / "run.json") << R"({"name": "a run of an older version"})";
+  CHECK(RunReader::open(folder.path()).isOk());
+  std::ofstream(folder.path() / "run.json") << R"({"id": "ffff"})";
+  CHECK(
+      refusal(folder.path()) ==
+      "/run.sqlite: is of another run than the run.json of this run directory; put back the files "
+      "of one run, or run it again");
+}
+
 TEST_CASE("the links that the map has rejected are marked, whatever their weight") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();

@@ -63,6 +63,20 @@ std::optional<Decimal> parseDecimal(std::string_view text) {
   return decimal;
 }
 
+/// Whether the last line, which has no end, was cut within its last field: the field has fewer
+/// decimals (characters, where it has no point) than that of every line before.
+bool isCut(const std::vector<TextLine>& lines) {
+  if (lines.size() < 3) return false;
+  const auto length = [](const TextLine& line) {
+    const std::string_view field = splitFields(line.text).back();
+    const std::size_t point = field.find('.');
+    return field.size() - (point == std::string_view::npos ? 0 : point);
+  };
+  const std::size_t last = length(lines.back());
+  return std::all_of(lines.begin(), lines.end() - 1,
+                     [&](const TextLine& line) { return length(line) > last; });
+}
+
 }  // namespace
 
 std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
@@ -79,7 +93,9 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
   std::ifstream stream(file, std::ios::binary);
   std::vector<TextLine> lines;
   int number = 0;
+  bool has_end = true;  // of its last line
   for (std::string text; std::getline(stream, text);) {
+    has_end = !stream.eof();
     ++number;
     if (number == 1 && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
     const std::size_t begin = text.find_first_not_of(kSeparators);
@@ -89,6 +105,11 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
   }
   if (!stream.eof()) inspection.error(file, "cannot be read; check its permissions");
   if (stream.eof() && lines.empty()) inspection.error(file, "is empty; restore it");
+  if (!has_end && isCut(lines)) {
+    inspection.error(file, "ends within line " + std::to_string(number) +
+                               ", whose last number is cut; put back the whole file");
+    lines.clear();
+  }
   return lines;
 }
 

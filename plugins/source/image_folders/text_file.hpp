@@ -19,7 +19,8 @@ struct TextLine {
 };
 
 /// All lines but blank ones and '#' comments, without line ends and byte order mark. A file that
-/// cannot be read or has no such lines gives an error in `inspection` and no lines.
+/// cannot be read, has no such lines or was cut within its last field gives an error in
+/// `inspection` and no lines.
 std::vector<TextLine> readLines(const std::filesystem::path& file, Inspection& inspection);
 
 /// The fields between blanks, commas and semicolons.

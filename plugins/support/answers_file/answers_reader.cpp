@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "answers_decoder.hpp"
@@ -10,7 +11,7 @@
 namespace tolman::answers_file {
 namespace {
 
-constexpr std::string_view kMagic = "TLMANSW1";
+constexpr std::string_view kMagic = "TLMANSW2";
 constexpr std::int64_t kStart = -1;
 constexpr std::int64_t kEnd = -2;
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32U;  // of one block
@@ -75,12 +76,22 @@ Status AnswersReader::readStart(const Block& block) {
   if (texts.text() != expectedNames()) {
     return damaged("was written by a version with other records; record the run again");
   }
+  status = checkRun(texts.text());
+  if (!status.isOk()) return status;
   AnswersDecoder source(texts.text());
   AnswersDecoder sensors(texts.text());
   source.get(source_);
   sensors.get(sensors_);
   source_.frames = frames();
   return source.complete() && sensors.complete() ? Status::ok() : damaged("is damaged");
+}
+
+/// The answers must be of the run whose run.json lies beside them, if it has an id.
+Status AnswersReader::checkRun(std::string_view id) const {
+  std::ifstream stream(std::filesystem::path(file_).replace_filename("run.json"));
+  const auto run = nlohmann::json::parse(stream, nullptr, false);
+  if (!run.is_object() || !run.contains("id") || run["id"] == id) return Status::ok();
+  return damaged("is of another run than the run.json beside it; put back the file of that run");
 }
 
 void AnswersReader::rewind() {

@@ -40,6 +40,7 @@ class AnswersReader {
     std::streamoff start = 0;  ///< of the payload in the file
   };
   Status readStart(const Block& block);
+  Status checkRun(std::string_view id) const;
   Status readFrame(std::int64_t frame);
   Status readPayload(const Block& block);
   Status compare(std::string_view recorded, const Frame& frame) const;

@@ -54,6 +54,10 @@ class Run:
         if not file.is_file():
             raise FileNotFoundError(f"{self.path}: is no run directory, for it has no run.sqlite")
         self._database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+        run = self.info.get("id")
+        recorded = self._database.execute("SELECT value FROM run WHERE key = 'id'").fetchone()
+        if run is not None and (run,) != recorded:
+            raise ValueError(f"{file}: is of another run than the run.json of this run directory; put back the files of one run")
 
     def __repr__(self):
         return f"tolman.Run({str(self.path)!r})"

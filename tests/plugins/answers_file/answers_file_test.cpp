@@ -162,6 +162,25 @@ TEST_CASE("a file without an end is no replay; reopened at a frame it is the sam
   REQUIRE(AnswersReader().open(folder.path().string()).isOk());
 }
 
+TEST_CASE("answers of another run than the run.json beside them are refused") {
+  const TemporaryFolder folder;
+  auto file = record::AnswersFile::create(folder.path(), someSource(), {}, "0a1b");
+  REQUIRE(file.value().finish({}).isOk());
+  const auto opened = [&](const std::string& run_json) {
+    std::ofstream(folder.path() / "run.json") << run_json;
+    return AnswersReader().open(folder.path().string());
+  };
+  CHECK(opened(R"({"id": "0a1b"})").isOk());
+  CHECK(opened(R"({"name": "a run of an older version"})").isOk());
+  CHECK(opened("no JSON").isOk());
+  CHECK_THAT(opened(R"({"id": "ffff"})").message(), Catch::Contains("is of another run"));
+  CHECK_THAT(opened(R"({"id": 7})").message(), Catch::Contains("is of another run"));
+
+  CHECK(record::AnswersFile::reopen(folder.path(), 0, "0a1b").isOk());
+  CHECK_THAT(record::AnswersFile::reopen(folder.path(), 0, "ffff").status().message(),
+             Catch::Contains("is of another run"));
+}
+
 TEST_CASE("no damaged byte is taken for an answer") {
   const TemporaryFolder folder;
   write(folder.path(), randomAnswers(2), true);

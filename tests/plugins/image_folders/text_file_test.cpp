@@ -36,6 +36,21 @@ TEST_CASE("seconds become nanoseconds exactly") {
   }
 }
 
+TEST_CASE("a file cut within its last field is an error, one without a last line end is not") {
+  const DataFolder data;
+  const auto lines = [&](const std::string& text) {
+    data.write("times.txt", text);
+    Inspection inspection;
+    return readLines(data.path("times.txt"), inspection).size();
+  };
+  CHECK(lines("0.000000e+00\n1.036224e-01\n2.072449e-01") == 3);
+  CHECK(lines("0.000000e+00\n1.036224e-01\n2.072449e-0") == 0);
+  CHECK(lines("0.000000e+00\n1.036224e-01\n2.072449e-0\n") == 3);
+  CHECK(lines("1403636579763555584\n1403636579813555456\n140363657986355532") == 0);
+  CHECK(lines("8\n9\n10") == 3);
+  CHECK(lines("100 7") == 1);
+}
+
 TEST_CASE("exponents that no time has are refused, also the least of an int") {
   for (const char* text : {"0.001e-2147483648", "1e-2147483648", "1e2147483647", "0e99999999999"}) {
     CAPTURE(text);
