@@ -7,9 +7,11 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "record/digest.hpp"
 #include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "run/run.hpp"
@@ -41,6 +43,17 @@ std::map<std::string, std::string> expectedDigests(const fs::path& run) {
   auto digests = digestsOf(run);
   if (!digests.empty()) return digests;
   throw Ended{ExitCode::Dataset, (run / "results.sha256").string() + ": has no digests"};
+}
+
+/// The result files that are not as results.sha256 of their run says.
+std::set<std::string> changedFiles(const fs::path& run,
+                                   const std::map<std::string, std::string>& digests) {
+  std::set<std::string> changed;
+  for (const auto& [file, digest] : digests) {
+    const auto found = record::fileDigest(run / file);
+    if (!found.isOk() || found.value() != digest) changed.insert(file);
+  }
+  return changed;
 }
 
 /// Adds differences of one stage's plugin: its library, its program, and files of the program.
@@ -111,7 +124,8 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
   const auto expected = expectedDigests(before);
   const auto found = digestsOf(after);
   Json files = Json::object();
-  bool same = expected.size() == found.size();
+  const std::set<std::string> changed = changedFiles(before, expected);
+  bool same = expected.size() == found.size() && changed.empty();
   for (const auto& [file, digest] : expected) {
     const auto other = found.find(file);
     const char* text = other == found.end()      ? "missing"
@@ -119,6 +133,10 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
                                                  : "differs";
     same = same && text == std::string_view("same");
     files[file] = text;
+    if (changed.contains(file)) files[file] = "changed since it was recorded";
+  }
+  for (const auto& [file, digest] : found) {
+    if (!expected.contains(file)) files[file] = "not in results.sha256 of the earlier run";
   }
   const auto changes = changesBetween(before, after);
   if (invocation.json) {
@@ -128,7 +146,8 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
       std::cout << fmt::format("{:<20}{}\n", file, text.get<std::string>());
     }
     for (const std::string& change : changes) std::cout << "  " << run::printable(change) << "\n";
-    if (!same && changes.empty()) std::cout << "  nothing that run.json knows has changed\n";
+    if (!same && changed.empty() && changes.empty())
+      std::cout << "  nothing that run.json knows has changed\n";
   }
   return same ? ExitCode::Ok : ExitCode::Record;
 }

@@ -145,6 +145,7 @@ int runProgram(int argc, const char* const* argv) {
   app.add_option("--plugin-path", invocation.plugin_paths,
                  "Folder or library to search first for plugins (repeatable)")
       ->type_name("PATH")
+      ->check(existing)
       ->allow_extra_args(false);
   app.add_flag("--json", invocation.json, "Machine-readable output on stdout");
   app.add_flag("-q,--quiet", invocation.quiet, "Only errors");
@@ -193,6 +194,11 @@ std::string positive(const std::string& value) {
 
 std::string notNegative(const std::string& value) {
   return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
+}
+
+std::string existing(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored) ? "" : "'" + path + "' does not exist";
 }
 
 std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }

@@ -195,9 +195,31 @@ void Run::recordSessions() {
     const auto sessions = require(earlier_->sessions(), FailureKind::Record);
     session.id = static_cast<std::int64_t>(sessions.size());
     require(recorder_->inherit(*earlier_, first_frame_), FailureKind::Record);
+    warnOfOtherCamera(require(earlier_->records<CameraRig>(), FailureKind::Record));
     earlier_.reset();
   }
   require(recorder_->session(session), FailureKind::Record);
+}
+
+/// Views that another camera saw may not be recognised. `before` is that of the earlier session.
+void Run::warnOfOtherCamera(const std::vector<CameraRig>& before) {
+  const CameraRig& now = assembly_->sourceInfo().rig;
+  if (before.empty() || before.front().width == 0 || now.width == 0) return;
+  std::string changes;
+  visitFields(before.front(), [&](const Field& field, const auto& then) {
+    visitFields(now, [&](const Field& other, const auto& value) {
+      if constexpr (std::is_same_v<decltype(then), decltype(value)>) {
+        if (field.name != other.name || then == value) return;
+        changes += fmt::format("{}{} was {} and is {}", changes.empty() ? "" : ", ", field.name,
+                               then, value);
+      }
+    });
+  });
+  if (changes.empty()) return;
+  const std::string text = "the camera is another than in the earlier session (" + changes +
+                           "); places seen with the earlier one may not be recognised";
+  log_.write(LogLevel::Warning, "continue", text);
+  require(recorder_->event(-1, LogLevel::Warning, "continue", text), FailureKind::Record);
 }
 
 /// Called after all plugins are configured and the earlier run is read: failures until then leave

@@ -73,6 +73,7 @@ class Run {
   void openDirectory();
   void openRecord();
   void recordSessions();
+  void warnOfOtherCamera(const std::vector<CameraRig>& before);
   void openAnswers();
   std::string runId() const;
 

@@ -37,6 +37,8 @@ TEST_CASE("help teaches, and wrong usage ends with exit code 2") {
     CHECK(finished.exit_code == 2);
     return finished.err;
   };
+  CHECK(contains(words({"check", "--plugin-path", "no/such/folder", "demo"}),
+                 "'no/such/folder' does not exist"));
   CHECK(words({"rnu", "demo"}) == "'rnu' is no command; did you mean 'run'?\n");
   CHECK(words({"help", "rnu"}) == "'rnu' is no command; did you mean 'run'?\n");
   CHECK(words({"help", "plugins", "lst"}) == "'lst' is no command; did you mean 'list'?\n");

@@ -129,6 +129,22 @@ TEST_CASE("--continue and --out take any name as it is") {
   }
 }
 
+TEST_CASE("a map continued with another camera is told") {
+  Tiny tiny(6);
+  REQUIRE(tiny.run({}, "first").exit_code == 0);
+  const std::string first = (tiny.folder.path() / "first").string();
+  CHECK_FALSE(contains(tiny.run({"--continue", first}, "same").err, "the camera is another"));
+  std::ofstream(tiny.sequence / "calib.txt") << "P0: 120 0 80 0 0 100 30 0 0 0 1 0\n"
+                                             << "P1: 120 0 80 -60 0 100 30 0 0 0 1 0\n";
+  const Finished other = tiny.run({"--continue", first}, "other");
+  INFO(other.err);
+  CHECK(other.exit_code == 0);
+  const std::string told =
+      "the camera is another than in the earlier session (pinhole.fx was 100 and is 120)";
+  CHECK(contains(other.err, told));
+  CHECK(contains(readText(tiny.folder.path() / "other/log.txt"), told));
+}
+
 TEST_CASE("--json shows names that are no UTF-8 with a sign in their place") {
   Tiny tiny(3);
   const Finished finished = tiny.run({"--json"}, "b\xff");

@@ -200,6 +200,19 @@ TEST_CASE("a run that is made again gives the same bytes, or what has changed is
   CHECK(json["data"][0]["sha256"].get<std::string>().size() == 64);
   CHECK(json["libraries"].contains("sqlite"));
 
+  const fs::path digests = data.folder.path() / "run/results.sha256";
+  const std::string listed = readText(digests);
+  std::ofstream(digests) << listed.substr(0, listed.find('\n') + 1);
+  const Finished cut = tolman::test::tolman({"rerun", run, "--verify", "--force"});
+  CHECK(cut.exit_code == 8);
+  CHECK(contains(cut.out, "not in results.sha256 of the earlier run\n"));
+  std::ofstream(digests) << listed;
+  std::ofstream(data.folder.path() / "run/odometry.tum", std::ios::app) << "# edited\n";
+  const Finished edited = tolman::test::tolman({"rerun", run, "--verify", "--force"});
+  CHECK(edited.exit_code == 8);
+  CHECK(contains(edited.out, "odometry.tum        changed since it was recorded\n"));
+  CHECK(contains(edited.out, "trajectory.tum      same\n"));
+
   writeMotionFolder(data.folder.path() / "log", 0.004);
   const Finished other = tolman::test::tolman({"rerun", run, "--verify", "--force"});
   CHECK(other.exit_code == 8);

@@ -107,10 +107,12 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
   return T;
 }
 
-/// Detects times that are not in seconds by their median step. Limits are for cameras of 10 to 100
-/// Hz: times in milliseconds would have steps of 10 to 100 s, in microseconds 10 000 s and more.
+/// Tells gaps of more than a day and a thousand usual steps, and detects times that are not in
+/// seconds by their median step. Limits are for cameras of 10 to 100 Hz: times in milliseconds
+/// would have steps of 10 to 100 s, in microseconds 10 000 s and more.
 void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
                Inspection& inspection) {
+  constexpr std::int64_t kDay_ns = 86'400'000'000'000;
   constexpr std::int64_t kUnusual_ns = 5'000'000'000;
   constexpr std::int64_t kImpossible_ns = 1'000'000'000'000;
   if (times.size() < 2) return;
@@ -118,10 +120,18 @@ void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
   std::transform(times.begin() + 1, times.end(), times.begin(), steps.begin(), std::minus<>());
   const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
   std::nth_element(steps.begin(), median, steps.end());
-  if (*median <= kUnusual_ns) return;
+  const std::int64_t usual = *median;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const std::int64_t step = times[i + 1] - times[i];
+    if (step < kDay_ns || step / 1000 < usual) continue;
+    inspection.warning(file, "image " + std::to_string(i + 1) + " is " +
+                                 fixed(static_cast<double>(step) * 1e-9, 0) +
+                                 " s after the one before; a realtime run waits as long");
+  }
+  if (usual <= kUnusual_ns) return;
   const std::string found =
-      "has images " + fixed(static_cast<double>(*median) * 1e-9, 1) + " s apart (median); ";
-  if (*median > kImpossible_ns) {
+      "has images " + fixed(static_cast<double>(usual) * 1e-9, 1) + " s apart (median); ";
+  if (usual > kImpossible_ns) {
     inspection.error(file, found +
                                "times are in seconds: divide nanoseconds by 1e9, microseconds by "
                                "1e6, or set stamps_unit (of `images`)");

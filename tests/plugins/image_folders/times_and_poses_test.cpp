@@ -108,6 +108,13 @@ TEST_CASE("times that are not in seconds are told by their steps") {
     CHECK(reading.times().size() == 5);
     CHECK(reading.inspection.findings().empty());
   }
+  SECTION("a gap of more than a day is told") {
+    Reading reading("0\n0.1\n1000000\n1000000.1\n1000000.2\n");
+    CHECK(reading.times().size() == 5);
+    REQUIRE(reading.inspection.findings().size() == 1);
+    CHECK(reading.inspection.findings()[0].message ==
+          "image 2 is 1000000 s after the one before; a realtime run waits as long");
+  }
 }
 
 TEST_CASE("poses come as written, with clean rotations") {
