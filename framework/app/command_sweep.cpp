@@ -304,6 +304,17 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
   });
 }
 
+/// Whether the file is an archive that was written of a sweep with this name.
+bool isArchiveOf(const fs::path& file, const fs::path& name) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return false;
+  isolation::ChildProcess tar({"/bin/sh", "-c", "exec tar -tzf \"$1\" \"$2\" >/dev/null 2>&1", "sh",
+                               file.string(), (name / "rerun.sh").string()},
+                              {});
+  const isolation::ProcessEnd end = tar.end(std::chrono::hours(1));
+  return end.signal == 0 && end.exit_code == 0;
+}
+
 void addArchive(CLI::App& sweep, Invocation& invocation) {
   CLI::App* command = sweep.add_subcommand(
       "archive", "Configurations, digests, results and commands, to run it again elsewhere");
@@ -318,18 +329,26 @@ void addArchive(CLI::App& sweep, Invocation& invocation) {
     if (!from.has_filename()) from = from.parent_path();
     const fs::path file = fs::absolute(out->empty() ? from.string() + ".tar.gz" : *out);
     const fs::path name = from.filename();
+    if (fs::exists(file) && !isArchiveOf(file, name)) {
+      throw Ended{ExitCode::Record, file.string() +
+                                        ": exists and is no archive of this sweep; remove it, or "
+                                        "choose another --out"};
+    }
     warnOfUnfinished(from);
     const host::ScratchFolder files("tolman-archive");
     if (files.path().empty()) throw Ended{ExitCode::Record, host::kNoScratchFolder};
     requireOrEnd(experiment::writeSweepArchive(from, files.path() / name));
+    const fs::path partial = file.string() + ".partial";
     isolation::ChildProcess tar(
         {"/usr/bin/env", "tar", "--sort=name", "--owner=0", "--group=0", "--mtime=@0", "-C",
-         files.path().string(), "-czf", file.string(), name.string()},
+         files.path().string(), "-czf", partial.string(), name.string()},
         {});
     const isolation::ProcessEnd end = tar.end(std::chrono::hours(24));
-    if (end.signal != 0 || end.exit_code != 0) {
+    std::error_code error;
+    if (end.signal == 0 && end.exit_code == 0) fs::rename(partial, file, error);
+    if (end.signal != 0 || end.exit_code != 0 || error) {
       std::error_code ignored;
-      fs::remove(file, ignored);
+      fs::remove(partial, ignored);
       throw Ended{ExitCode::Record, file.string() + ": not written (tar " + end.text() + ")"};
     }
     printFiles({file}, invocation);

@@ -25,6 +25,13 @@ TEST_CASE("an archive runs elsewhere, with the same results") {
   REQUIRE(tolman::test::tolman({"sweep", "archive", study.out().string(), "--out", file.string()})
               .exit_code == 0);
   CHECK(readText(file) == first);  // the same bytes each time
+  const fs::path own = study.folder.path() / "own.tar.gz";
+  std::ofstream(own) << "somebody's";
+  const Finished refused =
+      tolman::test::tolman({"sweep", "archive", study.out().string(), "--out", own.string()});
+  CHECK(refused.exit_code == 8);
+  CHECK(contains(refused.err, "exists and is no archive of this sweep"));
+  CHECK(readText(own) == "somebody's");
 
   const TemporaryFolder other;
   REQUIRE(run({"tar", "-C", other.path().string(), "-xzf", file.string()}).exit_code == 0);
