@@ -73,15 +73,20 @@ void addTruth(const TumSource::Parameters& p, ImageDataset& dataset, Inspection&
   const StampedPoses truth = readTumPoses(file, inspection);
   std::vector<Eigen::Isometry3d> poses;
   for (const std::int64_t stamp : dataset.stamps_ns) {
-    const auto pose = poseAt(truth, stamp, apart(p));
-    if (!pose) {
-      inspection.warning(file,
-                         "has no pose near the time of some images: they are used without "
-                         "true poses");
-      return;
-    }
-    poses.push_back(*pose);
+    if (const auto pose = poseAt(truth, stamp, apart(p))) poses.push_back(*pose);
   }
+  if (poses.empty() && !truth.stamps_ns.empty() && !dataset.stamps_ns.empty()) {
+    inspection.error(file,
+                     "has no pose near the time of any image, so it is of another recording; put "
+                     "back that of this one, or remove it to run without truth");
+  }
+  const std::size_t without = dataset.stamps_ns.size() - poses.size();
+  if (without > 0 && !poses.empty()) {
+    inspection.warning(file, "has no pose near the time of " + std::to_string(without) + " of " +
+                                 std::to_string(dataset.stamps_ns.size()) +
+                                 " images; the run has no true poses");
+  }
+  if (without > 0) return;
   dataset.T_world_left = std::move(poses);
 }
 

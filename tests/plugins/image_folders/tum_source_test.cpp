@@ -89,6 +89,18 @@ TEST_CASE("true poses lie between the measured ones") {
   CHECK_FALSE(poseAt(poses, 1250, 700).has_value());
 }
 
+TEST_CASE("the truth of another recording is an error, one that misses some images a warning") {
+  const DataFolder data;
+  writeTum(data);
+  data.write("groundtruth.txt", "1405031102.1 0 0 0 0 0 0 1\n1405031102.2 0 0 0 0 0 0 1\n");
+  CHECK_THAT(data.anonymous(TumOpened(data.path(), kSmall).message),
+             Catch::StartsWith("DATA/groundtruth.txt: has no pose near the time of any image"));
+  data.write("groundtruth.txt", "1305031102.09 0 0 0 0 0 0 1\n1305031102.11 0 0 0 0 0 0 1\n");
+  TumOpened some(data.path(), kSmall);
+  CHECK(some.message.empty());
+  CHECK_FALSE(some.info.has_truth);
+}
+
 TEST_CASE("broken lists and poses are named with their line") {
   const DataFolder data;
   writeTum(data);
