@@ -14,6 +14,7 @@
 #include "experiment/comparison_text.hpp"
 #include "experiment/run_pivot.hpp"
 #include "record/atomic_file.hpp"
+#include "record/data_files.hpp"
 #include "report/raster.hpp"
 
 namespace tolman::app {
@@ -94,7 +95,7 @@ void refuseUnused(const CompareCommand& command) {
 /// Whether a file is one of those that are compared, or lies in a run or in the folder of one.
 /// Files beside the runs of a sweep are free, but for its own two.
 bool isOfInput(const std::filesystem::path& file, const std::filesystem::path& input) {
-  if (std::ranges::mismatch(input, file).in1 != input.end()) return false;
+  if (!record::isInside(file, input)) return false;
   std::error_code ignored;
   const std::filesystem::path below = file.lexically_relative(input);
   const bool is_sweep = std::filesystem::is_directory(input, ignored) &&

@@ -19,6 +19,7 @@
 #include "dataset/rendering.hpp"
 #include "pipeline/drive.hpp"
 #include "record/atomic_file.hpp"
+#include "record/data_files.hpp"
 #include "run/assembly.hpp"
 
 namespace tolman::app {
@@ -68,9 +69,6 @@ Status checkRig(const SourceInfo& info, bool needs_calibration) {
 
 /// Whether the source reads from `out`. Such a folder must not be replaced.
 bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& out) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(out), ignored) / "";
   const std::string& instance = system.config.stages.front().instance;
   const ParameterValues& values = system.values.find(instance)->second;
   const Schema& schema = system.plugins.front().schema;
@@ -78,9 +76,7 @@ bool readsFrom(const run::CheckedSystem& system, const std::filesystem::path& ou
     const auto value = values.find(info.name);
     if (info.type != ParameterType::Path || value == values.end()) return false;
     const std::string text = std::get<std::string>(value->second);
-    const fs::path read = fs::weakly_canonical(text, ignored) / "";
-    return !text.empty() && (read.string().starts_with(folder.string()) ||
-                             folder.string().starts_with(read.string()));
+    return !text.empty() && (record::isInside(text, out) || record::isInside(out, text));
   });
 }
 

@@ -20,6 +20,7 @@
 #include "host/scratch_folder.hpp"
 #include "isolation/child_process.hpp"
 #include "record/atomic_file.hpp"
+#include "record/data_files.hpp"
 #include "run/terminal.hpp"
 
 namespace tolman::app {
@@ -175,6 +176,15 @@ ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, con
   return state.failed + progress.failed > 0 ? ExitCode::PluginFailed : ExitCode::Ok;
 }
 
+/// Refuses a folder of the sweep in data that its runs read: the data would change with every run.
+void refuseInsideData(const experiment::Plan& plan, const fs::path& out) {
+  for (const auto& [path, digest] : plan.data) {
+    if (!record::isInside(out, path)) continue;
+    throw Ended{ExitCode::Record, out.string() + ": lies in data that the runs read (" + path +
+                                      ") and would change them; choose another --out"};
+  }
+}
+
 ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (command.file.empty()) throw CLI::RequiredError("a sweep file");
   if (command.jobs == 0) command.jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -183,6 +193,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
                                        : fs::path(command.out))
           .lexically_normal();
   const experiment::Plan plan = planOf(command, out, invocation);
+  refuseInsideData(plan, out);
   const SweepProgress progress = progressOf(plan, out, command.retry);
   printPlan(plan, progress, command, out, invocation);
   if (command.dry_run) return ExitCode::Ok;

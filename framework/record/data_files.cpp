@@ -87,4 +87,11 @@ fs::path firstChanged(const std::vector<DataFile>& files) {
   return {};
 }
 
+bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder) {
+  std::error_code ignored;
+  const auto inner = std::filesystem::weakly_canonical(path, ignored);
+  const auto outer = std::filesystem::weakly_canonical(folder, ignored);
+  return !outer.empty() && std::ranges::mismatch(outer, inner).in1 == outer.end();
+}
+
 }  // namespace tolman::record

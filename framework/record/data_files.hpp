@@ -32,4 +32,7 @@ std::vector<DataFile> dataFiles(const std::filesystem::path& root);
 /// none was.
 std::filesystem::path firstChanged(const std::vector<DataFile>& files);
 
+/// Whether `path`, which need not exist, is `folder` or lies in it; links are followed.
+bool isInside(const std::filesystem::path& path, const std::filesystem::path& folder);
+
 }  // namespace tolman::record

@@ -61,10 +61,8 @@ void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_j
 void refuseInputsIn(const std::filesystem::path& out, const std::vector<record::DataFile>& inputs) {
   std::error_code ignored;
   if (out.empty() || !std::filesystem::exists(out, ignored)) return;
-  const std::filesystem::path folder = std::filesystem::canonical(out, ignored);
   for (const record::DataFile& input : inputs) {
-    const auto file = std::filesystem::weakly_canonical(input.path, ignored);
-    if (std::ranges::mismatch(folder, file).in1 != folder.end()) continue;
+    if (!record::isInside(input.path, out)) continue;
     throw Failed({FailureKind::Record, out.string() + ": holds data that the run reads (" +
                                            input.path.string() + "); choose another --out"});
   }

@@ -145,6 +145,16 @@ TEST_CASE("data that change after planning are told; planning again makes new ru
         }));
 }
 
+TEST_CASE("the folder of a sweep may not lie in data that its runs read") {
+  const Study study;
+  study.writeAll("sequences: {a: a}\n");
+  const Finished inside = study.sweep({}, "a/out");
+  CHECK(inside.exit_code == 8);
+  CHECK(contains(inside.err, "lies in data that the runs read"));
+  CHECK_FALSE(fs::exists(study.out("a/out")));
+  CHECK(study.sweep({}, "beside").exit_code == 0);
+}
+
 TEST_CASE("a frozen configuration that was edited refuses to run") {
   const Study study;
   REQUIRE(study.sweep({"--write", "parallel"}).exit_code == 0);
