@@ -20,6 +20,14 @@
 namespace tolman::app {
 namespace {
 
+/// The ending of a file in small letters, with its point.
+std::string endingOf(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return ending;
+}
+
 struct CompareCommand {
   std::vector<std::string> runs;
   std::vector<std::string> only;
@@ -48,8 +56,8 @@ std::pair<std::string, std::string> pairOf(const std::string& text, const char* 
 }
 
 std::string bytesOf(const std::string& svg, const std::string& file) {
-  if (file.ends_with(".png")) return valueOrEnd(report::pngOf(svg, 4));
-  return file.ends_with(".pdf") ? valueOrEnd(report::pdfOf(svg)) : svg;
+  if (endingOf(file) == ".png") return valueOrEnd(report::pngOf(svg, 4));
+  return endingOf(file) == ".pdf" ? valueOrEnd(report::pdfOf(svg)) : svg;
 }
 
 std::string comparisonText(CompareCommand& command, const std::vector<experiment::RunRow>& rows,
@@ -122,8 +130,30 @@ void refuseInputs(const CompareCommand& command) {
   }
 }
 
+/// Refuses one file for two outputs, and figures of other formats.
+void refuseFiles(const CompareCommand& command) {
+  std::vector<std::filesystem::path> files;
+  if (!command.out.empty()) files.emplace_back(command.out);
+  for (const std::string& figure : command.figures) {
+    const std::string ending = endingOf(figure);
+    if (ending != ".svg" && ending != ".pdf" && ending != ".png") {
+      throw Ended{ExitCode::Usage, figure + ": figures are .svg, .pdf or .png"};
+    }
+    files.emplace_back(figure);
+  }
+  std::error_code ignored;
+  for (std::filesystem::path& file : files) {
+    file = std::filesystem::weakly_canonical(file, ignored);
+  }
+  std::ranges::sort(files);
+  const auto twice = std::ranges::adjacent_find(files);
+  if (twice == files.end()) return;
+  throw Ended{ExitCode::Usage, twice->string() + ": is given for two outputs; give each its own"};
+}
+
 void compare(CompareCommand& command, const Invocation& invocation) {
   refuseUnused(command);
+  refuseFiles(command);
   refuseInputs(command);
   if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {

@@ -65,6 +65,13 @@ void evaluate(const EvalOptions& options, const Invocation& invocation) {
   const auto metrics =
       evaluation::scoreTrajectory(truth, estimate, options.alignment, std::nullopt, difference_ns);
   if (!metrics.scores) throw Ended{ExitCode::Dataset, metrics.reason};
+  const std::size_t fewer = std::min(truth.size(), estimate.size());
+  if (metrics.matched * 20 < fewer && !invocation.quiet) {
+    std::cerr << fmt::format(
+        "warning: {}: only {} of {} poses have a true pose at their time; are both stamps in "
+        "seconds, and of one clock?\n",
+        options.estimate, metrics.matched, estimate.size());
+  }
   if (invocation.json) {
     std::cout << jsonText(evaluation::toJson(metrics));
   } else {

@@ -120,6 +120,12 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
     metrics.reason = "only one pose matches; any one is aligned without an error, so give more";
     return metrics;
   }
+  if (metrics.matched < 3 && alignment == Alignment::Sim3) {
+    metrics.reason =
+        "only two poses match; any two are aligned with a free scale without an error, so give "
+        "more";
+    return metrics;
+  }
   const Result<Similarity> similarity = align(matches.value(), alignment);
   if (!similarity.isOk()) {
     metrics.reason = similarity.status().message();

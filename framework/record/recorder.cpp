@@ -198,6 +198,7 @@ void Recorder::removeFrom(std::int64_t next_frame) {
   const std::string next = std::to_string(next_frame);
   const std::string first = std::to_string(largest("first_frame", "session"));
   database_.exec("BEGIN");
+  database_.exec(std::string("DELETE FROM \"run\" WHERE \"key\" = '") + kRowCountsKey + "'");
   const std::vector<Table> tables = schema();
   // Deletes rows before the rows they refer to. (clang 14 cannot compile views::reverse of this
   // library.)
@@ -288,12 +289,14 @@ Status Recorder::event(std::int64_t frame, LogLevel level, std::string_view sour
   });
 }
 
+void Recorder::setMeta(const std::string& key, const std::string& value) {
+  meta_.bindNext(key);
+  meta_.bindNext(value);
+  meta_.run();
+}
+
 Status Recorder::meta(std::string_view key, std::string_view value) {
-  return write([&] {
-    meta_.bindNext(std::string(key));
-    meta_.bindNext(std::string(value));
-    meta_.run();
-  });
+  return write([&] { setMeta(std::string(key), std::string(value)); });
 }
 
 /// The caller must hold the mutex.
@@ -344,7 +347,12 @@ Status Recorder::close() {
   if (closed_) return failure_;
   closed_ = true;
   commitNow();
-  if (failure_.isOk()) failure_ = guarded(name_, [&] { mergeLog(); });
+  if (failure_.isOk()) {
+    failure_ = guarded(name_, [&] {
+      setMeta(kRowCountsKey, rowCounts(database_));
+      mergeLog();
+    });
+  }
   return failure_;
 }
 

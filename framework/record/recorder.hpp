@@ -74,6 +74,7 @@ class Recorder {
   void removeFrom(std::int64_t next_frame);
   void rollBackCall();
   void commitNow();
+  void setMeta(const std::string& key, const std::string& value);
   void mergeLog();
   void commitRegularly(const std::stop_token& stop);
 

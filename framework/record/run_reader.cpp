@@ -34,6 +34,10 @@ RunReader::RunReader(std::filesystem::path directory, const std::filesystem::pat
   checkVersion();
   requireOwnTables(database_);
   requireMotions(database_);
+  const std::string counts = entry(kRowCountsKey);
+  if (!counts.empty() && counts != rowCounts(database_)) {
+    throw BadRow("has other numbers of rows than when the run ended: rows were removed or added");
+  }
 }
 
 void RunReader::checkVersion() const {

@@ -32,4 +32,16 @@ void requireMotions(const Database& database) {
                " is missing: rows of the record were removed");
 }
 
+std::string rowCounts(const Database& database) {
+  std::string text;
+  for (const char* table : {"session", "frame", "motion", "motion_revision", "place", "decision",
+                            "map_update", "final_pose", "experience", "link"}) {
+    Statement row(database, std::string("SELECT count(*) FROM \"") + table + "\"");
+    row.step();
+    text += (text.empty() ? "" : " ") + std::string(table) + "=" +
+            std::to_string(row.next().getInt64());
+  }
+  return text;
+}
+
 }  // namespace tolman::record

@@ -13,4 +13,7 @@ void requireOwnTables(const Database& database);
 /// Throws BadRow where the map has processed a frame whose motion is missing: rows were removed.
 void requireMotions(const Database& database);
 
+/// How many rows each table of records has, as one text; without the arrays, which are large.
+std::string rowCounts(const Database& database);
+
 }  // namespace tolman::record

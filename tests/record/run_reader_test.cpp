@@ -201,6 +201,23 @@ TEST_CASE("a database of another run than run.json is refused") {
       "of one run, or run it again");
 }
 
+TEST_CASE("a record whose rows were removed after its end is refused") {
+  for (const char* table : {"place", "decision", "map_update", "final_pose"}) {
+    const test::TemporaryFolder folder;
+    auto recorder = Recorder::open(folder.path()).value();
+    for (std::int64_t i = 0; i < 4; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+    REQUIRE(recorder->finalPoses({{0, {}}, {1, {}}}).isOk());
+    REQUIRE(recorder->close().isOk());
+    CHECK(RunReader::open(folder.path()).isOk());
+    SQLite::Database(folder.path() / "run.sqlite", SQLite::OPEN_READWRITE)
+        .exec(std::string("DELETE FROM ") + table + " WHERE frame = 1");
+    INFO(table);
+    CHECK(refusal(folder.path()) ==
+          "/run.sqlite: has other numbers of rows than when the run ended: rows were removed or "
+          "added");
+  }
+}
+
 TEST_CASE("the links that the map has rejected are marked, whatever their weight") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();

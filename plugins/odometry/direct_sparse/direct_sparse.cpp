@@ -361,10 +361,14 @@ void DirectSparse::answerPredicted(const Keyframe& keyframe, Motion& motion) {
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
+  // The last velocity is believed for so long; then the camera is taken to stand, with the
+  // covariance of having gone on. 5 s: chosen, not tuned; tracking is restarted far sooner.
+  constexpr double kBelieved_s = 5;
+  const double moving_s = std::clamp(kBelieved_s - gap_s_, 0.0, motion.dt);
   gap_s_ += motion.dt;
-  const Eigen::Isometry3d step = expSe3(velocity_ * motion.dt);
+  const Eigen::Isometry3d step = expSe3(velocity_ * moving_s);
   motion.state = TrackingState::Lost;
-  motion.covariance = predictionCovariance(step, lost_frames_);
+  motion.covariance = predictionCovariance(expSe3(velocity_ * motion.dt), lost_frames_);
   motion.T_previous_current = remember(normalised(history_.lastPose() * step), keyframe, motion);
 }
 

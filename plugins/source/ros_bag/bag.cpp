@@ -22,6 +22,26 @@ bool isKnown(const std::string& encoding) {
   return encoding == kCdrEncoding || encoding == kRos1Encoding;
 }
 
+/// How the camera of this CameraInfo differs from that of the topic's first; empty if it does not.
+std::string cameraChange(const BagTopic& topic, const Message& message) {
+  const auto first = readCameraInfo(topic.firstMessage());
+  const auto now = readCameraInfo(message);
+  if (!first || !now) return "";
+  if (first->width != now->width || first->height != now->height) return "another image size";
+  if (first->model != now->model || first->D != now->D) return "another distortion";
+  if (first->K != now->K || first->P != now->P) return "another camera matrix";
+  return first->R != now->R ? "another rotation" : "";
+}
+
+/// Times of headers and of recording may be of two clocks (simulated time begins when the clock is
+/// first published), so messages without a time in their header are left out if others have one.
+void useOneClock(BagTopic& topic) {
+  const auto without = std::ranges::count(topic.index, false, &BagMessage::has_stamp);
+  if (without == 0 || without == std::ssize(topic.index)) return;
+  topic.without_stamp = without;
+  std::erase_if(topic.index, [](const BagMessage& message) { return !message.has_stamp; });
+}
+
 }  // namespace
 
 Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& cancellation) {
@@ -35,6 +55,7 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
     bag.visit(file);
   }
   for (auto& [name, topic] : bag.topics_) {
+    useOneClock(topic);
     std::stable_sort(topic.index.begin(), topic.index.end(),
                      [](const auto& a, const auto& b) { return a.stamp_ns < b.stamp_ns; });
   }
@@ -94,7 +115,12 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   if (known.topic != topic || !isKnown(topic.encoding) || !isUsed(topic.type)) return;
   if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());
   known.index.push_back(message);
-  known.index.back().stamp_ns = headerStamp(known.message(bytes)).value_or(log_ns);
+  const std::optional<std::int64_t> stamp = headerStamp(known.message(bytes));
+  known.index.back().stamp_ns = stamp.value_or(log_ns);
+  known.index.back().has_stamp = stamp.has_value();
+  if (topic.type == kCameraInfo && known.other_camera.empty()) {
+    known.other_camera = cameraChange(known, known.message(bytes));
+  }
 }
 
 Result<std::vector<std::uint8_t>> Bag::read(const BagMessage& message) {

@@ -16,9 +16,10 @@
 namespace tolman::ros_bag {
 
 struct BagMessage {
-  std::int64_t stamp_ns = 0;  ///< time of the header, or of recording if that is not set
+  std::int64_t stamp_ns = 0;  ///< time of the header, or of recording if no header has one
   std::size_t file = 0;
   MessagePlace place;
+  bool has_stamp = false;  ///< its header has a time
 };
 
 /// One topic and its messages.
@@ -30,6 +31,8 @@ struct BagTopic {
   std::int64_t last_ns = 0;         ///< time of recording
   std::vector<std::uint8_t> first;  ///< the first message, for types that are used
   std::vector<BagMessage> index;    ///< sorted by stamp, for types that are used
+  std::int64_t without_stamp = 0;   ///< messages left out, because only others have a time
+  std::string other_camera;         ///< how a later CameraInfo differs from the first; or empty
 
   /// These bytes as a message of the topic.
   Message message(Bytes of) const {

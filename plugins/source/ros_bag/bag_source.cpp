@@ -57,7 +57,8 @@ Status BagSource::prepare(const Context& context) {
   const auto chosen = chooseTopics(bag_->topics(), parameters_);
   if (!chosen.isOk()) return chosen.status();
   chosen_ = chosen.value();
-  status = findSize();
+  status = judgeTopics(context.log);
+  if (status.isOk()) status = findSize();
   if (status.isOk()) status = makeRigs();
   if (status.isOk()) status = makeSequence(context.log);
   if (status.isOk()) status = side_.load(*bag_, chosen_.imu, chosen_.odometry);
@@ -83,6 +84,26 @@ Status BagSource::judgeProblems(Logger& log) const {
       problems.front() +
       (more == 0 ? ""
                  : " (and " + std::to_string(more) + " more; `tolman dataset check` lists all)"));
+}
+
+/// Refuses images without times between others, and cameras that change within the bag.
+Status BagSource::judgeTopics(Logger& log) const {
+  for (const BagTopic* topic : {chosen_.left, chosen_.right, chosen_.depth}) {
+    if (topic == nullptr || topic->without_stamp == 0) continue;
+    const std::string what = topic->topic.name + ": " + std::to_string(topic->without_stamp) +
+                             " images have no time in their header, and others have one";
+    if (parameters_.on_corrupt == OnCorrupt::Stop) {
+      return Status::invalidInput(what + "; leave them out by on_corrupt: skip");
+    }
+    log.warning(what + "; they are left out");
+  }
+  if (parameters_.isGiven()) return Status::ok();  // CameraInfo is not used
+  for (const BagTopic* info : {chosen_.left_info, chosen_.right_info}) {
+    if (info == nullptr || info->other_camera.empty()) continue;
+    return Status::invalidInput(info->topic.name + ": a later message has " + info->other_camera +
+                                " than the first; cut the bag there, or give fx and baseline");
+  }
+  return Status::ok();
 }
 
 Status BagSource::findSize() {
