@@ -112,6 +112,24 @@ TEST_CASE("eval of a single pose tells no error of zero") {
   CHECK(eval(truth, one, {"--align", "none"}).exit_code == 0);
 }
 
+TEST_CASE("eval of two poses under a free scale tells no error of zero, of few poses warns") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string two = files.write("two.tum", true, 0, 1, 2);
+  const std::vector<std::string> free_scale = {"--align", "sim3", "--max-difference", "0.01"};
+  const Finished finished = eval(truth, two, free_scale);
+  CHECK(finished.exit_code == 5);
+  CHECK(contains(finished.err, "only two poses match"));
+  // Stamps in other units: only the first pose has a true one near.
+  std::ofstream apart(files.folder.path() / "ms.tum");
+  for (int k = 0; k < 60; ++k) apart << line(k, k < 2 ? 0.1 * k : 100.0 * k, true);
+  apart.close();
+  const Finished few =
+      eval(truth, (files.folder.path() / "ms.tum").string(), {"--max-difference", "0.01"});
+  CHECK(few.exit_code == 0);
+  CHECK(contains(few.err, "only 2 of 60 poses have a true pose at their time"));
+}
+
 TEST_CASE("eval reads files that begin with a byte order mark") {
   const Files files;
   for (const bool tum : {true, false}) {

@@ -67,6 +67,7 @@ Status FeatureStereo::reset() {
   last_stamp_ns_ = -1;
   first_lost_ = -1;
   lost_frames_ = 0;
+  lost_s_ = 0;
   keyframe_tracks_ = 0;
   return Status::ok();
 }
@@ -279,6 +280,7 @@ void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& track
   if (first_lost_ >= 0) log_->info("tracking again");
   first_lost_ = -1;
   lost_frames_ = 0;
+  lost_s_ = 0;
 }
 
 void FeatureStereo::answerPredicted(Motion& motion) {
@@ -287,7 +289,12 @@ void FeatureStereo::answerPredicted(Motion& motion) {
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
-  const Eigen::Isometry3d T_world_camera = predictPose(motion.dt);
+  // The last velocity is believed for so long; then the camera is taken to stand, with the
+  // covariance of having gone on. 5 s: chosen, not tuned; usual gaps are shorter.
+  constexpr double kBelieved_s = 5;
+  const Eigen::Isometry3d T_world_camera =
+      predictPose(std::clamp(kBelieved_s - lost_s_, 0.0, motion.dt));
+  lost_s_ += motion.dt;
   motion.state = TrackingState::Lost;
   motion.covariance = predictionCovariance(expSe3(velocity_ * motion.dt), lost_frames_);
   motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
@@ -311,6 +318,7 @@ void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
   T_world_reference_ = keyframe.T_world_camera;
   first_lost_ = -1;
   lost_frames_ = 0;
+  lost_s_ = 0;
 }
 
 void FeatureStereo::publishPoints(Motion& motion) {

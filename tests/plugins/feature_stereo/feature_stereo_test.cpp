@@ -145,6 +145,18 @@ TEST_CASE("images that show nothing: lost, predicted, and measured across the ga
   checkClose(host.trajectory().back(), curve(11), 0.08, 0.004);
 }
 
+TEST_CASE("over an hour without images the camera is not taken to have driven on") {
+  Host host(test::streetRig());
+  for (int k = 0; k < 4; ++k) host.track(streetFrames()[static_cast<std::size_t>(k)]);
+  Frame later = test::streetFrame(4, Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *
+                                         Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY()));
+  later.stamp_ns += 3'600'000'000'000;
+  const Motion motion = host.track(later);
+  REQUIRE(motion.state == TrackingState::Lost);
+  CHECK(motion.T_previous_current.translation().norm() < 5.2 * 5);  // 5 m/s for 5 s
+  CHECK(motion.covariance(2, 2) > 1e4);                             // and what is not known
+}
+
 TEST_CASE("when nothing is left to recognise, a new start goes on from the prediction") {
   Host host(test::streetRig());
   const Eigen::Isometry3d elsewhere = Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *

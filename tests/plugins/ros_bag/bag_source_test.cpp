@@ -37,6 +37,36 @@ TEST_CASE("a pair from either format, in every order") {
   }
 }
 
+TEST_CASE("images without a time in their header are not mixed with those that have one") {
+  const test::TemporaryFolder folder;
+  std::vector<test::RosMessage> messages = pairMessages(6);
+  for (int camera = 0; camera < 2; ++camera) {  // before the simulated clock is published
+    const std::string pixels(48, 'x');
+    messages[static_cast<std::size_t>(2 + camera)].bytes =
+        test::imageMessage({0, 8, 6, "mono8", pixels});
+  }
+  test::writeDb3(folder.path() / "a.db3", messages);
+  CHECK_THAT(Played(folder.path() / "a.db3").message,
+             Catch::Contains("/left/image_rect: 1 images have no time in their header"));
+  Played without(folder.path() / "a.db3", {{"on_corrupt", std::string("skip")}});
+  REQUIRE(without.frames.size() == 5);
+  CHECK(without.frames[0].stamp_ns == stampOf(1));
+}
+
+TEST_CASE("a camera that changes within a bag is refused, unless the calibration is given") {
+  const test::TemporaryFolder folder;
+  std::vector<test::RosMessage> messages = pairMessages(4);
+  messages.push_back(cameraInfo("/left/camera_info", test::plainCamera(8, 6, 7, 0)));
+  test::writeDb3(folder.path() / "same.db3", messages);
+  CHECK(Played(folder.path() / "same.db3").message.empty());
+  messages.push_back(cameraInfo("/right/camera_info", test::plainCamera(8, 6, 3.5, 0.12)));
+  test::writeDb3(folder.path() / "other.db3", messages);
+  CHECK(Played(folder.path() / "other.db3").message ==
+        "/right/camera_info: a later message has another camera matrix than the first; cut the bag "
+        "there, or give fx and baseline");
+  CHECK(Played(folder.path() / "other.db3", {{"fx", 7.0}, {"baseline", 0.12}}).message.empty());
+}
+
 TEST_CASE("a recording in several files is one") {
   const test::TemporaryFolder folder;
   const auto all = pairMessages(4);
