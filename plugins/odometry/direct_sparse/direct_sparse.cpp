@@ -362,13 +362,15 @@ void DirectSparse::answerPredicted(const Keyframe& keyframe, Motion& motion) {
   }
   ++lost_frames_;
   // The last velocity is believed for so long; then the camera is taken to stand, with the
-  // covariance of having gone on. 5 s: chosen, not tuned; tracking is restarted far sooner.
+  // covariance of having gone straight on. 5 s: chosen, not tuned; tracking is restarted far
+  // sooner.
   constexpr double kBelieved_s = 5;
   const double moving_s = std::clamp(kBelieved_s - gap_s_, 0.0, motion.dt);
   gap_s_ += motion.dt;
   const Eigen::Isometry3d step = expSe3(velocity_ * moving_s);
   motion.state = TrackingState::Lost;
-  motion.covariance = predictionCovariance(expSe3(velocity_ * motion.dt), lost_frames_);
+  const Eigen::Isometry3d straight(Eigen::Translation3d(velocity_.head<3>() * motion.dt));
+  motion.covariance = predictionCovariance(moving_s < motion.dt ? straight : step, lost_frames_);
   motion.T_previous_current = remember(normalised(history_.lastPose() * step), keyframe, motion);
 }
 

@@ -290,13 +290,15 @@ void FeatureStereo::answerPredicted(Motion& motion) {
   }
   ++lost_frames_;
   // The last velocity is believed for so long; then the camera is taken to stand, with the
-  // covariance of having gone on. 5 s: chosen, not tuned; usual gaps are shorter.
+  // covariance of having gone straight on. 5 s: chosen, not tuned; usual gaps are shorter.
   constexpr double kBelieved_s = 5;
-  const Eigen::Isometry3d T_world_camera =
-      predictPose(std::clamp(kBelieved_s - lost_s_, 0.0, motion.dt));
+  const double moving_s = std::clamp(kBelieved_s - lost_s_, 0.0, motion.dt);
+  const Eigen::Isometry3d T_world_camera = predictPose(moving_s);
   lost_s_ += motion.dt;
   motion.state = TrackingState::Lost;
-  motion.covariance = predictionCovariance(expSe3(velocity_ * motion.dt), lost_frames_);
+  const Eigen::Isometry3d straight(Eigen::Translation3d(velocity_.head<3>() * motion.dt));
+  motion.covariance = predictionCovariance(
+      moving_s < motion.dt ? straight : expSe3(velocity_ * motion.dt), lost_frames_);
   motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
 }
 

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "plugins/feature_stereo/catch_check.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/context.hpp"
 
