@@ -360,7 +360,8 @@ void addArchive(CLI::App& sweep, Invocation& invocation) {
     if (end.signal != 0 || end.exit_code != 0 || error) {
       std::error_code ignored;
       fs::remove(partial, ignored);
-      throw Ended{ExitCode::Record, file.string() + ": not written (tar " + end.text() + ")"};
+      throw Ended{ExitCode::Record, file.string() + ": not written (" +
+                                        (error ? error.message() : "tar " + end.text()) + ")"};
     }
     printFiles({file}, invocation);
   });

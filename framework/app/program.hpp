@@ -46,6 +46,7 @@ ExitCode printFailure(ExitCode code, const std::string& message);
 
 /// A check of an option's value: without it `--out ""` would take the default.
 std::string notEmpty(const std::string& value);
+/// A check of an option's value: a path at which there is something.
 std::string existing(const std::string& path);
 // Checks of numbers. Those of CLI11 accept NaN and print ranges with 300 digits.
 std::string positive(const std::string& value);

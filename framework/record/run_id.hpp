@@ -13,8 +13,6 @@
 namespace tolman::record {
 
 inline constexpr const char* kRunIdKey = "id";
-/// In table `run` of a record that was closed: how many rows it then had (rowCounts()).
-inline constexpr const char* kRowCountsKey = "rows";
 
 /// The id that run.json there has. Empty where it has none, as in runs of older versions, or where
 /// run.json is missing or damaged.

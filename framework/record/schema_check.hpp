@@ -13,6 +13,8 @@ void requireOwnTables(const Database& database);
 /// Throws BadRow where the map has processed a frame whose motion is missing: rows were removed.
 void requireMotions(const Database& database);
 
+/// In table `run` of a record that was closed: the rowCounts() that it then had.
+inline constexpr const char* kRowCountsKey = "rows";
 /// How many rows each table of records has, as one text; without the arrays, which are large.
 std::string rowCounts(const Database& database);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "feature_guess.hpp"
+#include "lost_motion.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -361,17 +362,12 @@ void DirectSparse::answerPredicted(const Keyframe& keyframe, Motion& motion) {
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
-  // The last velocity is believed for so long; then the camera is taken to stand, with the
-  // covariance of having gone straight on. 5 s: chosen, not tuned; tracking is restarted far
-  // sooner.
-  constexpr double kBelieved_s = 5;
-  const double moving_s = std::clamp(kBelieved_s - gap_s_, 0.0, motion.dt);
+  const LostMotion lost = lostMotion(velocity_, gap_s_, motion.dt, lost_frames_);
   gap_s_ += motion.dt;
-  const Eigen::Isometry3d step = expSe3(velocity_ * moving_s);
   motion.state = TrackingState::Lost;
-  const Eigen::Isometry3d straight(Eigen::Translation3d(velocity_.head<3>() * motion.dt));
-  motion.covariance = predictionCovariance(moving_s < motion.dt ? straight : step, lost_frames_);
-  motion.T_previous_current = remember(normalised(history_.lastPose() * step), keyframe, motion);
+  motion.covariance = lost.covariance;
+  motion.T_previous_current =
+      remember(normalised(history_.lastPose() * lost.T_previous_current), keyframe, motion);
 }
 
 void DirectSparse::restart(const Frame& frame, Motion& motion) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "lost_motion.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::feature_stereo {
@@ -289,16 +290,11 @@ void FeatureStereo::answerPredicted(Motion& motion) {
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
-  // The last velocity is believed for so long; then the camera is taken to stand, with the
-  // covariance of having gone straight on. 5 s: chosen, not tuned; usual gaps are shorter.
-  constexpr double kBelieved_s = 5;
-  const double moving_s = std::clamp(kBelieved_s - lost_s_, 0.0, motion.dt);
-  const Eigen::Isometry3d T_world_camera = predictPose(moving_s);
+  const LostMotion lost = lostMotion(velocity_, lost_s_, motion.dt, lost_frames_);
   lost_s_ += motion.dt;
   motion.state = TrackingState::Lost;
-  const Eigen::Isometry3d straight(Eigen::Translation3d(velocity_.head<3>() * motion.dt));
-  motion.covariance = predictionCovariance(
-      moving_s < motion.dt ? straight : expSe3(velocity_ * motion.dt), lost_frames_);
+  motion.covariance = lost.covariance;
+  const Eigen::Isometry3d T_world_camera = history_.lastPose() * lost.T_previous_current;
   motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
 }
 

@@ -107,7 +107,7 @@ class FeatureStereo final : public Odometry {
   std::int64_t last_stamp_ns_ = -1;       ///< -1 before the first frame
   std::int64_t first_lost_ = -1;          ///< frame index; -1 while tracking
   int lost_frames_ = 0;
-  double lost_s_ = 0;
+  double lost_s_ = 0;                ///< s, duration of the predicted motions since then
   std::size_t keyframe_tracks_ = 0;  ///< number of tracks at the last keyframe
 };
 

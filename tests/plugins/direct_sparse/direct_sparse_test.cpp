@@ -8,6 +8,7 @@
 
 #include "harness.hpp"
 #include "street.hpp"
+#include "support/long_gap.hpp"
 
 using namespace tolman;
 using Catch::Matchers::Contains;
@@ -251,11 +252,7 @@ TEST_CASE("a sudden brightness step of 30 % is followed") {
 
 TEST_CASE("over an hour without images the camera is not taken to have driven on") {
   test::Host host(test::streetRig());
-  for (int k = 0; k < 4; ++k) host.track(place(k));
-  Frame later = test::streetFrame(4, Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *
-                                         Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY()));
-  later.stamp_ns += 3'600'000'000'000;
-  const Motion motion = host.track(later);
+  const Motion motion = test::afterAnHour(host, streetFrames());
   REQUIRE(motion.state == TrackingState::Lost);
   CHECK(motion.T_previous_current.translation().norm() < 5.2 * 5);  // 5 m/s for 5 s
   CHECK(motion.covariance(2, 2) > 1e4);                             // and what is not known

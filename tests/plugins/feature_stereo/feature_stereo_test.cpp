@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "plugins/feature_stereo/catch_check.hpp"
+#include "support/long_gap.hpp"
 #include "support/odometry_host.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/image_cv.hpp"
@@ -148,11 +149,7 @@ TEST_CASE("images that show nothing: lost, predicted, and measured across the ga
 
 TEST_CASE("over an hour without images the camera is not taken to have driven on") {
   Host host(test::streetRig());
-  for (int k = 0; k < 4; ++k) host.track(streetFrames()[static_cast<std::size_t>(k)]);
-  Frame later = test::streetFrame(4, Eigen::Isometry3d(Eigen::Translation3d(2, 0, 31)) *
-                                         Eigen::AngleAxisd(0.8, Eigen::Vector3d::UnitY()));
-  later.stamp_ns += 3'600'000'000'000;
-  const Motion motion = host.track(later);
+  const Motion motion = test::afterAnHour(host, streetFrames());
   REQUIRE(motion.state == TrackingState::Lost);
   CHECK(motion.T_previous_current.translation().norm() < 5.2 * 5);  // 5 m/s for 5 s
   CHECK(motion.covariance(2, 2) > 1e4);                             // and what is not known
