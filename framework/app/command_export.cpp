@@ -22,13 +22,14 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
   if (!out.empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
-  std::filesystem::create_directories(folder, ignored);
-  const auto written = valueOrEnd(record::exportRun(run, folder, session));
-  printFiles(written, invocation);
+  const bool is_new = std::filesystem::create_directories(folder, ignored);
+  const auto written = record::exportRun(run, folder, session);
+  if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
+  printFiles(valueOrEnd(written), invocation);
 }
 
 /// Lets the Python package `tolman` write run.nwb or run.npz (`kind`). It prints to the same
-/// streams; if it fails, the command fails.
+/// streams, and its exit codes for data and record are those of this program.
 void exportByPython(const std::string& kind, const std::string& run, const std::string& out,
                     const char* needs, Invocation& invocation) {
   std::error_code ignored;
@@ -42,6 +43,13 @@ void exportByPython(const std::string& kind, const std::string& run, const std::
   isolation::ChildProcess python(command, {});
   const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
   if (end.signal == 0 && end.exit_code == 0) return;
+  constexpr int kData = static_cast<int>(ExitCode::Dataset);
+  constexpr int kRecord = static_cast<int>(ExitCode::Record);
+  if (end.signal == 0 && (end.exit_code == kData || end.exit_code == kRecord)) {  // it has said why
+    invocation.exit_code =
+        printFailure(static_cast<ExitCode>(end.exit_code), "no run." + kind + " was written");
+    return;
+  }
   invocation.exit_code =
       printFailure(ExitCode::Record, "no run." + kind + " was written; it needs " + needs +
                                          " (Python " + end.text() + ")");
@@ -69,7 +77,7 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--session", *session,
                    "Session whose trajectories to write, from 0 (default: the run's own)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(notNegative);
   command->callback([run, out, session, nwb, npz, &invocation] {
     exportFiles(*run, *out, *session, invocation);
     if (*nwb) {

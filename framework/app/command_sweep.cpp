@@ -44,6 +44,7 @@ struct SweepProgress {
   std::vector<PlannedRun> todo;
   std::size_t done = 0;
   std::size_t failed = 0;
+  std::size_t lost = 0;     ///< runs of `done` that lost tracking
   std::size_t sharing = 0;  ///< runs in `todo` that take the answers of another run
   std::size_t others = 0;   ///< runs in the folder that the file no longer lists
   double run_s = 0;         ///< mean duration of the runs that are done; 0 if none is
@@ -58,6 +59,7 @@ SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool
     const auto outcome = experiment::outcomeOf(out / run.folder);
     if (outcome.state == PointState::Done) {
       ++progress.done;
+      if (outcome.lostTracking()) ++progress.lost;
       sum += outcome.wall_s;
     } else if (outcome.state == PointState::Failed && !retry) {
       ++progress.failed;
@@ -114,6 +116,7 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
                    fronts > 0 ? fmt::format(", after {} that they need", fronts) : ""));
   line("folder", out.string());
   line("done", std::to_string(progress.done));
+  if (progress.lost > 0) line("lost", fmt::format("tracking in {} of them", progress.lost));
   if (progress.failed > 0) line("failed", fmt::format("{} (--retry)", progress.failed));
   line("to do", std::to_string(progress.todo.size()));
   if (progress.sharing > 0) {
@@ -173,7 +176,8 @@ ExitCode runJobs(const SweepCommand& command, const SweepProgress& progress, con
     std::cout << fmt::format("{:<10}{}\n", "ended",
                              jobsText(state) + ", in " + durationText(state.seconds));
   }
-  return state.failed + progress.failed > 0 ? ExitCode::PluginFailed : ExitCode::Ok;
+  if (state.failed + progress.failed > 0) return ExitCode::PluginFailed;
+  return state.lost + progress.lost > 0 ? ExitCode::TrackingLost : ExitCode::Ok;
 }
 
 /// Refuses a folder of the sweep in data that its runs read: the data would change with every run.
@@ -249,6 +253,7 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
     const experiment::FrozenRuns runs = experiment::frozenRuns(*folder);
     if (runs.empty()) throw Ended{ExitCode::Usage, *folder + ": holds no runs of a sweep"};
     std::map<PointState, int> counts;
+    int lost = 0;
     auto list = nlohmann::ordered_json::array();
     std::string failed;
     for (const PlannedRun& run : runs.planned) {
@@ -260,7 +265,8 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
                       {"exit_code", outcome.exit_code},
                       {"message", outcome.message},
                       {"wall_s", outcome.wall_s}});
-      if (outcome.state != PointState::Failed) continue;
+      if (outcome.lostTracking()) ++lost;
+      if (outcome.message.empty() && !outcome.lostTracking()) continue;
       failed += run::printable("  " + run.name + "\n    " + outcome.message) + "\n";
     }
     for (const std::string& missing : runs.missing) {
@@ -273,6 +279,8 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
     for (const auto& [state, count] : counts) {
       std::cout << fmt::format("{:<13}{}\n", enumName(state), count);
     }
+    if (lost > 0)
+      std::cout << fmt::format("{:<13}tracking in {} of those that are done\n", "lost", lost);
     if (!runs.missing.empty()) {
       std::cout << fmt::format("{:<13}{} without a readable point.json\n", "missing",
                                runs.missing.size());

@@ -34,7 +34,7 @@ void repairInheritedState() {
 /// would be returned, and cleared again, several times a frame.
 void limitFragmentation() {
 #ifdef __GLIBC__
-  constexpr int kLargeBuffer = 4 << 20;  // bytes
+  constexpr int kLargeBuffer = 1 << 20;  // bytes
   constexpr int kMostKept = 256 << 20;   // bytes
   ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);
   ::mallopt(M_TRIM_THRESHOLD, kMostKept);

@@ -14,7 +14,7 @@ namespace tolman::evaluation {
 
 enum class Alignment : std::uint8_t {
   None,  ///< both start in the same frame
-  Se2,   ///< rotation about the vertical axis and shift in the x-z plane: for planar maps
+  Se2,   ///< rotation about the y axis and shift in the x-z plane, those of the first camera
   Se3,   ///< rigid motion, no scale: for stereo
   Sim3,  ///< rigid motion and scale: for a single camera
 };

@@ -22,8 +22,8 @@ struct Statistics {
 /// All 0 for no values.
 Statistics statistics(std::vector<double> values);
 
-/// The parts of a distance. Vertical is along the y axis of the truth's world frame (in KITTI's
-/// files that of the first camera); horizontal is in its x-z plane.
+/// The parts of a distance. Vertical is along the y axis of the truth's world frame; horizontal
+/// is in its x-z plane. scoreTrajectory() makes that world the first true camera.
 enum class Direction : std::uint8_t { All, Horizontal, Vertical };
 
 /// Distances between matched positions, m.

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/metrics.hpp"
 
+#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "evaluation/axes_hint.hpp"
 #include "evaluation/open_turn.hpp"
 #include "tolman/fields.hpp"
 
@@ -83,6 +86,44 @@ Result<Matches> associate(const Trajectory& truth, const Trajectory& estimate,
                                : associateByStamp(truth, estimate, max_difference_ns);
 }
 
+/// Both trajectories as seen from their first matched pose, as a run has its truth: so `horizontal`
+/// is the plane of the first camera whatever the axes of the files' worlds are.
+void referToFirst(Matches& matches) {
+  for (Trajectory* trajectory : {&matches.truth, &matches.estimate}) {
+    const Eigen::Isometry3d T_first_world = trajectory->front().T_world_camera.inverse();
+    for (TrajectoryPose& pose : *trajectory) {
+      pose.T_world_camera = T_first_world * pose.T_world_camera;
+    }
+  }
+}
+
+/// Why the plane of the first camera cannot be that of the drive; empty if it can.
+std::string planeProblem(const Trajectory& truth) {
+  constexpr double kSteepest = 0.5;  // steeper than any road; ramps of car parks have 0.2
+  Eigen::AlignedBox3d box;
+  for (const TrajectoryPose& pose : truth) box.extend(pose.T_world_camera.translation());
+  const Eigen::Vector3d size = box.sizes();
+  const double width = std::hypot(size.x(), size.z());
+  if (size.y() <= kSteepest * width) return "";
+  return fmt::format(
+      "se2 compares on the x-z plane of the first true pose (camera axes: x right, y down, z "
+      "forward), but the truth moves {:.3g} m along that pose's y axis and only {:.3g} m in the "
+      "plane; use se3, or give the truth as poses of a level camera",
+      size.y(), width);
+}
+
+/// Why an alignment of these pairs would say nothing; empty if it can be done.
+std::string whyNotAlignable(const Matches& pairs, Alignment alignment) {
+  if (pairs.size() < 2 && alignment != Alignment::None) {
+    return "only one pose matches; any one is aligned without an error, so give more";
+  }
+  if (pairs.size() < 3 && alignment == Alignment::Sim3) {
+    return "only two poses match; any two are aligned with a free scale without an error, so give "
+           "more";
+  }
+  return alignment == Alignment::Se2 ? planeProblem(pairs.truth) : "";
+}
+
 /// The whole position error, and its horizontal and vertical parts where they are determined.
 void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
   if (alignment == Alignment::Se2) {
@@ -110,27 +151,21 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   TrajectoryMetrics metrics;
   metrics.path_length_m = pathLength(estimate);
   metrics.poses = estimate.size();
-  const Result<Matches> matches = associate(truth, estimate, max_difference_ns);
+  Result<Matches> matches = associate(truth, estimate, max_difference_ns);
   if (!matches.isOk()) {
     metrics.reason = matches.status().message();
     return metrics;
   }
   metrics.matched = matches.value().size();
-  if (metrics.matched < 2 && alignment != Alignment::None) {
-    metrics.reason = "only one pose matches; any one is aligned without an error, so give more";
-    return metrics;
-  }
-  if (metrics.matched < 3 && alignment == Alignment::Sim3) {
-    metrics.reason =
-        "only two poses match; any two are aligned with a free scale without an error, so give "
-        "more";
-    return metrics;
-  }
+  if (alignment != Alignment::None) referToFirst(matches.value());
+  metrics.reason = whyNotAlignable(matches.value(), alignment);
+  if (!metrics.reason.empty()) return metrics;
   const Result<Similarity> similarity = align(matches.value(), alignment);
   if (!similarity.isOk()) {
     metrics.reason = similarity.status().message();
     return metrics;
   }
+  metrics.warning = axesHint(matches.value());
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
@@ -193,9 +228,10 @@ Json toJson(const TrajectoryMetrics& metrics) {
   const bool known = metrics.scores.has_value();
   const Scores scores = metrics.scores.value_or(Scores{});
   const auto why = [known](const char* reason) { return std::string(known ? reason : ""); };
-  return {{"ate", positionsJson(scores.ate_m)},
-          {"ate_horizontal", positionsJson(scores.horizontal_m, scores.no_horizontal)},
-          {"ate_vertical", positionsJson(scores.vertical_m, scores.no_vertical)},
+  const std::string none = known ? "" : metrics.reason;
+  return {{"ate", positionsJson(scores.ate_m, none)},
+          {"ate_horizontal", positionsJson(scores.horizontal_m, none + scores.no_horizontal)},
+          {"ate_vertical", positionsJson(scores.vertical_m, none + scores.no_vertical)},
           {"rpe",
            {{"frame", relativeJson(scores.rpe_frame, "m", "deg",
                                    why("no two poses that match are one frame apart"))},
@@ -207,7 +243,8 @@ Json toJson(const TrajectoryMetrics& metrics) {
           {"matched", metrics.matched},
           {"coverage", known ? Json(scores.coverage) : Json()},
           {"scale", known ? Json(scores.scale) : Json()},
-          {"reason", known ? Json() : Json(metrics.reason)}};
+          {"reason", known ? Json() : Json(metrics.reason)},
+          {"warning", textOrNull(metrics.warning)}};
 }
 
 Json toJson(const Metrics& metrics) {

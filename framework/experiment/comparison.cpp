@@ -58,13 +58,16 @@ class Comparer {
     Status status = choose();
     if (status.isOk()) status = chooseMetric();
     if (status.isOk()) status = refuseMixtures(pointersTo(rows_), options_.mixed_coverage);
-    if (status.isOk() && !comparison_.by.empty()) status = countOnce();
+    if (status.isOk()) status = refuseMixedLengths(pointersTo(rows_), comparison_.metric);
+    if (status.isOk()) status = refuseCopies(pointersTo(rows_));
+    if (status.isOk()) status = comparison_.by.empty() ? namedOnce() : countOnce();
     if (!status.isOk()) return status;
     std::set<std::string> truths;
     for (const RunRow& row : rows_) truths.insert(row.truth);
     comparison_.truths = truths.size();
     comparison_.alignment = rows_.front().alignment;
     warnOfEqualResults();
+    for (std::string& text : trackingNotes(rows_)) note(std::move(text));
     status = fillLevels();
     if (!status.isOk()) return status;
     return std::move(comparison_);
@@ -142,6 +145,18 @@ class Comparer {
     const Result<std::string> repeated = mergeRepeats(rows_);
     if (repeated.isOk() && !repeated.value().empty()) note(repeated.value());
     return repeated.status();
+  }
+
+  /// Runs outside a sweep are levels of their own, and may have the same factors.
+  Status namedOnce() {
+    std::set<std::filesystem::path> known;
+    const std::size_t repeated = std::erase_if(rows_, [&](const RunRow& row) {
+      std::error_code ignored;
+      return row.is_alone && !row.directory.empty() &&
+             !known.insert(std::filesystem::weakly_canonical(row.directory, ignored)).second;
+    });
+    if (repeated > 0) note(fmt::format("{} runs were given twice. They count once.", repeated));
+    return Status::ok();
   }
 
   void warnOfEqualResults() {

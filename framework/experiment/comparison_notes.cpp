@@ -8,6 +8,8 @@
 #include <map>
 #include <set>
 
+#include "config/nearest_name.hpp"
+
 namespace tolman::experiment {
 namespace {
 
@@ -46,6 +48,34 @@ std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
       sequences > 1 ? fmt::format("{} sequences", sequences)
                     : fmt::format("one sequence and {} seeds", seeds),
       least);
+}
+
+std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {
+  constexpr double kSameCoverage = 0.02;  // as of runs of one sequence (mixtures)
+  std::vector<std::string> notes;
+  std::vector<std::string> lost;
+  double least = 1;
+  double most = 0;
+  for (const RunRow& row : rows) {
+    const auto code = row.metrics.find("exit_code");
+    if (code != row.metrics.end() && code->second != 0) lost.push_back(row.name);
+    const auto coverage = row.metrics.find("map.coverage");
+    if (coverage == row.metrics.end()) continue;
+    least = std::min(least, coverage->second);
+    most = std::max(most, coverage->second);
+  }
+  if (!lost.empty()) {
+    notes.push_back(fmt::format(
+        "{} of {} runs ended with exit code 6, odometry was not tracking at their end: {}.",
+        lost.size(), rows.size(), config::listed(lost)));
+  }
+  if (most - least > kSameCoverage) {
+    notes.push_back(fmt::format(
+        "The runs cover {:.1f} to {:.1f} % of their true paths: errors of the lower ones are of "
+        "the part that was tracked.",
+        100 * least, 100 * most));
+  }
+  return notes;
 }
 
 }  // namespace tolman::experiment

@@ -149,6 +149,7 @@ class Jobs {
     if (outcome.state == PointState::Interrupted) return;
     ++state_.ended;
     if (outcome.state != PointState::Done) ++state_.failed;
+    if (outcome.lostTracking()) ++state_.lost;
     listener_.onEnd(runs_[index], outcome, state_);
   }
 

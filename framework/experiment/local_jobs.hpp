@@ -22,6 +22,7 @@ struct JobsState {
   std::size_t all = 0;
   std::size_t ended = 0;
   std::size_t failed = 0;
+  std::size_t lost = 0;              ///< done, but with lostTracking()
   double seconds = 0;                ///< since the start
   std::vector<std::string> running;  ///< names of the runs
 };

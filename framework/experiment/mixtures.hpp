@@ -11,8 +11,15 @@ namespace tolman::experiment {
 using RunPointers = std::vector<const RunRow*>;
 RunPointers pointersTo(const std::vector<RunRow>& rows);
 
-/// InvalidInput for runs with different alignments, and for runs of one sequence with different
-/// true poses or coverages. With `mixed_coverage` coverages may differ.
+/// InvalidInput for runs with different alignments, for runs that tracked nothing, and for runs of
+/// one sequence with different true poses or coverages. With `mixed_coverage` coverages may differ.
 Status refuseMixtures(const RunPointers& runs, bool mixed_coverage);
+
+/// InvalidInput where `metric` is a drift and was measured over segments of different lengths.
+Status refuseMixedLengths(const RunPointers& runs, const std::string& metric);
+
+/// InvalidInput where two sequences have the same results byte for byte in all their runs: copies
+/// of one drive would count as independent.
+Status refuseCopies(const RunPointers& runs);
 
 }  // namespace tolman::experiment

@@ -29,6 +29,9 @@ struct PointOutcome {
   std::string message;
   double wall_s = 0;
   bool replayed = false;  ///< took the answers of another run
+
+  /// Done, but odometry was lost at the end or found no motion (exit code 6 of a run).
+  bool lostTracking() const { return state == PointState::Done && exit_code != 0; }
 };
 
 /// Writes config.yaml and point.json below `sweep`. Existing ones are kept: a frozen run does not

@@ -139,6 +139,9 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
     outcome.exit_code = options.exit_code(ran);
     if (ran.failure) outcome.message = ran.failure->message;
     if (!ran.failure) outcome.state = ran.interrupted ? PointState::Interrupted : PointState::Done;
+    if (outcome.lostTracking()) {
+      outcome.message = "odometry was not tracking at the end, or found no motion in the whole run";
+    }
   } catch (const run::Failed& failed) {
     outcome.exit_code = options.failure_code(failed.failure);
     outcome.message = failed.what();

@@ -34,8 +34,12 @@ void flatten(const Json& json, const std::string& path, std::map<std::string, do
   }
 }
 
-/// A comparison refuses runs whose coverage differs, because their errors are of different paths.
-constexpr const char* kCoverage = "map.coverage";
+/// Whether a comparison needs a metric to refuse runs whose errors must not be averaged: coverage,
+/// exit code, and the lengths of segments.
+bool isNeeded(const std::string& metric) {
+  return metric == "map.coverage" || metric == "exit_code" ||
+         metric.find(".kitti.lengths_m.") != std::string::npos;
+}
 
 Result<RunRow> readRun(const fs::path& directory) {
   RunRow row;
@@ -49,8 +53,9 @@ Result<RunRow> readRun(const fs::path& directory) {
   }
   flatten(metrics, "", row.metrics);
   const Json run = record::RunDirectory::readRunFile(directory);
-  if (run.is_object() && run.contains("finish_s")) {
-    flatten(run["finish_s"], "finish_s", row.metrics);
+  if (run.is_object()) {
+    flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
+    flatten(run.value("exit_code", Json()), "exit_code", row.metrics);
   }
   row.alignment = metrics.value("alignment", "");
   const auto truth = metrics.find("truth_sha256");
@@ -238,7 +243,7 @@ std::string csvOf(const std::vector<RunRow>& rows, const std::vector<std::string
     for (const auto& [name, value] : row.metrics) {
       const bool is_wanted =
           wanted.empty() ? !isTime(name)
-                         : std::ranges::find(wanted, name) != wanted.end() || name == kCoverage;
+                         : std::ranges::find(wanted, name) != wanted.end() || isNeeded(name);
       if (is_wanted) metrics.insert(name);
     }
   }

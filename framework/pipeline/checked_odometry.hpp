@@ -2,7 +2,6 @@
 // Odometry with checks of its images and of its motions.
 #pragma once
 
-#include <deque>
 #include <optional>
 #include <set>
 #include <string>
@@ -56,7 +55,7 @@ class CheckedOdometry {
   MotionCheck motion_check_;
   PredictedWay predicted_;
   Motion last_;
-  std::deque<Answered> answered_;    ///< of all frames so far, in order
+  std::vector<Answered> answered_;   ///< of all frames so far, in order
   std::set<std::int64_t> replaced_;  ///< frames with an impossible motion
 };
 

@@ -37,14 +37,17 @@ bool sameRecord(const R& a, const R& b) {
   return same;
 }
 
-/// Upserts the records that differ from those written before.
-template <Record R>
-void upsertChanged(StoreWriter& store, std::vector<R>& written, const std::vector<R>& now) {
-  for (std::size_t i = 0; i < now.size(); ++i) {
-    if (i < written.size() && sameRecord(written[i], now[i])) continue;
-    store.upsert(now[i]);
+/// Upserts the records that differ from those written before. `now(i)` is record i of `size`.
+template <Record R, class Now>
+void upsertChanged(StoreWriter& store, std::vector<R>& written, std::size_t size, const Now& now) {
+  const std::size_t known = std::min(written.size(), size);
+  written.resize(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    R record = now(i);
+    if (i < known && sameRecord(written[i], record)) continue;
+    store.upsert(record);
+    written[i] = std::move(record);
   }
-  written = now;
 }
 
 /// The rows of the frames below `frames` that a later session copies; revisions after the last
@@ -254,14 +257,15 @@ void Recorder::writeMotion(const Motion& motion) {
 }
 
 void Recorder::writeGraph(const MapGraph& graph) {
-  std::vector<RecordedLink> links;
-  links.reserve(graph.links.size());
-  for (const Link& link : graph.links) links.push_back({link, graph.isRejected(link)});
-  if (links.size() < written_links_.size()) {  // a map may remove links
-    database_.exec("DELETE FROM \"link\" WHERE \"id\" >= " + std::to_string(links.size()));
+  const std::size_t links = graph.links.size();
+  if (links < written_links_.size()) {  // a map may remove links
+    database_.exec("DELETE FROM \"link\" WHERE \"id\" >= " + std::to_string(links));
   }
-  upsertChanged(store_, written_experiences_, graph.experiences);
-  upsertChanged(store_, written_links_, links);
+  upsertChanged(store_, written_experiences_, graph.experiences.size(),
+                [&](std::size_t i) { return graph.experiences[i]; });
+  upsertChanged(store_, written_links_, links, [&](std::size_t i) {
+    return RecordedLink{graph.links[i], graph.isRejected(graph.links[i])};
+  });
 }
 
 Status Recorder::revisions(const std::vector<MotionRevision>& revisions) {

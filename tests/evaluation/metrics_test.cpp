@@ -2,6 +2,7 @@
 #include "evaluation/metrics.hpp"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "evaluation/paths.hpp"
 
@@ -100,7 +101,7 @@ TEST_CASE("the error is told apart by horizontal and vertical; both give the who
   CHECK(scores.ate_m.rmse == Approx(13));
   CHECK(scores.horizontal_m.rmse == Approx(5));
   CHECK(scores.vertical_m.rmse == Approx(12));
-  const auto json = toJson(scoreTrajectory(truth, estimate, Alignment::Se2));
+  const auto json = toJson(scoreTrajectory(test::straightPath(50), estimate, Alignment::Se2));
   CHECK(json["ate"] == json["ate_horizontal"]);
   CHECK(json["ate_vertical"]["rmse_m"].is_null());
   CHECK(json["ate_vertical"]["reason"] == "se2 compares on the plane");
@@ -164,4 +165,49 @@ TEST_CASE("timing by hand") {
   CHECK(timing.p95_ms == Approx(95));
   CHECK(timing.max_ms == Approx(100));
   CHECK(stageTiming({}).frames == 0);
+}
+
+TEST_CASE("se2 compares on the plane of the first camera, whatever the axes of the world are") {
+  RandomStream random(7);
+  Trajectory truth = test::straightPath(60);
+  for (auto& pose : truth) {
+    pose.T_world_camera.translation().x() = 0.02 * static_cast<double>(pose.frame * pose.frame);
+  }
+  Trajectory estimate = truth;
+  for (auto& pose : estimate) {
+    pose.T_world_camera.translation().z() *= 1.02;
+    pose.T_world_camera.translation().y() = pose.frame % 2 == 0 ? 0.3 : -0.3;
+  }
+  const TrajectoryMetrics level = scoreTrajectory(truth, estimate, Alignment::Se2);
+  REQUIRE(level.scores);
+  CHECK(level.scores->ate_m.rmse > 0.1);
+  const Eigen::Isometry3d z_up(
+      Eigen::AngleAxisd(-0.5 * std::numbers::pi, Eigen::Vector3d::UnitX()));
+  for (const Eigen::Isometry3d& T_other_world : {z_up, test::randomPose(random)}) {
+    const TrajectoryMetrics turned =
+        scoreTrajectory(test::moved(truth, T_other_world), estimate, Alignment::Se2);
+    REQUIRE(turned.scores);
+    CHECK(turned.scores->ate_m.rmse == Approx(level.scores->ate_m.rmse));
+    const TrajectoryMetrics whole =
+        scoreTrajectory(test::moved(truth, T_other_world), estimate, Alignment::Se3);
+    CHECK(whole.scores->vertical_m.rmse ==
+          Approx(scoreTrajectory(truth, estimate, Alignment::Se3).scores->vertical_m.rmse));
+  }
+}
+
+TEST_CASE("se2 refuses a path that leaves its plane") {
+  Trajectory truth = test::straightPath(30);
+  for (auto& pose : truth) {
+    auto position = pose.T_world_camera.translation();
+    position = Eigen::Vector3d(0, position.z(), 0);
+  }
+  Trajectory half = truth;
+  for (auto& pose : half) pose.T_world_camera.translation() *= 0.5;
+  const TrajectoryMetrics metrics = scoreTrajectory(truth, half, Alignment::Se2);
+  CHECK_FALSE(metrics.scores);
+  CHECK(metrics.reason ==
+        "se2 compares on the x-z plane of the first true pose (camera axes: x right, y down, z "
+        "forward), but the truth moves 29 m along that pose's y axis and only 0 m in the plane; "
+        "use se3, or give the truth as poses of a level camera");
+  CHECK(scoreTrajectory(truth, half, Alignment::Se3).scores->ate_m.rmse > 4);
 }

@@ -155,6 +155,56 @@ TEST_CASE("a factor that changes nothing is told") {
       "Only 6 of 12 runs have results of their own, byte for byte: cells.period changes nothing.");
 }
 
+TEST_CASE("copies of one drive are not independent sequences") {
+  std::vector<RunRow> all = rows();
+  for (RunRow& r : all) r.results = r.label("cells.period") + r.label("seed");
+  const Status status = compareRuns(all, {}).status();
+  CHECK(status.code() == StatusCode::InvalidInput);
+  CHECK(status.message() ==
+        "the sequences 'a' and 'b' have the same results byte for byte: copies of one drive are "
+        "not independent; leave one of them out with --only");
+  all.back().results = "other";
+  CHECK(compareRuns(all, {}).isOk());
+}
+
+TEST_CASE("drifts over segments of different lengths are not averaged") {
+  std::vector<RunRow> all = rows();
+  for (RunRow& r : all) {
+    r.metrics["map.kitti.t_rel_percent"] = 1;
+    const bool is_short = r.label("sequence") == "b";
+    r.metrics["map.kitti.lengths_m.0"] = is_short ? 5 : 100;
+    r.metrics["map.kitti.lengths_m.1"] = is_short ? 50 : 800;
+  }
+  ComparisonOptions options;
+  options.metric = "t_rel";
+  const Status status = compareRuns(all, options).status();
+  CHECK(status.code() == StatusCode::InvalidInput);
+  CHECK(status.message() ==
+        "'75/a/1' and '75/b/1' have drifts over segments of 100 to 800 m and of 5 to 50 m, which "
+        "are not to be averaged; set evaluation.segments, or choose runs with --only");
+  options.only = {{"sequence", "a"}};
+  CHECK(compareRuns(all, options).isOk());
+  options = {};
+  CHECK(compareRuns(all, options).isOk());  // other errors have no segments
+}
+
+TEST_CASE("runs that lost tracking, and different coverages of the sequences, are told") {
+  std::vector<RunRow> all = rows();
+  for (RunRow& r : all) {
+    if (r.label("sequence") == "b") r.metrics["map.coverage"] = 0.76;
+    r.metrics["exit_code"] = 0;
+  }
+  all.back().metrics["exit_code"] = 6;
+  const auto compared = compareRuns(all, {});
+  REQUIRE(compared.isOk());
+  REQUIRE(compared.value().notes.size() == 3);
+  CHECK(compared.value().notes[0] ==
+        "1 of 12 runs ended with exit code 6, odometry was not tracking at their end: 150/b/3.");
+  CHECK(compared.value().notes[1] ==
+        "The runs cover 76.0 to 100.0 % of their true paths: errors of the lower ones are of the "
+        "part that was tracked.");
+}
+
 TEST_CASE("what must not be averaged is refused") {
   const auto refusal = [](const auto& change) {
     std::vector<RunRow> all = rows();
@@ -166,6 +216,10 @@ TEST_CASE("what must not be averaged is refused") {
   CHECK(alignment.message().find("aligned by se2 and sim3") != std::string::npos);
   const Status truth = refusal([](RunRow& r) { r.truth = "other"; });
   CHECK(truth.message().find("different true poses") != std::string::npos);
+  const Status nothing = refusal([](RunRow& r) { r.metrics["map.coverage"] = 0; });
+  CHECK(nothing.message() ==
+        "'150/b/3' has not tracked a single frame of the truth, so that its errors are those of "
+        "standing still; leave it out with --only");
   const Status coverage = refusal([](RunRow& r) { r.metrics["map.coverage"] = 0.6; });
   CHECK(coverage.message().find("cover 100.0 % and 60.0 %") != std::string::npos);
   ComparisonOptions options;

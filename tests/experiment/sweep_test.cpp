@@ -135,7 +135,9 @@ TEST_CASE("data that change after planning are told; planning again makes new ru
   REQUIRE(tolman::test::tolman({"sweep", "collect", study.out().string(), "--out", one, "--metric",
                                 "map.ate.rmse_m"})
               .exit_code == 0);
-  CHECK(contains(readText(one), ",map.ate.rmse_m,map.coverage\n"));  // what compare refuses by
+  // With what compare refuses by: exit code, coverage, lengths of segments.
+  CHECK(contains(readText(one), ",exit_code,map.ate.rmse_m,map.coverage,"));
+  CHECK_FALSE(contains(readText(one), "path_length"));
   const fs::path none = study.folder.path() / "nothing";
   fs::create_directories(none);
   CHECK(tolman::test::tolman({"sweep", "archive", none.string()}).exit_code != 0);

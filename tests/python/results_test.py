@@ -58,6 +58,17 @@ class RunTest(Systems):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         return tolman.Run(self.folder / "run")
 
+    def test_a_run_directory_may_have_any_name(self):
+        """'?', '#' and '%41' mean something in the address by which SQLite opens a file."""
+        run = self.made()
+        for name in ("what?x", "#hash", "x%41", "two words"):
+            folder = run.path.parent / name
+            run.path.rename(folder)
+            self.assertEqual(len(tolman.Run(folder).motion), 25)
+            self.assertEqual(sorted(entry.name for entry in folder.parent.iterdir() if entry.name.startswith("what")),
+                             ["what?x"] if name == "what?x" else [])
+            folder.rename(run.path)
+
     def test_tables_arrays_and_files_of_a_run(self):
         run = self.made()
         database = sqlite3.connect(self.folder / "run/run.sqlite")

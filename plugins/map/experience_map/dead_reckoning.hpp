@@ -9,11 +9,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <tolman/records.hpp>
 
+#include "growing_list.hpp"
 #include "motion_store.hpp"
 #include "parameters.hpp"
 #include "uncertain_pose.hpp"
@@ -66,7 +66,7 @@ class DeadReckoning {
   void reckon(std::size_t first);
 
   Parameters parameters_;
-  std::deque<ReckonedFrame> frames_;  ///< grows without a copy, so memory has no peaks
+  GrowingList<ReckonedFrame> frames_;
   MotionStore motions_;
   bool planar_ = true;
   bool metric_ = true;

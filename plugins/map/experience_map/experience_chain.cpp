@@ -156,6 +156,8 @@ void ExperienceChain::graph(const DeadReckoning& log, MapGraph& graph) const {
   graph.experiences.clear();
   graph.links.clear();
   graph.rejected.clear();
+  graph.experiences.reserve(of_experience_.size());
+  graph.links.reserve(static_cast<std::size_t>(links_));  // growing would take twice the memory
   for (const std::size_t i : of_experience_) {
     const Anchor& anchor = anchors_[i];
     graph.experiences.push_back({anchor.experience, log[anchor.slot].frame, anchor.template_id,

@@ -14,7 +14,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <tolman/records.hpp>
 #include <vector>
 
@@ -22,6 +21,7 @@
 #include "dead_reckoning.hpp"
 #include "drift_model.hpp"
 #include "graph_optimiser.hpp"
+#include "growing_list.hpp"
 #include "parameters.hpp"
 #include "path_parts.hpp"
 #include "uncertain_pose.hpp"
@@ -104,14 +104,16 @@ class ExperienceChain {
   void graph(const DeadReckoning& log, MapGraph& graph) const;
 
   /// The state to save, besides that of DeadReckoning. Anchor::way is recomputed.
+  const GrowingList<Anchor>& anchors() const { return anchors_; }
+  const DriftModel& drift() const { return drift_; }
+  /// The saved state as it was read.
   struct State {
-    std::deque<Anchor> anchors;
+    GrowingList<Anchor> anchors;
     std::int64_t links = 0;
     std::int64_t loops = 0;
     bool pending = false;
     DriftModel drift;
   };
-  State state() const { return {anchors_, links_, loops_, pending_, drift_}; }
   /// `state` must have passed the checks of saved_map.
   void restore(const DeadReckoning& log, State state);
 
@@ -158,7 +160,7 @@ class ExperienceChain {
                               ChainSystem<Space>& system);
 
   Parameters parameters_;
-  std::deque<Anchor> anchors_;  ///< a deque grows without copies, which long drives need
+  GrowingList<Anchor> anchors_;
   std::vector<std::size_t> of_experience_;  ///< anchor that created each experience
   std::vector<std::size_t> begins_ = {0};   ///< anchors at which parts of the path begin
   std::int64_t links_ = 0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <deque>
 #include <tolman/state_stream.hpp>
 #include <utility>
 
@@ -104,14 +103,14 @@ Anchor getAnchor(StateReader& reader) {
 
 /// Reads a list after its size. Stops at the end of the bytes, whatever the size says.
 template <class T>
-std::deque<T> getList(StateReader& reader, T (*get)(StateReader&)) {
+GrowingList<T> getList(StateReader& reader, T (*get)(StateReader&)) {
   const auto count = reader.get<std::int64_t>();
-  std::deque<T> list;
+  GrowingList<T> list;
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) list.push_back(get(reader));
   return list;
 }
 
-bool areSound(const std::deque<SavedFrame>& frames, std::size_t anchors) {
+bool areSound(const GrowingList<SavedFrame>& frames, std::size_t anchors) {
   for (std::size_t slot = 0; slot < frames.size(); ++slot) {
     const ReckonedFrame& frame = frames[slot].frame;
     const bool later = slot == 0 || frame.frame > frames[slot - 1].frame.frame;
@@ -126,7 +125,7 @@ bool areSound(const std::deque<SavedFrame>& frames, std::size_t anchors) {
 
 /// Checks that anchors are in the order of their frames, that experiences are numbered in the order
 /// of creation, and that visits follow the creation of their experience.
-bool areSound(const std::deque<Anchor>& anchors, const std::deque<SavedFrame>& frames) {
+bool areSound(const GrowingList<Anchor>& anchors, const GrowingList<SavedFrame>& frames) {
   std::int64_t made = 0;
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const Anchor& anchor = anchors[i];
@@ -155,15 +154,14 @@ Status saveMap(const DeadReckoning& motions, const ExperienceChain& chain,
   for (std::size_t slot = 0; slot < motions.size(); ++slot) {
     put(writer, motions[slot], motions.motionTo(slot));
   }
-  const ExperienceChain::State state = chain.state();
-  writer.put(static_cast<std::int64_t>(state.anchors.size()));
-  for (const Anchor& anchor : state.anchors) put(writer, anchor);
-  writer.put(state.links);
-  writer.put(state.loops);
-  writer.put(std::int64_t{state.pending});
+  writer.put(static_cast<std::int64_t>(chain.anchors().size()));
+  for (const Anchor& anchor : chain.anchors()) put(writer, anchor);
+  writer.put(chain.links());
+  writer.put(chain.loops());
+  writer.put(std::int64_t{chain.pending()});
   writer.put(std::int64_t{motions.isMetric()});
-  writer.put(state.drift.rotation);
-  writer.putAll(std::span<const double>(state.drift.steady.data(), 3));
+  writer.put(chain.drift().rotation);
+  writer.putAll(std::span<const double>(chain.drift().steady.data(), 3));
   return writer.write(stream, kMagic, kStateVersion);
 }
 
@@ -174,7 +172,7 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
   StateReader& reader = opened.value();
   const auto version = reader.get<std::int64_t>();
   const auto next_correction = reader.get<std::int64_t>();
-  const std::deque<SavedFrame> frames = getList(reader, &getFrame);
+  const GrowingList<SavedFrame> frames = getList(reader, &getFrame);
   ExperienceChain::State state;
   state.anchors = getList(reader, &getAnchor);
   state.links = reader.get<std::int64_t>();

@@ -66,7 +66,20 @@ std::vector<std::int64_t> uniformStamps(std::size_t count, double rate) {
 void checkPrincipalPoint(const fs::path& file, const CameraRig& rig, Inspection& inspection) {
   if (rig.width == 0) return;
   const Pinhole& K = rig.pinhole;
-  if (K.cx > 0 && K.cx < rig.width && K.cy > 0 && K.cy < rig.height) return;
+  // Lenses are centred within a few percent; images cut at one side are within a quarter.
+  constexpr double kOffCentre = 0.25;
+  if (K.cx > 0 && K.cx < rig.width && K.cy > 0 && K.cy < rig.height) {
+    if (std::abs(K.cx / rig.width - 0.5) <= kOffCentre &&
+        std::abs(K.cy / rig.height - 0.5) <= kOffCentre) {
+      return;
+    }
+    inspection.warning(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
+                                 ") is far from the middle of the " +
+                                 pixels({rig.width, rig.height}) +
+                                 " image; were the images resized after the calibration? Then "
+                                 "scale fx, fy, cx, cy as well");
+    return;
+  }
   inspection.error(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
                              ") is outside of the " + pixels({rig.width, rig.height}) +
                              " image; give the calibration of these images");

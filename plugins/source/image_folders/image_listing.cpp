@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <map>
+#include <optional>
 #include <string>
 
 namespace tolman::image_folders {
@@ -73,6 +76,45 @@ void checkDoubles(const fs::path& folder, const std::vector<fs::path>& sorted,
   }
 }
 
+/// The number in a name such as "frame_000123", if the rest of the name is `rest` ("frame_#").
+std::optional<std::int64_t> numberOf(const fs::path& file, std::string& rest) {
+  const std::string name = file.stem().string();
+  const auto first = std::ranges::find_if(name, isDigit);
+  const auto last = std::find_if_not(first, name.end(), isDigit);
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(name.data() + (first - name.begin()),
+                                            name.data() + (last - name.begin()), number);
+  if (first == last || error != std::errc()) return std::nullopt;
+  const std::string now = std::string(name.begin(), first) + "#" + std::string(last, name.end());
+  if (rest.empty()) rest = now;
+  return now == rest ? std::optional(number) : std::nullopt;
+}
+
+/// Warns of numbers that are missing where nine in ten images follow at the same step: times that
+/// go by the position of an image would be wrong behind them.
+void checkNumbers(const fs::path& folder, const std::vector<fs::path>& sorted,
+                  Inspection& inspection) {
+  std::string rest;
+  std::map<std::int64_t, std::size_t> steps;
+  std::vector<std::int64_t> numbers;
+  for (const fs::path& file : sorted) {
+    const auto number = numberOf(file, rest);
+    if (!number) return;
+    if (!numbers.empty()) ++steps[*number - numbers.back()];
+    numbers.push_back(*number);
+  }
+  const auto usual = std::ranges::max_element(steps, {}, [](const auto& of) { return of.second; });
+  if (steps.size() < 2 || usual->second * 10 < 9 * (numbers.size() - 1)) return;
+  for (std::size_t i = 1; i < numbers.size(); ++i) {
+    if (numbers[i] - numbers[i - 1] <= usual->first) continue;
+    inspection.warning(folder, "has no image between " + sorted[i - 1].filename().string() +
+                                   " and " + sorted[i].filename().string() +
+                                   "; times and poses by position are wrong from there on, unless "
+                                   "their lines are missing as well");
+    return;
+  }
+}
+
 }  // namespace
 
 bool naturalLess(std::string_view a, std::string_view b) {
@@ -98,6 +140,7 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
     return stem_a != stem_b ? naturalLess(stem_a, stem_b) : a < b;
   });
   checkDoubles(folder, images, inspection);
+  checkNumbers(folder, images, inspection);
   return images;
 }
 

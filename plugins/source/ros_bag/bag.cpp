@@ -54,6 +54,10 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
     if (Status status = bag.openFile(bag.paths_[file]); !status.isOk()) return status;
     bag.visit(file);
   }
+  std::int64_t messages = 0;
+  for (const auto& [name, topic] : bag.topics_) messages += topic.messages;
+  const std::string missing = missingMessages(path, messages);
+  if (!missing.empty()) bag.problems_.push_back(missing);
   for (auto& [name, topic] : bag.topics_) {
     useOneClock(topic);
     std::stable_sort(topic.index.begin(), topic.index.end(),

@@ -2,6 +2,7 @@
 #include "metadata_file.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -61,6 +62,32 @@ std::vector<std::string> filesInMetadata(const std::string& text) {
     }
   }
   return files;
+}
+
+std::optional<std::int64_t> messagesInMetadata(const std::string& text) {
+  constexpr std::string_view kKey = "message_count:";  // the first one; later ones are of topics
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string_view entry = trimmed(line);
+    if (!entry.starts_with(kKey)) continue;
+    const std::string_view digits = trimmed(entry.substr(kKey.size()));
+    std::int64_t count = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+    return count;
+  }
+  return std::nullopt;
+}
+
+std::string missingMessages(const fs::path& path, std::int64_t messages) {
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored)) return "";
+  const fs::path file = path / "metadata.yaml";
+  const std::optional<std::int64_t> said = messagesInMetadata(readText(file));
+  if (!said || *said <= messages) return "";
+  return file.string() + ": says that the bag has " + std::to_string(*said) +
+         " messages, its files have " + std::to_string(messages) +
+         "; copy the whole folder of the bag";
 }
 
 Result<std::vector<fs::path>> findBagFiles(const fs::path& path) {

@@ -13,12 +13,12 @@ values of their axes, `rate_map/NAME` and `tuning/NAME` what their units do over
 """
 import argparse
 import json
-import os
 import pathlib
 import sys
 
 import numpy as np
 
+from tolman._files import exit_code_of, replacing
 from tolman.results import Run, unit_of
 
 _TABLES = ("frame", "motion", "place", "decision", "map_update", "experience", "link", "event", "timing", "session")
@@ -85,10 +85,8 @@ def write(run_directory, file=None):
         if array.info.kind == "activity" and array.values.dtype != object:
             _add_rates(run, name, out)
     file = pathlib.Path(file) if file else run.path / "run.npz"
-    temporary = file.with_name(file.name + ".tmp")
-    with open(temporary, "wb") as stream:
+    with replacing(file) as temporary, open(temporary, "wb") as stream:
         np.savez_compressed(stream, units=json.dumps(out.units), **out.arrays)
-    os.replace(temporary, file)
     return file
 
 
@@ -97,11 +95,8 @@ def main():
     parser.add_argument("run")
     parser.add_argument("file", nargs="?")
     arguments = parser.parse_args()
-    try:
-        print(write(arguments.run, arguments.file))
-    except (OSError, KeyError, ValueError) as error:
-        sys.exit(f"{error}")
+    return exit_code_of(lambda: print(write(arguments.run, arguments.file)))
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -9,12 +9,12 @@ between two frames, in steps of 0.1 ms.
 """
 import argparse
 import json
-import os
 import pathlib
 import sys
 
 import numpy as np
 
+from tolman._files import exit_code_of, replacing
 from tolman.results import Run
 
 SPIKE_RESOLUTION_S = 1e-4
@@ -176,14 +176,13 @@ def export(run, out=None, peak_hz=PEAK_HZ):
     seconds = 1e-9 * (np.asarray(poses["stamp_ns"]) - origin_ns)
     started = run.info.get("started", "1980-01-01T00:00:00Z").replace("Z", "+00:00")
     of = "true poses" if run.table("frame")["has_truth"].max() else "poses of the finished map"
-    unfinished = out.with_name(out.name + ".part")
-    with h5py.File(unfinished, "w", libver=("v108", "v110"), track_order=False) as file:
+    with replacing(out) as unfinished, \
+            h5py.File(unfinished, "w", libver=("v108", "v110"), track_order=False) as file:
         writer = _hdf5.Writer(file, f"{run.info.get('name')} {started} {json.dumps(run.info.get('plugins'))}")
         _write_head(writer, run, started)
         _write_behavior(writer, poses, seconds, of)
         _write_units(writer, run, origin_ns, peak_hz)
         _write_intervals(writer, run, poses, seconds, origin_ns)
-    os.replace(unfinished, out)
     return out
 
 
@@ -193,15 +192,7 @@ def main(arguments=None):
     parser.add_argument("out", nargs="?")
     parser.add_argument("--peak-hz", type=float, default=PEAK_HZ)
     given = parser.parse_args(arguments)
-    try:
-        print(export(Run(given.run), given.out, given.peak_hz))
-    except ImportError as error:
-        print(f"{error}; NWB files need python3-h5py", file=sys.stderr)
-        return 8
-    except (OSError, ValueError, KeyError) as error:
-        print(error, file=sys.stderr)
-        return 8
-    return 0
+    return exit_code_of(lambda: print(export(Run(given.run), given.out, given.peak_hz)))
 
 
 if __name__ == "__main__":

@@ -53,7 +53,7 @@ class Run:
         file = self.path / "run.sqlite"
         if not file.is_file():
             raise FileNotFoundError(f"{self.path}: is no run directory, for it has no run.sqlite")
-        self._database = sqlite3.connect(f"file:{file}?mode=ro", uri=True)
+        self._database = sqlite3.connect(file.as_uri() + "?mode=ro", uri=True)
         run = self.info.get("id")
         recorded = self._database.execute("SELECT value FROM run WHERE key = 'id'").fetchone()
         if run is not None and (run,) != recorded:

@@ -48,6 +48,31 @@ TEST_CASE("a folder's images, and only they") {
   CHECK_FALSE(inspection.hasErrors());
 }
 
+TEST_CASE("a gap in the numbers of evenly numbered images is one warning a folder") {
+  const DataFolder data;
+  const auto warnings = [&](const std::string& folder, const std::vector<int>& numbers) {
+    for (const int number : numbers) {
+      data.write(folder + "/f" + std::to_string(100 + number) + "_l.png", "");
+    }
+    Inspection inspection;
+    listImages(data.path(folder), inspection);
+    std::vector<std::string> found;
+    for (const auto& finding : inspection.findings()) found.push_back(finding.message);
+    return found;
+  };
+  std::vector<int> numbers;
+  for (int i = 0; i < 40; i += 2) numbers.push_back(i);
+  CHECK(warnings("all", numbers).empty());
+  std::erase(numbers, 8);
+  CHECK(warnings("gap", numbers) ==
+        std::vector<std::string>{"has no image between f106_l.png and f110_l.png; times and poses "
+                                 "by position are wrong from there on, unless their lines are "
+                                 "missing as well"});
+  CHECK(warnings("uneven", {1, 2, 4, 8, 16, 32}).empty());
+  numbers.push_back(-30);
+  CHECK(warnings("one", {3}).empty());
+}
+
 TEST_CASE("numbers that differ in leading zeros are two frames, with one warning a folder") {
   const DataFolder data;
   for (const char* name : {"1.png", "01.png", "2.png", "02.png", "3.png"}) {

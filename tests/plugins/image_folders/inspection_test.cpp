@@ -140,6 +140,27 @@ TEST_CASE("the description says what there is and what of it is used") {
         "folders, 20 from 51 stereo pairs of 1226x370 px at 9.7 Hz, baseline 0.5372 m, with truth");
 }
 
+TEST_CASE("a principal point far from the middle is a warning: were the images resized?") {
+  CameraRig rig;
+  rig.width = 613;
+  rig.height = 185;
+  const auto warnings = [&](double cx, double cy) {
+    rig.pinhole = {718.9, 718.9, cx, cy};
+    Inspection inspection;
+    checkPrincipalPoint("calib.txt", rig, inspection);
+    CHECK_FALSE(inspection.hasErrors());
+    return inspection.findings();
+  };
+  const auto resized = warnings(601.9, 183.1);
+  REQUIRE(resized.size() == 1);
+  CHECK(resized[0].message ==
+        "principal point (601.9, 183.1) is far from the middle of the 613x185 image; were the "
+        "images resized after the calibration? Then scale fx, fy, cx, cy as well");
+  CHECK(warnings(300.9, 91.5).empty());
+  CHECK(warnings(0.26 * 613, 0.74 * 185).empty());
+  CHECK(warnings(0.24 * 613, 92).size() == 1);
+}
+
 TEST_CASE("a principal point on the border or beyond is an error, just inside is none") {
   CameraRig rig;
   rig.width = 100;

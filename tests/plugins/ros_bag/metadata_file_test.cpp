@@ -38,4 +38,23 @@ TEST_CASE("files of a folder with and without metadata") {
         std::string::npos);
 }
 
+TEST_CASE(
+    "the number of messages is the first of metadata.yaml; fewer in the files are a problem") {
+  const std::string text =
+      "rosbag2_bagfile_information:\n  version: 5\n  message_count: 12\n"
+      "  topics_with_message_count:\n    - topic_metadata: {name: /a}\n      message_count: 7\n";
+  CHECK(messagesInMetadata(text) == 12);
+  CHECK_FALSE(messagesInMetadata("message_count: many\n"));
+  CHECK_FALSE(messagesInMetadata("message_count: 12x\n"));
+  CHECK_FALSE(messagesInMetadata("version: 5\n"));
+  const test::TemporaryFolder folder;
+  CHECK(missingMessages(folder.path(), 3).empty());
+  test::writeBytes(folder.path() / "metadata.yaml", text);
+  CHECK(missingMessages(folder.path(), 12).empty());
+  CHECK(missingMessages(folder.path(), 9) ==
+        (folder.path() / "metadata.yaml").string() +
+            ": says that the bag has 12 messages, its files have 9; copy the whole folder of the "
+            "bag");
+}
+
 }  // namespace tolman::ros_bag

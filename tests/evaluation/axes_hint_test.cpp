@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "evaluation/axes_hint.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "evaluation/paths.hpp"
+
+using namespace tolman;
+using namespace tolman::evaluation;
+
+namespace {
+
+/// A drive with turns: forward along z, about y.
+Trajectory drive() {
+  Trajectory path = test::straightPath(60);
+  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+  for (TrajectoryPose& pose : path) {
+    pose.T_world_camera = T;
+    T = T * Eigen::Translation3d(0, 0, 1) *
+        Eigen::AngleAxisd(0.1 * std::sin(0.2 * static_cast<double>(pose.frame)),
+                          Eigen::Vector3d::UnitY());
+  }
+  return path;
+}
+
+Trajectory withAxes(Trajectory path, const Eigen::Matrix3d& R_camera_body) {
+  for (TrajectoryPose& pose : path) pose.T_world_camera.rotate(R_camera_body);
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("truth of the vehicle's body, x forward and z up, is told") {
+  const Trajectory estimate = drive();
+  Eigen::Matrix3d R_camera_body;
+  R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  const std::string hint = axesHint(test::paired(withAxes(estimate, R_camera_body), estimate));
+  CHECK(hint.starts_with("true and estimated motion point in directions 90 degrees apart"));
+}
+
+TEST_CASE("world-to-camera poses are told, camera-to-world poses in any world are not") {
+  RandomStream random(3);
+  const Trajectory estimate = drive();
+  Trajectory inverse = estimate;
+  for (TrajectoryPose& pose : inverse) pose.T_world_camera = pose.T_world_camera.inverse();
+  CHECK(axesHint(test::paired(inverse, estimate))
+            .starts_with("the true poses, read as world to camera, agree with the estimate"));
+  CHECK(axesHint(test::paired(test::moved(estimate, test::randomPose(random)), estimate)).empty());
+}
+
+TEST_CASE("a poor estimate, few frames and standing still are no reason for a hint") {
+  RandomStream random(4);
+  const Trajectory truth = drive();
+  CHECK(axesHint(test::paired(truth, test::wanderingPath(60, random))).empty());
+  const Trajectory still = test::straightPath(60, 0);
+  CHECK(axesHint(test::paired(still, truth)).empty());
+  Trajectory few(truth.begin(), truth.begin() + 5);
+  CHECK(
+      axesHint(test::paired(
+                   withAxes(few, Eigen::AngleAxisd(2, Eigen::Vector3d::UnitX()).toRotationMatrix()),
+                   few))
+          .empty());
+}
