@@ -98,6 +98,10 @@ std::int64_t diskNeeded(const fs::path& directory) {
   return kResults + sizeOf(directory / "run.sqlite-wal") + 2 * state + trajectories;
 }
 
+std::int64_t residentMemory() {
+  return kKiB * std::max<std::int64_t>(0, numberIn("/proc/self/status", "VmRSS:"));
+}
+
 void returnFreedMemory() {
 #ifdef __GLIBC__
   ::malloc_trim(0);

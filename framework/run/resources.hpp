@@ -21,6 +21,9 @@ std::optional<Memory> memoryLeft();
 /// buffers, whose pages glibc keeps: without this the process grows twice as fast as its data.
 void returnFreedMemory();
 
+/// Bytes of this process that are in memory; 0 if the system does not report it.
+std::int64_t residentMemory();
+
 /// Bytes that an unprivileged user may still write below `directory`; none if not known.
 std::optional<std::int64_t> diskLeft(const std::filesystem::path& directory);
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -25,6 +26,7 @@ WatchdogSettings WatchdogSettings::of(const std::filesystem::path& directory) {
           memoryLeft,
           [=] { return diskLeft(directory); },
           [=] { return diskNeeded(directory); },
+          residentMemory,
           returnFreedMemory,
           [](LogLevel, std::string_view, const std::string&) {},
           [](const std::string&) {}};
@@ -79,9 +81,12 @@ void Watchdog::lookAt(Role role) {
 
 void Watchdog::returnMemory() {
   constexpr std::int64_t kEvery = 30'000'000'000;  // ns
-  if (clock_.steadyNs() - returned_ns_ < kEvery) return;
+  constexpr std::int64_t kGrowth = 16 << 20;       // bytes
+  const bool has_grown = settings_.resident() > resident_ + std::max(kGrowth, resident_ / 8);
+  if (!has_grown && clock_.steadyNs() - returned_ns_ < kEvery) return;
   returned_ns_ = clock_.steadyNs();
   settings_.return_memory();
+  resident_ = settings_.resident();
 }
 
 void Watchdog::lookAtMemory() {

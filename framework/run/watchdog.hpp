@@ -22,8 +22,9 @@ struct WatchdogSettings {
   std::function<std::optional<Memory>()> memory;
   std::function<std::optional<std::int64_t>()> disk;
   std::function<std::int64_t()> disk_needed;
+  std::function<std::int64_t()> resident;  ///< bytes of this process in memory
   // Actions; called from the watchdog's thread.
-  std::function<void()> return_memory;  ///< every 30 s: returns freed memory to the system
+  std::function<void()> return_memory;  ///< returns freed memory to the system
   std::function<void(LogLevel, std::string_view source, const std::string& text)> report;
   std::function<void(const std::string& why)> stop;  ///< called at most once
 
@@ -33,8 +34,10 @@ struct WatchdogSettings {
 };
 
 /// Reports a stage once when a call takes longer than the deadline, and again when it has answered.
-/// Reports memory when less than a twentieth is left. Asks the run to stop when the disk has no
-/// more than the run needs for its end.
+/// Returns freed memory every 30 s, and when the process has grown since by 16 MiB or an eighth:
+/// each correction of the map needs memory in proportion to the map, in the heap of the thread that
+/// does it. Reports memory when less than a twentieth is left. Asks the run to stop when the disk
+/// has no more than the run needs for its end.
 class Watchdog {
  public:
   Watchdog(const pipeline::Activity& activity, const Clock& clock, WatchdogSettings settings);
@@ -54,6 +57,7 @@ class Watchdog {
   WatchdogSettings settings_;
   std::array<std::int64_t, kRoleNames.size()> reported_{};  ///< Activity::since() of the call
   std::int64_t returned_ns_;                                ///< when memory was last returned
+  std::int64_t resident_ = 0;                               ///< bytes in memory directly after that
   bool memory_is_short_ = false;
   bool stopped_ = false;
   std::jthread thread_;  // last, because it uses the members above

@@ -31,7 +31,11 @@ struct Watched {
     settings.memory = [this] { return memory; };
     settings.disk = [this] { return disk; };
     settings.disk_needed = [] { return std::int64_t{100} << 20; };
-    settings.return_memory = [this] { ++returned; };
+    settings.resident = [this] { return resident; };
+    settings.return_memory = [this] {
+      ++returned;
+      resident = std::min(resident, in_use);
+    };
     settings.report = [this](LogLevel level, std::string_view source, const std::string& text) {
       said.push_back(std::string(enumName(level)) + " " + std::string(source) + ": " + text);
     };
@@ -41,6 +45,8 @@ struct Watched {
   pipeline::Activity activity;
   std::optional<Memory> memory;
   std::optional<std::int64_t> disk;
+  std::int64_t resident = 0;
+  std::int64_t in_use = 0;
   int returned = 0;
   std::vector<std::string> said;
   std::vector<std::string> stops;
@@ -57,6 +63,27 @@ TEST_CASE("freed memory is given back to the system every half minute") {
     watchdog.look();
     CHECK(watched.returned == second / 30);
   }
+}
+
+TEST_CASE("freed memory is given back when 16 MiB or an eighth of the memory has gathered") {
+  Watched watched;
+  Watchdog watchdog(watched.activity, watched.clock, watched.settings);
+  const auto returnedAt = [&](std::int64_t mebibytes) {
+    const int before = watched.returned;
+    watched.clock.advance(1);
+    watched.resident = mebibytes << 20U;
+    watchdog.look();
+    return watched.returned > before;
+  };
+  watched.in_use = std::int64_t{100} << 20U;
+  CHECK(returnedAt(120));  // the first time
+  CHECK_FALSE(returnedAt(116));
+  CHECK(returnedAt(117));
+  CHECK_FALSE(returnedAt(110));
+  watched.in_use = std::int64_t{400} << 20U;
+  CHECK(returnedAt(400));  // all in use: not again before an eighth more
+  CHECK_FALSE(returnedAt(450));
+  CHECK(returnedAt(451));
 }
 
 TEST_CASE("a stage that does not answer in time is reported once, and its answer too") {
