@@ -65,7 +65,7 @@ SweepProgress progressOf(const experiment::Plan& plan, const fs::path& out, bool
       ++progress.failed;
     } else {
       progress.todo.push_back(run);
-      if (!run.needs.empty() || !run.replays.empty()) ++progress.sharing;
+      if (!run.front_end_folder.empty() || !run.answers_folder.empty()) ++progress.sharing;
     }
   }
   if (progress.done > 0) progress.run_s = sum / static_cast<double>(progress.done);
@@ -101,7 +101,8 @@ void printPlan(const experiment::Plan& plan, const SweepProgress& progress,
                       {"key", run.key},
                       {"folder", (out / run.folder).string()},
                       {"state", enumName(experiment::outcomeOf(out / run.folder).state)},
-                      {"answers_of", run.needs.empty() ? run.replays : run.needs}});
+                      {"answers_of",
+                       run.front_end_folder.empty() ? run.answers_folder : run.front_end_folder}});
     }
     std::cout << jsonText(runs);
     return;

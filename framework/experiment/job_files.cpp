@@ -36,7 +36,7 @@ class JobFiles {
         return !folder.empty() &&
                std::ranges::find(runs, folder, &PlannedRun::folder) != runs.end();
       };
-      const bool waits = is_to_do(run.needs) || is_to_do(run.replays);
+      const bool waits = is_to_do(run.front_end_folder) || is_to_do(run.answers_folder);
       (waits ? second_ : first_).push_back(run);
     }
   }
@@ -81,9 +81,9 @@ class JobFiles {
         "import os\nHERE = workflow.basedir\nTAKES = {\n";
     for (const auto* list : {&first_, &second_}) {
       for (const PlannedRun& run : *list) {
-        const std::string answers = list == &first_     ? ""
-                                    : run.needs.empty() ? run.replays
-                                                        : run.needs;
+        const std::string answers = list == &first_                ? ""
+                                    : run.front_end_folder.empty() ? run.answers_folder
+                                                                   : run.front_end_folder;
         text += fmt::format("    \"{}\": \"{}\",\n", run.folder, answers);
       }
     }

@@ -78,7 +78,7 @@ class Jobs {
 
   /// Whether the run whose answers it takes has not ended.
   bool mustWait(const PlannedRun& run) const {
-    return waiting_.contains(run.needs) || waiting_.contains(run.replays);
+    return waiting_.contains(run.front_end_folder) || waiting_.contains(run.answers_folder);
   }
 
   void startReady() {

@@ -239,7 +239,7 @@ class Planner {
       schemas[stage.instance] = &plugin->loaded.schema;
       for (const auto& [file, digest] : plugin->digests) {
         run.inputs.plugins[file] = digest;
-        if (stage.role < Role::Cells) run.front += "plugin " + digest + "\n";
+        if (stage.role < Role::Cells) run.front_end_sha256 += "plugin " + digest + "\n";
       }
     }
     for (const config::Problem& problem : problems) tell(problem);
@@ -277,11 +277,12 @@ class Planner {
     for (const record::DataDigest& data : run.inputs.data) {
       inputs += "data " + data.path + " " + (data.sha256.empty() ? data.stamp : data.sha256) + "\n";
     }
-    run.front = record::textDigest(frontEndPart(decisive) + inputs + run.front);
+    run.front_end_sha256 =
+        record::textDigest(frontEndPart(decisive) + inputs + run.front_end_sha256);
     for (const auto& [file, digest] : run.inputs.plugins) inputs += "plugin " + digest + "\n";
     run.key = record::textDigest(decisive + inputs);
     run.folder = folderName(run.name, run.key);
-    if (front != nullptr) run.needs = front->run.folder;
+    if (front != nullptr) run.front_end_folder = front->run.folder;
     general["name"] = run.name;
     general["threads"] = threads;
     section("record") = record;
@@ -289,15 +290,15 @@ class Planner {
   }
 
   /// Of several runs with the same front end, the first records its answers and the others replay
-  /// them. Runs that replay the run of a front end anyway (`needs`) are left out.
+  /// them. Runs that replay the run of a front end anyway (`front_end_folder`) are left out.
   static void shareFrontEnds(std::vector<PlannedRun>& runs) {
     std::map<std::string, PlannedRun*> first;  // by front end
     for (PlannedRun& run : runs) {
-      if (!run.needs.empty()) continue;
-      const auto [leader, is_new] = first.try_emplace(run.front, &run);
+      if (!run.front_end_folder.empty()) continue;
+      const auto [leader, is_new] = first.try_emplace(run.front_end_sha256, &run);
       if (is_new) continue;
-      run.replays = leader->second->folder;
-      leader->second->shares = true;
+      run.answers_folder = leader->second->folder;
+      leader->second->keeps_answers = true;
     }
   }
 

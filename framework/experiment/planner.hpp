@@ -28,16 +28,16 @@ struct Inputs {
 /// its results and are not in the key.
 struct PlannedRun {
   std::string name;
-  std::string key;     ///< SHA-256
-  std::string folder;  ///< its name in the folder of the sweep
-  std::string front;   ///< SHA-256 of all that determines answers of source, odometry and place
+  std::string key;               ///< SHA-256
+  std::string folder;            ///< its name in the folder of the sweep
+  std::string front_end_sha256;  ///< of all that determines answers of source, odometry and place
   std::vector<Factor> factors;
   std::string config;         ///< config.yaml
   std::string config_sha256;  ///< of config.yaml when it was frozen; known of frozen runs
   Inputs inputs;
-  std::string needs;    ///< folder of the front end that it replays, which must run before
-  std::string replays;  ///< folder of a run with the same front end, whose answers it takes
-  bool shares = false;  ///< other runs take its answers
+  std::string front_end_folder;  ///< folder of the front end that it replays, which must run before
+  std::string answers_folder;  ///< folder of a run with the same front end, whose answers it takes
+  bool keeps_answers = false;  ///< for other runs, which replay them
   bool is_front_end = false;
 };
 

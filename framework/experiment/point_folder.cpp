@@ -36,14 +36,14 @@ Json jsonOf(const PlannedRun& run) {
   return {{"name", run.name},
           {"key", run.key},
           {"config_sha256", record::textDigest(run.config)},
-          {"front_end", run.front},
+          {"front_end", run.front_end_sha256},
           {"factors", factors},
           {"host", run.inputs.host},
           {"plugins", plugins},
           {"data", data},
-          {"needs", run.needs},
-          {"replays", run.replays},
-          {"shares", run.shares},
+          {"needs", run.front_end_folder},
+          {"replays", run.answers_folder},
+          {"shares", run.keeps_answers},
           {"is_front_end", run.is_front_end}};
 }
 
@@ -53,7 +53,7 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
   run.name = json.at("name");
   run.key = json.at("key");
   run.config_sha256 = json.value("config_sha256", "");  // sweeps of earlier versions have none
-  run.front = json.at("front_end");
+  run.front_end_sha256 = json.at("front_end");
   for (const auto& [name, label] : json.at("factors").items()) run.factors.push_back({name, label});
   run.inputs.host = json.at("host");
   for (const auto& [file, digest] : json.at("plugins").items()) run.inputs.plugins[file] = digest;
@@ -61,9 +61,9 @@ PlannedRun runOf(const Json& json, const std::string& folder) {
     run.inputs.data.push_back(
         {data.at("path"), data.at("files"), data.at("bytes"), data.at("stamp"), data.at("sha256")});
   }
-  run.needs = json.at("needs");
-  run.replays = json.at("replays");
-  run.shares = json.at("shares");
+  run.front_end_folder = json.at("needs");
+  run.answers_folder = json.at("replays");
+  run.keeps_answers = json.at("shares");
   run.is_front_end = json.at("is_front_end");
   return run;
 }

@@ -55,15 +55,17 @@ void requireUnchanged(const fs::path& folder, const PlannedRun& point) {
 std::string configOf(const fs::path& folder, const PlannedRun& point,
                      const PointRunOptions& options, bool& replayed) {
   const fs::path sweep = folder.parent_path();
-  if (!point.needs.empty()) {
-    const PointOutcome front = outcomeOf(sweep / point.needs);
-    if (front.state != PointState::Done || !record::hasAnswers(sweep / point.needs / "run")) {
-      refuse(FailureKind::Dataset, "the run " + point.needs + ", which this one needs, is " +
+  if (!point.front_end_folder.empty()) {
+    const PointOutcome front = outcomeOf(sweep / point.front_end_folder);
+    if (front.state != PointState::Done ||
+        !record::hasAnswers(sweep / point.front_end_folder / "run")) {
+      refuse(FailureKind::Dataset, "the run " + point.front_end_folder +
+                                       ", which this one needs, is " +
                                        std::string(enumName(front.state)));
     }
   }
-  const fs::path answers = sweep / point.replays / "run";
-  replayed = !point.replays.empty() && record::hasAnswers(answers);
+  const fs::path answers = sweep / point.answers_folder / "run";
+  replayed = !point.answers_folder.empty() && record::hasAnswers(answers);
   if (!replayed) return (folder / "config.yaml").string();
   const std::string yaml = "extends: [config.yaml, \"" +
                            fs::absolute(options.find_config("experiments/replay")).string() +
@@ -87,8 +89,9 @@ run::Outcome execute(const fs::path& folder, const PlannedRun& point,
   run::CheckedSystem checked = run::require(run::checkSystem(system));
   run::RunLog log(options.quiet);
   const run::SteadyClock clock;
-  run::Run run(log, clock, cancellation,
-               {folder / "run", true, {}, options.command_line, point.shares, options.exit_code});
+  run::Run run(
+      log, clock, cancellation,
+      {folder / "run", true, {}, options.command_line, point.keeps_answers, options.exit_code});
   return run.execute(std::move(checked));
 }
 

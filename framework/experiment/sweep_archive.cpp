@@ -67,8 +67,9 @@ class Archive {
     const fs::path to = fs::path("runs") / run.folder;
     std::string config = textOf(from / "config.yaml");
     // The front end that it replays is run again as well.
-    if (!run.needs.empty()) {
-      replacePath(config, (sweep_ / run.needs / "run").string(), "${AGAIN}/" + run.needs);
+    if (!run.front_end_folder.empty()) {
+      replacePath(config, (sweep_ / run.front_end_folder / "run").string(),
+                  "${AGAIN}/" + run.front_end_folder);
     }
     for (const record::DataDigest& data : run.inputs.data) {
       replacePath(config, data.path, "${" + variable(data) + ":-" + data.path + "}");

@@ -75,43 +75,44 @@ void ChainSystem<G>::takeCovariances(const std::vector<PoseLink<G>>& links) {
 
 template <class G>
 void ChainSystem<G>::linearise(const std::vector<Pose>& nodes,
-                               const std::vector<PoseLink<G>>& links, std::span<const double> bends,
-                               const Visit& visit) {
+                               const std::vector<PoseLink<G>>& links,
+                               std::span<const double> curvatures, const Visit& visit) {
   std::ranges::fill(diagonal_, Block::Zero());
   std::ranges::fill(chain_, Block::Zero());
   std::ranges::fill(gradient_, Step::Zero());
   for (Joint& joint : joints_) joint.block.setZero();
   for (std::size_t k = 0; k < links.size(); ++k) {
     const PoseLink<G>& link = links[k];
-    const LinkDerivatives<G> by = derivativesOf(link, nodes[link.from], nodes[link.to]);
-    const Step whitened = information_[k] * by.residual;
+    const LinkDerivatives<G> derivatives = derivativesOf(link, nodes[link.from], nodes[link.to]);
+    const Step whitened = information_[k] * derivatives.residual;
     Block information = information_[k];
-    if (!bends.empty() && bends[k] > 0) {
-      information.noalias() -= (bends[k] * whitened) * whitened.transpose();
+    if (!curvatures.empty() && curvatures[k] > 0) {
+      information.noalias() -= (curvatures[k] * whitened) * whitened.transpose();
     }
-    add(link, link.weight * information, by, link.weight * whitened, k);
-    if (visit) visit(k, by);
+    add(link, link.weight * information, derivatives, link.weight * whitened, k);
+    if (visit) visit(k, derivatives);
   }
 }
 
 template <class G>
 void ChainSystem<G>::add(const PoseLink<G>& link, const Block& information,
-                         const LinkDerivatives<G>& by, const Step& pull, std::size_t k) {
-  const Block from_transposed = by.by_from.transpose();
-  const Block to_transposed = by.by_to.transpose();
-  const Block weighed_to = information * by.by_to;
-  const Block weighed_from = information * by.by_from;
+                         const LinkDerivatives<G>& derivatives, const Step& weighted_residual,
+                         std::size_t k) {
+  const Block from_transposed = derivatives.by_from.transpose();
+  const Block to_transposed = derivatives.by_to.transpose();
+  const Block weighed_to = information * derivatives.by_to;
+  const Block weighed_from = information * derivatives.by_from;
   diagonal_[link.from].noalias() += from_transposed * weighed_from;
   diagonal_[link.to].noalias() += to_transposed * weighed_to;
-  gradient_[link.from].noalias() += from_transposed * pull;
-  gradient_[link.to].noalias() += to_transposed * pull;
-  const Block across = from_transposed * weighed_to;  // rows of `from`
+  gradient_[link.from].noalias() += from_transposed * weighted_residual;
+  gradient_[link.to].noalias() += to_transposed * weighted_residual;
+  const Block coupling = from_transposed * weighed_to;  // rows of `from`
   if (isStep(link)) {
-    chain_[link.to] += across;
+    chain_[link.to] += coupling;
   } else if (link.from > link.to) {
-    joints_[joint_of_[k]].block += across;
+    joints_[joint_of_[k]].block += coupling;
   } else {
-    joints_[joint_of_[k]].block += across.transpose();
+    joints_[joint_of_[k]].block += coupling.transpose();
   }
 }
 
@@ -152,8 +153,8 @@ template <class G>
 bool ChainSystem<G>::eliminateTail() {
   for (std::size_t k = diagonal_.size() - 1; k > knots_.back(); --k) {
     if (!invertPositive(pivot_[k], log_determinant_)) return false;
-    const Block across = chain_[k] * pivot_[k];
-    pivot_[k - 1].noalias() -= across * chain_[k].transpose();
+    const Block coupling = chain_[k] * pivot_[k];
+    pivot_[k - 1].noalias() -= coupling * chain_[k].transpose();
   }
   return true;
 }

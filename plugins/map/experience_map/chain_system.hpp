@@ -36,11 +36,11 @@ class ChainSystem {
 
   /// Updates the covariances of the links; their ends must be the same as before.
   void takeCovariances(const std::vector<PoseLink<G>>& links);
-  /// Sets up the normal equations at `nodes`, the links with their weights. `bends`, if not empty,
-  /// adds the curvature of the robust loss: the information W of a link with residual r becomes
-  /// W - bend * W r r' W. `visit` is called with each link's number and derivatives.
+  /// Sets up the normal equations at `nodes`, the links with their weights. `curvatures`, if not
+  /// empty, adds that of the robust loss: the information W of a link with residual r becomes
+  /// W - curvature * W r r' W. `visit` is called with each link's number and derivatives.
   void linearise(const std::vector<Pose>& nodes, const std::vector<PoseLink<G>>& links,
-                 std::span<const double> bends = {}, const Visit& visit = {});
+                 std::span<const double> curvatures = {}, const Visit& visit = {});
   /// Eliminates and factorises. `damping`: the diagonal is multiplied by 1 + damping. False when
   /// the system is not positive definite.
   bool factorise(double damping);
@@ -68,8 +68,8 @@ class ChainSystem {
   };
 
   void findJoints(const std::vector<PoseLink<G>>& links);
-  void add(const PoseLink<G>& link, const Block& information, const LinkDerivatives<G>& by,
-           const Step& pull, std::size_t k);
+  void add(const PoseLink<G>& link, const Block& information, const LinkDerivatives<G>& derivatives,
+           const Step& weighted_residual, std::size_t k);
   bool eliminateTail();
   bool eliminate();
   bool factoriseKnots();
