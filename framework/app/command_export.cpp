@@ -79,6 +79,11 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
                    "Session whose trajectories to write, from 0 (default: the run's own)")
       ->check(notNegative);
   command->callback([run, out, session, nwb, npz, &invocation] {
+    if (*session >= 0 && (*nwb || *npz)) {
+      throw Ended{
+          ExitCode::Usage,
+          "--nwb and --npz write the run's own session; leave out --session, or export twice"};
+    }
     exportFiles(*run, *out, *session, invocation);
     if (*nwb) {
       exportByPython("nwb", *run, *out, "python3-tolman and python3-h5py", invocation);

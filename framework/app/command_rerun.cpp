@@ -9,6 +9,7 @@
 #include <memory>
 #include <set>
 
+#include "app/exit_guard.hpp"
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
 #include "record/digest.hpp"
@@ -181,6 +182,7 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   run_options.command_line = invocation.command_line;
   run_options.exit_code = [](const run::Outcome& o) { return static_cast<int>(exitCode(o)); };
   run::Run run(log, clock, interrupts, run_options);
+  const ExitGuard guard;
   const run::Outcome outcome = run.execute(std::move(checked));
   if (outcome.failure) return printFailure(*outcome.failure);
   if (outcome.interrupted) return ExitCode::Interrupted;

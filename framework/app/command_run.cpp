@@ -4,6 +4,7 @@
 
 #include <iostream>
 
+#include "app/exit_guard.hpp"
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
@@ -48,6 +49,7 @@ ExitCode execute(const RunCommand& command, run::SystemOptions options,
   run::Run run(log, clock, interrupts,
                {command.out, command.replace, command.resume, invocation.command_line, false,
                 [](const run::Outcome& outcome) { return static_cast<int>(exitCode(outcome)); }});
+  const ExitGuard guard;
   const run::Outcome outcome = run.execute(std::move(checked));
   if (!outcome.directory.empty()) print(outcome, invocation);
   if (outcome.failure) return printFailure(*outcome.failure);

@@ -239,9 +239,11 @@ void addPoint(CLI::App& sweep, Invocation& invocation) {
     };
     const auto outcome = experiment::runPoint(*folder, *options, interrupts);
     if (!outcome.message.empty()) std::cerr << run::printable(outcome.message) << "\n";
-    invocation.exit_code = outcome.state == PointState::Interrupted
-                               ? ExitCode::Interrupted
-                               : static_cast<ExitCode>(outcome.exit_code);
+    invocation.exit_code = static_cast<ExitCode>(outcome.exit_code);
+    if (outcome.state == PointState::Interrupted) invocation.exit_code = ExitCode::Interrupted;
+    // Its files are damaged, exchanged, or of another run, whatever it ended with.
+    const bool is_damaged = outcome.state == PointState::Failed && outcome.exit_code == 0;
+    if (is_damaged) invocation.exit_code = ExitCode::PluginFailed;
   });
 }
 

@@ -47,6 +47,15 @@ Json jsonOf(const PlannedRun& run) {
           {"is_front_end", run.is_front_end}};
 }
 
+/// A folder's name ends with the begin of its run's key: point.json and results of another run do
+/// not become this one's by being copied here.
+bool isOwn(const Json& point, const fs::path& folder) {
+  const auto found = point.find("key");
+  if (found == point.end() || !found->is_string()) return false;
+  const std::string key = found->get<std::string>().substr(0, 10);
+  return !key.empty() && folder.filename().string().ends_with("-" + key);
+}
+
 PlannedRun runOf(const Json& json, const std::string& folder) {
   PlannedRun run;
   run.folder = folder;
@@ -129,7 +138,13 @@ Status freeze(const fs::path& sweep, const PlannedRun& run) {
 
 Result<PlannedRun> readPoint(const fs::path& folder) {
   try {
-    return runOf(readJson(folder / "point.json"), folder.filename().string());
+    const Json point = readJson(folder / "point.json");
+    if (point.is_object() && !isOwn(point, folder)) {
+      return Status::invalidInput((folder / "point.json").string() +
+                                  ": is of another run, whose key is not in the folder's name; "
+                                  "remove the folder and plan again with `tolman sweep`");
+    }
+    return runOf(point, folder.filename().string());
   } catch (const Json::exception&) {
     return Status::invalidInput((folder / "point.json").string() +
                                 ": is missing or damaged; is this the folder of a run of a sweep?");
@@ -175,7 +190,14 @@ std::vector<std::string> planOrder(const fs::path& sweep) {
 
 PointOutcome outcomeOf(const fs::path& folder) {
   const Json json = readJson(folder / "outcome.json");
+  const Json point = readJson(folder / "point.json");
   std::error_code ignored;
+  if (point.is_object() && !isOwn(point, folder)) {
+    return {PointState::Failed, 0,
+            (folder / "point.json").string() +
+                ": is of another run, whose key is not in the folder's name; remove the folder",
+            0, false};
+  }
   if (json.is_object()) {
     const bool removed = !fs::exists(folder / "run/run.json", ignored);
     const bool was_done = json.value("state", Json()) == enumName(PointState::Done);

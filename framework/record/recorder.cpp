@@ -16,37 +16,18 @@ namespace {
 constexpr std::chrono::milliseconds kCommitPeriod(500);
 constexpr const char* kJournal = "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL";
 
-template <class T>
-bool sameValue(const T& a, const T& b) {
-  if constexpr (std::is_same_v<T, Eigen::Isometry3d>) {
-    return a.matrix() == b.matrix();
-  } else {
-    return a == b;
-  }
-}
-
-template <Record R>
-bool sameRecord(const R& a, const R& b) {
-  std::vector<const void*> others;
-  visitFields(b, [&](const Field&, const auto& other) { others.push_back(&other); });
-  bool same = true;
-  auto next = others.begin();
-  visitFields(a, [&](const Field&, const auto& value) {
-    same = sameValue(value, *static_cast<decltype(&value)>(*next++)) && same;
-  });
-  return same;
-}
-
 /// Upserts the records that differ from those written before. `now(i)` is record i of `size`.
-template <Record R, class Now>
-void upsertChanged(StoreWriter& store, std::vector<R>& written, std::size_t size, const Now& now) {
+template <class Now>
+void upsertChanged(StoreWriter& store, std::vector<Fingerprint>& written, std::size_t size,
+                   const Now& now) {
   const std::size_t known = std::min(written.size(), size);
   written.resize(size);
   for (std::size_t i = 0; i < size; ++i) {
-    R record = now(i);
-    if (i < known && sameRecord(written[i], record)) continue;
+    const auto& record = now(i);
+    const Fingerprint fingerprint = fingerprintOf(record);
+    if (i < known && written[i] == fingerprint) continue;
     store.upsert(record);
-    written[i] = std::move(record);
+    written[i] = fingerprint;
   }
 }
 
@@ -262,7 +243,7 @@ void Recorder::writeGraph(const MapGraph& graph) {
     database_.exec("DELETE FROM \"link\" WHERE \"id\" >= " + std::to_string(links));
   }
   upsertChanged(store_, written_experiences_, graph.experiences.size(),
-                [&](std::size_t i) { return graph.experiences[i]; });
+                [&](std::size_t i) -> const Experience& { return graph.experiences[i]; });
   upsertChanged(store_, written_links_, links, [&](std::size_t i) {
     return RecordedLink{graph.links[i], graph.isRejected(graph.links[i])};
   });

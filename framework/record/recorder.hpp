@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "record/fingerprint.hpp"
 #include "record/rows.hpp"
 #include "record/run_reader.hpp"
 #include "record/store.hpp"
@@ -83,9 +84,9 @@ class Recorder {
   Database database_;
   StoreWriter store_;
   Statement meta_;
-  // Contents of the tables, so that only changes are written.
-  std::vector<Experience> written_experiences_;
-  std::vector<RecordedLink> written_links_;
+  // Of the rows of the tables, so that only changes are written.
+  std::vector<Fingerprint> written_experiences_;
+  std::vector<Fingerprint> written_links_;
   std::int64_t points_frame_ = -1;
   bool in_transaction_ = false;
   bool closed_ = false;

@@ -79,6 +79,17 @@ TEST_CASE("a crash ends the run as a failing plugin does, and what was recorded 
   CHECK(fs::exists(attempt.out / "trajectory.tum"));
 }
 
+TEST_CASE("a plugin in the host that calls exit(0) does not end the program with 0") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const Finished finished = tolman::test::tolman(
+      {"run", config.string(), "--out", (folder.path() / "run").string(), "--plugin-path",
+       kFixturePlugins + "process_faults", "--set", "odometry={plugin: exit_}"});
+  CHECK(finished.exit_code == 7);
+  CHECK(contains(finished.err, "a plugin has called exit() in the host process"));
+}
+
 TEST_CASE("on_failure: skip goes on without the stage") {
   const Attempt attempt("process_faults", "odometry", "segfault", ", on_failure: skip");
   INFO(attempt.finished.err);

@@ -57,6 +57,23 @@ TEST_CASE("data that change between two runs: later runs refuse, earlier results
   CHECK(contains(study.status(), "planned      10\ndone         1\nfailed       1\n"));
 }
 
+TEST_CASE("the run of another sweep in a folder is not this one's") {
+  const Study study;
+  REQUIRE(study.sweep().exit_code == 0);
+  const fs::path own = study.point("period=100,sequence=a,seed=1");
+  const fs::path other = study.point("period=100,sequence=b,seed=1");
+  for (const char* file : {"point.json", "config.yaml", "outcome.json"}) {
+    fs::copy_file(other / file, own / file, fs::copy_options::overwrite_existing);
+  }
+  fs::remove_all(own / "run");
+  fs::copy(other / "run", own / "run", fs::copy_options::recursive);
+  CHECK(contains(study.status(), "missing      1 without a readable point.json"));
+  CHECK(study.sweep().exit_code == 7);
+  const Finished point = tolman::test::tolman({"--quiet", "sweep", "point", own.string()});
+  CHECK(point.exit_code == 7);
+  CHECK(contains(point.err, "is of another run, whose key is not in the folder's name"));
+}
+
 TEST_CASE("a full disk: told, and with room the sweep goes on to the same results") {
   const Study study;
   REQUIRE(study.sweep({}, "whole").exit_code == 0);

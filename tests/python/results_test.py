@@ -58,6 +58,22 @@ class RunTest(Systems):
         self.assertEqual(ran.returncode, 0, ran.stderr)
         return tolman.Run(self.folder / "run")
 
+    def test_figures_of_a_continued_run_are_of_its_own_session(self):
+        """The truth of each session begins at its own first frame; together they are no path."""
+        self.made()
+        words = ["--continue", self.folder / "run", "--set", "source.first=10"]
+        self.assertEqual(self.run_system(*words, out="second").returncode, 0)
+        run = tolman.Run(self.folder / "second")
+        poses = run.trajectory()
+        self.assertEqual(sorted(set(poses["session"])), [0, 1])
+        first = int(np.asarray(poses["frame"])[np.asarray(poses["session"]) == 1][0])
+        self.assertEqual(run.first_measured, first)
+        self.assertEqual(list(run.measured_poses()["frame"]), [frame for frame in run.trajectory("best")["frame"] if frame >= first])
+        self.assertEqual(run.rate_maps("grid.activity").visits.sum(), sum(frame >= first for frame in run.array("grid.activity").frames))
+        config = run.path / "config.resolved.yaml"
+        config.write_text(config.read_text().replace("sessions: own", "sessions: joint"))
+        self.assertEqual(tolman.Run(run.path).first_measured, 0)
+
     def test_a_run_directory_may_have_any_name(self):
         """'?', '#' and '%41' mean something in the address by which SQLite opens a file."""
         run = self.made()

@@ -55,6 +55,17 @@ class SweepsTest(Systems):
         compared = tolman.compare(*runs, by="cells.plugin")
         self.assertEqual(len(compared["mean"]), 2)
 
+    def test_runs_that_failed_are_told(self):
+        made = tolman.sweep(self.study(), out=self.folder / "sweep")
+        folder = next(entry for entry in sorted(made.path.iterdir()) if entry.name.startswith("model=paper"))
+        (folder / "run/metrics.json").write_text("{}")
+        with self.assertWarnsRegex(UserWarning, "1 runs failed or are not done"):
+            self.assertEqual(len(made.runs), 5)
+        with self.assertWarnsRegex(UserWarning, "of 6 runs 1 failed"):
+            self.assertEqual(len(made.table("odometry.ate.rmse_m")), 5)
+        with self.assertWarnsRegex(UserWarning, "of 6 runs 1 failed"):
+            tolman.compare(made, by="model", metric="odometry.ate.rmse_m")
+
     def test_failures_are_told(self):
         with self.assertRaises(FileNotFoundError):
             tolman.Sweep(self.folder)

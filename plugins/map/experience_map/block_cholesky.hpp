@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "page_vector.hpp"
+
 namespace tolman::experience_map {
 
 template <int kSize>
@@ -49,11 +51,11 @@ class BlockCholesky {
   std::vector<std::size_t> step_of_;  ///< position of each row in the order of elimination
   // Below, rows and columns are positions in that order.
   std::vector<std::size_t> begin_;  ///< first index of each column in rows_ and blocks_
-  std::vector<std::size_t> rows_;   ///< rows below the diagonal, ascending in each column
-  std::vector<Place> places_;       ///< where each entry of the constructor is stored
-  std::vector<Block> diagonal_;     ///< after factorise(): the inverse of D
-  std::vector<Block> blocks_;       ///< after factorise(): L
-  std::vector<Block> column_;       ///< the column that is eliminated, before its division by D
+  PageVector<std::size_t> rows_;    ///< rows below the diagonal, ascending in each column
+  PageVector<Place> places_;        ///< where each entry of the constructor is stored
+  PageVector<Block> diagonal_;      ///< after factorise(): the inverse of D
+  PageVector<Block> blocks_;        ///< after factorise(): L
+  PageVector<Block> column_;        ///< the column that is eliminated, before its division by D
   double log_determinant_ = 0;
 };
 

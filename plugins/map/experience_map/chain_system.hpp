@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "block_cholesky.hpp"
+#include "page_vector.hpp"
 #include "pose_link.hpp"
 
 namespace tolman::experience_map {
@@ -53,7 +54,7 @@ class ChainSystem {
   double logDeterminant() const;
   const std::vector<Step>& gradient() const { return gradient_; }
   /// Inverse covariance of each link.
-  const std::vector<MatrixOf<G>>& information() const { return information_; }
+  const PageVector<MatrixOf<G>>& information() const { return information_; }
   /// Logarithm of the determinant of each link's information.
   const std::vector<double>& logInformation() const { return log_information_; }
 
@@ -80,20 +81,20 @@ class ChainSystem {
   template <int kColumns>
   void substitute(Columns<kColumns>& x) const;
 
-  std::vector<Block> information_;  ///< of each link
+  PageVector<Block> information_;  ///< of each link
   std::vector<double> log_information_;
   std::vector<std::size_t> knots_;     ///< nodes with loop links, and node 0; ascending
   std::vector<std::size_t> joint_of_;  ///< joint of each link that is not of the chain
-  std::vector<Joint> joints_;
+  PageVector<Joint> joints_;
 
   // Normal equations; chain block k joins node k - 1 (rows) and node k (columns).
-  std::vector<Block> diagonal_;
-  std::vector<Block> chain_;
+  PageVector<Block> diagonal_;
+  PageVector<Block> chain_;
   std::vector<Step> gradient_;
 
   // The same after the elimination.
-  std::vector<Block> pivot_;    ///< inverse for eliminated nodes
-  std::vector<Block> left_;     ///< joins a node to the knot before it
+  PageVector<Block> pivot_;     ///< inverse for eliminated nodes
+  PageVector<Block> left_;      ///< joins a node to the knot before it
   double log_determinant_ = 0;  ///< of the eliminated nodes
   /// Factorisation of the system of the knots. Knot 0 is node 0, which is fixed, so row k belongs
   /// to knot k + 1. The entries are those of neighbouring knots, then those of the joints.

@@ -35,6 +35,8 @@ def points(folder):
     """Runs by (model, sequence), in the order of their seeds."""
     found = {}
     for factors, run in tolman.Sweep(folder).runs:
+        if "model" not in factors or "sequence" not in factors:
+            raise ValueError(f"{folder}: its sweep has no factor 'model' or no 'sequence' to compare by; see docs/models.md")
         found.setdefault((factors["model"], factors["sequence"]), []).append((int(factors.get("seed", 1)), run))
     return {point: [run for _, run in sorted(runs, key=lambda item: item[0])] for point, runs in found.items()}
 
@@ -275,6 +277,8 @@ def write(sweep, tables, images):
         found = {}
         for (model, sequence, _), measures in zip(jobs, pool.map(measured, jobs)):
             found.setdefault((model, sequence), []).extend(measures)
+    if not found:
+        raise ValueError(f"{sweep}: no run is done on one of the measured sequences: {', '.join(MEASURES)}")
     rows = [(model, row) for (model, _), measures in found.items() for row in over_seeds(measures)]
     write_metres(tables / "models.csv", sweep)
     write_cells(tables / "models-cells.csv", rows)

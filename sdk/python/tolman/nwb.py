@@ -3,7 +3,8 @@
 
     tolman export RUN --nwb          python3 -m tolman.nwb RUN [FILE]
 
-Times are seconds since the first frame. Rates of populations without the unit Hz are scaled so that the highest of the
+Times are seconds since the first frame. Of a continued run the file has the last session, or with
+`evaluation.sessions: joint` all. Rates of populations without the unit Hz are scaled so that the highest of the
 population is `peak_hz`. Spikes are Poisson, seeded by the run's seed and the number of the unit, constant in rate
 between two frames, in steps of 0.1 ms.
 """
@@ -14,8 +15,9 @@ import sys
 
 import numpy as np
 
+from tolman import cells
 from tolman._files import exit_code_of, replacing
-from tolman.results import Run
+from tolman.results import Run, rows_where
 
 SPIKE_RESOLUTION_S = 1e-4
 PEAK_HZ = 20.0
@@ -35,7 +37,7 @@ def spikes(rates_hz, seconds, seed):
 
 
 def laps(x, y, seconds):
-    """(start, stop) of each round: from leaving the start to the return to it, within a tenth of the largest distance."""
+    """(start, stop) of each whole round: from the start to the next return to it, within a tenth of the largest distance."""
     distance = np.hypot(x - x[0], y - y[0])
     near = 0.1 * distance.max()
     bounds, away = [seconds[0]], False
@@ -45,21 +47,33 @@ def laps(x, y, seconds):
         elif away and far <= near:
             bounds.append(moment)
             away = False
-    if seconds[-1] > bounds[-1]:
-        bounds.append(seconds[-1])
     return list(zip(bounds[:-1], bounds[1:]))
 
 
+_HERTZ = {"hz": 1, "1/s": 1, "s^-1": 1, "spikes/s": 1, "khz": 1000}
+
+
 def _populations(run):
-    """The recorded arrays of rates."""
+    """The recorded arrays of rates, of the measured frames."""
     named = [name for name in run.arrays if name in run.descriptions and run.descriptions[name].kind == "activity"]
-    return [run.array(name) for name in named]
+    arrays = []
+    for name in named:
+        array = run.array(name)
+        own = array.frames >= run.first_measured
+        arrays.append(cells.Array(array.info, array.frames[own], array.stamps_ns[own], array.values[own]))
+    return arrays
 
 
 def _rates(array, peak_hz):
+    """In hertz; None for an activity below 0, which no firing rate has."""
     flat = array.values.reshape(len(array.values), -1).astype(np.float64)
+    if flat.size and flat.min() < 0:
+        return None
+    factor = _HERTZ.get(array.unit.lower())
+    if factor:
+        return flat * factor
     highest = flat.max() if flat.size else 0
-    return flat if array.unit == "Hz" or highest <= 0 else flat * (peak_hz / highest)
+    return flat if highest <= 0 else flat * (peak_hz / highest)
 
 
 def _unit_columns(array, module):
@@ -121,7 +135,7 @@ def _write_behavior(writer, poses, seconds, of):
     writer.mark(writer.file.create_group(compass), "CompassDirection")
     heading = np.asarray(poses["heading"]) % (2 * np.pi)
     writer.series(f"{compass}/head_direction", "SpatialSeries", heading, "radians", seconds, "direction of the optical axis")
-    writer.text(f"{compass}/head_direction/reference_frame", "0 at the first frame, counter-clockwise seen from above")
+    writer.text(f"{compass}/head_direction/reference_frame", "0 along the first camera's optical axis, counter-clockwise seen from above")
 
 
 def _write_units(writer, run, origin_ns, peak_hz):
@@ -132,8 +146,15 @@ def _write_units(writer, run, origin_ns, peak_hz):
     rows, trains, seed = {name: [] for name in _COLUMNS}, [], int(run.info.get("seed", 1))
     for module, array in enumerate(arrays):
         rates, seconds = _rates(array, peak_hz), 1e-9 * (array.stamps_ns - origin_ns)
-        writer.series(f"processing/rates/{array.info.name.replace('/', '_')}", "TimeSeries", rates.astype(np.float32), "hertz",
-                      seconds, array.info.doc or f"rates of {array.info.name}, one column a unit")
+        series = f"processing/rates/{array.info.name.replace('/', '_')}"
+        words = array.info.doc or f"rates of {array.info.name}, one column a unit"
+        if rates is None:
+            print(f"warning: {run.path}: '{array.info.name}' has values below 0, which are no firing rates; it has no units and no "
+                  "spikes in the file", file=sys.stderr)
+            flat = array.values.reshape(len(array.values), -1).astype(np.float32)
+            writer.series(series, "TimeSeries", flat, array.unit or "arbitrary", seconds, f"{words} (no firing rates)")
+            continue
+        writer.series(series, "TimeSeries", rates.astype(np.float32), "hertz", seconds, words)
         for name, values in _unit_columns(array, module).items():
             rows[name] += list(values)
         trains += [spikes(unit, seconds, (seed, len(trains) + k)) for k, unit in enumerate(rates.T)]
@@ -151,6 +172,7 @@ def _write_intervals(writer, run, poses, seconds, origin_ns):
                    "lap": (np.arange(len(rounds)), "number of the lap, from 0")}
         writer.table("intervals/trials", "TimeIntervals", "laps: rounds back to the start", columns)
     places = run.places
+    places = rows_where(places, np.asarray(places["frame"]) >= run.first_measured)
     seen = [k for k, word in enumerate(places["recognition"]) if word != "none"]
     if not seen:
         return
@@ -169,13 +191,14 @@ def export(run, out=None, peak_hz=PEAK_HZ):
     from tolman import _hdf5
 
     out = pathlib.Path(out) if out else run.path / "run.nwb"
-    poses = run.trajectory("best")
+    poses, frames = run.measured_poses(), run.frames
     if len(poses) < 2:
         raise ValueError(f"{run.path}: fewer than two frames have a pose; there is nothing to export")
-    origin_ns = int(poses["stamp_ns"][0])
+    frames = rows_where(frames, np.asarray(frames["frame"]) >= run.first_measured)
+    origin_ns = int(frames["stamp_ns"][0])
     seconds = 1e-9 * (np.asarray(poses["stamp_ns"]) - origin_ns)
     started = run.info.get("started", "1980-01-01T00:00:00Z").replace("Z", "+00:00")
-    of = "true poses" if run.table("frame")["has_truth"].max() else "poses of the finished map"
+    of = "true poses" if frames["has_truth"].max() else "poses of the finished map"
     with replacing(out) as unfinished, \
             h5py.File(unfinished, "w", libver=("v108", "v110"), track_order=False) as file:
         writer = _hdf5.Writer(file, f"{run.info.get('name')} {started} {json.dumps(run.info.get('plugins'))}")

@@ -3,6 +3,7 @@
 import os
 import pathlib
 import shutil
+import warnings
 
 from tolman.results import Run
 
@@ -42,6 +43,9 @@ def call(*arguments):
     finished = subprocess.run([program(), *map(os.fspath, map(_word, arguments))], capture_output=True, text=True, check=False)
     if finished.returncode != 0:
         raise RunFailed(finished.stderr.strip() or finished.stdout.strip(), finished.returncode)
+    for line in finished.stderr.splitlines():
+        if line.startswith("warning: "):
+            warnings.warn(line[len("warning: "):], stacklevel=3)
     return finished.stdout
 
 

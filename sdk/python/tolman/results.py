@@ -9,7 +9,9 @@
 import functools
 import json
 import pathlib
+import re
 import sqlite3
+import warnings
 
 import numpy as np
 
@@ -43,6 +45,12 @@ def _table(names, types, rows):
     table = pandas.DataFrame({name: array[name] for name in names})
     table.attrs["units"] = {name: unit_of(name) for name in names}
     return table
+
+
+def rows_where(table, own):
+    """Rows of a table, counted from 0."""
+    part = table[own]
+    return part.reset_index(drop=True) if hasattr(part, "reset_index") else part
 
 
 class Run:
@@ -101,20 +109,47 @@ class Run:
         return np.array([np.frombuffer(row[0]).reshape(6, 6) for row in rows]).reshape(-1, 6, 6)
 
     def trajectory(self, of="map"):
-        """Planar poses: frame, stamp_ns, x (forward), y (left), heading. `of`: map (the finished one), truth, or best.
+        """Planar poses: frame, stamp_ns, x (forward), y (left), heading, session. `of`: map (the finished one), truth, or best.
 
-        `best` is the truth where the run has one, else the map.
+        `best` is the truth where the run has one, else the map. In a continued run (docs/sessions.md) the truth of each
+        session has a world of its own, unless the data say otherwise, and parts of a map that no link joins have as well.
         """
         if of == "best":
-            of = "truth" if self._database.execute("SELECT max(has_truth) FROM frame").fetchone()[0] else "map"
+            of = "truth" if self._has_truth() else "map"
         rows = self._database.execute(_POSES[of]).fetchall()
         if of == "map" and not rows:
             rows = self._database.execute(_POSES["known"]).fetchall()
         frame, stamp, x, z, qx, qy, qz, qw = (np.array(column) for column in zip(*rows)) if rows else [np.zeros(0)] * 8
         axis_x, axis_z = 2 * (qx * qz + qw * qy), 1 - 2 * (qx * qx + qy * qy)  # of the optical axis
         heading = np.arctan2(-axis_x, axis_z)
-        return _table(("frame", "stamp_ns", "x", "y", "heading"), ("INTEGER", "INTEGER", "REAL", "REAL", "REAL"),
-                      zip(frame, stamp, z, -x, heading))
+        first = [row[0] for row in self._database.execute("SELECT first_frame FROM session ORDER BY id")] or [0]
+        session = np.maximum(np.searchsorted(first, frame, "right") - 1, 0)
+        return _table(("frame", "stamp_ns", "x", "y", "heading", "session"),
+                      ("INTEGER", "INTEGER", "REAL", "REAL", "REAL", "INTEGER"), zip(frame, stamp, z, -x, heading, session))
+
+    @functools.cached_property
+    def first_measured(self):
+        """First frame that figures are of, as in metrics.json: of the run's own session, or with `evaluation.sessions: joint` 0."""
+        config = self.path / "config.resolved.yaml"
+        joint = config.is_file() and re.search(r"^ +sessions: joint$", config.read_text(), re.MULTILINE)
+        row = self._database.execute("SELECT max(first_frame) FROM session").fetchone()
+        return 0 if joint or row[0] is None else row[0]
+
+    def measured_poses(self):
+        """The poses `best` that figures are of. Warns where parts of the map have unknown poses to each other."""
+        poses = self.trajectory("best")
+        sessions = self.metrics.get("sessions") or [{}]
+        if self.first_measured > 0:
+            sessions = sessions[-1:]
+        parts = {part for session in sessions for part in session.get("parts", ())}
+        if len(parts) > 1 and not self._has_truth():
+            warnings.warn(f"{self.path}: the map is in {len(parts)} parts that no link joins; positions of different parts "
+                          "are not of one world, nor are measures of them together", stacklevel=3)
+        return rows_where(poses, np.asarray(poses["frame"]) >= self.first_measured)
+
+    def _has_truth(self):
+        return bool(self._database.execute("SELECT max(has_truth) FROM frame WHERE frame >= ?",
+                                           (self.first_measured,)).fetchone()[0])
 
     @functools.cached_property
     def descriptions(self):
@@ -145,7 +180,7 @@ class Run:
 
     def _walk(self, array):
         """Position, heading and rates at the frames that have both."""
-        poses = self.trajectory("best")
+        poses = self.measured_poses()
         own = {int(frame): i for i, frame in enumerate(poses["frame"])}
         rows = [(own[int(frame)], k) for k, frame in enumerate(array.frames) if int(frame) in own]
         at, of = (np.array(column, int) for column in zip(*rows)) if rows else (np.zeros(0, int), np.zeros(0, int))

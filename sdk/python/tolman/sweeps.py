@@ -11,6 +11,7 @@ import hashlib
 import json
 import pathlib
 import tempfile
+import warnings
 
 from tolman.program import call
 from tolman.results import Run, _table
@@ -33,12 +34,16 @@ class Sweep:
     @property
     def runs(self):
         """(factors, Run) of each run of the last plan that is done and belongs to a level, in the order of their names."""
-        found = []
+        found, left_out = [], 0
         for name in sorted((self.path / "points.txt").read_text(encoding="utf-8").splitlines()):
-            folder = self.path / name
-            factors, outcome = json.loads((folder / "point.json").read_text(encoding="utf-8"))["factors"], folder / "outcome.json"
-            if factors and outcome.is_file() and _is_done(json.loads(outcome.read_text(encoding="utf-8")), folder / "run"):
-                found.append((factors, Run(folder / "run")))
+            factors, done = _point(self.path / name)
+            if factors and done:
+                found.append((factors, Run(self.path / name / "run")))
+            elif not done:
+                left_out += 1
+        if left_out:
+            warnings.warn(f"{self.path}: {left_out} runs failed or are not done, and are left out; see `tolman sweep status`",
+                          stacklevel=2)
         return found
 
     def table(self, *metrics):
@@ -47,6 +52,15 @@ class Sweep:
             file = pathlib.Path(folder) / "table.csv"
             call("sweep", "collect", self, "--out", file, *(word for metric in metrics for word in ("--metric", metric)))
             return _read(file)
+
+
+def _point(folder):
+    """Factors of a planned run, and whether it is done; {} for a folder that is missing or holds another run."""
+    file, outcome = folder / "point.json", folder / "outcome.json"
+    point = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    if not point or not folder.name.endswith("-" + point["key"][:10]):
+        return {}, False
+    return point["factors"], outcome.is_file() and _is_done(json.loads(outcome.read_text(encoding="utf-8")), folder / "run")
 
 
 def _is_done(outcome, run):
