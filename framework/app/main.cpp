@@ -30,8 +30,8 @@ void repairInheritedState() {
 /// they are freed. By default glibc raises this limit to the largest buffer freed so far, and
 /// long-lived blocks between such buffers then double the memory growth of a run. Images are
 /// smaller: their own pages would cost 5 ms a frame. Freed memory at the end of the heap is kept
-/// for the next frame, and is returned by the watchdog (run/watchdog.hpp): with glibc's fixed 128 KiB it
-/// would be returned, and cleared again, several times a frame.
+/// for the next frame, and is returned by the watchdog (run/watchdog.hpp): with glibc's fixed 128
+/// KiB it would be returned, and cleared again, several times a frame.
 void limitFragmentation() {
 #ifdef __GLIBC__
   constexpr int kLargeBuffer = 4 << 20;  // bytes
