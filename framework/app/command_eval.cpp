@@ -65,6 +65,15 @@ void evaluate(const EvalOptions& options, const Invocation& invocation) {
   const auto metrics =
       evaluation::scoreTrajectory(truth, estimate, options.alignment, std::nullopt, difference_ns);
   if (!metrics.scores) throw Ended{ExitCode::Dataset, metrics.reason};
+  const bool has_both_stamps = evaluation::hasStamps(truth) && evaluation::hasStamps(estimate);
+  if (options.max_difference < 0 && !has_both_stamps && truth.size() != estimate.size() &&
+      !invocation.quiet) {
+    std::cerr << fmt::format(
+        "warning: {} has {} poses and {} has {}: pose N of one is compared with pose N of the "
+        "other, so both must begin at the same frame and leave none out; truth with times (TUM) "
+        "and --max-difference match by time\n",
+        options.estimate, estimate.size(), options.truth, truth.size());
+  }
   const std::size_t fewer = std::min(truth.size(), estimate.size());
   if (metrics.matched * 20 < fewer && !invocation.quiet) {
     std::cerr << fmt::format(

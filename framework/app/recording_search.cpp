@@ -90,6 +90,21 @@ std::optional<SourceValues> timesColumn(const fs::path& file) {
   return std::nullopt;
 }
 
+/// A file with one number a line, such as the times.txt of KITTI or of `tolman dataset import`.
+std::optional<SourceValues> timesList(const fs::path& file) {
+  std::ifstream stream(file);
+  double before = 0;
+  double now = 0;
+  std::string rest;
+  std::string first;
+  if (!std::getline(stream, first) || !(std::istringstream(first) >> before)) return std::nullopt;
+  if (std::istringstream(first) >> before >> rest || !(stream >> now) || now <= before) {
+    return std::nullopt;
+  }
+  return SourceValues{{"stamps", config::writeText(file.filename().string())},
+                      {"stamps_unit", unitOf(first)}};
+}
+
 bool isLongNumber(const std::string& name) {
   const std::string stem = fs::path(name).stem().string();
   return stem.size() >= 13 &&
@@ -204,8 +219,9 @@ class Search {
   }
 
   void tryStamps() {
-    for (const std::string& file : namesIn(recording_, {".csv"})) {
-      const auto column = timesColumn(recording_ / file);
+    for (const std::string& file : namesIn(recording_, {".csv", ".txt"})) {
+      const bool is_table = fs::path(file).extension() == ".csv";
+      const auto column = is_table ? timesColumn(recording_ / file) : timesList(recording_ / file);
       auto stamped = column ? withMore(*column) : std::nullopt;
       if (!stamped) continue;
       found_.best = std::move(stamped);

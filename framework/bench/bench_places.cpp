@@ -8,6 +8,7 @@
 
 #include "bench/place_truth.hpp"
 #include "config/scalars.hpp"
+#include "run/value_json.hpp"
 
 namespace tolman::bench {
 namespace {
@@ -158,8 +159,26 @@ class PlacesMeasurement {
     keepState(second);
   }
 
+  /// The numbers of pairs are those of the images in the recording, so all images must be shown, in
+  /// their order.
+  void refuseSelection() const {
+    const run::CheckedSystem system = run::require(run::checkSystem(system_, run::Scope::Source));
+    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
+    for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
+                                      {"step", "1"},
+                                      {"order", "\"forward\""}}) {
+      const auto value = source.find(name);
+      if (value == source.end() || run::valueJson(value->second).dump() == whole) continue;
+      throw run::Failed({run::FailureKind::Configuration,
+                         fmt::format("--pairs numbers all images of the recording, and source.{} "
+                                     "selects some; leave it at {}",
+                                     name, whole)});
+    }
+  }
+
   PlaceTruth truthOf(const Pass& pass) const {
     if (!options_.pairs.empty()) {
+      refuseSelection();
       PlaceTruth truth = run::require(truthOfPairs(options_.pairs), run::FailureKind::Dataset);
       if (countFindable(truth, pass) > 0) return truth;
       throw run::Failed({run::FailureKind::Dataset,

@@ -9,11 +9,12 @@
 #include <set>
 
 #include "config/nearest_name.hpp"
+#include "experiment/mixtures.hpp"
 
 namespace tolman::experiment {
 namespace {
 
-/// All labels of a run but one.
+/// Whether runs that differ in this factor alone have different results.
 bool hasEffect(const std::vector<RunRow>& rows, const std::string& factor) {
   std::map<std::string, std::set<std::string>> results;
   for (const RunRow& row : rows) results[row.labelsWithout(factor)].insert(row.results);
@@ -51,7 +52,6 @@ std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
 }
 
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {
-  constexpr double kSameCoverage = 0.02;  // as of runs of one sequence (mixtures)
   std::vector<std::string> notes;
   std::vector<std::string> lost;
   double least = 1;

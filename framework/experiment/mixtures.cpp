@@ -10,8 +10,6 @@
 namespace tolman::experiment {
 namespace {
 
-constexpr double kSameCoverage = 0.02;  // share of the frames
-
 Status mixed(const RunRow& a, const RunRow& b, const std::string& what) {
   return Status::invalidInput("'" + a.name + "' and '" + b.name + "' " + what);
 }

@@ -8,6 +8,9 @@
 
 namespace tolman::experiment {
 
+/// Coverages (shares of the frames) that differ by less are the same.
+inline constexpr double kSameCoverage = 0.02;
+
 using RunPointers = std::vector<const RunRow*>;
 RunPointers pointersTo(const std::vector<RunRow>& rows);
 

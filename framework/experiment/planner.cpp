@@ -40,7 +40,7 @@ std::string folderName(const std::string& name, const std::string& key) {
                        (c == '.' && !folder.empty());
     folder += plain ? c : '_';
   }
-  return folder + "-" + key.substr(0, 10);
+  return folder + folderEnding(key);
 }
 
 void replaceAll(std::string& text, const std::string& from, const std::string& to) {
@@ -313,6 +313,8 @@ class Planner {
 };
 
 }  // namespace
+
+std::string folderEnding(const std::string& key) { return "-" + key.substr(0, 10); }
 
 Plan makePlan(const std::filesystem::path& file, const PlanOptions& options) {
   Plan plan;

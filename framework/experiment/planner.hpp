@@ -41,6 +41,9 @@ struct PlannedRun {
   bool is_front_end = false;
 };
 
+/// What the name of a run's folder ends with: the begin of its key.
+std::string folderEnding(const std::string& key);
+
 struct PlanOptions {
   std::vector<std::string> plugin_paths;
   std::filesystem::path out;                        ///< folder of the sweep

@@ -52,8 +52,7 @@ Json jsonOf(const PlannedRun& run) {
 bool isOwn(const Json& point, const fs::path& folder) {
   const auto found = point.find("key");
   if (found == point.end() || !found->is_string()) return false;
-  const std::string key = found->get<std::string>().substr(0, 10);
-  return !key.empty() && folder.filename().string().ends_with("-" + key);
+  return folder.filename().string().ends_with(folderEnding(found->get<std::string>()));
 }
 
 PlannedRun runOf(const Json& json, const std::string& folder) {

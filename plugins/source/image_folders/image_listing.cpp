@@ -90,7 +90,7 @@ std::optional<std::int64_t> numberOf(const fs::path& file, std::string& rest) {
   return now == rest ? std::optional(number) : std::nullopt;
 }
 
-/// Warns of numbers that are missing where nine in ten images follow at the same step: times that
+/// Warns of numbers that are missing where most images follow at the same step: times that
 /// go by the position of an image would be wrong behind them.
 void checkNumbers(const fs::path& folder, const std::vector<fs::path>& sorted,
                   Inspection& inspection) {
@@ -104,7 +104,7 @@ void checkNumbers(const fs::path& folder, const std::vector<fs::path>& sorted,
     numbers.push_back(*number);
   }
   const auto usual = std::ranges::max_element(steps, {}, [](const auto& of) { return of.second; });
-  if (steps.size() < 2 || usual->second * 10 < 9 * (numbers.size() - 1)) return;
+  if (steps.size() < 2 || 2 * usual->second <= numbers.size() - 1) return;
   for (std::size_t i = 1; i < numbers.size(); ++i) {
     if (numbers[i] - numbers[i - 1] <= usual->first) continue;
     inspection.warning(folder, "has no image between " + sorted[i - 1].filename().string() +

@@ -16,7 +16,7 @@ bool naturalLess(std::string_view a, std::string_view b);
 
 /// The PNG and JPEG files in `folder`, sorted by naturalLess() of their names without extension. It
 /// is an error if there are none, or two of the same name. Two names that differ only in leading
-/// zeros are a warning, and so is the first gap in numbers that are else evenly spaced.
+/// zeros are a warning, and so is the first gap in numbers that are mostly evenly spaced.
 std::vector<std::filesystem::path> listImages(const std::filesystem::path& folder,
                                               Inspection& inspection);
 

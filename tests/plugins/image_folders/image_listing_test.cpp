@@ -68,8 +68,8 @@ TEST_CASE("a gap in the numbers of evenly numbered images is one warning a folde
         std::vector<std::string>{"has no image between f106_l.png and f110_l.png; times and poses "
                                  "by position are wrong from there on, unless their lines are "
                                  "missing as well"});
+  CHECK(warnings("many", {1, 2, 3, 9, 10, 11, 20, 100}).size() == 1);
   CHECK(warnings("uneven", {1, 2, 4, 8, 16, 32}).empty());
-  numbers.push_back(-30);
   CHECK(warnings("one", {3}).empty());
 }
 
