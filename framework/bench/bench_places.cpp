@@ -118,6 +118,7 @@ class PlacesMeasurement {
 
   PlacesBench run() {
     run::Assembly first = open(system_);
+    if (!options_.pairs.empty()) refuseSelection(first.system());
     bench_.name = first.system().config.general.name;
     bench_.plugin = first.place().instance().manifest().id;
     Pass pass(first, options_, cancellation_);
@@ -161,8 +162,7 @@ class PlacesMeasurement {
 
   /// The numbers of pairs are those of the images in the recording, so all images must be shown, in
   /// their order.
-  void refuseSelection() const {
-    const run::CheckedSystem system = run::require(run::checkSystem(system_, run::Scope::Source));
+  static void refuseSelection(const run::CheckedSystem& system) {
     const ParameterValues& source = system.values.at(system.config.stages.front().instance);
     for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
                                       {"step", "1"},
@@ -178,7 +178,6 @@ class PlacesMeasurement {
 
   PlaceTruth truthOf(const Pass& pass) const {
     if (!options_.pairs.empty()) {
-      refuseSelection();
       PlaceTruth truth = run::require(truthOfPairs(options_.pairs), run::FailureKind::Dataset);
       if (countFindable(truth, pass) > 0) return truth;
       throw run::Failed({run::FailureKind::Dataset,

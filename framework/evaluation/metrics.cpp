@@ -157,6 +157,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
     return metrics;
   }
   metrics.matched = matches.value().size();
+  metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
   if (alignment != Alignment::None) referToFirst(matches.value());
   metrics.reason = whyNotAlignable(matches.value(), alignment);
   if (!metrics.reason.empty()) return metrics;
@@ -165,7 +166,6 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
     metrics.reason = similarity.status().message();
     return metrics;
   }
-  metrics.warning = axesHint(matches.value());
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
