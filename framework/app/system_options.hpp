@@ -70,13 +70,25 @@ class SystemOptionsReader {
         resume_.empty() ? configFile(config_) : resume_ + "/config.resolved.yaml";
     run::SystemOptions options{config, overrides_, invocation.plugin_paths};
     options.quiet = invocation.quiet;
-    if (!seed_.empty()) options.overrides.push_back("seed=" + seed_);
-    if (!threads_.empty()) options.overrides.push_back("threads=" + threads_);
+    addOption("seed", seed_, options.overrides);
+    addOption("threads", threads_, options.overrides);
     if (!continue_.empty()) options.overrides.push_back("continue=" + config::writeText(continue_));
     return options;
   }
 
  private:
+  /// --seed N and --set seed=M: neither is certainly meant.
+  void addOption(const std::string& name, const std::string& value,
+                 std::vector<std::string>& overrides) const {
+    if (value.empty()) return;
+    for (const std::string& other : overrides_) {
+      if (other.starts_with(name + "=")) {
+        throw CLI::ExcludesError("--" + name, "--set " + name + "=...");
+      }
+    }
+    overrides.push_back(name + "=" + value);
+  }
+
   /// A resumed run keeps its options, so --resume excludes them.
   void refuseOthers() const {
     for (const char* other :

@@ -125,7 +125,7 @@ class PlacesMeasurement {
     pass.show(0, made_at_);
     bench_.images = pass.images();
     if (options_.second.empty()) {
-      const PlaceTruth truth = truthOf(pass);
+      const PlaceTruth truth = truthOf(pass, first.system());
       if (options_.pairs.empty()) judgeTurned(pass);
       judge(pass, truth);
       keepState(first);
@@ -176,9 +176,25 @@ class PlacesMeasurement {
     }
   }
 
-  PlaceTruth truthOf(const Pass& pass) const {
+  /// Pairs of another or a longer recording. With source.last and --frames the images may end
+  /// before the pairs.
+  void refuseUnknownImages(const PlaceTruth& truth, const Pass& pass,
+                           const run::CheckedSystem& system) const {
+    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
+    const auto last = source.find("last");
+    const bool whole = options_.frames < 0 &&
+                       (last == source.end() || run::valueJson(last->second).dump() == "-1");
+    if (!whole || cancellation_.requested() || truth.last_query < pass.images()) return;
+    throw run::Failed({run::FailureKind::Dataset,
+                       fmt::format("{}: names image {}, and the recording has {} images, from 0; "
+                                   "are these the pairs of this recording?",
+                                   options_.pairs, truth.last_query, pass.images())});
+  }
+
+  PlaceTruth truthOf(const Pass& pass, const run::CheckedSystem& system) const {
     if (!options_.pairs.empty()) {
       PlaceTruth truth = run::require(truthOfPairs(options_.pairs), run::FailureKind::Dataset);
+      refuseUnknownImages(truth, pass, system);
       if (countFindable(truth, pass) > 0) return truth;
       throw run::Failed({run::FailureKind::Dataset,
                          fmt::format("{}: has no pair of the {} images that were shown",

@@ -40,7 +40,7 @@ bool isHeader(std::string line) {
 PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t tolerance) {
   return {
       [=](std::int64_t query, std::int64_t place) { return std::abs(query - place) <= tolerance; },
-      [=](std::int64_t query) { return query < images_of_first_pass + tolerance; }};
+      [=](std::int64_t query) { return query < images_of_first_pass + tolerance; }, -1};
 }
 
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
@@ -73,7 +73,8 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
                     [pairs](std::int64_t query) {
                       const auto first = pairs->lower_bound({query, INT64_MIN});
                       return first != pairs->end() && first->first == query;
-                    }};
+                    },
+                    pairs->rbegin()->first};
 }
 
 PlaceTruth truthOfPoses(const evaluation::Trajectory& truth) {

@@ -17,6 +17,7 @@ struct PlaceTruth {
   std::function<bool(std::int64_t query, std::int64_t place)> isSame;
   /// Whether there is an image that `query` should be recognised in.
   std::function<bool(std::int64_t query)> isFindable;
+  std::int64_t last_query = -1;  ///< the highest image number that a list names; -1 without a list
 };
 
 /// Image N of the second pass shows the place of the images N +- `tolerance` of the first pass.

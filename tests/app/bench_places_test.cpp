@@ -261,7 +261,11 @@ TEST_CASE("bench places without truth says what is missing") {
   std::ofstream(walks.path("far.csv")) << "query,match\n60000,1\n";
   const Finished far = walks.bench("lap", {"--pairs", walks.path("far.csv")});
   CHECK(far.exit_code == 5);
-  CHECK(contains(far.err, "far.csv: has no pair of the "));
+  CHECK(contains(far.err, "far.csv: names image 60000, and the recording has 120 images, from 0"));
+  const Finished few =
+      walks.bench("lap", {"--pairs", walks.path("far.csv"), "--set", "source.last=99"});
+  CHECK(few.exit_code == 5);
+  CHECK(contains(few.err, "far.csv: has no pair of the 100 images that were shown"));
   const Finished folder = walks.bench("day", {"--second", walks.path("dusk")});
   CHECK(folder.exit_code == 5);
   CHECK(contains(folder.err, "dusk"));

@@ -95,3 +95,16 @@ TEST_CASE("overrides at random are applied or refused with their origin") {
   }
   CHECK(refused > 8);
 }
+
+TEST_CASE("a value given by an option and by --set is refused") {
+  const std::vector<std::string> words = {"check", inSource("configs/demo.yaml"), "--set"};
+  for (const auto& [set, option] :
+       {std::pair<const char*, const char*>("seed=4", "--seed"), {"threads=2", "--threads"}}) {
+    std::vector<std::string> both = words;
+    both.insert(both.end(), {set, option, "3"});
+    const Finished finished = tolman::test::tolman(both);
+    CAPTURE(option, finished.err);
+    CHECK(finished.exit_code == 2);
+    CHECK(contains(finished.err, std::string(option) + " excludes --set "));
+  }
+}

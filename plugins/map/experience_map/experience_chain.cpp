@@ -128,6 +128,27 @@ void ExperienceChain::countLinks() {
   }
 }
 
+std::size_t ExperienceChain::slotOfPassing(const DeadReckoning& log, std::size_t i) const {
+  const Anchor& anchor = anchors_[i];
+  std::size_t nearest = anchor.slot;
+  if (!anchor.visit) return nearest;
+  // All in the frame of dead reckoning, as the anchor's correction has it.
+  const Eigen::Vector3d experience =
+      anchor.correction.inverse() * T_world_experience(log, anchor.experience).translation();
+  const auto distance = [&](std::size_t slot) {
+    return (log[slot].T_start_camera.translation() - experience).squaredNorm();
+  };
+  while (nearest > 0 && !log[nearest].gap && distance(nearest - 1) < distance(nearest)) --nearest;
+  if (nearest < anchor.slot) return nearest;
+  while (nearest < log.last() && !log[nearest + 1].gap && distance(nearest + 1) < distance(nearest))
+    ++nearest;
+  return nearest;
+}
+
+double ExperienceChain::seconds(const DeadReckoning& log, std::size_t before, std::size_t i) const {
+  return std::abs(log.seconds(slotOfPassing(log, before), anchors_[i].slot));
+}
+
 Link ExperienceChain::foldedLink(const DeadReckoning& log, std::size_t before,
                                  std::size_t i) const {
   constexpr double kLeastWeight = 1e-6;  // keeps the division finite
@@ -147,7 +168,7 @@ Link ExperienceChain::foldedLink(const DeadReckoning& log, std::size_t before,
   link.frame = log[to.slot].frame;
   link.T_from_to = pose.T;
   link.covariance = 0.5 * (pose.covariance + pose.covariance.transpose());
-  link.duration = to.visit ? 0 : log.seconds(from.slot, to.slot);
+  link.duration = to.visit ? 0 : seconds(log, before, i);
   link.weight = to.visit ? to.offset_weight : to.way_weight;
   return link;
 }

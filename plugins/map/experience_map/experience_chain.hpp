@@ -152,6 +152,11 @@ class ExperienceChain {
   Status optimiseAll(const DeadReckoning& log, OptimiserOptions options, Effort effort);
   template <class G>
   Status optimiseIn(const DeadReckoning& log, OptimiserOptions options, Effort effort);
+  /// The slot at which the path around anchor `i` was nearest to the anchor's experience: a visit
+  /// is decided metres before or after the path passes its experience.
+  std::size_t slotOfPassing(const DeadReckoning& log, std::size_t i) const;
+  /// Time that the path took from the experience of anchor `before` to anchor `i`.
+  double seconds(const DeadReckoning& log, std::size_t before, std::size_t i) const;
   Link foldedLink(const DeadReckoning& log, std::size_t before, std::size_t i) const;
   template <class G>
   void apply(const ChainProblem<G>& problem);

@@ -274,4 +274,46 @@ TEST_CASE("with optimise off the map stays the odometry, loops and all") {
   CHECK(fixture.graph().version == 0);
 }
 
+TEST_CASE("the link after a loop has the speed of the drive, wherever the visit was decided") {
+  // The visit is decided 6 m after, at, and 6 m before the old experience; 10 m/s throughout.
+  for (const int offset : {6, 0, -6}) {
+    Fixture fixture;
+    Eigen::Isometry3d reckoned = Eigen::Isometry3d::Identity();
+    fixture.create(reckoned);
+    for (int k = 1; k <= 95; ++k) {
+      const Eigen::Isometry3d moved = squareStep(k);
+      reckoned = reckoned * moved;
+      if (k == 80 + offset) {
+        fixture.closeMeasured(moved, 0, reckoned);
+      } else if (k == 94) {
+        fixture.create(moved);  // 14 m after the old experience
+      } else {
+        fixture.stay(moved);
+      }
+    }
+    const Link link = fixture.graph().links.back();
+    INFO(offset);
+    REQUIRE(link.from == 0);
+    REQUIRE(link.T_from_to.translation().norm() == Approx(14).margin(1e-6));
+    REQUIRE(link.duration == Approx(1.4));
+  }
+}
+
+TEST_CASE("an experience that is passed only after the next one is created has a time, too") {
+  Fixture fixture;
+  Eigen::Isometry3d reckoned = Eigen::Isometry3d::Identity();
+  fixture.create(reckoned);
+  for (int k = 1; k <= 95; ++k) {
+    reckoned = reckoned * squareStep(k);
+    if (k == 70) {
+      fixture.closeMeasured(squareStep(k), 0, reckoned);  // 10 m before the old experience
+    } else {
+      k == 74 ? fixture.create(squareStep(k)) : fixture.stay(squareStep(k));
+    }
+  }
+  const Link link = fixture.graph().links.back();
+  REQUIRE(link.T_from_to.translation().norm() == Approx(6).margin(1e-6));
+  REQUIRE(link.duration == Approx(0.6));
+}
+
 }  // namespace tolman::experience_map

@@ -10,6 +10,7 @@ const kTracking = ['initialising', 'tracking', 'lost'];
 const kRecognition = ['none', 'novel', 'familiar'];
 
 async function show(page, at, frame) {
+  await until(page, (last) => Number(document.querySelector('#scrub').max) >= last, at); // it follows the rows by a picture
   await page.locator('#scrub').fill(String(at));
   await until(page, (f) => document.querySelector('#shown-frame').textContent === String(f) &&
     window.tolman.mode === 'paused', frame);
