@@ -23,16 +23,16 @@ class DriverOf : public RoleDriver {
   host::Instance& instance() override { return stage_.instance(); }
   void beginRun() override {
     now_ = {};
-    expect();
+    resetChecks();
   }
   void continueRun(const RoleDriver& other) override {
     now_ = static_cast<const DriverOf&>(other).now_;
-    expect();
+    resetChecks();
   }
 
  protected:
   /// Sets the state of the host's own checks to the progress of the run.
-  virtual void expect() {}
+  virtual void resetChecks() {}
   /// Adds the call site to a failure that the kit found.
   Status checked(std::string_view call, std::int64_t frame, const Status& status) {
     return host::guarded({instance().name(), instance().manifest().id, call, frame},
@@ -77,7 +77,7 @@ class SourceDriver final : public DriverOf<host::SourceStage, SourceProgress> {
   Status finish(const InputSequence&, TranscriptEntry&) override { return Status::ok(); }
 
  private:
-  void expect() override { stage_.expect(now_.next, now_.last_ns); }
+  void resetChecks() override { stage_.resetChecks(now_.next, now_.last_ns); }
   Status readInfo(TranscriptEntry& answer) {
     if (std::exchange(has_info_, true)) return Status::ok();
     const Status status = stage_.info(info_);
@@ -117,7 +117,7 @@ class OdometryDriver final : public DriverOf<host::OdometryStage, std::optional<
   }
 
  private:
-  void expect() override { stage_.expect(); }
+  void resetChecks() override { stage_.resetChecks(); }
 };
 
 /// Counts the templates.
@@ -138,7 +138,7 @@ class PlaceDriver final : public DriverOf<host::PlaceStage, std::int64_t> {
   Measurement reached() const override { return {"familiar views", familiar_, ""}; }
 
  private:
-  void expect() override { stage_.expect(now_); }
+  void resetChecks() override { stage_.resetChecks(now_); }
   double familiar_ = 0;
 };
 
@@ -159,7 +159,7 @@ class CellsDriver final : public DriverOf<host::CellsStage, std::int64_t> {
   Measurement reached() const override { return {"loops closed", loops_, ""}; }
 
  private:
-  void expect() override { stage_.expect(now_); }
+  void resetChecks() override { stage_.resetChecks(now_); }
   double loops_ = 0;
 };
 
@@ -200,7 +200,7 @@ class MapDriver final : public DriverOf<host::MapStage, std::vector<std::int64_t
   Measurement reached() const override { return {"loop links", loops_, ""}; }
 
  private:
-  void expect() override { stage_.expect(); }
+  void resetChecks() override { stage_.resetChecks(); }
   /// Checks that poseOf() gives a frame the pose of its update, and refuses an unknown frame.
   Status checkPoses(std::int64_t frame, const Eigen::Isometry3d& T_world_camera) {
     Eigen::Isometry3d T = Eigen::Isometry3d::Identity();

@@ -70,8 +70,8 @@ class Planner {
       if (!run) continue;
       const auto [same, is_new] = names.try_emplace(run->key, run->name);
       if (!is_new) {
-        tell({config::Origin::ofFile(sweep.file), "",
-              "'" + same->second + "' and '" + run->name + "' are the same run"});
+        addProblem({config::Origin::ofFile(sweep.file), "",
+                    "'" + same->second + "' and '" + run->name + "' are the same run"});
       }
       runs.push_back(std::move(*run));
     }
@@ -92,7 +92,7 @@ class Planner {
   };
 
   /// Adds a problem unless it was added before.
-  void tell(config::Problem problem) {
+  void addProblem(config::Problem problem) {
     if (told_.insert(config::format(problem)).second) plan_.problems.push_back(std::move(problem));
   }
 
@@ -102,9 +102,9 @@ class Planner {
     if (!std::filesystem::is_regular_file(path, ignored)) path = options_.find_config(file.text);
     config::Loaded loaded = config::load(path.lexically_normal(), {}, options_.environment);
     if (!loaded.complete) {
-      tell({file.origin, file.key, "the configuration '" + file.text + "' cannot be read"});
+      addProblem({file.origin, file.key, "the configuration '" + file.text + "' cannot be read"});
     }
-    for (const config::Problem& problem : loaded.problems) tell(problem);
+    for (const config::Problem& problem : loaded.problems) addProblem(problem);
     loaded.problems.clear();
     loaded.tree.erase("observers");
     const Node* record = loaded.tree.find("record");
@@ -123,7 +123,7 @@ class Planner {
     });
     for (const Setting& setting : settings) {
       const Status done = config::setValue(tree, setting.key, *setting.value);
-      if (!done.isOk()) tell({setting.value->origin, setting.key, done.message()});
+      if (!done.isOk()) addProblem({setting.value->origin, setting.key, done.message()});
     }
   }
 
@@ -161,7 +161,7 @@ class Planner {
       };
       const config::Loaded replay =
           config::load(options_.find_config("experiments/replay"), {}, environment);
-      for (const config::Problem& problem : replay.problems) tell(problem);
+      for (const config::Problem& problem : replay.problems) addProblem(problem);
       config::merge(loaded.tree, replay.tree);
     }
     apply(loaded.tree, sweep.settings);
@@ -214,7 +214,7 @@ class Planner {
     auto digest = record::digestData(
         path, known == options_.known.end() ? record::DataDigest() : known->second);
     if (!digest.isOk()) {
-      tell({config::Origin::ofFile(path), "", digest.status().message()});
+      addProblem({config::Origin::ofFile(path), "", digest.status().message()});
       return nullptr;
     }
     return &plan_.data.emplace(path, std::move(digest).value()).first->second;
@@ -242,7 +242,7 @@ class Planner {
         if (stage.role < Role::Cells) run.front_end_sha256 += "plugin " + digest + "\n";
       }
     }
-    for (const config::Problem& problem : problems) tell(problem);
+    for (const config::Problem& problem : problems) addProblem(problem);
     if (!problems.empty() || !loaded.complete) return std::nullopt;
     run.name = point.name;
     run.factors = point.factors;

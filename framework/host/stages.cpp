@@ -80,7 +80,7 @@ Status SourceStage::next(Frame& frame) {
   return status;
 }
 
-void SourceStage::expect(std::int64_t next_frame, std::int64_t last_stamp_ns) {
+void SourceStage::resetChecks(std::int64_t next_frame, std::int64_t last_stamp_ns) {
   next_frame_ = next_frame;
   last_stamp_ns_ = last_stamp_ns;
   sensors_ = {};

@@ -53,7 +53,7 @@ class SourceStage : public Stage<Source> {
     return call("inspect", -1, &Source::inspect, findings);
   }
   /// Sets the next frame: after reset() the defaults, after load() those of the saved state.
-  void expect(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
+  void resetChecks(std::int64_t next_frame = 0, std::int64_t last_stamp_ns = 0);
   /// The host's index of the first frame of this session; the plugin counts from 0.
   void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
 
@@ -74,7 +74,7 @@ class OdometryStage : public Stage<Odometry> {
   /// As SourceStage::startAt(), because odometry restarts in each session.
   void startAt(std::int64_t first_frame) { first_frame_ = first_frame; }
   /// To be called after reset(), or after a saved state was loaded.
-  void expect() { times_ = {}; }
+  void resetChecks() { times_ = {}; }
 
  private:
   Status track(Odometry& odometry, const Frame& frame, Motion& motion) const;
@@ -93,7 +93,7 @@ class PlaceStage : public Stage<Place> {
   Status finish() { return call("finish", -1, &Place::finish); }
   /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded.
   /// If it is not known, the next novel answer determines it.
-  void expect(std::int64_t templates = 0) { templates_ = templates; }
+  void resetChecks(std::int64_t templates = 0) { templates_ = templates; }
 
  private:
   std::int64_t templates_ = 0;
@@ -106,7 +106,7 @@ class CellsStage : public Stage<Cells> {
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish() { return call("finish", -1, &Cells::finish); }
   /// Sets the number of experiences: 0 after reset(), or that of a saved state that was loaded.
-  void expect(std::int64_t experiences = 0) {
+  void resetChecks(std::int64_t experiences = 0) {
     experiences_ = experiences;
     last_ = experiences == 0 ? -1 : kUnknown;
   }
@@ -136,7 +136,7 @@ class MapStage : public Stage<Map> {
   /// Checks the pose of each experience against that of the frame at which it was made.
   Status checkExperiences(const MapGraph& graph, const KnownPoses& pose_of);
   /// To be called after reset(), or after a saved state was loaded.
-  void expect() {
+  void resetChecks() {
     known_ = {};
     last_.reset();
   }

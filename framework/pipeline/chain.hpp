@@ -8,13 +8,13 @@
 
 #include "config/settings.hpp"
 #include "host/stages.hpp"
-#include "pipeline/activity.hpp"
 #include "pipeline/checked_odometry.hpp"
 #include "pipeline/failure_tally.hpp"
 #include "pipeline/frame_records.hpp"
 #include "pipeline/listener.hpp"
 #include "pipeline/rectified_source.hpp"
 #include "pipeline/run_counters.hpp"
+#include "pipeline/stage_activity.hpp"
 
 namespace tolman::pipeline {
 
@@ -87,7 +87,7 @@ class Chain {
   /// Time that finish() of each stage took.
   const StageTimes& finishTimes() const { return finish_times_ns_; }
   /// Which stages work at this moment, including the source and finish().
-  Activity& activity() { return activity_; }
+  StageActivity& stageActivity() { return activity_; }
   const RunCounters& counters() const { return counters_; }
   RunCounters& counters() { return counters_; }
   Stages& stages() { return stages_; }
@@ -111,7 +111,7 @@ class Chain {
   template <class Work>
   Status timed(StageTimes& times, Role role, const Work& work) {
     const StageTimer timer(times, role);
-    const Activity::Mark mark(activity_, role);
+    const StageActivity::Mark mark(activity_, role);
     return work();
   }
   void save(Role role, host::Instance& instance, FrameRecords& records);
@@ -123,7 +123,7 @@ class Chain {
   bool place_needs_motion_;
   std::atomic<bool> can_save_;  // false also after a stage has failed to save its state
   RunCounters counters_;
-  Activity activity_;
+  StageActivity activity_;
   StageTimes finish_times_ns_{};
   std::int64_t unanswered_ = -1;  ///< the frame at which a failure ended the answers; -1: none
   std::optional<StageFailure> failure_;

@@ -14,7 +14,7 @@ FrameRecordsPtr nextFrame(Chain& chain, const Cancellation& cancellation) {
   Status status;
   {
     const StageTimer timer(records->times, Role::Source);
-    const Activity::Mark mark(chain.activity(), Role::Source);
+    const StageActivity::Mark mark(chain.stageActivity(), Role::Source);
     status = chain.stages().source.next(records->frame);
   }
   if (status.isOk()) {

@@ -80,7 +80,7 @@ class PacedFeed {
   }
 
   Status next(Frame& frame) {
-    const Activity::Mark mark(chain_.activity(), Role::Source);
+    const StageActivity::Mark mark(chain_.stageActivity(), Role::Source);
     return chain_.stages().source.next(frame);
   }
 

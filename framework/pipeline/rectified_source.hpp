@@ -21,7 +21,7 @@ class RectifiedSource : private host::SourceStage {
                            config::ImageSettings images = {})
       : SourceStage(std::move(instance)), settings_(settings), images_(std::move(images)) {}
 
-  using SourceStage::expect;
+  using SourceStage::resetChecks;
   using SourceStage::inspect;
   using SourceStage::instance;
   using SourceStage::startAt;

@@ -122,8 +122,8 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   point.map = recordOf(require(reader->records<MapUpdate>(), kKind), last, directory);
   MapGraph graph;
   require(assembly.map().graph(graph), kKind);
-  assembly.place().expect(-1);
-  assembly.cells().expect(static_cast<std::int64_t>(graph.experiences.size()));
+  assembly.place().resetChecks(-1);
+  assembly.cells().resetChecks(static_cast<std::int64_t>(graph.experiences.size()));
   const auto frames = require(reader->records<Frame>(), kKind);
   point.motion = RepeatedOdometry(assembly, motions, frames).repeat(last, cancellation);
   return point;

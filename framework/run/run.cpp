@@ -132,8 +132,8 @@ void Run::continueEarlierRun() {
   first_frame_ = before.frames;
   assembly_->source().startAt(first_frame_);
   assembly_->odometry().startAt(first_frame_);
-  assembly_->place().expect(before.templates);
-  assembly_->cells().expect(before.experiences);
+  assembly_->place().resetChecks(before.templates);
+  assembly_->cells().resetChecks(before.experiences);
 }
 
 /// Brings the stages to the state of the last checkpoint of the run that `resume` names. If that
@@ -277,7 +277,7 @@ void Run::drive(Outcome& outcome) {
   const Status begun = listener.begin(
       {config().general.name, directory_->path().string(), assembly_->sourceInfo(), arrays_});
   if (!begun.isOk()) chain.fail(Role::Observer, begun);
-  Watchdog watchdog(chain.activity(), clock_, watchdogSettings(listener));
+  Watchdog watchdog(chain.stageActivity(), clock_, watchdogSettings(listener));
   watchdog.start();
   const pipeline::DriveResult result =
       pipeline::drive(chain, config().pipeline, config().general.threads, stop_);

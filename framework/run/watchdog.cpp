@@ -32,7 +32,7 @@ WatchdogSettings WatchdogSettings::of(const std::filesystem::path& directory) {
           [](const std::string&) {}};
 }
 
-Watchdog::Watchdog(const pipeline::Activity& activity, const Clock& clock,
+Watchdog::Watchdog(const pipeline::StageActivity& activity, const Clock& clock,
                    WatchdogSettings settings)
     : activity_(activity),
       clock_(clock),

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-#include "pipeline/activity.hpp"
+#include "pipeline/stage_activity.hpp"
 #include "run/resources.hpp"
 #include "tolman/context.hpp"
 
@@ -40,7 +40,7 @@ struct WatchdogSettings {
 /// has no more than the run needs for its end.
 class Watchdog {
  public:
-  Watchdog(const pipeline::Activity& activity, const Clock& clock, WatchdogSettings settings);
+  Watchdog(const pipeline::StageActivity& activity, const Clock& clock, WatchdogSettings settings);
 
   /// Makes one check. start() makes one each second.
   void look();
@@ -52,10 +52,10 @@ class Watchdog {
   void lookAtMemory();
   void lookAtDisk();
 
-  const pipeline::Activity& activity_;
+  const pipeline::StageActivity& activity_;
   const Clock& clock_;
   WatchdogSettings settings_;
-  std::array<std::int64_t, kRoleNames.size()> reported_{};  ///< Activity::since() of the call
+  std::array<std::int64_t, kRoleNames.size()> reported_{};  ///< StageActivity::since() of the call
   std::int64_t returned_ns_;                                ///< when memory was last returned
   std::int64_t resident_ = 0;                               ///< bytes in memory directly after that
   bool memory_is_short_ = false;

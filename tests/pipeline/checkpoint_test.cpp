@@ -28,8 +28,8 @@ std::vector<Diary::Entry> resumed(Hooks& hooks, const pipeline::Checkpoint& chec
   REQUIRE(system.place.instance().load(checkpoint.states.at(Role::Place)).isOk());
   REQUIRE(system.cells.instance().load(checkpoint.states.at(Role::Cells)).isOk());
   REQUIRE(system.map.instance().load(checkpoint.states.at(Role::Map)).isOk());
-  system.place.expect(-1);
-  system.cells.expect(1);
+  system.place.resetChecks(-1);
+  system.cells.resetChecks(1);
   pipeline::Chain chain(
       {system.source, system.checked_odometry, system.place, system.cells, system.map}, {},
       system.diary);

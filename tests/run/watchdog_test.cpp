@@ -42,7 +42,7 @@ struct Watched {
     settings.stop = [this](const std::string& why) { stops.push_back(why); };
   }
   SetClock clock;
-  pipeline::Activity activity;
+  pipeline::StageActivity activity;
   std::optional<Memory> memory;
   std::optional<std::int64_t> disk;
   std::int64_t resident = 0;
@@ -90,7 +90,7 @@ TEST_CASE("a stage that does not answer in time is reported once, and its answer
   Watched run;
   Watchdog watchdog(run.activity, run.clock, run.settings);
   {
-    const pipeline::Activity::Mark mark(run.activity, Role::Odometry);
+    const pipeline::StageActivity::Mark mark(run.activity, Role::Odometry);
     run.clock.advance(9);
     watchdog.look();
     CHECK(run.said.empty());
@@ -111,9 +111,9 @@ TEST_CASE("a stage that does not answer in time is reported once, and its answer
 TEST_CASE("each stage has its own time, a source that stalls included; observers have none") {
   Watched run(0.5);
   Watchdog watchdog(run.activity, run.clock, run.settings);
-  const pipeline::Activity::Mark source(run.activity, Role::Source);
-  const pipeline::Activity::Mark map(run.activity, Role::Map);
-  const pipeline::Activity::Mark observer(run.activity, Role::Observer);
+  const pipeline::StageActivity::Mark source(run.activity, Role::Source);
+  const pipeline::StageActivity::Mark map(run.activity, Role::Map);
+  const pipeline::StageActivity::Mark observer(run.activity, Role::Observer);
   run.clock.advance(1);
   watchdog.look();
   REQUIRE(run.said.size() == 2);
@@ -124,7 +124,7 @@ TEST_CASE("each stage has its own time, a source that stalls included; observers
 TEST_CASE("without a deadline nothing is late") {
   Watched run(0);
   Watchdog watchdog(run.activity, run.clock, run.settings);
-  const pipeline::Activity::Mark mark(run.activity, Role::Place);
+  const pipeline::StageActivity::Mark mark(run.activity, Role::Place);
   run.clock.advance(1e6);
   watchdog.look();
   CHECK(run.said.empty());

@@ -83,7 +83,7 @@ void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claim
 }
 
 /// Adds a hypothesis. Of more than kMostBumps the weakest is removed; null if that is the new one.
-CalibrationBump* BumpNetwork::found(const CalibrationBump& bump) {
+CalibrationBump* BumpNetwork::insertBump(const CalibrationBump& bump) {
   auto& bumps = state_.calibration;
   if (bumps.size() == kMostBumps) {
     const auto weakest = std::ranges::min_element(bumps, {}, &CalibrationBump::energy);
@@ -115,7 +115,7 @@ Eigen::Matrix3d BumpNetwork::total() const {
   return state_.integrator.covariance + carriedTo(state_.integrator.centre, state_.anchor);
 }
 
-double BumpNetwork::prior() const {
+double BumpNetwork::shareOfRightViews() const {
   const double share =
       (settings_.prior * settings_.prior_views + static_cast<double>(state_.right)) /
       (settings_.prior_views + static_cast<double>(state_.views));
@@ -123,7 +123,7 @@ double BumpNetwork::prior() const {
 }
 
 /// Log density of the pose if the view is a look-alike: uniform over explored area and heading.
-double BumpNetwork::lookAlike() const {
+double BumpNetwork::logDensityOfLookAlike() const {
   const Eigen::Vector2d sides = state_.most - state_.least + Eigen::Vector2d::Constant(2 * kMargin);
   return -std::log(kTurn * std::max(sides.prod(), kLeastArea));
 }
@@ -172,14 +172,14 @@ bool BumpNetwork::onOneStorey(const LearnedPattern& a, const LearnedPattern& b) 
 
 /// Log-likelihood ratio, right view against look-alike, of a view that no bump agrees with. A
 /// difference in height only lowers it.
-double BumpNetwork::founding(const LearnedPattern& link, const Bump& seen) const {
+double BumpNetwork::logRatioOfNewBump(const LearnedPattern& link, const Bump& seen) const {
   // The position in the other part is unknown. In place of the density ratio stands the
   // probability that the robot is in the mapped area at all.
   if (link.part != state_.part) return std::log(settings_.prior);
   const Bump& here = state_.integrator;
   const Eigen::Vector3d difference = code_.difference(here.centre, seen.centre);
-  const double ratio =
-      logStudent(difference, uncertainty(link) + seen.covariance, settings_.tail) - lookAlike();
+  const double ratio = logStudent(difference, uncertainty(link) + seen.covariance, settings_.tail) -
+                       logDensityOfLookAlike();
   return ratio - 0.5 * squaredClimb(code_.climb(here.centre, seen.centre),
                                     heightUncertainty(link) + seen.height_variance);
 }
@@ -212,13 +212,13 @@ Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& 
   CalibrationBump* bump = agreeing(seen, link.part, log_density);
   if (bump != nullptr) {
     const double fresh = std::min(1.0, (state_.travel - bump->fed_at) / settings_.view_spacing);
-    const double ratio = settings_.injection * (log_density - lookAlike());
+    const double ratio = settings_.injection * (log_density - logDensityOfLookAlike());
     bump->energy += fresh * std::min(ratio, settings_.agreement);
     code_.fuse(bump->bump, seen.centre, seen.covariance, seen.height_variance);
   } else {
-    const double odds = std::log(prior() / (1 - prior()));
-    const double energy = odds + settings_.injection * founding(link, seen);
-    bump = found({state_.bumps, seen, energy, link.part, 0, 0});
+    const double odds = std::log(shareOfRightViews() / (1 - shareOfRightViews()));
+    const double energy = odds + settings_.injection * logRatioOfNewBump(link, seen);
+    bump = insertBump({state_.bumps, seen, energy, link.part, 0, 0});
     if (bump == nullptr) return {};
     ++state_.bumps;
   }

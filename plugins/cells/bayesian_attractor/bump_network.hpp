@@ -115,16 +115,16 @@ class BumpNetwork {
   void restore(NetworkState state) { state_ = std::move(state); }
 
  private:
-  double prior() const;
-  double lookAlike() const;
-  double founding(const LearnedPattern& link, const Bump& seen) const;
+  double shareOfRightViews() const;
+  double logDensityOfLookAlike() const;
+  double logRatioOfNewBump(const LearnedPattern& link, const Bump& seen) const;
   Eigen::Matrix3d total() const;
   Eigen::Matrix3d carriedTo(const FiringPattern& there, const Bump& bump) const;
   Eigen::Matrix3d uncertainty(const LearnedPattern& link) const;
   double heightUncertainty(const LearnedPattern& link) const;
   CalibrationBump* agreeing(const Bump& seen, std::int64_t part, double& log_density);
   Recalibration adopt(const CalibrationBump& winner, const LearnedPattern& link);
-  CalibrationBump* found(const CalibrationBump& bump);
+  CalibrationBump* insertBump(const CalibrationBump& bump);
 
   NetworkSettings settings_;
   ConjunctiveCode code_;

@@ -165,14 +165,14 @@ void Mapper::shrink() {
 
 void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affine,
                      const ImagePyramid& left) {
-  observer_.T0_camera_world = T_world_camera.inverse();
-  observer_.affine0 = affine;
+  observed_frame_.T0_camera_world = T_world_camera.inverse();
+  observed_frame_.affine0 = affine;
   EpipolarSettings settings;
   // Chosen, not tuned; the published program has 0.027.
   settings.longest = 0.03F * static_cast<float>(rig_.width + rig_.height);
   for (const int slot : window_.order()) {
     Keyframe& keyframe = window_.keyframe(slot);
-    const PairGeometry pair = pairGeometry(rig_.pinhole, keyframe, observer_);
+    const PairGeometry pair = pairGeometry(rig_.pinhole, keyframe, observed_frame_);
     tbb::parallel_for(std::size_t{0}, keyframe.immature.size(), [&](std::size_t i) {
       observeImmature(pair, left.level(0), settings, keyframe.immature[i]);
     });

@@ -75,7 +75,7 @@ class Mapper {
   Activator activator_;
   LinearSystem system_;
   std::vector<std::optional<StereoMatch>> matches_;
-  Keyframe observer_;  ///< pose and brightness of the frame that is observed
+  Keyframe observed_frame_;  ///< pose and brightness of the frame that is observed
 };
 
 }  // namespace tolman::direct_sparse

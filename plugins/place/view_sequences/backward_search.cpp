@@ -16,19 +16,19 @@ namespace {
 constexpr double kSharedPath = 40;  // m
 // Fewest compared grids from which the usual distance is estimated. Chosen, not tuned.
 constexpr std::int64_t kFewestGrids = 10;
-// z of a view that is not compared; so large that no evidence is passed on.
+// z of a view that is not compared; so large that its cost is above 0.
 constexpr float kNotCompared = 5;
 
 SearchSettings backwards(SearchSettings settings) {
   settings.recent = std::max(settings.recent, kSharedPath);
-  settings.evidence.direction = Direction::Backwards;
+  settings.cost.direction = Direction::Backwards;
   return settings;
 }
 
 }  // namespace
 
 BackwardSearch::BackwardSearch(const SearchSettings& settings)
-    : settings_(backwards(settings)), evidence_(settings_.evidence) {}
+    : settings_(backwards(settings)), cost_(settings_.cost) {}
 
 bool BackwardSearch::hasOwnGrid(std::int64_t view) const {
   const auto i = static_cast<std::size_t>(view);
@@ -46,11 +46,11 @@ void BackwardSearch::add(const std::optional<StructureLevels>& levels, double pa
   }
   grid_of_view_.push_back(grid);
   paths_.push_back(static_cast<float>(path));
-  evidence_.add(predecessor);
+  cost_.add(predecessor);
 }
 
 void BackwardSearch::beginPass() {
-  evidence_.forget();
+  cost_.forget();
   candidates_ = 0;
 }
 
@@ -67,7 +67,7 @@ StructureLevels BackwardSearch::levelsOf(std::int64_t view) const {
 void BackwardSearch::step(const StructureQuery* query, double path, double advance) {
   candidates_ = 0;
   if (query == nullptr) {
-    evidence_.forget();
+    cost_.forget();
     return;
   }
   std::int64_t views = size();
@@ -75,7 +75,7 @@ void BackwardSearch::step(const StructureQuery* query, double path, double advan
     --views;
   candidates_ = views;
   compareAll(*query);
-  evidence_.step(distances_, advance, candidates_);
+  cost_.step(distances_, advance, candidates_);
 }
 
 /// Computes the standardised distances of all views. Only the newest `exhaustive` grids are
@@ -101,7 +101,7 @@ void BackwardSearch::compareAll(const StructureQuery& query) {
   }
 }
 
-/// Whether one of the next views has no structure. The evidence would then remain at this view
+/// Whether one of the next views has no structure. The cost would then remain at this view
 /// while the robot drives on.
 bool BackwardSearch::isAtEnd(std::int64_t view) const {
   constexpr std::int64_t kAhead = 5;  // views; chosen, not tuned
@@ -111,17 +111,16 @@ bool BackwardSearch::isAtEnd(std::int64_t view) const {
 }
 
 std::optional<PlaceCandidate> BackwardSearch::best() const {
-  const auto evidence = evidence_.evidence().first(static_cast<std::size_t>(candidates_));
-  if (evidence.empty()) return {};
-  const std::int64_t best = std::ranges::min_element(evidence) - evidence.begin();
-  const float own = evidence[static_cast<std::size_t>(best)];
+  const auto cost = cost_.cost().first(static_cast<std::size_t>(candidates_));
+  if (cost.empty()) return {};
+  const std::int64_t best = std::ranges::min_element(cost) - cost.begin();
+  const float own = cost[static_cast<std::size_t>(best)];
   if (!(own < 0) || isAtEnd(best)) return {};
   float other = 0;
   for (std::int64_t i = 0; i < candidates_; ++i) {
-    if (std::abs(i - best) > kSamePlace)
-      other = std::min(other, evidence[static_cast<std::size_t>(i)]);
+    if (std::abs(i - best) > kSamePlace) other = std::min(other, cost[static_cast<std::size_t>(i)]);
   }
-  return PlaceCandidate{best, probabilityOf(own, {other, kEvidenceOfNovelty})};
+  return PlaceCandidate{best, probabilityOf(own, {other, kCostOfNovelty})};
 }
 
 void BackwardSearch::save(StateWriter& writer) const {
@@ -129,7 +128,7 @@ void BackwardSearch::save(StateWriter& writer) const {
   writer.putAll<std::uint8_t>(cells_);
   writer.putAll<std::int32_t>(grid_of_view_);
   writer.putAll<float>(paths_);
-  evidence_.save(writer);
+  cost_.save(writer);
 }
 
 bool BackwardSearch::load(StateReader& reader, std::int64_t views) {
@@ -152,7 +151,7 @@ bool BackwardSearch::load(StateReader& reader, std::int64_t views) {
   const bool sound = last + 1 == grids() &&
                      std::ranges::all_of(cells_, [](std::uint8_t level) { return level <= 15; }) &&
                      std::ranges::all_of(paths_, [](float path) { return std::isfinite(path); });
-  return sound && evidence_.load(reader, views);
+  return sound && cost_.load(reader, views);
 }
 
 }  // namespace tolman::view_sequences

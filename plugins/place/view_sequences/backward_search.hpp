@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the robot on the stored paths when it drives them in the opposite direction: compares the
-// present structure, turned by 180 degrees, with stored grids, and adds up evidence along the path
+// present structure, turned by 180 degrees, with stored grids, and adds up the cost along the path
 // in decreasing order of views.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "path_evidence.hpp"
+#include "path_cost.hpp"
 #include "place_search.hpp"
 #include "structure_query.hpp"
 
@@ -21,10 +21,10 @@ class BackwardSearch {
   /// Adds a view; its number is that of earlier views. `levels`: its structure, if any. A view
   /// shares the grid of the view before it on the path, unless that one shares a grid itself.
   void add(const std::optional<StructureLevels>& levels, double path, std::int64_t predecessor);
-  void join(std::int64_t from, std::int64_t to) { evidence_.join(from, to); }
+  void join(std::int64_t from, std::int64_t to) { cost_.join(from, to); }
   void beginPass();
 
-  /// One step along the path. `query` is null without structure: all evidence is then removed.
+  /// One step along the path. `query` is null without structure: all costs are then 0.
   void step(const StructureQuery* query, double path, double advance);
   /// The most probable place after a step.
   std::optional<PlaceCandidate> best() const;
@@ -44,7 +44,7 @@ class BackwardSearch {
   std::span<const std::uint8_t, kCells> grid(std::int64_t index) const;
 
   SearchSettings settings_;
-  PathEvidence evidence_;
+  PathCost cost_;
   std::vector<std::uint8_t> cells_;         ///< kCells for each grid
   std::vector<std::int32_t> grid_of_view_;  ///< -1: none
   std::vector<float> paths_;                ///< of each view, m

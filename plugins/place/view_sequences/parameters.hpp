@@ -39,7 +39,7 @@ struct Parameters {
                  "probability of the best place."),
         parameter("memory", &P::memory)
             .range(0, 0.99)
-            .doc("Share of the evidence that a step keeps: 0 looks at single views, 0.92 at "
+            .doc("Share of a path's cost that a step keeps: 0 looks at single views, 0.92 at "
                  "about a dozen."),
         parameter("exhaustive", &P::exhaustive)
             .range(0, 10000000)

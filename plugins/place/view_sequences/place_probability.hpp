@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The probability of a place, from its evidence and that of its rivals.
+// The probability of a place, from its cost and that of its rivals.
 #pragma once
 
 #include <cmath>
@@ -10,17 +10,18 @@ namespace tolman::view_sequences {
 
 /// Views nearer to each other than this show the same place. Chosen, not tuned.
 inline constexpr std::int64_t kSamePlace = 10;
-/// Evidence of the hypothesis that the robot is at no known place. Chosen as kNatsPerEvidence.
-inline constexpr double kEvidenceOfNovelty = -4;
+/// Cost of the hypothesis that the robot is at no known place. Chosen as kNatsPerCost.
+inline constexpr double kCostOfNovelty = -4;
 
-/// Posterior of the place with this evidence against its rivals: the best other place, the same
-/// street a moment ago, and no known place at all. Chosen on 1,241 right and 724 wrong best places
-/// of campus walks (places_gardens, six pairs of passes, whole and in halves) and on two drives in
-/// the town (06, 07); checked on a corridor (places_two_laps) and the drives 00 and 05.
-inline double probabilityOf(double evidence, std::initializer_list<double> rivals) {
-  constexpr double kNatsPerEvidence = 0.7;
+/// Posterior of the place with this cost (lower: more likely) against its rivals: the best other
+/// place, the same street a moment ago, and no known place at all. Chosen on 1,241 right and 724
+/// wrong best places of campus walks (places_gardens, six pairs of passes, whole and in halves) and
+/// on two drives in the town (06, 07); checked on a corridor (places_two_laps) and the drives 00
+/// and 05.
+inline double probabilityOf(double cost, std::initializer_list<double> rivals) {
+  constexpr double kNatsPerCost = 0.7;
   double odds_against = 0;
-  for (const double rival : rivals) odds_against += std::exp(kNatsPerEvidence * (evidence - rival));
+  for (const double rival : rivals) odds_against += std::exp(kNatsPerCost * (cost - rival));
   return 1 / (1 + odds_against);
 }
 

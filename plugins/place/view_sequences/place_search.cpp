@@ -51,14 +51,14 @@ TOLMAN_WIDE void lookUp(const float* table, const std::uint16_t* at, float* valu
 
 void PlaceSearch::add(const PackedView& view, double path, std::int64_t predecessor) {
   bank_.add(view, path);
-  evidence_.add(predecessor);
+  cost_.add(predecessor);
   codes_.update(bank_);
 }
 
 void PlaceSearch::beginPass() {
   bank_.beginPass();
   codes_.update(bank_);
-  evidence_.forget();
+  cost_.forget();
   best_.clear();
 }
 
@@ -72,16 +72,16 @@ void PlaceSearch::step(const ViewQuery& query, double path, double advance) {
   if (bank_.size() == 0) return;
   candidates_ = viewsUntil(path - settings_.recent);
   compareAll(query);
-  evidence_.step(distances_, advance, candidates_);
+  cost_.step(distances_, advance, candidates_);
   if (coded() > 0) {
     refineBest(query);
   } else {
     best_ = bestViews(kBestViews);
   }
-  evidence_of_recent_ = 0;
+  cost_of_recent_ = 0;
   const std::int64_t end = viewsUntil(path - 0.5 * settings_.recent);
   for (std::int64_t i = candidates_; i < end; ++i) {
-    evidence_of_recent_ = std::min(evidence_of_recent_, evidenceOf(i));
+    cost_of_recent_ = std::min(cost_of_recent_, costOf(i));
   }
 }
 
@@ -155,7 +155,7 @@ std::vector<float> PlaceSearch::distancesOf(const ViewQuery& query,
   return distances;
 }
 
-/// Corrects the evidence of the best views by full comparisons instead of codes.
+/// Corrects the costs of the best views by full comparisons instead of codes.
 void PlaceSearch::refineBest(const ViewQuery& query) {
   std::vector<std::int64_t> sample;
   for (std::int64_t k = 0; k < kSample; ++k) sample.push_back(k * candidates_ / kSample);
@@ -168,31 +168,30 @@ void PlaceSearch::refineBest(const ViewQuery& query) {
   const std::vector<float> distances = distancesOf(query, corrected);
   for (std::size_t i = 0; i < corrected.size(); ++i) {
     const float by_code = distances_[static_cast<std::size_t>(corrected[i])];
-    evidence_.correct(corrected[i], usual.standardised(distances[i]) - by_code);
+    cost_.correct(corrected[i], usual.standardised(distances[i]) - by_code);
   }
-  std::erase_if(best_, [&](std::int64_t view) { return evidenceOf(view) >= 0; });
-  std::ranges::sort(best_, {},
-                    [&](std::int64_t view) { return std::pair(evidenceOf(view), view); });
+  std::erase_if(best_, [&](std::int64_t view) { return costOf(view) >= 0; });
+  std::ranges::sort(best_, {}, [&](std::int64_t view) { return std::pair(costOf(view), view); });
   best_.resize(std::min(best_.size(), kBestViews));
 }
 
-/// The candidates with the most evidence (most negative), best first; of equal ones the older.
+/// The candidates with the lowest cost, best first; of equal ones the older.
 std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
-  const std::span<const float> evidence = evidence_.evidence();
+  const std::span<const float> cost = cost_.cost();
   std::vector<std::int64_t> best;
   const auto isBetter = [&](std::int64_t a, std::int64_t b) {
-    return evidence[static_cast<std::size_t>(a)] < evidence[static_cast<std::size_t>(b)];
+    return cost[static_cast<std::size_t>(a)] < cost[static_cast<std::size_t>(b)];
   };
-  float limit = 0;                     // only negative values are evidence for a place
+  float limit = 0;                     // a cost of 0 and above is no place
   constexpr std::int64_t kBlock = 64;  // views; only for speed
   for (std::int64_t block = 0; block < candidates_; block += kBlock) {
     const std::int64_t end = std::min(block + kBlock, candidates_);
-    if (leastOf(evidence.data() + block, end - block) >= limit) continue;
+    if (leastOf(cost.data() + block, end - block) >= limit) continue;
     for (std::int64_t i = block; i < end; ++i) {
-      if (evidence[static_cast<std::size_t>(i)] >= limit) continue;
+      if (cost[static_cast<std::size_t>(i)] >= limit) continue;
       best.insert(std::upper_bound(best.begin(), best.end(), i, isBetter), i);
       if (best.size() > count) best.pop_back();
-      if (best.size() == count) limit = evidence[static_cast<std::size_t>(best.back())];
+      if (best.size() == count) limit = cost[static_cast<std::size_t>(best.back())];
     }
   }
   return best;
@@ -208,26 +207,26 @@ std::vector<PlaceCandidate> PlaceSearch::candidates(int most) const {
         places, [&](std::int64_t place) { return std::abs(place - view) <= kSamePlace; });
     if (!known) places.push_back(view);
   }
-  const auto evidenceOfPlace = [&](std::size_t i) {
-    return i < places.size() ? static_cast<double>(evidenceOf(places[i])) : 0.0;
+  const auto costOfPlace = [&](std::size_t i) {
+    return i < places.size() ? static_cast<double>(costOf(places[i])) : 0.0;
   };
   for (std::size_t i = 0; i < places.size() && static_cast<int>(i) < most; ++i) {
-    const double other = evidenceOfPlace(i == 0 ? 1 : 0);
-    found.push_back({places[i], probabilityOf(evidenceOfPlace(i),
-                                              {other, evidence_of_recent_, kEvidenceOfNovelty})});
+    const double other = costOfPlace(i == 0 ? 1 : 0);
+    found.push_back(
+        {places[i], probabilityOf(costOfPlace(i), {other, cost_of_recent_, kCostOfNovelty})});
   }
   return found;
 }
 
 void PlaceSearch::save(StateWriter& writer) const {
   bank_.save(writer);
-  evidence_.save(writer);
+  cost_.save(writer);
 }
 
 bool PlaceSearch::load(StateReader& reader) {
   codes_ = PlaceCodes();
   best_.clear();
-  if (!bank_.load(reader) || !evidence_.load(reader, bank_.size())) return false;
+  if (!bank_.load(reader) || !cost_.load(reader, bank_.size())) return false;
   codes_.update(bank_);
   return true;
 }

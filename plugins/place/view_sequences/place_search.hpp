@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Finds the robot on the stored paths: compares the present view with the stored ones, adds up
-// evidence along the path, and computes the probabilities of the best places.
+// costs along the path, and computes the probabilities of the best places.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
-#include "path_evidence.hpp"
+#include "path_cost.hpp"
 #include "place_codes.hpp"
 #include "statistics.hpp"
 
@@ -15,7 +15,7 @@ namespace tolman::view_sequences {
 struct SearchSettings {
   std::int64_t exhaustive = 4000;  ///< with more views, codes choose which ones are compared
   double recent = 20;              ///< m of path: newer views are not candidates
-  EvidenceSettings evidence;
+  PathCostSettings cost;
 };
 
 struct PlaceCandidate {
@@ -26,12 +26,12 @@ struct PlaceCandidate {
 class PlaceSearch {
  public:
   explicit PlaceSearch(const SearchSettings& settings)
-      : settings_(settings), evidence_(settings.evidence) {}
+      : settings_(settings), cost_(settings.cost) {}
 
   const ViewBank& bank() const { return bank_; }
-  /// Stores a view; `predecessor` as for PathEvidence::add().
+  /// Stores a view; `predecessor` as for PathCost::add().
   void add(const PackedView& view, double path, std::int64_t predecessor);
-  void join(std::int64_t from, std::int64_t to) { evidence_.join(from, to); }
+  void join(std::int64_t from, std::int64_t to) { cost_.join(from, to); }
   /// The next views are of another time or place.
   void beginPass();
 
@@ -52,19 +52,17 @@ class PlaceSearch {
   Sums sumsOfBits(std::int64_t count) const;
   std::vector<float> distancesOf(const ViewQuery& query, const std::vector<std::int64_t>& views);
   std::vector<std::int64_t> bestViews(std::size_t count) const;
-  float evidenceOf(std::int64_t view) const {
-    return evidence_.evidence()[static_cast<std::size_t>(view)];
-  }
+  float costOf(std::int64_t view) const { return cost_.cost()[static_cast<std::size_t>(view)]; }
   std::int64_t coded() const;
   std::int64_t viewsUntil(double path) const;
 
   SearchSettings settings_;
   ViewBank bank_;
   PlaceCodes codes_;
-  PathEvidence evidence_;
+  PathCost cost_;
   std::int64_t candidates_ = 0;     ///< number of views that are not recent, the first ones
-  float evidence_of_recent_ = 0;    ///< best of the older half of the recent views
-  std::vector<std::int64_t> best_;  ///< after a step, the views with the most evidence, in order
+  float cost_of_recent_ = 0;        ///< best of the older half of the recent views
+  std::vector<std::int64_t> best_;  ///< after a step, the views of lowest cost, in order
   std::vector<std::uint16_t> bits_;
   std::vector<float> distances_;  ///< of all views, standardised by compareAll()
 };

@@ -7,4 +7,4 @@
 using tolman::view_sequences::ViewSequences;
 
 TOLMAN_PLUGIN(view_sequences, ViewSequences, "0.1.0",
-              "Sequences of views: evidence for a place adds up along the driven path.");
+              "Sequences of views: dissimilarity to each place, added up along the driven path.");

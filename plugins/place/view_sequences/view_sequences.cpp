@@ -68,7 +68,7 @@ Status ViewSequences::reset() {
   SearchSettings settings;
   settings.exhaustive = p.exhaustive;
   settings.recent = p.recent;
-  settings.evidence.memory = p.memory;
+  settings.cost.memory = p.memory;
   steps_ = std::make_unique<PathSteps>(p.spacing, p.recent);
   search_ = std::make_unique<PlaceSearch>(settings);
   verifier_ = std::make_unique<PlaceVerifier>(

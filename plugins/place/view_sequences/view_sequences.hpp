@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Place recognition by sequences of views along the driven path. Each step of `spacing` metres
-// compares the present view with the stored ones and adds up the evidence along stored paths. A
+// compares the present view with the stored ones and adds up the cost along stored paths. A
 // place that is much more probable than all others is familiar; any other view is stored. Only past
 // views are used. The score of the answer is the probability that the best place is wrong.
 #pragma once

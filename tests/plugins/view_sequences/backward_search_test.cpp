@@ -126,7 +126,7 @@ TEST_CASE("where the stored path has no structure any more, nothing is claimed")
   }
 }
 
-TEST_CASE("a step without structure forgets all evidence") {
+TEST_CASE("a step without structure sets all costs to 0") {
   const Street street(6, 120);
   Drive drive;
   drive.store(street);

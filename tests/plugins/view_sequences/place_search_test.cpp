@@ -231,7 +231,7 @@ TEST_CASE("two stored passes along a street share the probability of the third")
   CHECK(found > 0.9 * 138);
 }
 
-TEST_CASE("evidence goes on where a path came back to a known one") {
+TEST_CASE("a path's cost goes on where a path came back to a known one") {
   for (const bool joined : {true, false}) {
     RandomStream random(8);
     const std::vector<EdgeValues> street = randomPath(100, random);

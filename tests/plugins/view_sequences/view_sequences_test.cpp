@@ -93,7 +93,7 @@ TEST_CASE("a second lap is familiar, a new street after it is not") {
   for (int place = 500; place < 560; ++place) {
     familiar += tour.drive(placePicture(place), 1).recognition == Recognition::Familiar ? 1 : 0;
   }
-  CHECK(familiar <= 15);  // the evidence of the lap fades
+  CHECK(familiar <= 15);  // the costs of the lap return to 0
 }
 
 TEST_CASE("views of the last metres are not familiar, unless odometry restarted in between") {
@@ -109,7 +109,7 @@ TEST_CASE("views of the last metres are not familiar, unless odometry restarted 
   }
 }
 
-TEST_CASE("a restart forgets the evidence, not the views") {
+TEST_CASE("a restart resets the costs, not the views") {
   Tour tour(bold());
   for (int place = 0; place < 80; ++place) tour.drive(placePicture(place), 1, place == 0);
   CHECK(recognised(tour, 40, true) >= 28);

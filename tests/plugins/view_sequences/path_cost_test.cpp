@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evidence along paths against the equation of path_evidence.hpp, evaluated one view at a time.
-#include "path_evidence.hpp"
+// Costs along paths against the equation of path_cost.hpp, evaluated one view at a time.
+#include "path_cost.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,22 +14,22 @@ using namespace tolman::view_sequences::test;
 
 namespace {
 
-constexpr EvidenceSettings kSettings = {0.9, 0.8, 1.2};
+constexpr PathCostSettings kSettings = {0.9, 0.8, 1.2};
 
 /// E_t(p) = z_t(p) + offset + memory * min(0, best of all ways that lead to p).
 class Naive {
  public:
   explicit Naive(Direction direction) : forwards_(direction == Direction::Forwards) {}
   void add(std::int64_t predecessor) {
-    const auto view = static_cast<std::int64_t>(evidence_.size());
+    const auto view = static_cast<std::int64_t>(cost_.size());
     continues_.push_back(predecessor >= 0 && predecessor == view - 1);
     if (predecessor >= 0 && predecessor != view - 1) join(predecessor, view);
-    evidence_.push_back(0);
+    cost_.push_back(0);
   }
   void join(std::int64_t from, std::int64_t to) { links_.emplace_back(from, to); }
   void step(const std::vector<float>& z, double advance, std::int64_t candidates) {
     std::vector<double> next;
-    for (std::int64_t p = 0; p < static_cast<std::int64_t>(evidence_.size()); ++p) {
+    for (std::int64_t p = 0; p < static_cast<std::int64_t>(cost_.size()); ++p) {
       double best = 0;
       std::int64_t from = p;
       for (int k = 0; k <= 3; ++k) {  // at most three views in one step
@@ -45,10 +45,10 @@ class Naive {
       }
       next.push_back(z[static_cast<std::size_t>(p)] + kSettings.offset + kSettings.memory * best);
     }
-    evidence_ = next;
+    cost_ = next;
   }
-  double& at(std::int64_t p) { return evidence_[static_cast<std::size_t>(p)]; }
-  void forget() { evidence_.assign(evidence_.size(), 0); }
+  double& at(std::int64_t p) { return cost_[static_cast<std::size_t>(p)]; }
+  void forget() { cost_.assign(cost_.size(), 0); }
 
  private:
   /// Whether there is a view before this one in the direction in which the path is driven now.
@@ -59,7 +59,7 @@ class Naive {
   }
 
   bool forwards_;
-  std::vector<double> evidence_;
+  std::vector<double> cost_;
   std::vector<bool> continues_;
   std::vector<std::pair<std::int64_t, std::int64_t>> links_;
 };
@@ -67,15 +67,15 @@ class Naive {
 /// Both, told the same.
 struct Pair {
   explicit Pair(Direction direction = Direction::Forwards)
-      : evidence({kSettings.memory, kSettings.penalty, kSettings.offset, direction}),
+      : cost({kSettings.memory, kSettings.penalty, kSettings.offset, direction}),
         naive(direction) {}
 
-  PathEvidence evidence;
+  PathCost cost;
   Naive naive;
   std::int64_t views = 0;
 
   void add(std::int64_t predecessor) {
-    evidence.add(predecessor);
+    cost.add(predecessor);
     naive.add(predecessor);
     ++views;
   }
@@ -92,7 +92,7 @@ struct Pair {
     };
     const std::int64_t from = any();
     const std::int64_t to = any();
-    evidence.join(from, to);
+    cost.join(from, to);
     naive.join(from, to);
   }
   void step(RandomStream& random) {
@@ -101,25 +101,25 @@ struct Pair {
     const double advance = random.uniform(0, 4);
     const auto candidates =
         static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(views + 1)));
-    evidence.step(z, advance, candidates);
+    cost.step(z, advance, candidates);
     naive.step(z, advance, candidates);
   }
   void check() {
-    REQUIRE(evidence.evidence().size() == static_cast<std::size_t>(views));
+    REQUIRE(cost.cost().size() == static_cast<std::size_t>(views));
     for (std::int64_t p = 0; p < views; ++p) {
       CAPTURE(p, views);
-      REQUIRE(evidence.evidence()[static_cast<std::size_t>(p)] == Approx(naive.at(p)).margin(1e-4));
+      REQUIRE(cost.cost()[static_cast<std::size_t>(p)] == Approx(naive.at(p)).margin(1e-4));
     }
   }
 };
 
-std::string bytesOf(const PathEvidence& evidence) {
-  return savedBytes([&](StateWriter& writer) { evidence.save(writer); });
+std::string bytesOf(const PathCost& cost) {
+  return savedBytes([&](StateWriter& writer) { cost.save(writer); });
 }
 
-bool takes(PathEvidence& evidence, const std::string& bytes, std::int64_t views) {
+bool takes(PathCost& cost, const std::string& bytes, std::int64_t views) {
   StateReader reader = readerOf(bytes);
-  return evidence.load(reader, views) && reader.complete();
+  return cost.load(reader, views) && reader.complete();
 }
 
 Pair somePaths(RandomStream& random) {
@@ -134,7 +134,7 @@ Pair somePaths(RandomStream& random) {
 
 }  // namespace
 
-TEST_CASE("evidence is that of the equation, over random paths, links, steps and candidates") {
+TEST_CASE("costs are those of the equation, over random paths, links, steps and candidates") {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     RandomStream random(seed);
     Pair pair(seed % 2 == 0 ? Direction::Forwards : Direction::Backwards);
@@ -145,11 +145,11 @@ TEST_CASE("evidence is that of the equation, over random paths, links, steps and
       if (random.below(15) == 0) {
         const auto view = static_cast<std::int64_t>(random.below(std::uint64_t(pair.views)));
         const auto change = static_cast<float>(random.normal());
-        pair.evidence.correct(view, change);
+        pair.cost.correct(view, change);
         pair.naive.at(view) += change;
       }
       if (random.below(40) == 0) {
-        pair.evidence.forget();
+        pair.cost.forget();
         pair.naive.forget();
       }
       pair.step(random);
@@ -158,72 +158,72 @@ TEST_CASE("evidence is that of the equation, over random paths, links, steps and
   }
 }
 
-TEST_CASE("evidence adds up along a path that is driven again at its own speed") {
-  PathEvidence evidence(kSettings);
-  for (int i = 0; i < 40; ++i) evidence.add(i - 1);
+TEST_CASE("the cost falls along a path that is driven again at its own speed") {
+  PathCost cost(kSettings);
+  for (int i = 0; i < 40; ++i) cost.add(i - 1);
   for (int t = 0; t < 10; ++t) {
     std::vector<float> z(40, 0);
     z[static_cast<std::size_t>(10 + t)] = -3;
-    evidence.step(z, 1, 40);
+    cost.step(z, 1, 40);
   }
-  const auto all = evidence.evidence();
+  const auto all = cost.cost();
   CHECK(std::ranges::min_element(all) - all.begin() == 19);
   double expected = 0;
   for (int t = 0; t < 10; ++t) expected = -3 + 1.2 + 0.9 * expected;
   CHECK(all[19] == Approx(expected));
-  CHECK(all[39] == Approx(1.2));  // nothing was alike, and evidence above 0 is forgotten
-  evidence.forget();
-  for (const float e : evidence.evidence()) CHECK(e == 0);
+  CHECK(all[39] == Approx(1.2));  // nothing was alike, and a cost above 0 counts as 0
+  cost.forget();
+  for (const float e : cost.cost()) CHECK(e == 0);
 }
 
-TEST_CASE("evidence adds up in falling order along a path that is driven the other way") {
-  constexpr EvidenceSettings kBack = {0.9, 0.8, 1.2, Direction::Backwards};
+TEST_CASE("the cost falls in reverse order along a path that is driven the other way") {
+  constexpr PathCostSettings kBack = {0.9, 0.8, 1.2, Direction::Backwards};
   for (const auto direction : {Direction::Backwards, Direction::Forwards}) {
-    PathEvidence evidence({kBack.memory, kBack.penalty, kBack.offset, direction});
-    for (int i = 0; i < 40; ++i) evidence.add(i - 1);
+    PathCost cost({kBack.memory, kBack.penalty, kBack.offset, direction});
+    for (int i = 0; i < 40; ++i) cost.add(i - 1);
     for (int t = 0; t < 10; ++t) {
       std::vector<float> z(40, 0);
       z[static_cast<std::size_t>(30 - t)] = -3;
-      evidence.step(z, 1, 40);
+      cost.step(z, 1, 40);
     }
     double expected = 0;
     for (int t = 0; t < 10; ++t) expected = -3 + 1.2 + 0.9 * expected;
     if (direction == Direction::Backwards) {
-      CHECK(evidence.evidence()[21] == Approx(expected));
+      CHECK(cost.cost()[21] == Approx(expected));
     } else {
-      CHECK(evidence.evidence()[21] > 0.5 * expected);
+      CHECK(cost.cost()[21] > 0.5 * expected);
     }
-    CHECK(evidence.evidence()[0] == Approx(1.2));
+    CHECK(cost.cost()[0] == Approx(1.2));
   }
 }
 
 TEST_CASE("a loaded state is the saved one to the bit, and goes on as it would") {
   RandomStream random(31);
   Pair pair = somePaths(random);
-  PathEvidence loaded(kSettings);
+  PathCost loaded(kSettings);
   loaded.add(-1);  // forgotten
-  REQUIRE(takes(loaded, bytesOf(pair.evidence), pair.views));
-  CHECK(bytesOf(loaded) == bytesOf(pair.evidence));
+  REQUIRE(takes(loaded, bytesOf(pair.cost), pair.views));
+  CHECK(bytesOf(loaded) == bytesOf(pair.cost));
   for (int i = 0; i < 20; ++i) {
-    pair.evidence.add(pair.views - 1);
+    pair.cost.add(pair.views - 1);
     loaded.add(pair.views - 1);
     ++pair.views;
     std::vector<float> z(static_cast<std::size_t>(pair.views), -1.5F);
-    pair.evidence.step(z, 1.1, pair.views);
+    pair.cost.step(z, 1.1, pair.views);
     loaded.step(z, 1.1, pair.views);
-    REQUIRE(bytesOf(loaded) == bytesOf(pair.evidence));
+    REQUIRE(bytesOf(loaded) == bytesOf(pair.cost));
   }
-  PathEvidence empty(kSettings);
-  CHECK(takes(empty, bytesOf(PathEvidence(kSettings)), 0));
+  PathCost empty(kSettings);
+  CHECK(takes(empty, bytesOf(PathCost(kSettings)), 0));
 }
 
 TEST_CASE("damaged states are refused without asking for memory") {
   RandomStream random(32);
   const Pair pair = somePaths(random);
-  const std::string sound = bytesOf(pair.evidence);
+  const std::string sound = bytesOf(pair.cost);
   const auto isRefused = [&](const std::string& bytes, std::int64_t views) {
-    PathEvidence evidence(kSettings);
-    return !takes(evidence, bytes, views);
+    PathCost cost(kSettings);
+    return !takes(cost, bytes, views);
   };
   REQUIRE_FALSE(isRefused(sound, pair.views));
   for (std::size_t length = 0; length < sound.size(); length += 7) {

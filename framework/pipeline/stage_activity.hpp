@@ -12,12 +12,13 @@
 namespace tolman::pipeline {
 
 /// All functions may be called from any thread. A role has at most one Mark at a time.
-class Activity {
+class StageActivity {
  public:
   /// The role counts as working while this object exists.
   class Mark {
    public:
-    Mark(Activity& activity, Role role) : since_(activity.since_[static_cast<std::size_t>(role)]) {
+    Mark(StageActivity& activity, Role role)
+        : since_(activity.since_[static_cast<std::size_t>(role)]) {
       since_ = std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
     }
     ~Mark() { since_ = 0; }

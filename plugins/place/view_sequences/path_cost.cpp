@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "path_evidence.hpp"
+#include "path_cost.hpp"
 
 #include <algorithm>
 #include <array>
@@ -19,22 +19,22 @@ struct Transition {
   float memory;
   float offset;
 
-  float evidence(float z, float best) const { return z + offset + memory * (best < 0 ? best : 0); }
+  float cost(float z, float best) const { return z + offset + memory * (best < 0 ? best : 0); }
 };
 
-/// Evidence of view `i`, near the end of a sequence: only `beyond` views, fewer than kLargestStep,
+/// Cost of view `i`, near the end of a sequence: only `beyond` views, fewer than kLargestStep,
 /// are before it in the driving direction.
 template <std::int64_t kForward>
-float evidenceAtEnd(const Transition& t, const float* before, const float* z, std::int64_t i,
-                    std::int64_t beyond) {
+float costAtEnd(const Transition& t, const float* before, const float* z, std::int64_t i,
+                std::int64_t beyond) {
   float best = 0;
   for (std::int64_t k = 0; k <= beyond; ++k) {
     best = std::min(best, before[i - kForward * k] + t.costs[static_cast<std::size_t>(k)]);
   }
-  return t.evidence(z[i], best);
+  return t.cost(z[i], best);
 }
 
-/// Evidence of the views from `begin` to `end`, which have kLargestStep views before them.
+/// Cost of the views from `begin` to `end`, which have kLargestStep views before them.
 template <std::int64_t kForward>
 [[gnu::always_inline]] inline void stepInner(const Transition& t, const float* before,
                                              const float* z, float* after, std::int64_t begin,
@@ -59,7 +59,7 @@ template <std::int64_t kForward>
 TOLMAN_WIDE void stepForwards(const Transition& t, const float* before, const float* z,
                               float* after, std::int64_t count) {
   const std::int64_t first = std::min<std::int64_t>(count, kLargestStep);
-  for (std::int64_t i = 0; i < first; ++i) after[i] = evidenceAtEnd<1>(t, before, z, i, i);
+  for (std::int64_t i = 0; i < first; ++i) after[i] = costAtEnd<1>(t, before, z, i, i);
   stepInner<1>(t, before, z, after, first, count);
 }
 
@@ -68,25 +68,24 @@ TOLMAN_WIDE void stepBackwards(const Transition& t, const float* before, const f
   const std::int64_t last = std::max<std::int64_t>(count - kLargestStep, 0);
   stepInner<-1>(t, before, z, after, 0, last);
   for (std::int64_t i = last; i < count; ++i) {
-    after[i] = evidenceAtEnd<-1>(t, before, z, i, count - 1 - i);
+    after[i] = costAtEnd<-1>(t, before, z, i, count - 1 - i);
   }
 }
 
 }  // namespace
 
-void PathEvidence::add(std::int64_t predecessor) {
-  const auto view = static_cast<std::int64_t>(evidence_.size());
+void PathCost::add(std::int64_t predecessor) {
+  const auto view = static_cast<std::int64_t>(cost_.size());
   if (predecessor != view - 1 || predecessor < 0) {
     starts_.push_back(view);
     if (predecessor >= 0) links_.push_back({predecessor, view});
   }
-  evidence_.push_back(0);
+  cost_.push_back(0);
 }
 
-void PathEvidence::join(std::int64_t from, std::int64_t to) { links_.push_back({from, to}); }
+void PathCost::join(std::int64_t from, std::int64_t to) { links_.push_back({from, to}); }
 
-void PathEvidence::step(std::span<const float> standardised, double advance,
-                        std::int64_t candidates) {
+void PathCost::step(std::span<const float> standardised, double advance, std::int64_t candidates) {
   Transition transition{
       {}, static_cast<float>(settings_.memory), static_cast<float>(settings_.offset)};
   for (int k = 0; k <= kLargestStep; ++k) {
@@ -94,33 +93,33 @@ void PathEvidence::step(std::span<const float> standardised, double advance,
         static_cast<float>(settings_.penalty * std::abs(k - advance));
   }
   const bool forwards = settings_.direction == Direction::Forwards;
-  before_.swap(evidence_);
-  evidence_.resize(before_.size());
+  before_.swap(cost_);
+  cost_.resize(before_.size());
   for (std::size_t s = 0; s < starts_.size(); ++s) {
     const std::int64_t start = starts_[s];
     const auto end =
         s + 1 < starts_.size() ? starts_[s + 1] : static_cast<std::int64_t>(before_.size());
     const auto step_sequence = forwards ? stepForwards : stepBackwards;
     step_sequence(transition, before_.data() + start, standardised.data() + start,
-                  evidence_.data() + start, end - start);
+                  cost_.data() + start, end - start);
   }
   for (const SequenceLink& link : links_) {
     const std::int64_t giver = forwards ? link.from : link.to;
     if (giver >= candidates) continue;
     const auto to = static_cast<std::size_t>(forwards ? link.to : link.from);
     const float best = before_[static_cast<std::size_t>(giver)] + transition.costs[1];
-    evidence_[to] = std::min(evidence_[to], transition.evidence(standardised[to], best));
+    cost_[to] = std::min(cost_[to], transition.cost(standardised[to], best));
   }
 }
 
-void PathEvidence::correct(std::int64_t view, float change) {
-  evidence_[static_cast<std::size_t>(view)] += change;
+void PathCost::correct(std::int64_t view, float change) {
+  cost_[static_cast<std::size_t>(view)] += change;
 }
 
-void PathEvidence::forget() { std::ranges::fill(evidence_, 0.0F); }
+void PathCost::forget() { std::ranges::fill(cost_, 0.0F); }
 
-void PathEvidence::save(StateWriter& writer) const {
-  writer.putAll<float>(evidence_);
+void PathCost::save(StateWriter& writer) const {
+  writer.putAll<float>(cost_);
   writer.put(static_cast<std::uint64_t>(starts_.size()));
   writer.putAll<std::int64_t>(starts_);
   writer.put(static_cast<std::uint64_t>(links_.size()));
@@ -130,12 +129,12 @@ void PathEvidence::save(StateWriter& writer) const {
   }
 }
 
-bool PathEvidence::load(StateReader& reader, std::int64_t views) {
-  *this = PathEvidence(settings_);
+bool PathCost::load(StateReader& reader, std::int64_t views) {
+  *this = PathCost(settings_);
   const auto isView = [&](std::int64_t i) { return i >= 0 && i < views; };
   if (static_cast<std::uint64_t>(views) > reader.remaining() / sizeof(float)) return false;
-  evidence_.resize(static_cast<std::size_t>(views));
-  reader.getAll<float>(evidence_);
+  cost_.resize(static_cast<std::size_t>(views));
+  reader.getAll<float>(cost_);
   const auto starts = reader.get<std::uint64_t>();
   if (starts > reader.remaining() / sizeof(std::int64_t)) return false;
   starts_.resize(starts);
@@ -146,7 +145,7 @@ bool PathEvidence::load(StateReader& reader, std::int64_t views) {
     const auto from = reader.get<std::int64_t>();
     links_.push_back({from, reader.get<std::int64_t>()});
   }
-  const bool sound = std::ranges::all_of(evidence_, [](float e) { return std::isfinite(e); }) &&
+  const bool sound = std::ranges::all_of(cost_, [](float e) { return std::isfinite(e); }) &&
                      std::ranges::all_of(starts_, isView) &&
                      std::ranges::adjacent_find(starts_, std::greater_equal{}) == starts_.end() &&
                      std::ranges::all_of(links_, [&](const SequenceLink& link) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evidence for every stored view along the driven path: a Viterbi recursion over the stored
-// sequences, in the spirit of SeqSLAM (Milford and Wyeth, ICRA 2012), whose lines of constant speed
-// become steps of driven metres. For stored view p at step t
-//   E_t(p) = z_t(p) + offset + memory * min(0, min_k(E_{t-1}(p - k) + penalty * |k - advance|))
+// The cost of every stored view as the present place, added up along the driven path (lower: more
+// likely): a Viterbi recursion over the stored sequences, in the spirit of SeqSLAM (Milford and
+// Wyeth, ICRA 2012), whose lines of constant speed become steps of driven metres. For stored view p
+// at step t
+//   C_t(p) = z_t(p) + offset + memory * min(0, min_k(C_{t-1}(p - k) + penalty * |k - advance|))
 // where z is the standardised distance of the view (negative: more alike than usual) and `advance`
 // the driven metres in numbers of stored views. The offset is between the z of a right and of a
-// wrong place, and evidence above 0 is dropped (as in Page's CUSUM test), so that a sequence that
-// has left the known path loses its evidence within a few steps. On a path that is driven in the
+// wrong place, and a cost above 0 counts as 0 (as in Page's CUSUM test), so that a sequence that
+// has left the known path returns to 0 within a few steps. On a path that is driven in the
 // opposite direction the order of views is reversed: p + k instead of p - k.
 #pragma once
 
@@ -21,16 +22,16 @@ namespace tolman::view_sequences {
 enum class Direction : std::uint8_t { Forwards, Backwards };
 
 /// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/places.md tells how.
-struct EvidenceSettings {
+struct PathCostSettings {
   double memory = 0.92;
   double penalty = 1.0;
   double offset = 1.4;
   Direction direction = Direction::Forwards;  ///< in which the stored paths are driven at present
 };
 
-class PathEvidence {
+class PathCost {
  public:
-  explicit PathEvidence(const EvidenceSettings& settings) : settings_(settings) {}
+  explicit PathCost(const PathCostSettings& settings) : settings_(settings) {}
 
   /// Adds a stored view. `predecessor` is the view before it on the path: usually the one stored
   /// before it, an older one where the path left a known one, or -1 for none.
@@ -38,15 +39,15 @@ class PathEvidence {
   /// Links a stored view to an older one, where the path came back to a known path.
   void join(std::int64_t from, std::int64_t to);
   /// One step: `standardised` has z for every stored view. Only the first `candidates` views pass
-  /// evidence on to another sequence, because the similarity of the present view to recent ones is
-  /// no evidence for an older place.
+  /// their cost on to another sequence, because the similarity of the present view to recent ones
+  /// says nothing about an older place.
   void step(std::span<const float> standardised, double advance, std::int64_t candidates);
-  /// Adds `change` to the evidence of one view, as if its z were different by this.
+  /// Adds `change` to the cost of one view, as if its z were different by this.
   void correct(std::int64_t view, float change);
-  /// Removes all evidence, because the position is unknown.
+  /// Sets all costs to 0, because the position is unknown.
   void forget();
 
-  std::span<const float> evidence() const { return evidence_; }
+  std::span<const float> cost() const { return cost_; }
 
   void save(StateWriter& writer) const;
   bool load(StateReader& reader, std::int64_t views);
@@ -57,9 +58,9 @@ class PathEvidence {
     std::int64_t to;
   };
 
-  EvidenceSettings settings_;
-  std::vector<float> evidence_;
-  std::vector<float> before_;         ///< working memory: the evidence of the previous step
+  PathCostSettings settings_;
+  std::vector<float> cost_;
+  std::vector<float> before_;         ///< working memory: the cost of the previous step
   std::vector<std::int64_t> starts_;  ///< first view of each stored sequence
   std::vector<SequenceLink> links_;   ///< between sequences
 };
