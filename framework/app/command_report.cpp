@@ -12,7 +12,7 @@
 namespace tolman::app {
 namespace {
 
-constexpr std::size_t kMostUnits = 1'000'000;
+constexpr std::size_t kMaxUnits = 1'000'000;
 
 /// Counted from 1, as on the command line.
 struct UnitOptions {
@@ -27,14 +27,14 @@ std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
   command
       .add_option("--hd-unit", units->head_direction,
                   "Head direction unit whose firing rate is drawn, from 1 (default: 1)")
-      ->check(CLI::Range(std::size_t{1}, kMostUnits));
+      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
   command
       .add_option("--grid-unit", units->grid,
                   "Row,column of the grid unit whose firing rate is drawn, from 1 (default: 1,1)")
       ->type_name("ROW,COLUMN")
       ->delimiter(',')
       ->expected(2)
-      ->check(CLI::Range(std::size_t{1}, kMostUnits));
+      ->check(CLI::Range(std::size_t{1}, kMaxUnits));
   return units;
 }
 

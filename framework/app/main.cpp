@@ -35,9 +35,9 @@ void repairInheritedState() {
 void limitFragmentation() {
 #ifdef __GLIBC__
   constexpr int kLargeBuffer = 4 << 20;  // bytes
-  constexpr int kMostKept = 256 << 20;   // bytes
+  constexpr int kMaxKept = 256 << 20;    // bytes
   ::mallopt(M_MMAP_THRESHOLD, kLargeBuffer);
-  ::mallopt(M_TRIM_THRESHOLD, kMostKept);
+  ::mallopt(M_TRIM_THRESHOLD, kMaxKept);
 #endif
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 40;  // files of a folder that are tried
+constexpr std::size_t kMaxFiles = 40;  // files of a folder that are tried
 constexpr const char* kAssumedRate = "10";
 constexpr std::array<const char*, 3> kBelow = {"", "/data", "/images"};  // in a camera's folder
 
@@ -31,7 +31,7 @@ std::vector<std::string> namesIn(const fs::path& folder, const std::vector<std::
     if (wanted) names.push_back(at->path().filename().string());
   }
   std::ranges::sort(names);
-  if (names.size() > kMostFiles) names.resize(kMostFiles);
+  if (names.size() > kMaxFiles) names.resize(kMaxFiles);
   return names;
 }
 

@@ -13,13 +13,13 @@
 namespace tolman::config {
 
 /// Differences of stamps and frames fit their type.
-inline constexpr std::int64_t kMostInteger = std::int64_t{1} << 62U;
+inline constexpr std::int64_t kMaxInteger = std::int64_t{1} << 62U;
 /// Squares of numbers up to this one are finite.
-inline constexpr double kMostNumber = 1e100;
+inline constexpr double kMaxNumber = 1e100;
 inline constexpr double kFarthest = 1e12;  // m, of each coordinate of a position
 /// Largest element of |R'R - 1|. A rotation in single precision has about 1e-6.
 inline constexpr double kRotationError = 1e-4;
-inline constexpr std::size_t kMostArrays = 256;    // of a frame, in one record
+inline constexpr std::size_t kMaxArrays = 256;     // of a frame, in one record
 inline constexpr std::size_t kLongestName = 100;   // bytes, of an array
 inline constexpr std::size_t kLongestText = 1000;  // bytes, of a unit or a description
 

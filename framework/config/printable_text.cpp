@@ -40,8 +40,8 @@ Character firstOf(std::string_view text) {
     if ((next & 0xc0U) != 0x80U) return kNone;
     c = c << 6U | (next & 0x3fU);
   }
-  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
-  if (c < kLeast.at(length) || c > 0x10ffff) return kNone;
+  constexpr std::array<std::uint32_t, 5> kMin = {0, 0, 0x80, 0x800, 0x10000};
+  if (c < kMin.at(length) || c > 0x10ffff) return kNone;
   return {length, !isControl(c)};
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 /// A long message, such as one that quotes a whole file, without its middle.
 std::string shortened(const std::string& message) {
-  constexpr std::size_t kMost = 2000;  // lists of keys are shorter
+  constexpr std::size_t kMax = 2000;  // lists of keys are shorter
   constexpr std::size_t kEnd = 200;
-  if (message.size() <= kMost) return message;
+  if (message.size() <= kMax) return message;
   return message.substr(0, kEnd) + " ... " + message.substr(message.size() - kEnd);
 }
 

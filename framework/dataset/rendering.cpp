@@ -11,7 +11,7 @@ namespace {
 // Number of frames in flight: one is read while the others are written. More only cost memory.
 constexpr std::size_t kInFlight = 4;
 // Largest number of warnings on the terminal; the summary counts all.
-constexpr std::int64_t kMostWarnings = 5;
+constexpr std::int64_t kMaxWarnings = 5;
 
 }  // namespace
 
@@ -75,8 +75,8 @@ void Rendering::leaveOut(const Frame& frame) {
   const std::string message =
       "frame " + std::to_string(frame.frame) + " is left out, the folder cannot have a gap: ";
   const std::int64_t before = outcome_.left_out++;
-  if (before < kMostWarnings) log_.warning(message + reason);
-  if (before == kMostWarnings) log_.warning("more frames are left out; the summary counts them");
+  if (before < kMaxWarnings) log_.warning(message + reason);
+  if (before == kMaxWarnings) log_.warning("more frames are left out; the summary counts them");
   on_frame_();
 }
 
@@ -117,6 +117,11 @@ void Rendering::finish() {
   if (drive_.hasTruth()) outcome_.revisits = findRevisits(drive_.truth);
   if (!drive_.hasTruth() && info_.has_truth) {
     log_.warning("some frames have no true pose: poses.txt and loops.txt are not written");
+  }
+  const bool ended = !outcome_.interrupted && outcome_.source.isOk() && options_.frames < 0;
+  if (ended && info_.frames > outcome_.written + outcome_.left_out) {
+    log_.warning("the source ended after " + std::to_string(outcome_.written + outcome_.left_out) +
+                 " of the " + std::to_string(info_.frames) + " frames that it had told");
   }
   outcome_.folder = folder_.writeTexts(info_.rig, drive_, outcome_.revisits);
 }

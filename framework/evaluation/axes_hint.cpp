@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "evaluation/errors.hpp"
 
 namespace tolman::evaluation {
 namespace {
@@ -49,9 +52,9 @@ double meanAngle(double sum, const Steps& steps) {
 }  // namespace
 
 std::string axesHint(const Matches& matches) {
-  constexpr std::size_t kFewest = 10;  // frames
+  constexpr std::size_t kMin = 10;  // frames
   const Steps steps = stepsOf(matches.truth, matches.estimate);
-  if (matches.size() < kFewest || !(steps.lengths > 0)) return "";
+  if (matches.size() < kMin || !(steps.lengths > 0)) return "";
   const double apart = meanAngle(steps.products.trace(), steps);
   if (apart < kApart) return "";
   const Steps other = stepsOf(inverted(matches.truth), matches.estimate);
@@ -70,6 +73,35 @@ std::string axesHint(const Matches& matches) {
       "all along: are the true poses camera to world, of the left camera (x right, y down, z "
       "forward), with quaternions as x y z w? Rotation errors, drift and NEES are wrong if not",
       apart / kDegree);
+}
+
+std::string rotationHint(const Matches& aligned) {
+  constexpr std::size_t kMin = 10;  // frames
+  constexpr double kAgree = 0.05;   // of the true path
+  const Steps steps = stepsOf(aligned.truth, aligned.estimate);
+  if (aligned.size() < kMin || !(steps.lengths > 0)) return "";
+  const double apart = meanAngle(steps.products.trace(), steps);
+  if (apart < kApart || absoluteError(aligned).rmse > kAgree * pathLength(aligned.truth)) return "";
+  return fmt::format(
+      "the positions agree, but true and estimated motion, each in the axes of its camera, point "
+      "in "
+      "directions {:.0f} degrees apart: the rotations of one of the two are wrong. Are the "
+      "quaternions in the order x y z w, and the poses camera to world? Rotation errors and drift "
+      "are wrong if not",
+      apart / kDegree);
+}
+
+std::string unitHint(const Matches& matches) {
+  constexpr double kFactor = 50;
+  constexpr double kMin = 0.1;  // m; shorter paths say nothing
+  const double truth = pathLength(matches.truth);
+  const double estimate = pathLength(matches.estimate);
+  if (std::min(truth, estimate) < kMin) return "";
+  if (std::max(truth, estimate) < kFactor * std::min(truth, estimate)) return "";
+  return fmt::format(
+      "the true path is {:.3g} times as long as the estimated one: are the positions of both in "
+      "metres?",
+      truth / estimate);
 }
 
 }  // namespace tolman::evaluation

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects truth in other axes than those of the estimate: poses of the vehicle's body instead of
-// the camera, world-to-camera poses, quaternions in another order. An alignment moves the world of
-// the estimate, not its camera, so position errors alone do not show this.
+// Detects poses that are not what they are read as: truth in other axes than those of the estimate
+// (poses of the vehicle's body instead of the camera, world-to-camera poses), quaternions in
+// another order, positions in another unit than metres. An alignment moves the world of the
+// estimate, not its camera, so position errors alone do not show wrong rotations.
 #pragma once
 
 #include <string>
@@ -14,5 +15,13 @@ namespace tolman::evaluation {
 /// degrees in the mean and one rotation, or inverting the true poses, brings them within 15
 /// degrees; else empty.
 std::string axesHint(const Matches& matches);
+
+/// A warning if the aligned positions agree within a twentieth of the true path, but the directions
+/// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean; else
+/// empty.
+std::string rotationHint(const Matches& aligned);
+
+/// A warning if one of the paths is over 50 times as long as the other; else empty.
+std::string unitHint(const Matches& matches);
 
 }  // namespace tolman::evaluation

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kShuffles = 200;
 /// Shortest shift of a unit's activity (Boccara et al. 2010). In a run shorter than ten times this,
 /// it is a tenth of the run.
-constexpr double kLeastShift = 20;  // s
-constexpr double kMargin = 0.1;     // share of the extent, around the decodable positions
+constexpr double kMinShift = 20;  // s
+constexpr double kMargin = 0.1;   // share of the extent, around the decodable positions
 
 Eigen::Vector2d positionOf(const StampedPose& at) { return {at.pose.x, at.pose.y}; }
 
@@ -85,7 +85,7 @@ void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPo
 /// Options for one population. figures.least_shift_s is the longest of the shortest shifts of all
 /// populations.
 Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
-  const double least = std::min(kLeastShift, units.seconds / 10);
+  const double least = std::min(kMinShift, units.seconds / 10);
   const double share = units.seconds > 0 ? least / units.seconds : 0.1;
   figures.least_shift_s = std::max(figures.least_shift_s, least);
   return {kShuffles,

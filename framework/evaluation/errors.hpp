@@ -37,11 +37,12 @@ struct RelativeError {
   Statistics rotation_deg;
 };
 
-/// Over steps of `delta` frames (by the estimate's frame indices; missing frames give no pair).
+/// Over steps of `delta` frames (by the estimate's frame indices; missing frames give no pair, and
+/// neither does the step from one session to the next).
 RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta = 1);
 
-/// Over steps of at least `length` metres of the true path, one from each pose; errors are divided
-/// by the length of the step and so are per metre.
+/// Over steps of at least `length` metres of the true path, one from each pose, within one
+/// session; errors are divided by the length of the step and so are per metre.
 RelativeError relativeErrorOverDistance(const Matches& aligned, double length = 1);
 
 }  // namespace tolman::evaluation

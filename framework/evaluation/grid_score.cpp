@@ -13,13 +13,13 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Fewest bins that a correlation is computed from (Sargolini et al. 2006).
-constexpr double kLeastOverlap = 20;
+constexpr double kMinOverlap = 20;
 /// The central peak ends at the first minimum, or where correlation falls below this (Langston et
 /// al. 2010).
 constexpr double kCentralPeak = 0.2;
 /// Outer radius of the ring of the nearest peaks, relative to their distance.
 constexpr double kNearest = 1.25;
-constexpr int kLeastReach = 4;        // bins
+constexpr int kMinReach = 4;          // bins
 constexpr double kLongest = 2.0 / 3;  // largest displacement, share of the map's shorter side
 constexpr int kAngles = 120;          // of a full turn
 constexpr std::array<int, 4> kRotations = {10, 15, 20, 30};  // 30, 45, 60, 90 degrees
@@ -170,7 +170,7 @@ Eigen::MatrixXd autocorrelogram(const RateMap& map, int reach) {
   for (int di = 0; di <= reach; ++di) {
     for (int dj = di == 0 ? 0 : -reach; dj <= reach; ++dj) {
       const Correlation& sum = sums[static_cast<std::size_t>((di + reach) * side + dj + reach)];
-      if (sum.n < kLeastOverlap) continue;
+      if (sum.n < kMinOverlap) continue;
       r(reach + di, reach + dj) = r(reach - di, reach - dj) = sum.value();
     }
   }
@@ -180,7 +180,7 @@ Eigen::MatrixXd autocorrelogram(const RateMap& map, int reach) {
 std::optional<GridScores> gridScores(const RateMap& map) {
   const auto shorter = static_cast<double>(std::min(map.rate.rows(), map.rate.cols()));
   const int reach = static_cast<int>(kLongest * shorter);
-  if (reach < kLeastReach) return std::nullopt;
+  if (reach < kMinReach) return std::nullopt;
   const Eigen::MatrixXd r = autocorrelogram(map, reach);
   if (std::isnan(r(reach, reach))) return std::nullopt;
   const std::vector<double> mean = radialMean(r, reach);

@@ -26,7 +26,8 @@ SegmentLengths lengthsFor(double truth_path_length_m);
 struct SegmentErrors {
   SegmentLengths lengths;    ///< the requested lengths
   std::size_t segments = 0;  ///< how many were measured; 0: the path is too short, no figures
-  std::size_t segments_in_gaps = 0;  ///< left out: they end where poses have no estimate
+  std::size_t segments_in_gaps = 0;  ///< left out: they end where poses have no estimate, or in
+                                     ///< another session
   double t_rel_percent = 0;          ///< mean translation error per length
   double r_rel_deg_per_100m = 0;
 };
@@ -34,7 +35,8 @@ struct SegmentErrors {
 /// As in the benchmark's own program: a segment starts at every 10th matched frame and ends at the
 /// first one that is more than the length of true path away; all segments have the same weight.
 /// Where true poses before that end have no estimate, errors are divided by the segment's true
-/// length, and segments more than a tenth too long are left out.
+/// length, and segments more than a tenth too long are left out. So are segments that end in
+/// another session than they begin in.
 SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths);
 
 }  // namespace tolman::evaluation

@@ -52,7 +52,9 @@ std::vector<double> countLinks(const MapGraph& graph, const TruePlaces& truth,
   for (const Link& link : graph.links) {
     if (link.kind != LinkKind::Loop) continue;
     const auto same = truth.same(frameOf(link.from), frameOf(link.to));
-    if (same && !graph.isRejected(link)) ++(*same ? figures.true_links : figures.false_links);
+    if (!graph.isRejected(link)) {
+      ++(!same ? figures.unknown_links : *same ? figures.true_links : figures.false_links);
+    }
     const std::int64_t visited = std::min(frameOf(link.from), frameOf(link.to));
     if (truth.same(link.frame, visited).value_or(false)) closed.push_back(truth.driven(link.frame));
   }
@@ -66,9 +68,12 @@ void countViews(const std::vector<PlaceObservation>& places, const TruePlaces& t
     if (place.recognition == Recognition::Novel)
       learned.try_emplace(place.template_id, place.frame);
     const auto old = learned.find(place.template_id);
-    if (place.recognition != Recognition::Familiar || old == learned.end()) continue;
-    const auto same = truth.same(place.frame, old->second);
-    if (!same) continue;
+    if (place.recognition != Recognition::Familiar) continue;
+    const auto same = old == learned.end() ? std::nullopt : truth.same(place.frame, old->second);
+    if (!same) {
+      ++figures.unknown_views;
+      continue;
+    }
     ++(*same ? figures.true_views : figures.false_views);
     const bool is_closed = *same && std::ranges::any_of(closed, [&](double at) {
       return std::abs(truth.driven(place.frame) - at) <= kNearLoop;
@@ -93,7 +98,9 @@ nlohmann::ordered_json toJson(const LoopFigures& figures) {
           {"false_links", figures.false_links},
           {"true_views", figures.true_views},
           {"false_views", figures.false_views},
-          {"true_views_closed", figures.true_views_closed}};
+          {"true_views_closed", figures.true_views_closed},
+          {"unknown_links", figures.unknown_links},
+          {"unknown_views", figures.unknown_views}};
 }
 
 }  // namespace tolman::evaluation

@@ -11,12 +11,15 @@
 
 namespace tolman::evaluation {
 
-/// Links and views are counted only if both ends have a true pose.
+/// Links and views are true or false if both ends have a true pose. Others are unknown: in a
+/// continued run, for example, true poses of the earlier session are those of another world.
 struct LoopFigures {
   std::int64_t true_links = 0;   ///< loop links of the final graph between ends at most 10 m apart
   std::int64_t false_links = 0;  ///< those between ends that are further apart
   std::int64_t true_views = 0;   ///< familiar views, at most 10 m from where the view was learned
   std::int64_t false_views = 0;
+  std::int64_t unknown_links = 0;  ///< loop links of the final graph
+  std::int64_t unknown_views = 0;  ///< familiar views
   /// Number of true views with the end of a true loop link (rejected or not) at most 5.5 m of
   /// driven path away: one loop spacing and half a metre.
   std::int64_t true_views_closed = 0;

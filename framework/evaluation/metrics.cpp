@@ -54,10 +54,12 @@ Json segmentsJson(const SegmentErrors& errors) {
           {"lengths_m", asked ? Json(errors.lengths.lengths_m) : Json()},
           {"segments", errors.segments},
           {"segments_in_gaps", errors.segments_in_gaps},
-          {"reason", known || !asked ? Json()
-                                     : Json(errors.segments_in_gaps > 0
-                                                ? "all segments end where poses have no estimate"
-                                                : "the path is shorter than any segment")}};
+          {"reason",
+           known || !asked
+               ? Json()
+               : Json(errors.segments_in_gaps > 0
+                          ? "all segments end where poses have no estimate, or in another session"
+                          : "the path is shorter than any segment")}};
 }
 
 Json sessionsJson(const Metrics& metrics) {
@@ -169,6 +171,8 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   const Matches pairs = aligned(matches.value(), similarity.value());
   Scores& scores = metrics.scores.emplace();
   scorePositions(pairs, alignment, scores);
+  if (metrics.warning.empty() && alignment != Alignment::Sim3) metrics.warning = unitHint(pairs);
+  if (metrics.warning.empty()) metrics.warning = rotationHint(pairs);
   scores.rpe_frame = relativeErrorOverFrames(pairs);
   scores.rpe_metre = relativeErrorOverDistance(pairs);
   scores.kitti = segmentErrors(pairs, lengths.value_or(lengthsFor(pathLength(pairs.truth))));

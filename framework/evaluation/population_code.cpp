@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 /// A population vector shorter than this share of all activity is a rounding error.
-constexpr double kLeastLength = 1e-6;
+constexpr double kMinLength = 1e-6;
 
 /// Position along one axis modulo a period.
 struct Residue {
@@ -71,7 +71,7 @@ std::optional<double> populationVector(std::span<const double> rates, const Arra
     sum += std::polar(1.0, kTurn * value / axis.period) * rates[i];
     total += std::abs(rates[i]);
   }
-  if (!(std::abs(sum) > kLeastLength * total)) return std::nullopt;
+  if (!(std::abs(sum) > kMinLength * total)) return std::nullopt;
   return wrapPeriod(std::arg(sum) / kTurn * axis.period, axis.period);
 }
 

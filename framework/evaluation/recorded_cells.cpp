@@ -11,11 +11,11 @@
 namespace tolman::evaluation {
 namespace {
 
-constexpr double kFarthest = 1e7;              // m
-constexpr std::size_t kMostOthers = 240;       // more columns than this cannot be told apart
-constexpr std::size_t kMostFrames = 5000;      // of a population; halved when reached
-constexpr std::size_t kMostValues = 10000000;  // of a population
-constexpr std::size_t kMostRingUnits = 72;
+constexpr double kFarthest = 1e7;             // m
+constexpr std::size_t kMaxOthers = 240;       // more columns than this cannot be told apart
+constexpr std::size_t kMaxFrames = 5000;      // of a population; halved when reached
+constexpr std::size_t kMaxValues = 10000000;  // of a population
+constexpr std::size_t kMaxRingUnits = 72;
 
 /// At most `most` indices below `count`, evenly spaced.
 std::vector<std::size_t> evenly(std::size_t count, std::size_t most) {
@@ -85,12 +85,12 @@ void CellHistory::add(std::int64_t frame, NamedArray&& array) {
         *list, array.name, [](const PopulationHistory& history) { return history.info.name; });
     if (known == list->end()) continue;
     const std::size_t size = std::max<std::size_t>(array.values.size(), 1);
-    const std::size_t most = std::clamp(kMostValues / size, kMostOthers, kMostFrames);
-    known->add(frame, std::move(array), list == &others ? kMostOthers : most);
+    const std::size_t most = std::clamp(kMaxValues / size, kMaxOthers, kMaxFrames);
+    known->add(frame, std::move(array), list == &others ? kMaxOthers : most);
     return;
   }
   others.emplace_back().info.name = array.name;
-  others.back().add(frame, std::move(array), kMostOthers);
+  others.back().add(frame, std::move(array), kMaxOthers);
 }
 
 void CellHistory::dropEmpty() {
@@ -103,10 +103,10 @@ std::vector<std::size_t> measuredUnits(const PopulationHistory& population) {
   const auto size = [&](std::size_t axis) {
     return static_cast<std::size_t>(population.shape[axis]);
   };
-  if (population.shape.size() == 1) return evenly(size(0), kMostRingUnits);
+  if (population.shape.size() == 1) return evenly(size(0), kMaxRingUnits);
   std::vector<std::size_t> chosen;
-  for (const std::size_t row : evenly(size(0), kMostUnitsAlongAxis)) {
-    for (const std::size_t column : evenly(size(1), kMostUnitsAlongAxis)) {
+  for (const std::size_t row : evenly(size(0), kMaxUnitsAlongAxis)) {
+    for (const std::size_t column : evenly(size(1), kMaxUnitsAlongAxis)) {
       chosen.push_back(row * size(1) + column);
     }
   }

@@ -51,7 +51,7 @@ struct CellHistory {
   void dropEmpty();
 };
 
-inline constexpr int kMostUnitsAlongAxis = 32;
+inline constexpr int kMaxUnitsAlongAxis = 32;
 /// Indices of the units that are measured, row by row: at most 72 of a ring and 32 by 32 of a
 /// sheet, evenly spaced.
 std::vector<std::size_t> measuredUnits(const PopulationHistory& population);

@@ -14,7 +14,7 @@ std::vector<double> distances(const Trajectory& trajectory) {
   result.reserve(trajectory.size());
   double distance = 0;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    if (i > 0) {
+    if (i > 0 && trajectory[i].session == trajectory[i - 1].session) {
       distance += (trajectory[i].T_world_camera.translation() -
                    trajectory[i - 1].T_world_camera.translation())
                       .norm();

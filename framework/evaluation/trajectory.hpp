@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,14 +14,16 @@ struct TrajectoryPose {
   std::int64_t frame = 0;
   std::int64_t stamp_ns = 0;
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
-  bool tracked = true;  ///< false: odometry was lost or initialising
+  bool tracked = true;      ///< false: odometry was lost or initialising
+  std::size_t session = 0;  ///< how the robot came from one session to the next is not known
 };
 using Trajectory = std::vector<TrajectoryPose>;
 
 /// Whether times are known: KITTI files have none, and all their stamps are 0.
 bool hasStamps(const Trajectory& trajectory);
 
-/// Distance travelled up to each pose, m: as long as the trajectory, starting with 0.
+/// Distance travelled up to each pose, m: as long as the trajectory, starting with 0. Nothing is
+/// added from one session to the next.
 std::vector<double> distances(const Trajectory& trajectory);
 
 /// Length of the whole path, m; 0 for fewer than two poses.

@@ -11,11 +11,11 @@ namespace {
 using Value = std::optional<double>;
 
 constexpr int kTuningBins = 36;
-/// Bins of a rate map per period: a grid field, half a period wide, spans four bins. kMostBins
+/// Bins of a rate map per period: a grid field, half a period wide, spans four bins. kMaxBins
 /// limits the time for the pairs of bins of an autocorrelogram to a millisecond.
 constexpr double kBinsOfPeriod = 8;
-constexpr double kMostBins = 40;
-constexpr double kMostDrawnBins = 70;
+constexpr double kMaxBins = 40;
+constexpr double kMaxDrawnBins = 70;
 
 /// Interpolates linearly between neighbours.
 double percentile(const std::vector<double>& sorted, double share) {
@@ -88,13 +88,13 @@ int binsFor(const std::vector<Sample>& walk, double least_bin, double most_bins)
 }
 
 int scoredBins(const std::vector<Sample>& walk, double period) {
-  return binsFor(walk, period / kBinsOfPeriod, kMostBins);
+  return binsFor(walk, period / kBinsOfPeriod, kMaxBins);
 }
 
 }  // namespace
 
 RateMap firingMap(const RecordedUnits& units, std::size_t unit) {
-  return rateMap(samplesOf(units, unit, 0), binsFor(units.walk, 0, kMostDrawnBins));
+  return rateMap(samplesOf(units, unit, 0), binsFor(units.walk, 0, kMaxDrawnBins));
 }
 
 RateMap scoredMap(const RecordedUnits& units, std::size_t unit, double period) {
@@ -122,7 +122,7 @@ std::optional<UnitScore> againstChance(std::vector<double> units, std::vector<do
 }
 
 RingScores scoreRing(const RecordedUnits& units, const Shuffling& shuffling) {
-  const int bins = binsFor(units.walk, 0, kMostDrawnBins);
+  const int bins = binsFor(units.walk, 0, kMaxDrawnBins);
   auto measured = measureAll(units, shuffling, [&](const std::vector<Sample>& samples) {
     return RingUnit{tuningCurve(samples, kTuningBins), spatialInformation(rateMap(samples, bins))};
   });

@@ -175,8 +175,9 @@ class Comparer {
     }
     if (equal > 0) {
       note(fmt::format(
-          "In {} of {} settings several seeds gave the same results, byte for byte: they "
-          "count as one run, and say nothing of the spread.",
+          "In {} of {} settings several seeds gave the same results, byte for byte. They say "
+          "nothing of the spread: they count as one run where intervals need at least three, "
+          "while means, medians and sd are over all runs.",
           equal, counts.size()));
     }
     std::set<std::string> own;
@@ -188,11 +189,11 @@ class Comparer {
                        useless.empty() ? "some levels of a factor change nothing"
                                        : config::listed(useless) + " changes nothing"));
     }
-    if (fewest_ < kFewestSeeds) {
+    if (fewest_ < kMinSeeds) {
       note(
           fmt::format("Not enough runs for intervals and tests: {} different results a setting, at "
                       "least {} are needed.",
-                      fewest_, kFewestSeeds));
+                      fewest_, kMinSeeds));
     }
   }
 
@@ -255,13 +256,13 @@ class Comparer {
         groups.push_back(meansOf(means));
       }
       level.summary = summaryOf(level.values);
-      if (fewest_ >= kFewestSeeds) level.interval = bootstrapMean(groups, options_.seed);
+      if (fewest_ >= kMinSeeds) level.interval = bootstrapMean(groups, options_.seed);
       if (label != comparison_.baseline) {
         level.difference = difference(values[label], values[comparison_.baseline]);
       }
       comparison_.levels.push_back(std::move(level));
     }
-    if (fewest_ >= kFewestSeeds && order.size() > 1) noteFewSamples();
+    if (fewest_ >= kMinSeeds && order.size() > 1) noteFewSamples();
     const std::size_t runs = comparison_.levels.front().summary.n;
     if (!std::ranges::all_of(comparison_.levels,
                              [&](const Level& l) { return l.summary.n == runs; })) {
@@ -311,7 +312,7 @@ class Comparer {
     }
     if (groups.empty()) return paired;
     paired.mean = summaryOf(means).mean;
-    if (fewest_ < kFewestSeeds) return paired;
+    if (fewest_ < kMinSeeds) return paired;
     paired.interval = bootstrapMean(groups, options_.seed);
     paired.test = signedRank(groups.size() > 1 ? means : groups.front());
     return paired;

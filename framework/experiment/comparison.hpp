@@ -28,7 +28,7 @@ struct ComparisonOptions {
 struct PairedDifference {
   std::size_t pairs = 0;
   double mean = 0;
-  /// None if a sequence has fewer than kFewestSeeds seeds with different results.
+  /// None if a sequence has fewer than kMinSeeds seeds with different results.
   std::optional<Interval> interval;
   std::optional<SignedRank> test;  ///< over the means of the sequences; for one sequence over seeds
 };
@@ -52,7 +52,7 @@ struct Comparison {
   std::vector<std::string> notes;  ///< warnings and limits, for the reader
 };
 
-inline constexpr std::size_t kFewestSeeds = 3;
+inline constexpr std::size_t kMinSeeds = 3;
 
 /// InvalidParameter for an unknown metric or factor; InvalidInput for runs that must not be
 /// averaged: different alignments, different truths of one sequence, different coverages.

@@ -17,7 +17,8 @@ namespace {
 
 using config::Node;
 
-/// A configuration without the sections of cells, map, observers, evaluation and record.
+/// A configuration, as resolvedYaml() writes it, without the sections of cells, map, observers,
+/// evaluation and record.
 std::string frontEndPart(const std::string& yaml) {
   constexpr std::array<std::string_view, 5> kLater = {
       "cells:", "map:", "evaluation:", "record:", "observers:"};
@@ -64,7 +65,7 @@ class Planner {
     std::vector<PlannedRun> runs;
     std::map<std::string, std::string> names;  // by key
     for (const SweepPoint& point : points) {
-      const FrontRun* front = point.front_end ? &frontRun(sweep, *point.front_end) : nullptr;
+      const PriorRun* front = point.front_end ? &priorRun(sweep, *point.front_end) : nullptr;
       const config::Loaded& base = this->base(sweep, point, front);
       std::optional<PlannedRun> run = resolve(base, point, front);
       if (!run) continue;
@@ -75,13 +76,14 @@ class Planner {
       }
       runs.push_back(std::move(*run));
     }
-    for (const auto& [label, front] : fronts_) plan_.runs.push_back(front.run);
+    for (const auto& [label, front] : prior_runs_) plan_.runs.push_back(front.run);
     if (sweep.reuse) shareFrontEnds(runs);
     std::ranges::move(runs, std::back_inserter(plan_.runs));
   }
 
  private:
-  struct FrontRun {
+  /// A front end or a first session, which other runs build on.
+  struct PriorRun {
     PlannedRun run;
     std::string path;  ///< of its run directory
   };
@@ -93,7 +95,8 @@ class Planner {
 
   /// Adds a problem unless it was added before.
   void addProblem(config::Problem problem) {
-    if (told_.insert(config::format(problem)).second) plan_.problems.push_back(std::move(problem));
+    if (reported_.insert(config::format(problem)).second)
+      plan_.problems.push_back(std::move(problem));
   }
 
   config::Loaded load(const Node& file) {
@@ -116,7 +119,8 @@ class Planner {
     return loaded;
   }
 
-  /// Applies plugins and YAML maps first: another plugin removes the previous one's parameters.
+  /// Applies `*.plugin` and whole sections before single keys, because naming another plugin
+  /// discards the parameters set so far.
   void apply(Node& tree, std::vector<Setting> settings) {
     std::ranges::stable_partition(settings, [](const Setting& setting) {
       return setting.key.ends_with(".plugin") || setting.value->isMap();
@@ -127,11 +131,11 @@ class Planner {
     }
   }
 
-  const FrontRun& frontRun(const SweepFile& sweep, const FrontEnd& front) {
+  const PriorRun& priorRun(const SweepFile& sweep, const FrontEnd& front) {
     const std::string name = (front.is_session ? "first-session-" : "front-end-") + front.label;
-    const auto found = fronts_.find(name);
-    if (found != fronts_.end()) return found->second;
-    FrontRun& made = fronts_[name];
+    const auto found = prior_runs_.find(name);
+    if (found != prior_runs_.end()) return found->second;
+    PriorRun& made = prior_runs_[name];
     config::Loaded base = load(*front.base);
     if (front.is_session) apply(base.tree, sweep.settings);
     Node yes{Node::Kind::Scalar, "replay", front.base->origin, front.base->origin};
@@ -147,7 +151,7 @@ class Planner {
   /// The base configuration with the settings that all points share, and with the replay of a front
   /// end or the map of a first session.
   const config::Loaded& base(const SweepFile& sweep, const SweepPoint& point,
-                             const FrontRun* front) {
+                             const PriorRun* front) {
     const auto found = bases_.find(point.front_end.get());
     if (found != bases_.end()) return found->second;
     config::Loaded loaded = load(*sweep.base);
@@ -182,15 +186,15 @@ class Planner {
         plugins_.try_emplace({stage.plugin, stage.role, manifest.program.string()});
     Plugin& plugin = found->second;
     if (is_new)
-      plugin = refusal.empty() ? opened(manifest, stage.role, system) : Plugin{{}, refusal, {}};
+      plugin = refusal.empty() ? openPlugin(manifest, stage.role, system) : Plugin{{}, refusal, {}};
     if (plugin.refusal.empty()) return &plugin;
     problems.push_back({stage.pluginOrigin(), stage.path + ".plugin", plugin.refusal,
                         config::Problem::Kind::Plugin});
     return nullptr;
   }
 
-  static Plugin opened(const host::Manifest& manifest, Role role,
-                       const config::SystemConfig& system) {
+  static Plugin openPlugin(const host::Manifest& manifest, Role role,
+                           const config::SystemConfig& system) {
     Plugin plugin;
     try {
       plugin.loaded = run::describeFrom(manifest, role, system);
@@ -222,7 +226,7 @@ class Planner {
 
   /// The run of one point, with checked values; nothing if they have problems.
   std::optional<PlannedRun> resolve(const config::Loaded& base, const SweepPoint& point,
-                                    const FrontRun* front) {
+                                    const PriorRun* front) {
     config::Loaded loaded = base;
     apply(loaded.tree, point.settings);
     config::Problems problems;
@@ -239,7 +243,8 @@ class Planner {
       schemas[stage.instance] = &plugin->loaded.schema;
       for (const auto& [file, digest] : plugin->digests) {
         run.inputs.plugins[file] = digest;
-        if (stage.role < Role::Cells) run.front_end_sha256 += "plugin " + digest + "\n";
+        if (stage.role < Role::Cells)  // source, odometry or place
+          run.front_end_sha256 += "plugin " + digest + "\n";
       }
     }
     for (const config::Problem& problem : problems) addProblem(problem);
@@ -253,7 +258,7 @@ class Planner {
     return run;
   }
 
-  void addData(PlannedRun& run, const std::vector<std::string>& paths, const FrontRun* front) {
+  void addData(PlannedRun& run, const std::vector<std::string>& paths, const PriorRun* front) {
     for (const std::string& path : paths) {
       if (front != nullptr && path == front->path) continue;  // front->run.key represents it
       if (run.inputs.plugins.contains(path)) continue;        // a program
@@ -262,7 +267,7 @@ class Planner {
   }
 
   void setKey(PlannedRun& run, config::SystemConfig& system, const config::StageValues& values,
-              const FrontRun* front) const {
+              const PriorRun* front) const {
     const auto section = [&](const char* key) -> ParameterValues& {
       return std::ranges::find(system.sections, key, &config::Section::key)->values;
     };
@@ -270,17 +275,18 @@ class Planner {
     const ParameterValue threads = std::exchange(general["threads"], std::int64_t{0});
     const ParameterValues record = section("record");
     general["name"] = std::string("-");
-    for (const char* shown : {"replay", "report", "state_every"}) section("record").erase(shown);
-    std::string decisive = config::resolvedYaml(system, values);
-    if (front != nullptr) replaceAll(decisive, front->path, "front end " + front->run.key);
+    for (const char* irrelevant : {"replay", "report", "state_every"})
+      section("record").erase(irrelevant);
+    std::string decisive_yaml = config::resolvedYaml(system, values);
+    if (front != nullptr) replaceAll(decisive_yaml, front->path, "front end " + front->run.key);
     std::string inputs = "host " + run.inputs.host + "\n";
     for (const record::DataDigest& data : run.inputs.data) {
       inputs += "data " + data.path + " " + (data.sha256.empty() ? data.stamp : data.sha256) + "\n";
     }
     run.front_end_sha256 =
-        record::textDigest(frontEndPart(decisive) + inputs + run.front_end_sha256);
+        record::textDigest(frontEndPart(decisive_yaml) + inputs + run.front_end_sha256);
     for (const auto& [file, digest] : run.inputs.plugins) inputs += "plugin " + digest + "\n";
-    run.key = record::textDigest(decisive + inputs);
+    run.key = record::textDigest(decisive_yaml + inputs);
     run.folder = folderName(run.name, run.key);
     if (front != nullptr) run.front_end_folder = front->run.folder;
     general["name"] = run.name;
@@ -307,9 +313,9 @@ class Planner {
   host::Catalogue catalogue_;
   std::string host_;
   std::map<const FrontEnd*, config::Loaded> bases_;
-  std::map<std::string, FrontRun> fronts_;                                ///< by name
+  std::map<std::string, PriorRun> prior_runs_;                            ///< by name
   std::map<std::tuple<std::string, Role, std::string>, Plugin> plugins_;  ///< by id and program
-  std::set<std::string> told_;
+  std::set<std::string> reported_;
 };
 
 }  // namespace

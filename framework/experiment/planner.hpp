@@ -24,8 +24,8 @@ struct Inputs {
   std::vector<record::DataDigest> data;
 };
 
-/// One planned run. Its name, its number of threads and the settings of the record do not change
-/// its results and are not in the key.
+/// One planned run. Its name, its number of threads, and `record.replay`, `record.report` and
+/// `record.state_every` do not change its results and are not in the key.
 struct PlannedRun {
   std::string name;
   std::string key;               ///< SHA-256

@@ -10,7 +10,7 @@
 namespace tolman::experiment {
 namespace {
 
-constexpr std::size_t kMostPoints = 100'000;
+constexpr std::size_t kMaxPoints = 100'000;
 
 void join(SweepPoint& point, const Choice& choice) {
   for (const Factor& factor : choice.factors) point.factors.push_back(factor);
@@ -23,7 +23,7 @@ std::vector<SweepPoint> times(const std::vector<SweepPoint>& points, const Axis&
   std::vector<SweepPoint> product;
   for (const SweepPoint& point : points) {
     for (const Choice& choice : axis) {
-      if (product.size() > kMostPoints) return product;
+      if (product.size() > kMaxPoints) return product;
       join(product.emplace_back(point), choice);
     }
   }
@@ -180,7 +180,7 @@ std::vector<SweepPoint> pointsOf(const SweepFile& sweep, config::Problems& probl
   for (const SweepPoint& point : times(std::vector<SweepPoint>(1), sweep.include))
     points.push_back(point);
   for (const Axis& axis : sweep.repeats) points = times(points, axis);
-  if (points.size() > kMostPoints) {
+  if (points.size() > kMaxPoints) {
     problems.push_back({config::Origin::ofFile(sweep.file), "", "has more than 100000 points"});
     return {};
   }

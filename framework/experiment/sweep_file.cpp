@@ -21,7 +21,7 @@ namespace {
 using config::Node;
 using NodePointer = std::shared_ptr<const Node>;
 
-constexpr std::int64_t kMostSamples = 100'000;
+constexpr std::int64_t kMaxSamples = 100'000;
 
 /// The label of a value: a scalar, the plugin of a stage, the values of a map, or a list in
 /// brackets.
@@ -197,7 +197,7 @@ class Reader {
     knownKeys(samples, kind, {"count", "seed", "keys"});
     const double count = number(samples, "count", 0);
     const Node* keys = map(samples, "keys");
-    if (count < 1 || count > static_cast<double>(kMostSamples) || keys == nullptr) {
+    if (count < 1 || count > static_cast<double>(kMaxSamples) || keys == nullptr) {
       problem(samples, kind, "expects a count from 1 to 100000 and a map of keys");
       return;
     }

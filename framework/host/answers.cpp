@@ -119,8 +119,8 @@ Status checkRejected(const MapGraph& graph) {
 Status checkCovariance(const Matrix6d& covariance, const char* field) {
   const double size = covariance.cwiseAbs().maxCoeff();
   if (size == 0) return Status::ok();
-  constexpr double kMost = 1e36;  // its root still fits into a float
-  if (size > kMost) return failed("'{}' is larger than {:g} m^2", field, kMost);
+  constexpr double kMax = 1e36;  // its root still fits into a float
+  if (size > kMax) return failed("'{}' is larger than {:g} m^2", field, kMax);
   // Rounding errors as shares of the largest element: of the inverse of an ill-conditioned
   // information matrix, and of a product with a singular one.
   constexpr double kAsymmetry = 1e-6;

@@ -73,9 +73,9 @@ Status checkTexts(const ArrayInfo& info) {
 /// Checks the number of arrays, each array, and that names are unique.
 template <class Named, class CheckOne>
 Status checkEach(std::span<const Named> all, const CheckOne& check_one) {
-  if (all.size() > config::kMostArrays) {
+  if (all.size() > config::kMaxArrays) {
     return Status::failed(
-        fmt::format("{} arrays; at most {} are allowed", all.size(), config::kMostArrays));
+        fmt::format("{} arrays; at most {} are allowed", all.size(), config::kMaxArrays));
   }
   std::set<std::string_view> names;
   for (const Named& one : all) {

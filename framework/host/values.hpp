@@ -44,15 +44,15 @@ template <class T>
 const char* wrongIn(const T& value) {
   if constexpr (std::is_floating_point_v<T>) {
     if (!std::isfinite(value)) return kIllegal;
-    return std::abs(value) <= config::kMostNumber ? nullptr : kTooLarge;
+    return std::abs(value) <= config::kMaxNumber ? nullptr : kTooLarge;
   } else if constexpr (NamedEnum<T>) {
     return static_cast<std::size_t>(value) < enumNames(value).size() ? nullptr : kIllegal;
   } else if constexpr (std::is_same_v<T, std::int64_t>) {
-    return value >= -config::kMostInteger && value <= config::kMostInteger ? nullptr : kTooLarge;
+    return value >= -config::kMaxInteger && value <= config::kMaxInteger ? nullptr : kTooLarge;
   } else if constexpr (MatrixValue<T>) {
     if (!value.allFinite()) return kIllegal;
     if constexpr (std::is_same_v<typename T::Scalar, double>) {
-      return (value.array().abs() <= config::kMostNumber).all() ? nullptr : kTooLarge;
+      return (value.array().abs() <= config::kMaxNumber).all() ? nullptr : kTooLarge;
     }
   }
   return nullptr;  // not checked: shorter integers, text, pixels

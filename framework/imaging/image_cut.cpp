@@ -12,7 +12,7 @@
 namespace tolman::imaging {
 namespace {
 
-constexpr int kLeastCutSide = 32;   // px of an image
+constexpr int kMinCutSide = 32;     // px of an image
 constexpr int kCutRowsAtOnce = 16;  // rows per task
 
 Status cropProblem(const CameraRig& rig, const std::string& what) {
@@ -28,8 +28,8 @@ Status checkCrop(const CameraRig& rig, const std::vector<double>& crop) {
   }
   const bool whole = std::ranges::all_of(crop, [](double v) { return v == std::floor(v); });
   if (!whole) return cropProblem(rig, "has fractions of pixels");
-  const bool inside = crop[0] >= 0 && crop[1] >= 0 && crop[2] >= kLeastCutSide &&
-                      crop[3] >= kLeastCutSide && crop[0] + crop[2] <= rig.width &&
+  const bool inside = crop[0] >= 0 && crop[1] >= 0 && crop[2] >= kMinCutSide &&
+                      crop[3] >= kMinCutSide && crop[0] + crop[2] <= rig.width &&
                       crop[1] + crop[3] <= rig.height;
   return inside ? Status::ok() : cropProblem(rig, "is not inside of the images");
 }
@@ -115,7 +115,7 @@ Result<ImageCut> ImageCut::create(const CameraRig& rig, const std::vector<double
   CameraRig& made = cut.rig_;
   made.width = static_cast<int>(std::lround(cut.width_ * scale));
   made.height = static_cast<int>(std::lround(cut.height_ * scale));
-  if (made.width < kLeastCutSide || made.height < kLeastCutSide) {
+  if (made.width < kMinCutSide || made.height < kMinCutSide) {
     return Status::invalidParameter(
         fmt::format("images.scale {} makes images of {}x{} px of {}x{}; at least 32 px a side are "
                     "needed",

@@ -7,14 +7,14 @@ namespace tolman::imaging {
 namespace {
 
 // Limits of the distortion model: 84 degrees for a pinhole, the whole sphere for a fisheye.
-constexpr double kMostRadius = 10;
-constexpr double kMostAngle = 3.14159265358979;
+constexpr double kMaxRadius = 10;
+constexpr double kMaxAngle = 3.14159265358979;
 constexpr double kLensStep = 1e-3;
 
 }  // namespace
 
 Lens::Lens(const RawCamera& camera) : camera_(camera) {
-  const double most = camera.model == LensModel::Equidistant ? kMostAngle : kMostRadius;
+  const double most = camera.model == LensModel::Equidistant ? kMaxAngle : kMaxRadius;
   for (double before = 0; limit_ < most; limit_ += kLensStep) {
     const double here = distorted(limit_ + kLensStep);
     if (!(here > before)) break;  // also for NaN

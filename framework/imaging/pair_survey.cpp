@@ -12,7 +12,7 @@ namespace tolman::imaging {
 namespace {
 
 // The same limits as in the checks of a run (stereo_check.cpp, chosen on kitti_clips/06).
-constexpr std::size_t kFewestMatches = 20;
+constexpr std::size_t kMinMatches = 20;
 constexpr double kRowsApart = 1.2;       // px
 constexpr double kShareExchanged = 0.6;  // of the matches
 constexpr double kWidelyApart = 3;       // px; exceeded by 10 % of the matches
@@ -52,7 +52,7 @@ void PairSurvey::add(const Frame& frame) {
 std::vector<Finding> PairSurvey::findings() const {
   using Severity = Finding::Severity;
   const auto matches = static_cast<int>(rows_.size());
-  if (mirrored_ >= static_cast<int>(kFewestMatches) && mirrored_ > 3 * matches) {
+  if (mirrored_ >= static_cast<int>(kMinMatches) && mirrored_ > 3 * matches) {
     // If the left image is the mirrored one, both are mirrored now, so the sides seem exchanged.
     const bool left = mirrored_exchanged_ > kShareExchanged * mirrored_;
     return {{Severity::Error, "pairs",
@@ -61,7 +61,7 @@ std::vector<Finding> PairSurvey::findings() const {
                          left ? "left" : "right")}};
   }
   if (pairs_ == 0) return {};
-  if (rows_.size() < kFewestMatches) {
+  if (rows_.size() < kMinMatches) {
     return {{Severity::Warning, "pairs",
              fmt::format("only {} corners matched in {} pairs, too few to judge them; if they are "
                          "not dark or blurred: are left and right image exchanged, taken at other "

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kGroup = 8;
 constexpr int kColumns = 16;         // most columns of the raw image for one group
-constexpr int kMostRows = 8;         // with more rows, one pixel at a time is faster
+constexpr int kMaxRows = 8;          // with more rows, one pixel at a time is faster
 constexpr std::uint8_t kNone = 128;  // a column with the value 0
 
 template <int Channels>
@@ -107,7 +107,7 @@ PixelGroup groupOf(std::span<const RawPosition> positions, int raw_width) {
   }
   x = std::max(0, std::min(x, raw_width - kColumns));
   PixelGroup group;
-  if (x_end <= x || x_end - x > kColumns || x + kColumns > raw_width || y_end - y > kMostRows) {
+  if (x_end <= x || x_end - x > kColumns || x + kColumns > raw_width || y_end - y > kMaxRows) {
     return group;
   }
   group.x = static_cast<std::uint16_t>(x);

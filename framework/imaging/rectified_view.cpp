@@ -13,12 +13,12 @@
 namespace tolman::imaging {
 namespace {
 
-constexpr int kLeastSide = 32;  // px of a rectified image
-constexpr double kMostPixels = 100e6;
-constexpr double kLeastShare = 0.25;     // least view of a raw side, unless the user asks for less
-constexpr double kLeastBaseline = 1e-3;  // m
-constexpr double kMostBaseline = 5;      // m
-constexpr double kMostTurned = 45;       // deg between the optical axes and the rectified one
+constexpr int kMinSide = 32;  // px of a rectified image
+constexpr double kMaxPixels = 100e6;
+constexpr double kMinShare = 0.25;     // least view of a raw side, unless the user asks for less
+constexpr double kMinBaseline = 1e-3;  // m
+constexpr double kMaxBaseline = 5;     // m
+constexpr double kMaxTurned = 45;      // deg between the optical axes and the rectified one
 constexpr double kDegree = std::numbers::pi / 180;
 
 /// Rotations from the raw cameras to the rectified view, and the baseline of two cameras.
@@ -33,7 +33,7 @@ std::string_view sideOf(std::size_t i, std::size_t cameras) {
 }
 
 Status checkCamera(const RawCamera& camera, std::string_view who) {
-  if (camera.width < kLeastSide || camera.height < kLeastSide || camera.width > 65000 ||
+  if (camera.width < kMinSide || camera.height < kMinSide || camera.width > 65000 ||
       camera.height > 65000) {
     return Status::invalidInput(
         fmt::format("{} has images of {}x{} px; 32 to 65000 px a side can be rectified", who,
@@ -53,23 +53,23 @@ Result<Turned> turnPair(const RawCamera& left, const RawCamera& right) {
   const Eigen::Isometry3d T_left_right =
       left.T_reference_camera.inverse() * right.T_reference_camera;
   const Eigen::Vector3d baseline = T_left_right.translation();
-  if (baseline.norm() < kLeastBaseline) {
+  if (baseline.norm() < kMinBaseline) {
     return Status::invalidInput(
         "both cameras are at one place; give their poses (Kalibr: T_cn_cnm1, EuRoC: T_BS, "
         "OpenCV: R and T), or use one camera");
   }
-  if (baseline.norm() > kMostBaseline) {
+  if (baseline.norm() > kMaxBaseline) {
     return Status::invalidInput(fmt::format(
         "the cameras are {:.4g} m apart, more than 5 m; poses of cameras are in metres, "
         "not in mm or cm",
         baseline.norm()));
   }
   const Eigen::Vector3d x = baseline.normalized();
-  if (x.x() < -std::cos(kMostTurned * kDegree)) {
+  if (x.x() < -std::cos(kMaxTurned * kDegree)) {
     return Status::invalidInput(
         "the right camera is left of the left one; exchange the two cameras");
   }
-  if (x.x() < std::cos(kMostTurned * kDegree)) {
+  if (x.x() < std::cos(kMaxTurned * kDegree)) {
     return Status::invalidInput(fmt::format(
         "the second camera is {:.3f} m to the right of the first, {:.3f} m below and {:.3f} m "
         "before it; a pair has its cameras beside each other: use one of them",
@@ -79,7 +79,7 @@ Result<Turned> turnPair(const RawCamera& left, const RawCamera& right) {
   const Eigen::Vector3d y = (Eigen::Vector3d::UnitZ() + z_right).cross(x).normalized();
   Eigen::Matrix3d R;
   R << x.transpose(), y.transpose(), x.cross(y).transpose();
-  const double least = std::cos(kMostTurned * kDegree);
+  const double least = std::cos(kMaxTurned * kDegree);
   if (!R.allFinite() || R(2, 2) < least || R.row(2).dot(z_right) < least) {
     return Status::invalidInput(
         "the two cameras look into different directions, by more than 45 degrees from their "
@@ -137,7 +137,7 @@ CameraRig rigOf(const Rectangle& rectangle, double focal, double baseline) {
   CameraRig rig;
   const double width = std::floor((right - left) * focal) + 1;
   const double height = std::floor((bottom - top) * focal) + 1;
-  const bool sound = width >= 1 && height >= 1 && width * height <= kMostPixels;
+  const bool sound = width >= 1 && height >= 1 && width * height <= kMaxPixels;
   rig.width = sound ? static_cast<int>(width) : 0;
   rig.height = sound ? static_cast<int>(height) : 0;
   rig.calibrated = true;
@@ -209,7 +209,7 @@ Result<RectifiedView> largestView(const RawRig& raw, const std::vector<Lens>& le
   const Rectangle rectangle = commonView(lenses, turned, options.field_of_view);
   const double most = 2 * std::tan(0.5 * options.field_of_view * kDegree);
   const auto isSmall = [&](double side, int raw_side) {
-    return side < 0.5 * most && side * focal < kLeastShare * raw_side;
+    return side < 0.5 * most && side * focal < kMinShare * raw_side;
   };
   const auto& [left, top, right, bottom] = rectangle.side;
   if (isSmall(right - left, raw.cameras[0].width) || isSmall(bottom - top, raw.cameras[0].height)) {
@@ -238,8 +238,8 @@ Result<RectifiedView> chooseView(const RawRig& raw, const ViewOptions& options) 
       raw.has_rectified ? prescribed(raw, options.scale) : largestView(raw, lenses, options);
   if (!view.isOk()) return view;
   const CameraRig& rig = view.value().rig;
-  if (rig.width < kLeastSide || rig.height < kLeastSide ||
-      static_cast<double>(rig.width) * rig.height > kMostPixels) {
+  if (rig.width < kMinSide || rig.height < kMinSide ||
+      static_cast<double>(rig.width) * rig.height > kMaxPixels) {
     return tooSmall(rig.width, rig.height);
   }
   return view;

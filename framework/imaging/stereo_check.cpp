@@ -189,10 +189,10 @@ StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
 /// most 0.5 px, strongly blurred ones of 2.8 px, and a right image that is 0.1 s late one of 3.5
 /// to 6.8 px.
 StereoFault faultOf(const StereoMeasure& measure) {
-  constexpr int kFewest = 8;          // matches
+  constexpr int kMin = 8;             // matches
   constexpr double kApart = 1.2;      // px
   constexpr double kScattered = 3.0;  // px
-  if (measure.matched < kFewest) return StereoFault::None;
+  if (measure.matched < kMin) return StereoFault::None;
   // Tested first, because on a highway a late right image also has most corners on the wrong side.
   if (measure.spread > kScattered) return StereoFault::OtherTime;
   if (measure.share_exchanged > 0.6) return StereoFault::Exchanged;

@@ -184,8 +184,8 @@ class Decoder {
   }
   template <class T>
   void get(std::vector<T>& values) {
-    constexpr std::size_t kLeast = std::is_arithmetic_v<T> ? sizeof(T) : 1;
-    const std::size_t count = this->count(kLeast);
+    constexpr std::size_t kMin = std::is_arithmetic_v<T> ? sizeof(T) : 1;
+    const std::size_t count = this->count(kMin);
     values.clear();
     if constexpr (std::is_arithmetic_v<T>) {
       values.resize(count);

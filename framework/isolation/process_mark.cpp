@@ -63,10 +63,10 @@ std::vector<std::string> environmentWith(const std::string& mark) {
 }
 
 void killMarked(const std::string& mark) {
-  constexpr int kMostPasses = 20;  // they may start others meanwhile
+  constexpr int kMaxPasses = 20;   // they may start others meanwhile
   constexpr int kEmptyPasses = 3;  // a process has no environment while it starts a program
   if (mark.empty()) return;
-  for (int pass = 0, empty = 0; pass < kMostPasses && empty < kEmptyPasses; ++pass) {
+  for (int pass = 0, empty = 0; pass < kMaxPasses && empty < kEmptyPasses; ++pass) {
     empty = killOnce(mark) ? 0 : empty + 1;
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

@@ -11,7 +11,7 @@ namespace {
 
 // A graph below this size is published at every change; a larger one at most every n-th frame,
 // with n in proportion to its size.
-constexpr std::size_t kGraphSizePerFrame = 400;  // number of experiences and links
+constexpr std::size_t kGraphSizePerFrame = 400;  // experiences and links; chosen, not tuned
 
 /// A record with default values, for this frame.
 template <Record R>
@@ -46,8 +46,8 @@ std::optional<StageFailure> Chain::failure() const {
   return StageFailure{Role::Source, *input_failure_};
 }
 
-bool Chain::resolve(const Status& status, config::FailurePolicy policy, std::int64_t frame,
-                    Role role) {
+bool Chain::applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
+                        Role role) {
   if (status.isOk()) return true;
   const std::string name(enumName(role));
   if (policy == config::FailurePolicy::Stop) {
@@ -97,9 +97,9 @@ void Chain::place(FrameRecords& records) {
   save(Role::Place, stages_.place.instance(), records);
 }
 
-bool Chain::takeOdometry(FrameRecords& records) {
+bool Chain::acceptMotion(FrameRecords& records) {
   const Status& status = records.odometry_status;
-  if (!resolve(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
+  if (!applyPolicy(status, policies_.odometry, records.frame.frame, Role::Odometry)) return false;
   if (!status.isOk()) records.motion = predictedMotion(records.frame, last_motion_);
   if (const std::string& reason = records.impossible.motion; !reason.empty()) {
     tellImpossible(records.frame.frame, "the motion " + reason + "; it is predicted instead");
@@ -116,15 +116,15 @@ void Chain::tellImpossible(std::int64_t frame, const std::string& text) {
   listener_.onEvent({frame, LogLevel::Warning, "odometry", text});
 }
 
-bool Chain::takePlace(FrameRecords& records) {
+bool Chain::acceptObservation(FrameRecords& records) {
   const Status& status = records.place_status;
-  if (!resolve(status, policies_.place, records.frame.frame, Role::Place)) return false;
+  if (!applyPolicy(status, policies_.place, records.frame.frame, Role::Place)) return false;
   if (status.isOk()) return true;
   records.place = recordOf<PlaceObservation>(records.frame);
   return true;
 }
 
-bool Chain::decide(FrameRecords& records) {
+bool Chain::runCells(FrameRecords& records) {
   Status arrays;
   const Status status = timed(records.times, Role::Cells, [&] {
     Status stepped = stages_.cells.step(records.motion, records.place, records.decision);
@@ -133,9 +133,9 @@ bool Chain::decide(FrameRecords& records) {
     }
     return stepped;
   });
-  if (!resolve(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  if (!applyPolicy(status, policies_.cells, records.frame.frame, Role::Cells)) return false;
   // With skip or restart the decision is kept if the arrays cannot be read.
-  if (!resolve(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
+  if (!applyPolicy(arrays, policies_.cells, records.frame.frame, Role::Cells)) return false;
   if (!arrays.isOk()) records.cells.clear();
   if (!status.isOk()) {
     records.decision = recordOf<Decision>(records.frame);
@@ -146,11 +146,11 @@ bool Chain::decide(FrameRecords& records) {
   return true;
 }
 
-bool Chain::map(FrameRecords& records) {
+bool Chain::runMap(FrameRecords& records) {
   const Status status = timed(records.times, Role::Map, [&] {
     return stages_.map.update(records.motion, records.decision, records.map);
   });
-  if (!resolve(status, policies_.map, records.frame.frame, Role::Map)) return false;
+  if (!applyPolicy(status, policies_.map, records.frame.frame, Role::Map)) return false;
   if (!status.isOk()) {  // the last experience, and the last pose moved by the motion
     const Eigen::Isometry3d& step = records.motion.T_previous_current;
     records.map = last_map_;
@@ -177,7 +177,7 @@ void Chain::publishGraph(FrameRecords& records) {
   if (!graph_has_changed_ || now.frame < next_graph_frame_) return;
   graph_has_changed_ = false;
   const Status status = stages_.map.graph(records.graph);
-  records.graph_changed = resolve(status, policies_.map, now.frame, Role::Map) && status.isOk();
+  records.graph_changed = applyPolicy(status, policies_.map, now.frame, Role::Map) && status.isOk();
   if (records.graph_changed) countGraph(records.graph);
   const std::size_t size = records.graph.experiences.size() + records.graph.links.size();
   next_graph_frame_ = now.frame + 1 + static_cast<std::int64_t>(size / kGraphSizePerFrame);
@@ -185,8 +185,8 @@ void Chain::publishGraph(FrameRecords& records) {
 
 void Chain::runCellsAndMap(FrameRecords& records) {
   if (failed()) return;
-  records.answered =
-      takeOdometry(records) && takePlace(records) && decide(records) && map(records) && !failed();
+  records.answered = acceptMotion(records) && acceptObservation(records) && runCells(records) &&
+                     runMap(records) && !failed();
   if (!records.answered) {
     unanswered_ = records.frame.frame;
     return;
@@ -291,7 +291,7 @@ Status Chain::readTrajectory(std::vector<FramePose>& poses) const {
 /// Reads the final poses from the map, because a map that rejects a loop link also moves the frames
 /// that were attached to an experience by it.
 void Chain::publishTrajectory(std::vector<FramePose>& poses) {
-  (void)resolve(readTrajectory(poses), policies_.map, -1, Role::Map);
+  (void)applyPolicy(readTrajectory(poses), policies_.map, -1, Role::Map);
   const Status published = listener_.onTrajectory(poses);
   if (!published.isOk()) fail(Role::Observer, published);
 }
@@ -325,7 +325,7 @@ void Chain::finish() {
   MapGraph graph;
   const auto step = [&](Role role, config::FailurePolicy policy, const auto& work) {
     const Status status = timed(finish_times_ns_, role, work);
-    (void)resolve(status, policy, -1, role);
+    (void)applyPolicy(status, policy, -1, role);
     return status.isOk();
   };
   Impossible impossible;

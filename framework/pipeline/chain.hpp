@@ -59,7 +59,8 @@ class Chain {
   /// Passes the answers to the listener. Frames that the map processed before a failure are passed
   /// on as well, even if the listener itself has failed.
   void publish(const FrameRecords& records);
-  /// finish() of all stages, in the order of the flow.
+  /// Finishes odometry, place, cells and map, then passes the final trajectory and graph to the
+  /// listener.
   void finish();
 
   /// Whether place, cells and map can all save their state.
@@ -94,12 +95,14 @@ class Chain {
   Listener& listener() { return listener_; }
 
  private:
-  bool resolve(const Status& status, config::FailurePolicy policy, std::int64_t frame, Role role);
-  bool takeOdometry(FrameRecords& records);
+  // Whether the run goes on after this answer, a failure included (`on_failure`).
+  bool applyPolicy(const Status& status, config::FailurePolicy policy, std::int64_t frame,
+                   Role role);
+  bool acceptMotion(FrameRecords& records);
   void tellImpossible(std::int64_t frame, const std::string& text);
-  bool takePlace(FrameRecords& records);
-  bool decide(FrameRecords& records);
-  bool map(FrameRecords& records);
+  bool acceptObservation(FrameRecords& records);
+  bool runCells(FrameRecords& records);
+  bool runMap(FrameRecords& records);
   void publishGraph(FrameRecords& records);
   void count(const FrameRecords& records);
   void countGraph(const MapGraph& graph);

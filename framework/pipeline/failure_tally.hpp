@@ -14,13 +14,13 @@ class FailureTally {
   /// Counts a failure of `who`. Returns whether to report it: the first ten are reported.
   Report count(std::string_view who) {
     const int failures = ++failures_[std::string(who)];
-    return failures < kMostReports    ? Report::Yes
-           : failures == kMostReports ? Report::Last
-                                      : Report::No;
+    return failures < kMaxReports    ? Report::Yes
+           : failures == kMaxReports ? Report::Last
+                                     : Report::No;
   }
 
  private:
-  static constexpr int kMostReports = 10;
+  static constexpr int kMaxReports = 10;
   std::map<std::string, int> failures_;
 };
 

@@ -21,9 +21,9 @@ class RectifiedSource : private host::SourceStage {
                            config::ImageSettings images = {})
       : SourceStage(std::move(instance)), settings_(settings), images_(std::move(images)) {}
 
-  using SourceStage::resetChecks;
   using SourceStage::inspect;
   using SourceStage::instance;
+  using SourceStage::resetChecks;
   using SourceStage::startAt;
 
   /// Describes the cameras and images that the stages get. Fails if raw images cannot be rectified,

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view kAnswersMagic = "TLMANSW2";
 constexpr std::int64_t kAnswersStart = -1;
 constexpr std::int64_t kAnswersEnd = -2;
-constexpr std::uint64_t kMostTextBytes = 1U << 20U;  // of a text in the first block
+constexpr std::uint64_t kMaxTextBytes = 1U << 20U;  // of a text in the first block
 
 struct AnswersBlock {
   std::int64_t tag = 0;
@@ -58,10 +58,10 @@ std::string answersRunId(const std::filesystem::path& file) {
   std::ifstream stream = openRegular(file);
   stream.seekg(static_cast<std::streamoff>(kAnswersMagic.size() + sizeof(AnswersBlock)));
   const auto names = rawAt<std::uint64_t>(stream);
-  if (!stream || names > kMostTextBytes) return "";
+  if (!stream || names > kMaxTextBytes) return "";
   stream.seekg(static_cast<std::streamoff>(names), std::ios::cur);
   const auto size = rawAt<std::uint64_t>(stream);
-  if (!stream || size > kMostTextBytes) return "";
+  if (!stream || size > kMaxTextBytes) return "";
   std::string id(size, '\0');
   stream.read(id.data(), static_cast<std::streamsize>(size));
   return stream ? id : "";

@@ -47,9 +47,9 @@ template <class T>
 struct Codec;
 
 template <class Stored>
-inline constexpr Stored kMostNumber = config::kMostNumber;
+inline constexpr Stored kMaxNumber = config::kMaxNumber;
 template <>
-inline constexpr std::int64_t kMostNumber<std::int64_t> = config::kMostInteger;
+inline constexpr std::int64_t kMaxNumber<std::int64_t> = config::kMaxInteger;
 
 /// Throws BadRow if |number| is above `most`, and for NaN.
 template <class Stored>
@@ -73,7 +73,7 @@ struct Codec<T> {
     const Stored stored = row.next();
     checkNumber(stored, std::is_integral_v<T> && sizeof(T) < sizeof(Stored)
                             ? static_cast<Stored>(std::numeric_limits<T>::max())
-                            : kMostNumber<Stored>);
+                            : kMaxNumber<Stored>);
     value = static_cast<T>(stored);
   }
 };

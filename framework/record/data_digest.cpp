@@ -21,7 +21,7 @@ Result<DataDigest> digestData(const fs::path& path, const DataDigest& known, std
   } catch (const fs::filesystem_error& error) {
     if (error.code() == std::errc::file_too_large) {
       return Status::invalidInput(fmt::format(
-          "{}: more than {} files; name the folder of one recording", path.string(), kMostFiles));
+          "{}: more than {} files; name the folder of one recording", path.string(), kMaxFiles));
     }
     return Status::invalidInput(error.path1().string() + ": " + error.code().message());
   }

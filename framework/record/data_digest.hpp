@@ -18,12 +18,12 @@ struct DataDigest {
   std::string sha256;  ///< SHA-256 of names and contents of all files; empty above the limit
 };
 
-inline constexpr std::int64_t kMostData = std::int64_t{64} << 30U;  // bytes
+inline constexpr std::int64_t kMaxData = std::int64_t{64} << 30U;  // bytes
 
 /// The digest of a file, or of all dataFiles() below a folder. Contents are not read if `known` has
 /// the same path and stamp (then `known` is returned), or if there are more than `most` bytes.
-/// InvalidInput if something cannot be read, or for more than kMostFiles files.
+/// InvalidInput if something cannot be read, or for more than kMaxFiles files.
 Result<DataDigest> digestData(const std::filesystem::path& path, const DataDigest& known = {},
-                              std::int64_t most = kMostData);
+                              std::int64_t most = kMaxData);
 
 }  // namespace tolman::record

@@ -18,7 +18,7 @@ void add(std::vector<DataFile>& files, const fs::path& path, const fs::path& roo
   DataFile file{path == root ? "" : path.lexically_relative(root).string(), path, {}};
   if (::stat(path.c_str(), &file.status) != 0 || !S_ISREG(file.status.st_mode)) return;
   files.push_back(std::move(file));
-  if (files.size() > kMostFiles) {
+  if (files.size() > kMaxFiles) {
     throw fs::filesystem_error("walk", root, std::make_error_code(std::errc::file_too_large));
   }
 }

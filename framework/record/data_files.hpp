@@ -10,7 +10,7 @@
 
 namespace tolman::record {
 
-inline constexpr std::size_t kMostFiles = 1'000'000;
+inline constexpr std::size_t kMaxFiles = 1'000'000;
 
 struct DataFile {
   std::string name;  ///< relative to the path that was given; empty for a single file
@@ -25,7 +25,7 @@ struct DataFile {
 /// only the files that a later run reads: answers.bin and the state; run directories further below
 /// are left out, because they are results, and not part of the data beside them. Links are
 /// followed, but not back to a folder that contains them. Throws std::filesystem::filesystem_error,
-/// for more than kMostFiles files with std::errc::file_too_large.
+/// for more than kMaxFiles files with std::errc::file_too_large.
 std::vector<DataFile> dataFiles(const std::filesystem::path& root);
 
 /// The first of these files that was changed, replaced or removed since it was listed; empty if

@@ -10,7 +10,7 @@ std::int64_t lastShown(const Database& database, bool unfinished) {
   Statement row(database, "SELECT coalesce(max(\"frame\"), -1) FROM \"frame\"");
   row.step();
   const std::int64_t last = row.next().getInt64();
-  checkNumber(last, kMostNumber<std::int64_t>);
+  checkNumber(last, kMaxNumber<std::int64_t>);
   return last - (unfinished ? 1 : 0);
 }
 

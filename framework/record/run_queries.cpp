@@ -64,7 +64,7 @@ std::int64_t integerOf(const Database& database, const std::string& query) {
   Statement row(database, query);
   row.step();
   const std::int64_t number = row.next().getInt64();
-  checkNumber(number, kMostNumber<std::int64_t>);
+  checkNumber(number, kMaxNumber<std::int64_t>);
   return number;
 }
 

@@ -17,9 +17,9 @@ namespace {
 
 using evaluation::PopulationHistory;
 
-constexpr double kArrayPanel = 190;        // px, height of the panel of one array
-constexpr std::size_t kMostColumns = 100;  // cells of a heat map
-constexpr std::size_t kMostRows = 24;
+constexpr double kArrayPanel = 190;       // px, height of the panel of one array
+constexpr std::size_t kMaxColumns = 100;  // cells of a heat map
+constexpr std::size_t kMaxRows = 24;
 constexpr std::array<const char*, 5> kLineColours = {kBlue, kOrange, kGreen, kVermilion, kPurple};
 
 Range valuesOf(const PopulationHistory& array) {
@@ -62,8 +62,8 @@ void drawLines(Svg& svg, double top, const PopulationHistory& array) {
 /// Frames to the right, indices (row-major) upwards; both are thinned to the cells of the heat map.
 void drawHeatMap(Svg& svg, double top, const PopulationHistory& array) {
   const std::size_t size = array.activity.front().size();
-  const std::size_t columns = std::min(kMostColumns, array.frames.size());
-  const std::size_t rows = std::min(kMostRows, size);
+  const std::size_t columns = std::min(kMaxColumns, array.frames.size());
+  const std::size_t rows = std::min(kMaxRows, size);
   const Range values = valuesOf(array);
   const Axes axes(svg, {titleOf(array),
                         "frame",
@@ -89,7 +89,7 @@ void drawHeatMap(Svg& svg, double top, const PopulationHistory& array) {
 
 std::string arrayFigure(const std::vector<evaluation::PopulationHistory>& arrays) {
   if (arrays.empty()) return "";
-  const std::span shown = std::span(arrays).first(std::min(arrays.size(), kMostPanels));
+  const std::span shown = std::span(arrays).first(std::min(arrays.size(), kMaxPanels));
   Svg svg(900, kArrayPanel * static_cast<double>(shown.size()));
   double top = 0;
   for (const PopulationHistory& array : shown) {

@@ -51,10 +51,10 @@ std::vector<double> ticks(const Range& range, int wanted) {
 }
 
 std::string tickText(double value, double step) {
-  constexpr double kMostDecimals = 9;
+  constexpr double kMaxDecimals = 9;
   const bool is_step = step > 0 && std::isfinite(step);
   const double decimals =
-      is_step ? std::clamp(-std::floor(std::log10(step) + 1e-9), 0.0, kMostDecimals) : 0;
+      is_step ? std::clamp(-std::floor(std::log10(step) + 1e-9), 0.0, kMaxDecimals) : 0;
   const double clean = std::abs(value) < 1e-9 * std::max(step, 1e-300) ? 0 : value;
   return fmt::format("{:.{}f}", clean, static_cast<int>(decimals));
 }

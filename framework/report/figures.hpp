@@ -12,7 +12,7 @@
 namespace tolman::report {
 
 /// Most panels of one figure: a taller one could not be drawn as PNG. Further arrays are left out.
-inline constexpr std::size_t kMostPanels = 40;
+inline constexpr std::size_t kMaxPanels = 40;
 
 /// Position error of odometry and map over time.
 std::string errorFigure(const RunData& run);

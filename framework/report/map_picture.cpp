@@ -17,7 +17,7 @@ constexpr double kLeft = 70;
 constexpr double kMapTop = 66;
 constexpr double kRight = 30;
 constexpr double kBottom = 50;
-constexpr double kLeastWidth = 520;  // for the legend
+constexpr double kMinWidth = 520;  // for the legend
 constexpr std::size_t kPanelsInARow = 3;
 constexpr double kPixelsPerCircle = 2.5;  // with less space experiences are drawn as dots
 
@@ -123,7 +123,7 @@ class Panels {
 
   /// Size of a panel with its labels, px.
   Eigen::Vector2d cell() const {
-    return {std::max(kLeft + size_.x() + kRight, kLeastWidth), kMapTop + size_.y() + kBottom};
+    return {std::max(kLeft + size_.x() + kRight, kMinWidth), kMapTop + size_.y() + kBottom};
   }
   /// Draws panel i; `corner` is the upper left corner of its cell.
   void draw(Svg& svg, std::size_t i, const Eigen::Vector2d& corner) const {

@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using TextOf = std::function<std::string(const RunPage&)>;
 
-constexpr std::size_t kMostSettings = 12;
+constexpr std::size_t kMaxSettings = 12;
 constexpr const char* kNone = "–";
 
 std::string row(const std::string& label, const std::vector<std::string>& cells) {
@@ -37,12 +37,12 @@ std::string settingRows(const std::vector<RunPage>& runs) {
            std::ranges::find(difference.values, "-") != difference.values.end();
   });
   std::string text;
-  for (std::size_t i = 0; i < std::min(differences.size(), kMostSettings); ++i) {
+  for (std::size_t i = 0; i < std::min(differences.size(), kMaxSettings); ++i) {
     text += row(differences[i].key, differences[i].values);
   }
-  if (differences.size() > kMostSettings) {
+  if (differences.size() > kMaxSettings) {
     text += fmt::format("<tr><th colspan=\"{}\">and {} more settings</th></tr>\n", runs.size() + 1,
-                        differences.size() - kMostSettings);
+                        differences.size() - kMaxSettings);
   }
   return text;
 }

@@ -60,6 +60,17 @@ evaluation::Trajectory since(std::int64_t first, evaluation::Trajectory trajecto
   return trajectory;
 }
 
+/// Tells the poses of different sessions apart: how the robot came from one to the next is not
+/// known.
+void markSessions(const std::vector<record::RecordedSession>& sessions,
+                  evaluation::Trajectory& trajectory) {
+  for (auto& pose : trajectory) {
+    for (std::size_t i = 0; i < sessions.size(); ++i) {
+      if (pose.frame >= sessions[i].first_frame) pose.session = i;
+    }
+  }
+}
+
 std::vector<evaluation::SessionFigures> sessionFigures(
     const std::vector<record::RecordedSession>& sessions, std::int64_t frames,
     const MapGraph& graph, const record::GraphParts& parts) {
@@ -119,13 +130,25 @@ std::string digestOf(const evaluation::Trajectory& truth) {
   return sha.digest();
 }
 
+/// A part of the map that no loop joins begins where the path before it ended: an assumption that
+/// the errors contain.
+void warnOfParts(evaluation::Metrics& metrics) {
+  if (metrics.sessions.empty() || metrics.sessions.back().parts.size() <= 1) return;
+  if (!metrics.map.warning.empty()) return;
+  metrics.map.warning =
+      evaluation::unjoinedText(metrics) +
+      ": each is taken to begin where the one before ended, and the errors contain that";
+}
+
 /// The metrics of the trajectories and the graph in `run`.
 evaluation::Metrics measure(const record::RunReader& reader, const evaluation::Trajectory& truth,
                             const RunData& run, const config::EvaluationSettings& settings) {
   const auto lengths = lengthsOf(settings);
   evaluation::Metrics metrics;
   metrics.alignment = resolve(settings.alignment, reader);
-  metrics.odometry = evaluation::scoreTrajectory(truth, run.odometry, metrics.alignment, lengths);
+  const std::int64_t own = run.odometry.empty() ? 0 : run.odometry.front().frame;
+  metrics.odometry =
+      evaluation::scoreTrajectory(since(own, truth), run.odometry, metrics.alignment, lengths);
   countDropped(metrics.odometry, run.odometry);
   const record::GraphParts parts = record::partsOf(run.graph);
   metrics.parts = parts.count;
@@ -138,6 +161,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   } else {
     metrics.map = evaluation::scoreTrajectory(truth, run.map, metrics.alignment, lengths);
     countDropped(metrics.map, run.odometry);
+    warnOfParts(metrics);
   }
   const record::RunTotals totals = must(reader.totals());
   metrics.frames = totals.frames;
@@ -211,11 +235,13 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     const auto sessions = must(reader.sessions());
     const std::int64_t own = sessions.empty() ? 0 : sessions.back().first_frame;
     const bool joint = settings.sessions == config::SessionScope::Joint;
-    const auto truth = since(joint ? 0 : own, must(reader.truth()));
+    auto truth = since(joint ? 0 : own, must(reader.truth()));
+    markSessions(sessions, truth);
     RunData data;
     data.name = nameOf(reader);
     data.odometry = since(own, must(reader.odometry()));
     data.map = since(joint ? 0 : own, must(reader.map()));
+    markSessions(sessions, data.map);
     data.graph = must(reader.graph());
     data.metrics = measure(reader, truth, data, settings);
     data.metrics.motions = consistencyOf(reader, own, truth, data.metrics.alignment);

@@ -130,7 +130,7 @@ double drawSheet(Svg& svg, const Eigen::Vector2d& corner, const PopulationHistor
     maps.push_back(scoredMap(units, i, periodInMetres(sheet)));
     peak = std::max(peak, evaluation::highestRate(maps.back()));
   }
-  const int rows = std::min(sheet.shape[0], evaluation::kMostUnitsAlongAxis);
+  const int rows = std::min(sheet.shape[0], evaluation::kMaxUnitsAlongAxis);
   const Pixels pixels = tiled(maps, rows, peak);
   const auto width = static_cast<double>(pixels.cols());
   const auto height = static_cast<double>(pixels.rows());
@@ -148,7 +148,7 @@ std::string unitsFigure(const RunData& run) {
   const auto poses = evaluation::stampedPosesOf(run.places());
   if (!run.metrics.cells || poses.empty()) return "";
   const auto first = [](const auto& all) {
-    return std::span(all).first(std::min(all.size(), kMostPanels / 2));
+    return std::span(all).first(std::min(all.size(), kMaxPanels / 2));
   };
   const auto rings = first(run.cells.rings);
   const auto sheets = first(run.cells.sheets);

@@ -45,13 +45,13 @@ Json processorFeatures() {
   return features;
 }
 
-/// The input data with their digests. Above kMostDigested bytes contents are not digested, because
+/// The input data with their digests. Above kMaxDigested bytes contents are not digested, because
 /// reading them would delay the run.
 Json dataList(const CheckedSystem& system) {
-  constexpr std::int64_t kMostDigested = std::int64_t{1} << 30U;
+  constexpr std::int64_t kMaxDigested = std::int64_t{1} << 30U;
   Json list = Json::array();
   for (const std::string& path : inputPaths(system)) {
-    const auto digest = record::digestData(path, {}, kMostDigested);
+    const auto digest = record::digestData(path, {}, kMaxDigested);
     if (!digest.isOk()) {
       list.push_back({{"path", path}, {"reason", digest.status().message()}});
       continue;

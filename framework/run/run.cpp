@@ -56,8 +56,8 @@ void refuseOtherData(const std::filesystem::path& run, const nlohmann::ordered_j
                    (run / "run.json").string() + "); put them back, or run it again");
 }
 
-/// Refuses to make the run in a folder that has data which it reads: replacing an earlier run there
-/// could remove them.
+/// Refuses a run directory that contains input data: replacing an earlier run there could delete
+/// them.
 void refuseInputsIn(const std::filesystem::path& out, const std::vector<record::DataFile>& inputs) {
   std::error_code ignored;
   if (out.empty() || !std::filesystem::exists(out, ignored)) return;
@@ -87,7 +87,7 @@ Outcome Run::execute(CheckedSystem system) {
     return outcome;
   }
   drive(outcome);
-  checkInputs(outcome);
+  failIfInputsChanged(outcome);
   if (const Status moved = directory_->stillInPlace(); !moved.isOk()) {
     outcome.failure = recordFailure(moved);
     writeRunFile(outcome);
@@ -119,6 +119,9 @@ void Run::continueEarlierRun() {
   if (!options_.out.empty() && std::filesystem::equivalent(options_.out, directory, ignored)) {
     refuseToContinue(directory +
                      ": a run cannot continue in its own directory; give another one with --out");
+  }
+  if (record::RunDirectory::isBeingWritten(directory)) {
+    refuseToContinue(directory + ": this run is still going; wait for its end, or interrupt it");
   }
   earlier_ = require(record::RunReader::open(directory), FailureKind::Continuation);
   require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
@@ -199,7 +202,7 @@ void Run::recordSessions() {
   require(recorder_->session(session), FailureKind::Record);
 }
 
-/// Views that another camera saw may not be recognised. `before` is that of the earlier session.
+/// Views that another camera saw may not be recognised. `before`: the rigs of the earlier session.
 void Run::warnOfOtherCamera(const std::vector<CameraRig>& before) {
   const CameraRig& now = assembly_->sourceInfo().rig;
   if (before.empty() || before.front().width == 0 || now.width == 0) return;
@@ -274,8 +277,9 @@ void Run::drive(Outcome& outcome) {
     chain.resume(*resume_);
     listener.startAfter(resume_->checkpoint.frame);
   }
-  const Status begun = listener.begin(
+  Status begun = listener.begin(
       {config().general.name, directory_->path().string(), assembly_->sourceInfo(), arrays_});
+  if (begun.isOk() && resume_) begun = listener.showRecorded();
   if (!begun.isOk()) chain.fail(Role::Observer, begun);
   Watchdog watchdog(chain.stageActivity(), clock_, watchdogSettings(listener));
   watchdog.start();
@@ -285,6 +289,7 @@ void Run::drive(Outcome& outcome) {
   for (const Status& status : assembly_->teardown()) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
+  warnOfMissingFrames(result, listener);
   outcome.failure = failureOf(result.failure, listener);
   if (!outcome.failure) outcome.failure = unsaved;
   if (!outcome.failure && result.interrupted) outcome.failure = stop_.reason();
@@ -295,6 +300,15 @@ void Run::drive(Outcome& outcome) {
   outcome.finish_times_ns = result.finish_times_ns;
   outcome.latency = result.latency;
   outcome.wall_s = 1e-9 * static_cast<double>(clock_.steadyNs() - begin_ns);
+}
+
+/// A source may know beforehand how many frames it has; fewer may mean damaged data.
+void Run::warnOfMissingFrames(const pipeline::DriveResult& result, RunListener& listener) {
+  const std::int64_t known = assembly_->sourceInfo().frames;
+  const std::int64_t given = result.counters.frames + result.counters.dropped;
+  if (result.failure || result.interrupted || known < 0 || given >= known) return;
+  listener.onEvent({-1, LogLevel::Warning, assembly_->stageName(Role::Source),
+                    fmt::format("ended after {} of the {} frames that it had told", given, known)});
 }
 
 WatchdogSettings Run::watchdogSettings(RunListener& listener) {
@@ -330,7 +344,7 @@ std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunLi
 }
 
 /// A run whose data changed while it read them has results of two data sets.
-void Run::checkInputs(Outcome& outcome) {
+void Run::failIfInputsChanged(Outcome& outcome) {
   if (outcome.failure || outcome.interrupted) return;
   const std::filesystem::path changed = record::firstChanged(inputs_);
   if (changed.empty()) return;
@@ -346,7 +360,7 @@ void Run::conclude(Outcome& outcome) {
   if (outcome.counters.frames > 0) {
     results = writeResults(directory_->path(), config().evaluation,
                            static_cast<std::uint64_t>(config().general.seed));
-    check(outcome, results.status());
+    failUnlessWritten(outcome, results.status());
   }
   if (results.isOk()) {  // counts include earlier sessions, as in metrics.json
     outcome.metrics = results.value().data.metrics;
@@ -355,16 +369,16 @@ void Run::conclude(Outcome& outcome) {
     outcome.counters.loop_links = counts.loop_links;
     outcome.counters.loop_decisions = counts.loop_decisions;
   }
-  check(outcome, log_.status());
+  failUnlessWritten(outcome, log_.status());
   if (!std::filesystem::exists(directory_->path() / "log.txt")) {
-    check(outcome, Status::failed((directory_->path() / "log.txt").string() +
-                                  ": was removed while the run was going"));
+    failUnlessWritten(outcome, Status::failed((directory_->path() / "log.txt").string() +
+                                              ": was removed while the run was going"));
   }
   writeRunFile(outcome);
   if (!results.isOk() || !config().record.report) return;
   const Status reported = writeReport(*results.value().reader, std::move(results.value().data));
   if (reported.isOk()) return;
-  check(outcome, reported);
+  failUnlessWritten(outcome, reported);
   if (writeRunFile(outcome)) return;
   // run.json has the status "finished", which cannot be replaced, for example on a full disk.
   std::error_code ignored;
@@ -375,13 +389,13 @@ bool Run::writeRunFile(Outcome& outcome) {
   addOutcome(run_file_, outcome);
   if (options_.exit_code) run_file_["exit_code"] = options_.exit_code(outcome);
   const Status written = directory_->writeRunFile(run_file_, stateOf(outcome));
-  check(outcome, written);
+  failUnlessWritten(outcome, written);
   return written.isOk();
 }
 
 /// Makes the run fail if a result file cannot be written completely. The outcome keeps the first
 /// failure, which the caller shows.
-void Run::check(Outcome& outcome, const Status& written) {
+void Run::failUnlessWritten(Outcome& outcome, const Status& written) {
   if (written.isOk()) return;
   log_.write(LogLevel::Error, "record", written.message(), outcome.failure.has_value());
   if (!outcome.failure) outcome.failure = recordFailure(written);

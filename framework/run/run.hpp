@@ -65,7 +65,7 @@ class Run {
 
  private:
   const config::SystemConfig& config() const { return assembly_->system().config; }
-  // Each throws Failed.
+  // prepare() and what it calls throw Failed.
   void prepare(CheckedSystem system);
   void continueEarlierRun();
   void resumeRun();
@@ -78,14 +78,15 @@ class Run {
   std::string runId() const;
 
   void drive(Outcome& outcome);
+  void warnOfMissingFrames(const pipeline::DriveResult& result, RunListener& listener);
   WatchdogSettings watchdogSettings(RunListener& listener);
   std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
                                    const RunListener& listener) const;
   std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
-  void checkInputs(Outcome& outcome);
+  void failIfInputsChanged(Outcome& outcome);
   void conclude(Outcome& outcome);
   bool writeRunFile(Outcome& outcome);
-  void check(Outcome& outcome, const Status& written);
+  void failUnlessWritten(Outcome& outcome, const Status& written);
 
   RunLog& log_;
   const Clock& clock_;

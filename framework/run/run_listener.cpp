@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "record/replay.hpp"
 #include "run/saved_state.hpp"
 
 namespace tolman::run {
@@ -42,6 +43,33 @@ Status RunListener::begin(const RunInfo& run) {
   record_status_ = recorder_.begin(run);
   if (!record_status_.isOk()) return record_status_;
   return callObservers(-1, [&](host::ObserverStage& o) { return o.begin(run); });
+}
+
+Status RunListener::showRecorded() {
+  if (observers_.empty()) return Status::ok();
+  if (Status synced = recorder_.sync(); !synced.isOk()) return synced;
+  const auto reader = record::RunReader::open(directory_.path());
+  if (!reader.isOk()) return reader.status();
+  const auto sessions = reader.value()->sessions();
+  const auto graph = reader.value()->graph();
+  if (!sessions.isOk()) return sessions.status();
+  if (!graph.isOk()) return graph.status();
+  record::ReplayPosition before;
+  if (!sessions.value().empty()) before.frame = sessions.value().back().first_frame - 1;
+  const auto replay = record::Replay::open(*reader.value(), before, false);
+  if (!replay.isOk()) return replay.status();
+  for (record::RecordedFrame recorded;;) {
+    const Result<bool> read = replay.value()->next(recorded);
+    if (!read.isOk()) return read.status();
+    if (!read.value()) return Status::ok();
+    if (!recorded.motion || !recorded.place || !recorded.decision || !recorded.map) continue;
+    Snapshot snapshot = recorded.snapshot();
+    snapshot.cells = &recorded.cells;  // observers get empty arrays rather than none
+    if (snapshot.frame->frame == last_recorded_) snapshot.graph = &graph.value();
+    const Status shown = callObservers(snapshot.frame->frame,
+                                       [&](host::ObserverStage& o) { return o.observe(snapshot); });
+    if (!shown.isOk()) return shown;
+  }
 }
 
 Status RunListener::record(const Snapshot& snapshot) {

@@ -22,6 +22,8 @@ class RunListener : public pipeline::Listener {
               RunLog& log, const Clock& clock);
 
   Status begin(const RunInfo& run);
+  /// Shows the observers of a resumed run the recorded frames of its session, as Observer says.
+  Status showRecorded();
   Status onFrame(const Snapshot& snapshot) override;
   void onEvent(const pipeline::Event& event) override;
   /// True every `record.state_every` seconds.

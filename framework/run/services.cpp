@@ -111,9 +111,9 @@ void StageLogger::write(LogLevel level, std::string_view message) {
   constexpr std::size_t kAroundMessage = 64;  // about the size of time, level and source
   const std::size_t size = message.size() + kAroundMessage;
   const std::size_t before = bytes_.fetch_add(size);
-  if (before + size <= kMostBytes) return log_.write(level, source_, message);
-  bytes_ = kMostBytes;  // so that further messages do not overflow it
-  if (before >= kMostBytes) return;
+  if (before + size <= kMaxBytes) return log_.write(level, source_, message);
+  bytes_ = kMaxBytes;  // so that further messages do not overflow it
+  if (before >= kMaxBytes) return;
   log_.write(LogLevel::Warning, source_,
              "has written 16 MiB of messages; further ones are left out");
 }

@@ -32,12 +32,12 @@ class RunLog {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The logger of one plugin: writes to the run's log under the name of the stage. After kMostBytes
+/// The logger of one plugin: writes to the run's log under the name of the stage. After kMaxBytes
 /// of messages it writes one warning and no further messages, so that a plugin cannot fill the
 /// disk.
 class StageLogger : public Logger {
  public:
-  static constexpr std::size_t kMostBytes = 16 << 20;
+  static constexpr std::size_t kMaxBytes = 16 << 20;
 
   StageLogger(RunLog& log, std::string source) : log_(log), source_(std::move(source)) {}
   void write(LogLevel level, std::string_view message) override;

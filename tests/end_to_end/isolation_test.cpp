@@ -192,6 +192,13 @@ TEST_CASE("no broken plugin brings down the host") {
   }
 }
 
+TEST_CASE("a source that gives fewer frames than it had told is a warning") {
+  const Attempt attempt("role_faults", "source", "promises_more, path: nowhere", "", 5);
+  INFO(attempt.finished.err);
+  CHECK(attempt.finished.exit_code == 0);
+  CHECK(contains(attempt.finished.err, "ended after 5 of the 9 frames that it had told"));
+}
+
 TEST_CASE("standard output stays the host's: a plugin that prints does not spoil --json") {
   TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 5);

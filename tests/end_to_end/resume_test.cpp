@@ -104,6 +104,44 @@ TEST_CASE("a run that is killed twice and resumed twice ends with the same bytes
   CHECK(checkpointOf(run.out) == -1);  // a finished run needs none
 }
 
+TEST_CASE(
+    "observers of a resumed run get its recorded frames first, so that their files are whole") {
+  for (const char* isolation : {"none", "process"}) {
+    TinyRun run;
+    run.words.insert(
+        run.words.end(),
+        {"--plugin-path", inBuild("tests/fixtures/plugins/snapshot_log"), "--set",
+         "observers=[{plugin: snapshot_log, isolation: " + std::string(isolation) + "}]"});
+    Words resume = run.resume();
+    resume.insert(resume.end(), {"--plugin-path", inBuild("tests/fixtures/plugins/snapshot_log")});
+    CHECK(signalled(run.words, run.out, SIGKILL, 20).exit_code == 128 + SIGKILL);
+    const Finished resumed = tolman::test::tolman(resume);
+    INFO(resumed.err);
+    REQUIRE(resumed.exit_code == 0);
+    const std::string text = readText(run.out / "artefacts/snapshot_log/snapshots.txt");
+    std::size_t frames = 0;
+    for (std::size_t at = 0; (at = text.find("timed\n", at)) != std::string::npos; ++at) ++frames;
+    CHECK(frames == 60);
+  }
+}
+
+TEST_CASE("a run that is still going is not continued") {
+  const TinyRun run;
+  const TemporaryFolder folder;
+  Process going(joined({tolmanProgram().string()}, run.words), folder.path());
+  for (int i = 0; i < 3000 && checkpointOf(run.out) < 5; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  Words words = run.words;
+  *std::ranges::find(words, run.out.string()) = (run.folder.path() / "second").string();
+  const Finished refused = tolman::test::tolman(joined(words, {"--continue", run.out.string()}));
+  CHECK(refused.exit_code == 9);
+  CHECK(contains(refused.err, run.out.string() + ": this run is still going; wait for its end"));
+  going.signal(SIGINT);
+  CHECK(going.wait().exit_code == 130);
+  CHECK(tolman::test::tolman(joined(words, {"--continue", run.out.string()})).exit_code == 0);
+}
+
 TEST_CASE("an interrupted run is resumed after its very last frame") {
   const TinyRun run;
   const Finished interrupted = signalled(run.words, run.out, SIGINT, 5);

@@ -101,6 +101,11 @@ TEST_CASE("a second session joins the map of the first, as good as in one go", "
   CHECK(metrics["map"]["matched"] == cut.middle + 1 + cut.last - cut.first + 1);
   const double joint = metrics["map"]["ate"]["rmse_m"].get<double>();
   CHECK(joint <= cut.bar);
+  // How the robot came from one session to the next is in no figure.
+  CHECK(metrics["map"]["rpe"]["frame"]["translation"]["max_m"] < 2);
+  CHECK(metrics["map"]["rpe"]["frame"]["pairs"] == cut.middle + cut.last - cut.first);
+  CHECK(metrics["map"]["kitti"]["segments_in_gaps"] > 0);
+  CHECK(metrics["odometry"]["coverage"] > 0.99);
   WARN("KITTI " << cut.sequence << ", second session from frame " << cut.first << ": joint RMSE "
                 << joint << " m");
   const Loops loops = loopCounts(second);

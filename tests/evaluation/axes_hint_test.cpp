@@ -61,3 +61,33 @@ TEST_CASE("a poor estimate, few frames and standing still are no reason for a hi
                    few))
           .empty());
 }
+
+TEST_CASE("scrambled rotations under right positions are told, of either path") {
+  const Trajectory truth = drive();
+  Trajectory scrambled = truth;
+  for (TrajectoryPose& pose : scrambled) {
+    const Eigen::Quaterniond q(pose.T_world_camera.linear());
+    // x y z w, read from a file that has w x y z
+    const Eigen::Quaterniond wrong(q.z(), q.w(), q.x(), q.y());
+    pose.T_world_camera.linear() = wrong.normalized().toRotationMatrix();
+  }
+  CHECK(rotationHint(test::paired(truth, scrambled)).starts_with("the positions agree, but"));
+  CHECK(rotationHint(test::paired(scrambled, truth)).starts_with("the positions agree, but"));
+  CHECK(rotationHint(test::paired(truth, truth)).empty());
+  RandomStream random(5);
+  CHECK(rotationHint(test::paired(truth, test::wanderingPath(60, random))).empty());
+}
+
+TEST_CASE("positions in millimetres are told, a poor scale is not") {
+  const Trajectory estimate = drive();
+  const auto scaled = [&](double factor) {
+    Trajectory path = estimate;
+    for (TrajectoryPose& pose : path) pose.T_world_camera.translation() *= factor;
+    return test::paired(path, estimate);
+  };
+  CHECK(unitHint(scaled(1000)).starts_with("the true path is 1e+03 times as long"));
+  CHECK(unitHint(scaled(0.01)).starts_with("the true path is 0.01 times as long"));
+  CHECK(unitHint(scaled(0.001)).empty());  // 6 cm may be any distance
+  CHECK(unitHint(scaled(3)).empty());
+  CHECK(unitHint(scaled(0)).empty());  // the robot stands
+}

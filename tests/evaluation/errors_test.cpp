@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "evaluation/kitti_segments.hpp"
 #include "evaluation/paths.hpp"
 
 using namespace tolman;
@@ -70,4 +71,25 @@ TEST_CASE("relative errors of single poses are empty, not wrong") {
   CHECK(relativeErrorOverFrames(matches).translation_m.count == 0);
   CHECK(relativeErrorOverDistance(matches).translation_m.count == 0);
   CHECK(absoluteError(matches).count == 1);
+}
+
+TEST_CASE("how the robot came from one session to the next counts in no figure") {
+  // Two sessions of 60 m; between them the robot is carried 500 m, which the estimate has wrong.
+  Trajectory truth = test::straightPath(120);
+  Trajectory estimate = truth;
+  for (std::size_t i = 60; i < truth.size(); ++i) {
+    truth[i].T_world_camera.translation().x() += 500;
+    estimate[i].T_world_camera.translation().x() += 490;
+    truth[i].session = estimate[i].session = 1;
+  }
+  CHECK(pathLength(truth) == Approx(118));
+  const Matches matches = test::paired(truth, estimate);
+  const RelativeError frames = relativeErrorOverFrames(matches);
+  CHECK(frames.translation_m.count == 118);
+  CHECK(frames.translation_m.max < 1e-9);
+  CHECK(relativeErrorOverDistance(matches, 5).translation_m.max < 1e-9);
+  const SegmentErrors segments = segmentErrors(matches, {"custom", {20}});
+  CHECK(segments.segments == 8);          // from 0, 10, 20, 30, and 60 to 90
+  CHECK(segments.segments_in_gaps == 2);  // from 40 and 50
+  CHECK(segments.t_rel_percent < 1e-9);
 }

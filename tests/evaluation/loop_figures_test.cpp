@@ -92,3 +92,20 @@ TEST_CASE("views are judged by where they were learned, and closed near a true l
   CHECK(figures.true_views_closed == 1);
   CHECK(toJson(figures)["true_views_closed"] == 1);
 }
+
+TEST_CASE("links and views to where there is no truth are unknown") {
+  Trajectory own = twoDrives();
+  own.erase(own.begin(), own.begin() + 100);  // the second session
+  const LoopFigures figures =
+      loopFigures(graphWith({{11, 1}, {15, 5}, {19, 10}}),
+                  {view(10, 0, Recognition::Novel), view(110, 0, Recognition::Familiar),
+                   view(120, 7, Recognition::Familiar), view(130, 1, Recognition::Novel),
+                   view(132, 1, Recognition::Familiar)},
+                  own);
+  CHECK(figures.unknown_links == 2);
+  CHECK(figures.true_links == 0);
+  CHECK(figures.false_links == 1);
+  CHECK(figures.unknown_views == 2);  // one of an earlier session, one learned nowhere
+  CHECK(figures.true_views == 1);
+  CHECK(toJson(figures)["unknown_views"] == 2);
+}

@@ -16,9 +16,9 @@ using ros_messages::Message;
 
 void tryImage(std::string_view type, const Message& message) {
   // Larger ones are allowed, and take as much time and memory as their size: nothing to find here.
-  constexpr std::int64_t kMostPixels = 1 << 18;
+  constexpr std::int64_t kMaxPixels = 1 << 18;
   const auto size = ros_messages::imageSize(std::string(type), message);
-  if (!size.isOk() || std::int64_t{size.value().width} * size.value().height > kMostPixels) return;
+  if (!size.isOk() || std::int64_t{size.value().width} * size.value().height > kMaxPixels) return;
   for (const bool colour : {false, true}) {
     const auto image = ros_messages::convertImage(std::string(type), message, colour);
     if (!image.isOk()) continue;

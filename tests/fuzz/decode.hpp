@@ -9,9 +9,9 @@ namespace tolman::fuzz {
 
 inline void decode(Bytes bytes) {
   // Larger ones are allowed, and take as much time and memory as their size: nothing to find here.
-  constexpr std::int64_t kMostPixels = 1 << 20;
+  constexpr std::int64_t kMaxPixels = 1 << 20;
   const auto size = image_folders::checkImageBytes(bytes);
-  if (!size.isOk() || std::int64_t{size.value().width} * size.value().height > kMostPixels) return;
+  if (!size.isOk() || std::int64_t{size.value().width} * size.value().height > kMaxPixels) return;
   const MemoryFile file(bytes);
   for (const bool colour : {false, true}) {
     const auto image = image_folders::readImageFile(file.path(), colour, size.value());

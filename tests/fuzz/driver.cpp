@@ -38,8 +38,8 @@ namespace fs = std::filesystem;
 using Input = std::vector<std::uint8_t>;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kMost = 1U << 16U;  // bytes of a changed input
-constexpr double kSlow = 10;              // s for one input, under sanitizers and beside others
+constexpr std::size_t kMax = 1U << 16U;  // bytes of a changed input
+constexpr double kSlow = 10;             // s for one input, under sanitizers and beside others
 
 struct Options {
   int mutations = 1000;
@@ -166,12 +166,12 @@ void addAll(const Options& options) {
 void runChanges(const Options& options) {
   for (int i = 0; i < options.mutations; ++i) {
     Input input = g_corpus[below(g_corpus.size())];
-    const std::size_t size = std::min(input.size(), kMost);
-    input.resize(kMost);
+    const std::size_t size = std::min(input.size(), kMax);
+    input.resize(kMax);
     const std::size_t changed =
         LLVMFuzzerCustomMutator != nullptr
-            ? LLVMFuzzerCustomMutator(input.data(), size, kMost, static_cast<unsigned>(g_random()))
-            : LLVMFuzzerMutate(input.data(), size, kMost);
+            ? LLVMFuzzerCustomMutator(input.data(), size, kMax, static_cast<unsigned>(g_random()))
+            : LLVMFuzzerMutate(input.data(), size, kMax);
     input.resize(changed);
     run(input, "change " + std::to_string(i));
   }

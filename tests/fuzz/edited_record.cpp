@@ -240,7 +240,7 @@ void inherit(const record::RunReader& reader) {
 
 void writeEditedRecord(const fs::path& folder, std::string_view edits) {
   static const std::string kSample = makeSample();
-  constexpr int kMostEdits = 32;
+  constexpr int kMaxEdits = 32;
   {
     std::ofstream stream(folder / "run.sqlite", std::ios::binary);
     stream.write(kSample.data(), static_cast<std::streamsize>(kSample.size()));
@@ -251,7 +251,7 @@ void writeEditedRecord(const fs::path& folder, std::string_view edits) {
           "no transaction");
   std::istringstream stream{std::string(edits)};
   std::string line;
-  for (int i = 0; i < kMostEdits && std::getline(stream, line); ++i) edit(database, line);
+  for (int i = 0; i < kMaxEdits && std::getline(stream, line); ++i) edit(database, line);
   require(execute(database, "COMMIT"), "no commit");
 }
 

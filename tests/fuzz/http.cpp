@@ -4,7 +4,7 @@
 #include "viewer_connection.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr std::size_t kMost = 1U << 15U;
-  if (size <= kMost) tolman::fuzz::connectAndSend(tolman::fuzz::asText({data, size}));
+  constexpr std::size_t kMax = 1U << 15U;
+  if (size <= kMax) tolman::fuzz::connectAndSend(tolman::fuzz::asText({data, size}));
   return 0;
 }

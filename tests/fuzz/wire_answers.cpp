@@ -145,8 +145,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   isolation::SharedBuffer memory("answers");
   const fuzz::Bytes bytes = input.rest();
   if (!bytes.empty()) std::memcpy(memory.reserve(bytes.size()), bytes.data(), bytes.size());
-  constexpr std::uint64_t kMost = 16U << 20U;  // isolation.memory_limit
-  if (claimed > kMost) return 0;
+  constexpr std::uint64_t kMax = 16U << 20U;  // isolation.memory_limit
+  if (claimed > kMax) return 0;
   const std::byte* message = nullptr;
   try {
     message = memory.view(claimed);

@@ -74,6 +74,13 @@ class PiecesTest(unittest.TestCase):
         self.assertAlmostEqual(found[1][0], 1000, delta=60)
         self.assertEqual(nwb.laps(np.arange(9.0), np.zeros(9), np.arange(9.0)), [])  # it never returns
 
+    def test_no_lap_leads_from_one_session_to_the_next(self):
+        angle = np.linspace(0, 4 * math.pi, 2001)
+        poses = {"x": np.sin(angle), "y": 1 - np.cos(angle), "session": (angle > 3 * math.pi).astype(int)}
+        found = nwb._laps_of_sessions(poses, np.arange(2001.0))
+        self.assertEqual(len(found), 1)  # the second begins in one session and ends in the other
+        self.assertLess(found[0][1], 1100)
+
     def test_rates_are_in_hertz_and_never_negative(self):
         def rates(values, unit):
             array = tolman.cells.Array(tolman.ArrayInfo("a", unit=unit), np.arange(2), np.arange(2), np.array(values))

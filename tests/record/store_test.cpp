@@ -126,8 +126,8 @@ TEST_CASE("a shape or a blob that cannot be is refused") {
 
 TEST_CASE("the largest values that the host lets pass can be read") {
   Motion motion = test::motionAt(1);
-  motion.v = -config::kMostNumber;
-  motion.tracked = config::kMostInteger;
+  motion.v = -config::kMaxNumber;
+  motion.tracked = config::kMaxInteger;
   motion.T_previous_current.translation().setConstant(-config::kFarthest);
   auto R = motion.T_previous_current.linear();
   R.setIdentity();

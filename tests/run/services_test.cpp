@@ -130,11 +130,11 @@ TEST_CASE("a plugin that writes without end does not fill the disk") {
   StageLogger stage(log, "observer");
   StageLogger other(log, "map");
   const std::string message(9000, 'x');
-  for (std::size_t bytes = 0; bytes < 2 * StageLogger::kMostBytes; bytes += message.size()) {
+  for (std::size_t bytes = 0; bytes < 2 * StageLogger::kMaxBytes; bytes += message.size()) {
     stage.write(LogLevel::Debug, message);
   }
   other.write(LogLevel::Info, "still heard");
-  CHECK(std::filesystem::file_size(file) < StageLogger::kMostBytes + 10'000);
+  CHECK(std::filesystem::file_size(file) < StageLogger::kMaxBytes + 10'000);
   const std::vector<std::string> lines = linesOf(file);
   CHECK(lines[lines.size() - 2].ends_with(
       "warning observer: has written 16 MiB of messages; further ones are left out"));

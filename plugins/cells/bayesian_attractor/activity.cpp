@@ -19,7 +19,7 @@ constexpr double kRingTuning = 2.3665;
 /// distance to the next one (Hafting et al. 2005).
 constexpr double kFieldWidth = 0.11;
 /// Bumps with a smaller share of the energy add nothing to the rates; bounds the time.
-constexpr double kLeastShare = 1e-3;
+constexpr double kMinShare = 1e-3;
 
 struct WeightedBump {
   const Bump* bump;
@@ -39,7 +39,7 @@ std::vector<WeightedBump> weightedBumps(const BumpNetwork& network) {
 NamedArray ringActivity(const std::vector<WeightedBump>& bumps) {
   NamedArray array{"hd.activity", {kRingUnits}, std::vector<float>(kRingUnits)};
   for (const auto& [bump, share] : bumps) {
-    if (share < kLeastShare) continue;
+    if (share < kMinShare) continue;
     const double concentration = 1 / (1 / kRingTuning + bump->covariance(2, 2));
     for (int unit = 0; unit < kRingUnits; ++unit) {
       const double off = bump->centre.heading - unit * kTurn / kRingUnits;
@@ -69,7 +69,7 @@ NamedArray heightActivity(const std::vector<WeightedBump>& bumps, int module, do
   NamedArray array{
       moduleName("height", module) + ".activity", {kSheetUnits}, std::vector<float>(kSheetUnits)};
   for (const auto& [bump, share] : bumps) {
-    if (share < kLeastShare) continue;
+    if (share < kMinShare) continue;
     auto value = array.values.begin();
     for (const double rate :
          axisActivity(bump->centre.heights(module), bump->height_variance, period)) {
@@ -84,7 +84,7 @@ NamedArray sheetActivity(const std::vector<WeightedBump>& bumps, int module, dou
                    {kSheetUnits, kSheetUnits},
                    std::vector<float>(kSheetUnits * kSheetUnits)};
   for (const auto& [bump, share] : bumps) {
-    if (share < kLeastShare) continue;
+    if (share < kMinShare) continue;
     const Eigen::Vector2d phase = bump->centre.phases.col(module);
     const auto columns = axisActivity(phase.x(), bump->covariance(0, 0), period);
     const auto rows = axisActivity(phase.y(), bump->covariance(1, 1), period);
@@ -106,8 +106,8 @@ Eigen::Vector3d decoded(const BumpNetwork& network, const Bump& bump) {
 NamedArray hypotheses(const BumpNetwork& network, const std::vector<WeightedBump>& bumps) {
   constexpr std::size_t kColumns = 5;
   NamedArray array{"hypotheses",
-                   {static_cast<std::int64_t>(kMostBumps) + 1, kColumns},
-                   std::vector<float>((kMostBumps + 1) * kColumns)};
+                   {static_cast<std::int64_t>(kMaxBumps) + 1, kColumns},
+                   std::vector<float>((kMaxBumps + 1) * kColumns)};
   auto value = array.values.begin();
   for (const auto& [bump, share] : bumps) {
     const Eigen::Vector3d pose = decoded(network, *bump);

@@ -18,7 +18,7 @@ constexpr double kNovelSpacing = 1;  // m, between experiences of novel views; c
 constexpr double kSlope = 0.1;
 /// Most storeys that one view is linked to; the oldest link is removed first. Bounds
 /// memory and time.
-constexpr std::size_t kMostStoreys = 32;
+constexpr std::size_t kMaxStoreys = 32;
 
 }  // namespace
 
@@ -59,13 +59,13 @@ Status BayesianAttractor::step(const Motion& motion, const PlaceObservation& obs
   const auto [calibrated, link] = known ? perceive(observation, motion.frame) : Perception{};
   if (calibrated.joined_part >= 0) {
     for (auto& [id, storeys] : state_->links) {
-      for (ViewLink& other : storeys) state_->network.rejoin(calibrated, other.learned);
+      for (ViewLink& other : storeys) state_->network.moveToJoinedPart(calibrated, other.learned);
     }
   }
-  if (calibrated.won) {
+  if (calibrated.accepted) {
     decision.earlier = state_->waiting.of(calibrated.bump, state_->network.state().travel);
   }
-  if (calibrated.won && state_->log.allowsLoopTo(link->experience)) {
+  if (calibrated.accepted && state_->log.allowsLoopTo(link->experience)) {
     closeLoop(observation, *link, calibrated.share, decision);
   } else if (state_->log.wantsNew(seen && !known)) {
     decision.action = Action::CreateExperience;
@@ -160,21 +160,22 @@ BayesianAttractor::Perception BayesianAttractor::perceive(const PlaceObservation
   const NetworkState& network = state_->network.state();
   const bool recent = link->learned.part == network.part &&
                       network.travel - link->travel < parameters_.loop_minimum_travel;
-  return recent ? Perception{} : Perception{feed(seen, *link, frame), link};
+  return recent ? Perception{} : Perception{injectView(seen, *link, frame), link};
 }
 
-Recalibration BayesianAttractor::feed(const SeenPose& seen, const ViewLink& link,
-                                      std::int64_t frame) {
+Recalibration BayesianAttractor::injectView(const SeenPose& seen, const ViewLink& link,
+                                            std::int64_t frame) {
   const LevelStep offset = offsetOf(seen);
-  const Recalibration fed =
+  const Recalibration result =
       state_->network.inject(link.learned, offset.plane, offset.covariance, offset.climb);
-  if (fed.bump < 0 || fed.won || !state_->log.allowsLoopTo(link.experience)) return fed;
+  if (result.bump < 0 || result.accepted || !state_->log.allowsLoopTo(link.experience))
+    return result;
   state_->waiting.add(
-      {fed.bump,
+      {result.bump,
        state_->network.state().travel,
        {frame, link.experience, normalised(link.T_experience_template * seen.T_template_current),
         seen.covariance}});
-  return fed;
+  return result;
 }
 
 void BayesianAttractor::closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
@@ -195,10 +196,10 @@ void BayesianAttractor::learn(std::int64_t template_id,
   const Eigen::Isometry3d T_current_template = T_template_current.inverse();
   const LevelStep back = levelled(T_current_template, Matrix6d::Zero(), state_->upright.up());
   const BumpNetwork& network = state_->network;
-  LearnedPattern learned = network.present();
+  LearnedPattern learned = network.currentPattern();
   learned.pattern = network.code().displaced(learned.pattern, back.plane, back.climb.metres);
   std::vector<ViewLink>& storeys = state_->links[template_id];
-  if (storeys.size() >= kMostStoreys) storeys.erase(storeys.begin());
+  if (storeys.size() >= kMaxStoreys) storeys.erase(storeys.begin());
   storeys.push_back({learned, network.state().travel, state_->log.current(),
                      normalised(state_->log.fromCurrent() * T_current_template)});
 }

@@ -50,7 +50,7 @@ class BayesianAttractor final : public Cells,
   };
   Perception perceive(const PlaceObservation& view, std::int64_t frame);
   LevelStep offsetOf(const SeenPose& seen) const;
-  Recalibration feed(const SeenPose& seen, const ViewLink& link, std::int64_t frame);
+  Recalibration injectView(const SeenPose& seen, const ViewLink& link, std::int64_t frame);
   void closeLoop(const PlaceObservation& view, const ViewLink& link, double share,
                  Decision& decision);
   void learn(std::int64_t template_id, const Eigen::Isometry3d& T_template_current);

@@ -18,13 +18,13 @@ constexpr double kSameStorey = 9;
 /// m around the path that count as explored, and the smallest explored area, m^2. Both chosen, not
 /// tuned.
 constexpr double kMargin = 20;
-constexpr double kLeastArea = 1e4;
+constexpr double kMinArea = 1e4;
 /// Calibration bumps below this energy, in nats, are removed: a share of less than 0.04 %.
 /// Chosen, not tuned; bounds the time.
-constexpr double kGone = -8;
+constexpr double kMinEnergy = -8;
 /// Bounds of the learned share of right views. Chosen, not tuned; keep its log odds finite.
-constexpr double kLeastPrior = 0.001;
-constexpr double kMostPrior = 0.9;
+constexpr double kMinPrior = 0.001;
+constexpr double kMaxPrior = 0.9;
 
 double logGaussian(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance) {
   return -0.5 * (squaredMahalanobis(difference, covariance) + std::log(covariance.determinant()) +
@@ -58,7 +58,7 @@ BumpNetwork::BumpNetwork(const NetworkSettings& settings)
             HeightCode(settings.height_period, settings.height_period > 0 ? settings.modules : 0,
                        settings.phase_sigma)) {
   state_.integrator.centre = code_.origin();
-  state_.anchor = state_.integrator;
+  state_.stretch_start = state_.integrator;
 }
 
 void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed,
@@ -77,15 +77,15 @@ void BumpNetwork::integrate(const PlanarPose& step, const Eigen::Matrix3d& claim
   }
   state_.travel += length;
   const Eigen::Vector2d here = code_.difference(code_.origin(), state_.integrator.centre).head<2>();
-  state_.least = state_.least.cwiseMin(here);
-  state_.most = state_.most.cwiseMax(here);
-  std::erase_if(state_.calibration, [](const CalibrationBump& c) { return c.energy < kGone; });
+  state_.explored_min = state_.explored_min.cwiseMin(here);
+  state_.explored_max = state_.explored_max.cwiseMax(here);
+  std::erase_if(state_.calibration, [](const CalibrationBump& c) { return c.energy < kMinEnergy; });
 }
 
-/// Adds a hypothesis. Of more than kMostBumps the weakest is removed; null if that is the new one.
+/// Adds a hypothesis. Of more than kMaxBumps the weakest is removed; null if that is the new one.
 CalibrationBump* BumpNetwork::insertBump(const CalibrationBump& bump) {
   auto& bumps = state_.calibration;
-  if (bumps.size() == kMostBumps) {
+  if (bumps.size() == kMaxBumps) {
     const auto weakest = std::ranges::min_element(bumps, {}, &CalibrationBump::energy);
     if (weakest->energy >= bump.energy) return nullptr;
     bumps.erase(weakest);
@@ -99,37 +99,39 @@ void BumpNetwork::startPart() {
   ++state_.stretch;
   state_.integrator.covariance.setZero();
   state_.integrator.height_variance = 0;
-  state_.anchor = state_.integrator;
+  state_.stretch_start = state_.integrator;
   state_.calibration.clear();
   // The share of right views was counted in another part of the world.
   state_.views = state_.right = 0;
 }
 
-LearnedPattern BumpNetwork::present() const {
-  return {state_.integrator.centre, state_.part, state_.stretch, total(),
-          state_.integrator.height_variance + state_.anchor.height_variance};
+LearnedPattern BumpNetwork::currentPattern() const {
+  return {state_.integrator.centre, state_.part, state_.stretch, covarianceInPart(),
+          state_.integrator.height_variance + state_.stretch_start.height_variance};
 }
 
 /// Covariance of the integrator relative to the origin of its part.
-Eigen::Matrix3d BumpNetwork::total() const {
-  return state_.integrator.covariance + carriedTo(state_.integrator.centre, state_.anchor);
+Eigen::Matrix3d BumpNetwork::covarianceInPart() const {
+  return state_.integrator.covariance +
+         propagatedTo(state_.integrator.centre, state_.stretch_start);
 }
 
 double BumpNetwork::shareOfRightViews() const {
   const double share =
       (settings_.prior * settings_.prior_views + static_cast<double>(state_.right)) /
       (settings_.prior_views + static_cast<double>(state_.views));
-  return std::clamp(share, kLeastPrior, kMostPrior);
+  return std::clamp(share, kMinPrior, kMaxPrior);
 }
 
 /// Log density of the pose if the view is a look-alike: uniform over explored area and heading.
 double BumpNetwork::logDensityOfLookAlike() const {
-  const Eigen::Vector2d sides = state_.most - state_.least + Eigen::Vector2d::Constant(2 * kMargin);
-  return -std::log(kTurn * std::max(sides.prod(), kLeastArea));
+  const Eigen::Vector2d sides =
+      state_.explored_max - state_.explored_min + Eigen::Vector2d::Constant(2 * kMargin);
+  return -std::log(kTurn * std::max(sides.prod(), kMinArea));
 }
 
 /// Covariance of the bump's centre, propagated to another pattern by the Jacobian `carried`.
-Eigen::Matrix3d BumpNetwork::carriedTo(const FiringPattern& there, const Bump& bump) const {
+Eigen::Matrix3d BumpNetwork::propagatedTo(const FiringPattern& there, const Bump& bump) const {
   const Eigen::Matrix3d J = carried(code_.difference(bump.centre, there).head<2>());
   return J * bump.covariance * J.transpose();
 }
@@ -138,27 +140,27 @@ Eigen::Matrix3d BumpNetwork::carriedTo(const FiringPattern& there, const Bump& b
 /// of the path it is the difference of the covariances at its two ends, because the later one
 /// contains the earlier one. For a view of an earlier stretch it is the sum of two terms, through
 /// the beginning of the present stretch.
-Eigen::Matrix3d BumpNetwork::uncertainty(const LearnedPattern& link) const {
-  const Bump learned = {link.pattern, link.covariance};
-  if (link.stretch == state_.stretch) {
-    return absolute(total() - carriedTo(state_.integrator.centre, learned));
+Eigen::Matrix3d BumpNetwork::uncertainty(const LearnedPattern& learned) const {
+  const Bump then = {learned.pattern, learned.covariance};
+  if (learned.stretch == state_.stretch) {
+    return absolute(covarianceInPart() - propagatedTo(state_.integrator.centre, then));
   }
   return state_.integrator.covariance +
-         absolute(link.covariance - carriedTo(link.pattern, state_.anchor));
+         absolute(learned.covariance - propagatedTo(learned.pattern, state_.stretch_start));
 }
 
 /// Variance of the difference in height between the same two places, m^2.
-double BumpNetwork::heightUncertainty(const LearnedPattern& link) const {
-  const double anchor = state_.anchor.height_variance;
+double BumpNetwork::heightUncertainty(const LearnedPattern& learned) const {
+  const double start = state_.stretch_start.height_variance;
   const double here = state_.integrator.height_variance;
-  if (link.stretch == state_.stretch) return std::abs(here + anchor - link.height_variance);
-  return here + std::abs(link.height_variance - anchor);
+  if (learned.stretch == state_.stretch) return std::abs(here + start - learned.height_variance);
+  return here + std::abs(learned.height_variance - start);
 }
 
-double BumpNetwork::heightMisfit(const LearnedPattern& link, const Climb& climb) const {
-  if (code_.height().modules() == 0 || link.part != state_.part) return 0;
-  const double off = code_.climb(state_.integrator.centre, link.pattern) + climb.metres;
-  const double variance = heightUncertainty(link) + climb.variance + code_.height().readout();
+double BumpNetwork::heightMisfit(const LearnedPattern& learned, const Climb& climb) const {
+  if (code_.height().modules() == 0 || learned.part != state_.part) return 0;
+  const double off = code_.climb(state_.integrator.centre, learned.pattern) + climb.metres;
+  const double variance = heightUncertainty(learned) + climb.variance + code_.height().readout();
   const double misfit = off * off / variance;
   return misfit > kSameStorey ? std::numeric_limits<double>::infinity() : misfit;
 }
@@ -172,19 +174,21 @@ bool BumpNetwork::onOneStorey(const LearnedPattern& a, const LearnedPattern& b) 
 
 /// Log-likelihood ratio, right view against look-alike, of a view that no bump agrees with. A
 /// difference in height only lowers it.
-double BumpNetwork::logRatioOfNewBump(const LearnedPattern& link, const Bump& seen) const {
-  // The position in the other part is unknown. In place of the density ratio stands the
-  // probability that the robot is in the mapped area at all.
-  if (link.part != state_.part) return std::log(settings_.prior);
+double BumpNetwork::logRatioOfNewBump(const LearnedPattern& learned, const Bump& seen) const {
+  // A density ratio needs a predicted position, which is unknown here. The parameter `prior` is
+  // used a second time, as the probability that the robot is in the mapped area at all.
+  if (learned.part != state_.part) return std::log(settings_.prior);
   const Bump& here = state_.integrator;
   const Eigen::Vector3d difference = code_.difference(here.centre, seen.centre);
-  const double ratio = logStudent(difference, uncertainty(link) + seen.covariance, settings_.tail) -
-                       logDensityOfLookAlike();
+  const double ratio =
+      logStudent(difference, uncertainty(learned) + seen.covariance, settings_.tail) -
+      logDensityOfLookAlike();
   return ratio - 0.5 * squaredClimb(code_.climb(here.centre, seen.centre),
-                                    heightUncertainty(link) + seen.height_variance);
+                                    heightUncertainty(learned) + seen.height_variance);
 }
 
-CalibrationBump* BumpNetwork::agreeing(const Bump& seen, std::int64_t part, double& log_density) {
+CalibrationBump* BumpNetwork::findAgreeingBump(const Bump& seen, std::int64_t part,
+                                               double& log_density) {
   CalibrationBump* best = nullptr;
   for (CalibrationBump& c : state_.calibration) {
     if (c.part != part) continue;
@@ -202,64 +206,65 @@ CalibrationBump* BumpNetwork::agreeing(const Bump& seen, std::int64_t part, doub
   return best;
 }
 
-Recalibration BumpNetwork::inject(const LearnedPattern& link, const PlanarPose& offset,
+Recalibration BumpNetwork::inject(const LearnedPattern& learned, const PlanarPose& offset,
                                   const Eigen::Matrix3d& measured, const Climb& climb) {
-  Bump seen = {code_.displaced(link.pattern, offset, climb.metres)};
+  Bump seen = {code_.displaced(learned.pattern, offset, climb.metres)};
   seen.covariance = turned(measured, seen.centre.heading) + code_.readout();
   seen.height_variance = climb.variance + code_.height().readout();
   ++state_.views;
   double log_density = 0;
-  CalibrationBump* bump = agreeing(seen, link.part, log_density);
+  CalibrationBump* bump = findAgreeingBump(seen, learned.part, log_density);
   if (bump != nullptr) {
-    const double fresh = std::min(1.0, (state_.travel - bump->fed_at) / settings_.view_spacing);
+    const double fresh =
+        std::min(1.0, (state_.travel - bump->last_injection_travel) / settings_.view_spacing);
     const double ratio = settings_.injection * (log_density - logDensityOfLookAlike());
     bump->energy += fresh * std::min(ratio, settings_.agreement);
     code_.fuse(bump->bump, seen.centre, seen.covariance, seen.height_variance);
   } else {
     const double odds = std::log(shareOfRightViews() / (1 - shareOfRightViews()));
-    const double energy = odds + settings_.injection * logRatioOfNewBump(link, seen);
-    bump = insertBump({state_.bumps, seen, energy, link.part, 0, 0});
+    const double energy = odds + settings_.injection * logRatioOfNewBump(learned, seen);
+    bump = insertBump({state_.bumps, seen, energy, learned.part, 0, 0});
     if (bump == nullptr) return {};
     ++state_.bumps;
   }
   ++bump->views;
-  bump->fed_at = state_.travel;
-  Recalibration fed;
-  fed.bump = bump->id;
-  if (share(bump->energy) <= settings_.threshold) return fed;
+  bump->last_injection_travel = state_.travel;
+  Recalibration result;
+  result.bump = bump->id;
+  if (share(bump->energy) <= settings_.threshold) return result;
   const CalibrationBump winner = *bump;
-  return adopt(winner, link);
+  return accept(winner, learned);
 }
 
 /// Moves the integrator to the winner. A new stretch of the path begins.
-Recalibration BumpNetwork::adopt(const CalibrationBump& winner, const LearnedPattern& link) {
+Recalibration BumpNetwork::accept(const CalibrationBump& winner, const LearnedPattern& learned) {
   Recalibration calibrated;
   calibrated.bump = winner.id;
-  calibrated.won = true;
+  calibrated.accepted = true;
   calibrated.share = share(winner.energy);
   calibrated.part = winner.part;
   calibrated.from = state_.integrator.centre;
   calibrated.to = winner.bump.centre;
   calibrated.views = winner.views;
-  calibrated.origin = link.covariance;
-  calibrated.origin_height = link.height_variance;
+  calibrated.origin = learned.covariance;
+  calibrated.origin_height = learned.height_variance;
   if (winner.part != state_.part) calibrated.joined_part = state_.part;
   state_.part = winner.part;
   state_.integrator = winner.bump;
-  state_.anchor = {link.pattern, link.covariance, link.height_variance};
+  state_.stretch_start = {learned.pattern, learned.covariance, learned.height_variance};
   ++state_.stretch;
   state_.right += winner.views;
   state_.calibration.clear();
   return calibrated;
 }
 
-void BumpNetwork::rejoin(const Recalibration& calibrated, LearnedPattern& link) const {
-  if (link.part != calibrated.joined_part) return;
-  link.pattern = code_.displaced(calibrated.to, code_.between(calibrated.from, link.pattern),
-                                 code_.climb(calibrated.from, link.pattern));
-  link.covariance += calibrated.origin;
-  link.height_variance += calibrated.origin_height;
-  link.part = calibrated.part;
+void BumpNetwork::moveToJoinedPart(const Recalibration& calibrated, LearnedPattern& learned) const {
+  if (learned.part != calibrated.joined_part) return;
+  learned.pattern = code_.displaced(calibrated.to, code_.between(calibrated.from, learned.pattern),
+                                    code_.climb(calibrated.from, learned.pattern));
+  learned.covariance += calibrated.origin;
+  learned.height_variance += calibrated.origin_height;
+  learned.part = calibrated.part;
 }
 
 double BumpNetwork::share(double energy) const {

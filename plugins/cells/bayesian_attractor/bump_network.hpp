@@ -6,7 +6,8 @@
 // injects energy at the pattern that it is linked to: into the calibration bump that it agrees
 // with, or as a new bump. Energies are in nats: log odds against the hypothesis of the integrator,
 // whose energy is 0. A bump's share (posterior probability) is exp(E) over the sum of all bumps
-// (global inhibition). A bump whose share exceeds the threshold wins: the integrator moves to it.
+// (normalisation; the paper's global inhibition). A bump whose share exceeds the threshold is
+// accepted: the integrator moves to it.
 #pragma once
 
 #include <cstddef>
@@ -17,26 +18,29 @@
 
 namespace tolman::bayesian_attractor {
 
-/// Most calibration bumps at a time; the weakest is removed first. Bounds the time.
-inline constexpr std::size_t kMostBumps = 16;
+/// Maximum number of calibration bumps at a time; the weakest is removed first. Bounds the time.
+inline constexpr std::size_t kMaxBumps = 16;
 
 /// The defaults are those of the parameters; docs/method.md has their sources.
 struct NetworkSettings {
   double period = 150;            ///< m, of the smallest grid module
   int modules = 4;                ///< grid modules
-  double phase_sigma = 0.005;     ///< periods; with which a phase is read
+  double phase_sigma = 0.005;     ///< periods, standard deviation of the readout of a phase
   double height_period = 0;       ///< m, of the smallest vertical module; 0: a plane
   double drift_position = 0.06;   ///< m / sqrt(m)
   double drift_heading = 0.0012;  ///< rad / sqrt(m)
   double drift_height = 0.03;     ///< m / sqrt(m)
-  double tail = 4;                ///< degrees of freedom of Student's t
-  double prior = 0.05;            ///< share of familiar views that are right, before any was seen
-  double prior_views = 100;       ///< number of views that weighs as much as `prior`
-  double injection = 1;           ///< factor on a view's log-likelihood ratio
-  double agreement = 3;           ///< nats, most that a further view adds
-  double inhibition = 0.02;       ///< nats / m that each calibration bump loses
-  double threshold = 0.98;        ///< share (posterior probability) above which a bump wins
-  double view_spacing = 5;        ///< m of travel after which the next view counts in full
+  double tail = 4;                ///< degrees of freedom of Student's t of path integration's drift
+  double prior = 0.05;            ///< share of familiar views that are right, before any was seen;
+                        ///< also the probability that the robot is in the mapped area when
+                        ///< its pose relative to it is unknown
+  double prior_views = 100;  ///< number of views that weighs as much as `prior`
+  double injection = 1;      ///< factor on a view's log-likelihood ratio
+  double agreement = 3;      ///< nats, maximum that a further view adds
+  double inhibition = 0.02;  ///< nats / m, decay of every calibration bump, which does not depend
+                             ///< on the others
+  double threshold = 0.98;   ///< share (posterior probability) above which a bump is accepted
+  double view_spacing = 5;   ///< m of travel after which the next view counts in full
 };
 
 /// What a view was linked to when it was learned.
@@ -52,10 +56,10 @@ struct LearnedPattern {
 struct CalibrationBump {
   std::int64_t id = -1;  ///< 0, 1, 2 ... in the order of creation
   Bump bump;
-  double energy = 0;       ///< nats
-  std::int64_t part = 0;   ///< part of the world that the bump is in
-  std::int64_t views = 0;  ///< views that were injected into it
-  double fed_at = 0;       ///< m of travel, at the last injection
+  double energy = 0;                 ///< nats
+  std::int64_t part = 0;             ///< part of the world that the bump is in
+  std::int64_t views = 0;            ///< views that were injected into it
+  double last_injection_travel = 0;  ///< m of travel, at the last injection
 };
 
 /// Everything in the network that changes from frame to frame.
@@ -66,21 +70,24 @@ struct NetworkState {
   std::int64_t part = 0;   ///< part of the world that the robot is in
   std::int64_t parts = 1;  ///< number of parts so far
   std::int64_t stretch = 0;
-  Bump anchor;        ///< where the stretch begins, with its covariance from the origin of the part
+  Bump
+      stretch_start;  ///< where the stretch begins, with its covariance from the origin of the part
   double travel = 0;  ///< m since the start
-  Eigen::Vector2d least = Eigen::Vector2d::Zero();  ///< explored rectangle, m from the origin
-  Eigen::Vector2d most = Eigen::Vector2d::Zero();
+  Eigen::Vector2d explored_min =
+      Eigen::Vector2d::Zero();  ///< explored rectangle, m from the origin
+  Eigen::Vector2d explored_max = Eigen::Vector2d::Zero();
   std::int64_t views = 0;  ///< familiar views that were injected
-  std::int64_t right = 0;  ///< of these, views of bumps that won
+  std::int64_t right = 0;  ///< of these, views of bumps that were accepted
 };
 
-/// Outcome of an injection: the bump that the view was injected into, and whether it has won. A
-/// bump that won in another part of the world joins the two parts: the patterns of one move.
+/// Outcome of an injection: the bump that the view was injected into, and whether it was accepted.
+/// A bump that is accepted in another part of the world joins the two parts: the patterns of one
+/// move.
 struct Recalibration {
   std::int64_t bump = -1;  ///< CalibrationBump::id; -1: too weak to create a bump
-  bool won = false;
-  double share = 0;               ///< posterior probability of the winner
-  std::int64_t views = 0;         ///< number of views injected into the winner
+  bool accepted = false;
+  double share = 0;               ///< posterior probability of the accepted bump
+  std::int64_t views = 0;         ///< number of views injected into the accepted bump
   std::int64_t joined_part = -1;  ///< patterns of this part move; -1: no patterns move
   FiringPattern from, to;         ///< they move as `from` moves to `to`
   std::int64_t part = 0;          ///< the part that they belong to afterwards
@@ -97,17 +104,18 @@ class BumpNetwork {
   /// From here on the pose relative to the earlier path is unknown (a kidnapped robot).
   void startPart();
   /// A familiar view that puts the robot at `offset` from where it was learned.
-  Recalibration inject(const LearnedPattern& link, const PlanarPose& offset,
+  Recalibration inject(const LearnedPattern& learned, const PlanarPose& offset,
                        const Eigen::Matrix3d& covariance, const Climb& climb = {});
-  /// Squared difference of height, in squared standard deviations, between the pose that such a
-  /// view gives and path integration. Infinite beyond three standard deviations: that is another
-  /// storey.
-  double heightMisfit(const LearnedPattern& link, const Climb& climb) const;
+  /// Squared difference of height, in variances, between path integration and the pose of a
+  /// familiar view that was learned at `learned` and is seen from `climb` above it. Infinite beyond
+  /// three standard deviations: another storey.
+  double heightMisfit(const LearnedPattern& learned, const Climb& climb) const;
   /// Whether the heights of two patterns of the same part agree.
   bool onOneStorey(const LearnedPattern& a, const LearnedPattern& b) const;
-  LearnedPattern present() const;
+  /// The pattern of the integrator, to be linked to a view.
+  LearnedPattern currentPattern() const;
   /// Moves a learned pattern of a part that has been joined with another.
-  void rejoin(const Recalibration& calibrated, LearnedPattern& link) const;
+  void moveToJoinedPart(const Recalibration& calibrated, LearnedPattern& learned) const;
 
   double share(double energy) const;
   const ConjunctiveCode& code() const { return code_; }
@@ -115,15 +123,16 @@ class BumpNetwork {
   void restore(NetworkState state) { state_ = std::move(state); }
 
  private:
+  /// Mean of a beta distribution that begins at `prior`.
   double shareOfRightViews() const;
   double logDensityOfLookAlike() const;
-  double logRatioOfNewBump(const LearnedPattern& link, const Bump& seen) const;
-  Eigen::Matrix3d total() const;
-  Eigen::Matrix3d carriedTo(const FiringPattern& there, const Bump& bump) const;
-  Eigen::Matrix3d uncertainty(const LearnedPattern& link) const;
-  double heightUncertainty(const LearnedPattern& link) const;
-  CalibrationBump* agreeing(const Bump& seen, std::int64_t part, double& log_density);
-  Recalibration adopt(const CalibrationBump& winner, const LearnedPattern& link);
+  double logRatioOfNewBump(const LearnedPattern& learned, const Bump& seen) const;
+  Eigen::Matrix3d covarianceInPart() const;
+  Eigen::Matrix3d propagatedTo(const FiringPattern& there, const Bump& bump) const;
+  Eigen::Matrix3d uncertainty(const LearnedPattern& learned) const;
+  double heightUncertainty(const LearnedPattern& learned) const;
+  CalibrationBump* findAgreeingBump(const Bump& seen, std::int64_t part, double& log_density);
+  Recalibration accept(const CalibrationBump& winner, const LearnedPattern& learned);
   CalibrationBump* insertBump(const CalibrationBump& bump);
 
   NetworkSettings settings_;

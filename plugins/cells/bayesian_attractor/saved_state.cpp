@@ -37,8 +37,8 @@ class Loader {
       sound = sound && std::abs(number) <= kLargest;
     }
     if constexpr (std::is_same_v<T, std::int64_t>) {  // counters are incremented later
-      constexpr std::int64_t kMost = std::int64_t{1} << 62U;
-      sound = sound && number > -kMost && number < kMost;
+      constexpr std::int64_t kMax = std::int64_t{1} << 62U;
+      sound = sound && number > -kMax && number < kMax;
     }
   }
   StateReader& reader;
@@ -81,14 +81,14 @@ void bump(Archive& archive, Bump& bump) {
 template <class Archive, class State>
 void network(Archive& archive, State& state, const Bump& fresh) {
   bump(archive, state.integrator);
-  bump(archive, state.anchor);
+  bump(archive, state.stretch_start);
   for (auto* number : {&state.part, &state.parts, &state.stretch, &state.views, &state.right}) {
     archive(*number);
   }
   archive(state.bumps);
   archive(state.travel);
-  numbers(archive, state.least);
-  numbers(archive, state.most);
+  numbers(archive, state.explored_min);
+  numbers(archive, state.explored_max);
   const std::int64_t count = counted(archive, state.calibration.size());
   for (std::int64_t i = 0; i < count && goesOn(archive); ++i) {
     if constexpr (Archive::kLoads) state.calibration.push_back({.bump = fresh});
@@ -98,7 +98,7 @@ void network(Archive& archive, State& state, const Bump& fresh) {
     archive(hypothesis.energy);
     archive(hypothesis.part);
     archive(hypothesis.views);
-    archive(hypothesis.fed_at);
+    archive(hypothesis.last_injection_travel);
   }
 }
 
@@ -183,8 +183,9 @@ bool isSoundLink(const ViewLink& link) {
 bool hasSoundValues(const AttractorState& state) {
   const NetworkState& network = state.network.state();
   const ExperienceLog::State log = state.log.state();
-  return isBump(network.integrator) && isBump(network.anchor) && isPose(log.T_experience_current) &&
-         isPose(log.T_made_current) && isSoundUpright(state.upright) &&
+  return isBump(network.integrator) && isBump(network.stretch_start) &&
+         isPose(log.T_experience_current) && isPose(log.T_made_current) &&
+         isSoundUpright(state.upright) &&
          std::ranges::all_of(network.calibration, isBump, &CalibrationBump::bump) &&
          std::ranges::all_of(
              state.waiting.list(),

@@ -7,10 +7,10 @@ namespace tolman::bayesian_attractor {
 namespace {
 
 // All chosen, not tuned.
-constexpr double kWholeTurn = 0.25;   // rad; smaller turns, of shaking and ramps, are not added
-constexpr double kOneWay = 0.9;       // least ratio of the length of the sum of steps to the path
-constexpr double kLeastTurns = 0.12;  // rad^2; about two turns of kWholeTurn
-constexpr double kOneAxis = 4;  // least ratio of turns about one axis to those about the other
+constexpr double kWholeTurn = 0.25;  // rad; smaller turns, of shaking and ramps, are not added
+constexpr double kOneWay = 0.9;      // least ratio of the length of the sum of steps to the path
+constexpr double kMinTurns = 0.12;   // rad^2; about two turns of kWholeTurn
+constexpr double kOneAxis = 4;       // least ratio of turns about one axis to those about the other
 
 /// Product of two rotations, orthonormal again after rounding.
 Eigen::Matrix3d composed(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
@@ -45,7 +45,7 @@ Eigen::Vector3d Upright::upOfVehicle() const {
   across << up, ahead.cross(up);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> turned(across.transpose() * turns * across);
   const Eigen::Vector2d amount = turned.eigenvalues();  // ascending
-  if (amount[1] < kLeastTurns || amount[1] < kOneAxis * amount[0]) return up;
+  if (amount[1] < kMinTurns || amount[1] < kOneAxis * amount[0]) return up;
   const Eigen::Vector3d axis = across * turned.eigenvectors().col(1);
   return axis.dot(up) < 0 ? Eigen::Vector3d(-axis) : axis;
 }

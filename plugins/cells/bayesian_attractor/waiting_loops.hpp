@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Loops of views whose calibration bump has not won yet.
+// Loops of views whose calibration bump is not accepted yet.
 //
-// A bump wins after several views were injected into it; each of these views saw a known place.
-// Their loops are kept here, at most one per `spacing` metres and bump, until the bump wins or is
-// removed.
+// A bump is accepted after several views were injected into it; each of these views saw a known
+// place. Their loops are kept here, at most one per `spacing` metres and bump, until the bump is
+// accepted or removed.
 #pragma once
 
 #include <cstdint>

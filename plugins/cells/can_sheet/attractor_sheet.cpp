@@ -17,8 +17,8 @@ constexpr std::size_t kTile = 20;
 constexpr std::size_t kSmallTile = 4;  // units at a time in the rest of a row
 /// If the total activity leaves these limits, it is replaced by a bump at rest. Keeps
 /// the division by it finite.
-constexpr double kLeastTotal = 1e-6;
-constexpr double kMostTotal = 1e6;
+constexpr double kMinTotal = 1e-6;
+constexpr double kMaxTotal = 1e6;
 constexpr double kStartWidth = 0.14;  // periods, also of injected bumps; chosen, not tuned
 
 std::size_t unsignedOf(int value) { return static_cast<std::size_t>(value); }
@@ -119,7 +119,7 @@ void AttractorSheet::step(const Phase& motion) {
     activity_[i] = std::max(0.0F, factor * input_[i]);
   }
   const double after = total();
-  if (!(after > kLeastTotal && after < kMostTotal)) setBump(expected);
+  if (!(after > kMinTotal && after < kMaxTotal)) setBump(expected);
 }
 
 Phase AttractorSheet::phase() const {
@@ -144,10 +144,10 @@ bool AttractorSheet::restore(std::span<const float> activity) {
   if (activity.size() != activity_.size()) return false;
   double sum = 0;
   for (const float rate : activity) {
-    if (!(rate >= 0 && rate < kMostTotal)) return false;
+    if (!(rate >= 0 && rate < kMaxTotal)) return false;
     sum += static_cast<double>(rate);
   }
-  if (!(sum > kLeastTotal && sum < kMostTotal)) return false;
+  if (!(sum > kMinTotal && sum < kMaxTotal)) return false;
   std::copy(activity.begin(), activity.end(), activity_.begin());
   return true;
 }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kMagic = "TLMSHEET";
 constexpr std::uint64_t kStateVersion = 1;
-constexpr double kLargest = 1e15;                            // bounded so that squares are finite
-constexpr std::int64_t kMostCount = std::int64_t{1} << 62U;  // counters are incremented later
+constexpr double kLargest = 1e15;                           // bounded so that squares are finite
+constexpr std::int64_t kMaxCount = std::int64_t{1} << 62U;  // counters are incremented later
 
 /// Reads numbers. `sound` is false after one that is out of bounds.
 struct SoundReader {
@@ -24,7 +24,7 @@ struct SoundReader {
   }
   void operator()(std::int64_t& number) {
     number = reader.get<std::int64_t>();
-    sound = sound && number >= -1 && number < kMostCount;
+    sound = sound && number >= -1 && number < kMaxCount;
   }
   void operator()(bool& value) { value = reader.get<bool>(); }
 };

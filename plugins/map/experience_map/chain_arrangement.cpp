@@ -44,10 +44,10 @@ typename G::Pose partShift(const PoseLink<G>& loop, const typename G::Pose& from
 
 }  // namespace
 
-void ExperienceChain::startPart(const DeadReckoning& log) {
-  Anchor& anchor = append(log);
+void ExperienceChain::startPart(const DeadReckoning& path) {
+  Anchor& anchor = append(path);
   anchor.gap = true;
-  anchor.way = {};
+  anchor.odometry = {};
   begins_.push_back(static_cast<std::size_t>(current()));
 }
 
@@ -68,14 +68,14 @@ PathParts ExperienceChain::parts() const {
 
 /// If the visit is the first one between two parts, moves the later part, with all parts joined to
 /// it, so that the visit's loop has no residual. `before`: the parts without this visit.
-void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& before,
+void ExperienceChain::alignPart(const DeadReckoning& path, const PathParts& before,
                                 std::size_t visit) {
   const std::size_t here = before.first(before.of(visit));
   const std::size_t there = before.first(before.of(originOf(anchors_[visit])));
   if (here == there) return;
   const bool is_later = here > there;
-  const Eigen::Isometry3d shift =
-      isSpatial(log) ? shiftOf<Space>(log, visit, is_later) : shiftOf<Plane>(log, visit, is_later);
+  const Eigen::Isometry3d shift = isSpatial(path) ? shiftOf<Space>(path, visit, is_later)
+                                                  : shiftOf<Plane>(path, visit, is_later);
   for (std::size_t i = 0; i < anchors_.size(); ++i) {
     if (before.first(before.of(i)) != std::max(here, there)) continue;
     anchors_[i].correction = normalised(shift * anchors_[i].correction);
@@ -83,12 +83,12 @@ void ExperienceChain::alignPart(const DeadReckoning& log, const PathParts& befor
 }
 
 template <class G>
-Eigen::Isometry3d ExperienceChain::shiftOf(const DeadReckoning& log, std::size_t visit,
+Eigen::Isometry3d ExperienceChain::shiftOf(const DeadReckoning& path, std::size_t visit,
                                            bool visit_is_later) const {
-  const PoseLink<G> loop = loopLink<G>(log, visit);
+  const PoseLink<G> loop = loopLink<G>(path, visit);
   const auto poseAt = [&](std::size_t i) {
     return compose(poseIn<G>(anchors_[i].correction),
-                   poseIn<G>(log[anchors_[i].slot].T_start_camera));
+                   poseIn<G>(path[anchors_[i].slot].T_start_camera));
   };
   return lifted(partShift(loop, poseAt(loop.from), poseAt(loop.to), visit_is_later));
 }
@@ -135,7 +135,7 @@ template void ExperienceChain::rearrange<Space>(const PathParts&,
                                                 OptimiserOptions, std::size_t, ChainProblem<Space>&,
                                                 OptimiserOutcome&, ChainSystem<Space>&) const;
 
-void ExperienceChain::restore(const DeadReckoning& log, State state) {
+void ExperienceChain::restore(const DeadReckoning& path, State state) {
   anchors_ = std::move(state.anchors);
   pending_ = state.pending;
   drift_ = state.drift;
@@ -145,7 +145,7 @@ void ExperienceChain::restore(const DeadReckoning& log, State state) {
   measured_ = false;
   for (std::size_t i = 0; i < anchors_.size(); ++i) {
     Anchor& anchor = anchors_[i];
-    if (i > 0 && !anchor.gap) anchor.way = log.between(anchors_[i - 1].slot, anchor.slot);
+    if (i > 0 && !anchor.gap) anchor.odometry = path.between(anchors_[i - 1].slot, anchor.slot);
     if (i > 0 && anchor.gap) begins_.push_back(i);
     if (anchor.visit) last_visit_ = i;
     measured_ = measured_ || (anchor.visit && !anchor.assumed);

@@ -29,17 +29,18 @@ MatrixOf<G> gapCovariance(bool unjoined) {
 
 }  // namespace
 
-Status ExperienceChain::correct(const DeadReckoning& log, int iterations, double tolerance) {
+Status ExperienceChain::correct(const DeadReckoning& path, int iterations, double tolerance) {
   pending_ = false;
   if (last_visit_ == 0) return Status::ok();
-  return optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Effort::Online);
+  return optimiseAll(path, {.iterations = iterations, .tolerance = tolerance}, Effort::Online);
 }
 
-Status ExperienceChain::correctFinally(const DeadReckoning& log, int iterations, double tolerance) {
+Status ExperienceChain::correctFinally(const DeadReckoning& path, int iterations,
+                                       double tolerance) {
   pending_ = false;
   if (last_visit_ == 0) return Status::ok();
   Status status =
-      optimiseAll(log, {.iterations = iterations, .tolerance = tolerance}, Effort::Final);
+      optimiseAll(path, {.iterations = iterations, .tolerance = tolerance}, Effort::Final);
   for (Anchor& anchor : anchors_) {
     anchor.rejected = anchor.visit && anchor.offset_weight < parameters_.min_loop_weight;
   }
@@ -47,39 +48,39 @@ Status ExperienceChain::correctFinally(const DeadReckoning& log, int iterations,
   return status;
 }
 
-bool ExperienceChain::isSpatial(const DeadReckoning& log) const {
+bool ExperienceChain::isSpatial(const DeadReckoning& path) const {
   if (parameters_.space != Geometry::Auto) return parameters_.space == Geometry::Space;
-  return measured_ && log.isMetric() && !log.isPlanar();
+  return measured_ && path.isMetric() && !path.isPlanar();
 }
 
-Status ExperienceChain::optimiseAll(const DeadReckoning& log, OptimiserOptions options,
+Status ExperienceChain::optimiseAll(const DeadReckoning& path, OptimiserOptions options,
                                     Effort effort) {
-  return isSpatial(log) ? optimiseIn<Space>(log, options, effort)
-                        : optimiseIn<Plane>(log, options, effort);
+  return isSpatial(path) ? optimiseIn<Space>(path, options, effort)
+                         : optimiseIn<Plane>(path, options, effort);
 }
 
 template <class G>
-ChainProblem<G> ExperienceChain::problem(const DeadReckoning& log) const {
+ChainProblem<G> ExperienceChain::problem(const DeadReckoning& path) const {
   ChainProblem<G> problem;
   problem.reckoned.reserve(anchors_.size());
   problem.nodes.reserve(anchors_.size());
   problem.links.reserve(2 * anchors_.size());
   for (const Anchor& anchor : anchors_) {
-    problem.reckoned.push_back(poseIn<G>(log[anchor.slot].T_start_camera));
+    problem.reckoned.push_back(poseIn<G>(path[anchor.slot].T_start_camera));
     problem.nodes.push_back(compose(poseIn<G>(anchor.correction), problem.reckoned.back()));
   }
   const PathParts joined = parts();
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    problem.links.push_back(wayLink<G>(log, i, joined));
+    problem.links.push_back(odometryLink<G>(path, i, joined));
   }
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    if (anchors_[i].visit) problem.links.push_back(loopLink<G>(log, i));
+    if (anchors_[i].visit) problem.links.push_back(loopLink<G>(path, i));
   }
   return problem;
 }
 
 template <class G>
-Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions options,
+Status ExperienceChain::optimiseIn(const DeadReckoning& path, OptimiserOptions options,
                                    Effort effort) {
   constexpr std::size_t kFinalAttempts = 10;         // bounds the time of the final correction
   constexpr double kToleranceBeforeLearning = 1e-6;  // of the energy; chosen, not tuned
@@ -94,7 +95,7 @@ Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions op
       std::is_same_v<G, Space> && effort == Effort::Final && parameters_.learn_drift;
   OptimiserOptions first = options;  // coarser if another optimisation follows
   if (learns) first.tolerance = std::max(options.tolerance, kToleranceBeforeLearning);
-  ChainProblem<G> found = problem<G>(log);
+  ChainProblem<G> found = problem<G>(path);
   const PathParts joined = parts();
   std::vector<typename G::Pose> start;  // the other arrangements of the parts begin there
   if (joined.count() > 1) start = found.nodes;
@@ -109,7 +110,7 @@ Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions op
                system);
   if constexpr (std::is_same_v<G, Space>) {
     if (learns) {
-      Status status = learnDriftAndCorrect(log, options, found, best, system);
+      Status status = learnDriftAndCorrect(path, options, found, best, system);
       if (!status.isOk()) return status;
     }
   }
@@ -119,7 +120,7 @@ Status ExperienceChain::optimiseIn(const DeadReckoning& log, OptimiserOptions op
 }
 
 /// Learns the drift from the loops that were not rejected, then optimises all links again under it.
-Status ExperienceChain::learnDriftAndCorrect(const DeadReckoning& log,
+Status ExperienceChain::learnDriftAndCorrect(const DeadReckoning& path,
                                              const OptimiserOptions& options,
                                              ChainProblem<Space>& found, OptimiserOutcome& outcome,
                                              ChainSystem<Space>& system) {
@@ -128,13 +129,13 @@ Status ExperienceChain::learnDriftAndCorrect(const DeadReckoning& log,
     drift_ = drift;
     for (std::size_t i = 1; i < anchors_.size(); ++i) {
       const double weight = found.links[i - 1].weight;
-      found.links[i - 1] = wayLink<Space>(log, i, joined);
+      found.links[i - 1] = odometryLink<Space>(path, i, joined);
       found.links[i - 1].weight = weight;
     }
   };
   std::vector<double> lengths;
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
-    lengths.push_back(anchors_[i].gap ? 0 : anchors_[i].way.length);
+    lengths.push_back(anchors_[i].gap ? 0 : anchors_[i].odometry.length);
   }
   const DriftPrior prior = {parameters_.drift_rotation, parameters_.steady_drift};
   adopt({prior.rotation, Eigen::Vector3d::Zero()});
@@ -152,34 +153,34 @@ void ExperienceChain::apply(const ChainProblem<G>& problem) {
     Anchor& anchor = anchors_[i];
     anchor.correction =
         lifted(compose(problem.nodes[i], between(problem.reckoned[i], G::identity())));
-    anchor.way_weight = problem.links[i - 1].weight;
+    anchor.odometry_weight = problem.links[i - 1].weight;
     if (anchor.visit) anchor.offset_weight = problem.links[loop++].weight;
   }
 }
 
 template <class G>
-PoseLink<G> ExperienceChain::wayLink(const DeadReckoning& log, std::size_t i,
-                                     const PathParts& parts) const {
+PoseLink<G> ExperienceChain::odometryLink(const DeadReckoning& path, std::size_t i,
+                                          const PathParts& parts) const {
   const Anchor& before = anchors_[i - 1];
   const Anchor& anchor = anchors_[i];
-  const Eigen::Isometry3d& T_start_from = log[before.slot].T_start_camera;
-  const Eigen::Isometry3d T_from_to = T_start_from.inverse() * log[anchor.slot].T_start_camera;
-  PoseLink<G> link = linkOf<G>(T_start_from, {T_from_to, anchor.way.covariance});
+  const Eigen::Isometry3d& T_start_from = path[before.slot].T_start_camera;
+  const Eigen::Isometry3d T_from_to = T_start_from.inverse() * path[anchor.slot].T_start_camera;
+  PoseLink<G> link = linkOf<G>(T_start_from, {T_from_to, anchor.odometry.covariance});
   link.from = i - 1;
   link.to = i;
   if constexpr (std::is_same_v<G, Space>) {
-    link = withDrift(link, anchor.way.length, parameters_.drift_rotation, drift_);
+    link = withDrift(link, anchor.odometry.length, parameters_.drift_rotation, drift_);
   }
   if (anchor.gap) link.covariance = gapCovariance<G>(parts.first(parts.of(i)) == parts.of(i));
   link.robust = parameters_.huber_odometry && parameters_.loss == Loss::Huber;
-  link.weight = anchor.way_weight;
+  link.weight = anchor.odometry_weight;
   return link;
 }
 
 template <class G>
-PoseLink<G> ExperienceChain::loopLink(const DeadReckoning& log, std::size_t i) const {
+PoseLink<G> ExperienceChain::loopLink(const DeadReckoning& path, std::size_t i) const {
   const Anchor& visit = anchors_[i];
-  PoseLink<G> link = linkOf<G>(log[origin(visit.experience).slot].T_start_camera, visit.offset);
+  PoseLink<G> link = linkOf<G>(path[origin(visit.experience).slot].T_start_camera, visit.offset);
   link.from = of_experience_[static_cast<std::size_t>(visit.experience)];
   link.to = i;
   link.weight = visit.offset_weight;

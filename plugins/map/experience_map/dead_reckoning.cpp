@@ -81,21 +81,21 @@ std::optional<std::size_t> DeadReckoning::slotOf(std::int64_t frame) const {
   return static_cast<std::size_t>(found - frames_.begin());
 }
 
-Way DeadReckoning::between(std::size_t from, std::size_t to) const {
-  Way way;
+PathMotion DeadReckoning::between(std::size_t from, std::size_t to) const {
+  PathMotion sum;
   for (std::size_t slot = from + 1; slot <= to; ++slot) {
     const UncertainPose motion = motions_[slot];
-    static_cast<UncertainPose&>(way) = compose(way, motion);
-    way.length += motion.T.translation().norm();
+    static_cast<UncertainPose&>(sum) = compose(sum, motion);
+    sum.length += motion.T.translation().norm();
   }
-  way.T = frames_[from].T_start_camera.inverse() * frames_[to].T_start_camera;
+  sum.T = frames_[from].T_start_camera.inverse() * frames_[to].T_start_camera;
   // Systematic drift, which covariances between frames do not contain. The minimal length keeps the
   // covariance of a link at standstill regular.
-  constexpr double kLeast = 0.01;  // m
-  const double drifting = std::max(way.length, kLeast);
-  way.covariance +=
+  constexpr double kMinLength = 0.01;  // m
+  const double drifting = std::max(sum.length, kMinLength);
+  sum.covariance +=
       isotropic(parameters_.drift_translation * drifting, parameters_.drift_rotation * drifting);
-  return way;
+  return sum;
 }
 
 double DeadReckoning::seconds(std::size_t from, std::size_t to) const {

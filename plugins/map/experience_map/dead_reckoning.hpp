@@ -44,7 +44,7 @@ class DeadReckoning {
 
   std::optional<std::size_t> slotOf(std::int64_t frame) const;
   /// Motion from one slot to a later one, with its covariance.
-  Way between(std::size_t from, std::size_t to) const;
+  PathMotion between(std::size_t from, std::size_t to) const;
   double seconds(std::size_t from, std::size_t to) const;
 
   const ReckonedFrame& operator[](std::size_t slot) const { return frames_[slot]; }

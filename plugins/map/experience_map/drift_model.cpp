@@ -97,14 +97,14 @@ class Linearised {
 
 }  // namespace
 
-SpatialLink withDrift(SpatialLink way, double length, double rotation, const DriftModel& drift) {
-  if (length <= 0) return way;
+SpatialLink withDrift(SpatialLink link, double length, double rotation, const DriftModel& drift) {
+  if (length <= 0) return link;
   Vector6d steady = Vector6d::Zero();
   steady.head<kSteady>() = -length * drift.steady;
-  way.pose = way.pose * expSe3(steady);
+  link.pose = link.pose * expSe3(steady);
   const double less = rotation * rotation - drift.rotation * drift.rotation;
-  way.covariance.diagonal().tail<3>().array() -= length * length * less;
-  return way;
+  link.covariance.diagonal().tail<3>().array() -= length * length * less;
+  return link;
 }
 
 DriftModel learnDrift(const std::vector<Eigen::Isometry3d>& nodes,

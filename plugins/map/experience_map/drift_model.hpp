@@ -23,7 +23,7 @@ struct DriftPrior {
 
 /// Converts an odometry link over `length` m, whose covariance contains a drift of `rotation`
 /// rad/m, to the drift `drift`.
-SpatialLink withDrift(SpatialLink way, double length, double rotation, const DriftModel& drift);
+SpatialLink withDrift(SpatialLink link, double length, double rotation, const DriftModel& drift);
 
 /// Empirical Bayes: of prior.rotation, a quarter and a sixteenth of it, the drift of rotation with
 /// the largest posterior probability, and the most likely steady drift. Poses and steady drift are

@@ -6,20 +6,20 @@
 #include <utility>
 
 namespace tolman::experience_map {
-Anchor& ExperienceChain::append(const DeadReckoning& log) {
+Anchor& ExperienceChain::append(const DeadReckoning& path) {
   const Anchor& before = anchors_.back();
   Anchor anchor;
-  anchor.slot = log.last();
-  anchor.way = log.between(before.slot, anchor.slot);
+  anchor.slot = path.last();
+  anchor.odometry = path.between(before.slot, anchor.slot);
   anchor.correction = before.correction;  // so that the pose estimate does not jump
   anchors_.push_back(anchor);
   return anchors_.back();
 }
 
-void ExperienceChain::addExperience(const DeadReckoning& log, std::int64_t template_id) {
+void ExperienceChain::addExperience(const DeadReckoning& path, std::int64_t template_id) {
   const Anchor& last = anchors_.back();
-  const bool begins_part = last.slot == log.last() && (last.gap || current() == 0);
-  Anchor& anchor = begins_part ? anchors_.back() : append(log);
+  const bool begins_part = last.slot == path.last() && (last.gap || current() == 0);
+  Anchor& anchor = begins_part ? anchors_.back() : append(path);
   anchor.experience = experiences();
   anchor.template_id = template_id;
   countLastLink();
@@ -32,12 +32,12 @@ UncertainPose ExperienceChain::withModel(const UncertainPose& measured) const {
                                                       parameters_.measured_sigma_rotation)};
 }
 
-void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
+void ExperienceChain::addVisit(const DeadReckoning& path, std::int64_t experience,
                                const UncertainPose& measured) {
-  addVisit(log, experience, withModel(measured), false);
+  addVisit(path, experience, withModel(measured), false);
 }
 
-void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
+void ExperienceChain::addVisit(const DeadReckoning& path, std::int64_t experience,
                                double relative_yaw) {
   // The unknown offsets of successive visits are correlated: for example, each match may come 2 m
   // early. The factor keeps many such visits from outweighing good odometry if cells close a loop
@@ -50,13 +50,13 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
   }
   const Matrix6d covariance =
       run * isotropic(parameters_.assumed_sigma_translation, parameters_.assumed_sigma_rotation);
-  addVisit(log, experience, {fromPlanar({0, 0, relative_yaw}), covariance}, true);
+  addVisit(path, experience, {fromPlanar({0, 0, relative_yaw}), covariance}, true);
 }
 
-void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience,
+void ExperienceChain::addVisit(const DeadReckoning& path, std::int64_t experience,
                                const UncertainPose& offset, bool assumed) {
   const PathParts before = parts();
-  Anchor& anchor = append(log);
+  Anchor& anchor = append(path);
   anchor.experience = experience;
   anchor.visit = true;
   anchor.assumed = assumed;
@@ -65,12 +65,13 @@ void ExperienceChain::addVisit(const DeadReckoning& log, std::int64_t experience
   last_visit_ = static_cast<std::size_t>(current());
   countLastLink();
   pending_ = true;
-  if (before.count() > 1) alignPart(log, before, last_visit_);
+  if (before.count() > 1) alignPart(path, before, last_visit_);
 }
 
-void ExperienceChain::refresh(const DeadReckoning& log, std::size_t first) {
+void ExperienceChain::refresh(const DeadReckoning& path, std::size_t first) {
   for (std::size_t i = anchors_.size(); i-- > 1 && anchors_[i].slot >= first;) {
-    if (!anchors_[i].gap) anchors_[i].way = log.between(anchors_[i - 1].slot, anchors_[i].slot);
+    if (!anchors_[i].gap)
+      anchors_[i].odometry = path.between(anchors_[i - 1].slot, anchors_[i].slot);
   }
   // Motions after the last visit are in no cycle of the graph: there is nothing to optimise.
   if (last_visit_ > 0 && first <= anchors_[last_visit_].slot) pending_ = true;
@@ -80,25 +81,25 @@ const Anchor& ExperienceChain::origin(std::int64_t experience) const {
   return anchors_[of_experience_[static_cast<std::size_t>(experience)]];
 }
 
-Eigen::Isometry3d ExperienceChain::T_world_camera(const DeadReckoning& log,
+Eigen::Isometry3d ExperienceChain::T_world_camera(const DeadReckoning& path,
                                                   std::size_t slot) const {
-  return (*this)[log[slot].anchor].correction * log[slot].T_start_camera;
+  return (*this)[path[slot].anchor].correction * path[slot].T_start_camera;
 }
 
-Eigen::Isometry3d ExperienceChain::T_world_experience(const DeadReckoning& log,
+Eigen::Isometry3d ExperienceChain::T_world_experience(const DeadReckoning& path,
                                                       std::int64_t experience) const {
   const Anchor& anchor = origin(experience);
-  return anchor.correction * log[anchor.slot].T_start_camera;
+  return anchor.correction * path[anchor.slot].T_start_camera;
 }
 
-ExperiencePose ExperienceChain::experiencePose(const DeadReckoning& log, std::size_t slot) const {
-  auto i = static_cast<std::size_t>(log[slot].anchor);
+ExperiencePose ExperienceChain::experiencePose(const DeadReckoning& path, std::size_t slot) const {
+  auto i = static_cast<std::size_t>(path[slot].anchor);
   while (i > 0 && anchors_[i].visit && anchors_[i].offset_weight < parameters_.min_loop_weight) --i;
   const Anchor& anchor = anchors_[i];
-  if (anchor.experience < 0) return {-1, T_world_camera(log, slot)};
+  if (anchor.experience < 0) return {-1, T_world_camera(path, slot)};
   // From the optimised poses, not from the offset of the visit, which may be false.
   const Eigen::Isometry3d T_experience_camera =
-      T_world_experience(log, anchor.experience).inverse() * T_world_camera(log, slot);
+      T_world_experience(path, anchor.experience).inverse() * T_world_camera(path, slot);
   return {anchor.experience, T_experience_camera};
 }
 
@@ -128,52 +129,54 @@ void ExperienceChain::countLinks() {
   }
 }
 
-std::size_t ExperienceChain::slotOfPassing(const DeadReckoning& log, std::size_t i) const {
+std::size_t ExperienceChain::slotOfPassing(const DeadReckoning& path, std::size_t i) const {
   const Anchor& anchor = anchors_[i];
   std::size_t nearest = anchor.slot;
   if (!anchor.visit) return nearest;
   // All in the frame of dead reckoning, as the anchor's correction has it.
   const Eigen::Vector3d experience =
-      anchor.correction.inverse() * T_world_experience(log, anchor.experience).translation();
+      anchor.correction.inverse() * T_world_experience(path, anchor.experience).translation();
   const auto distance = [&](std::size_t slot) {
-    return (log[slot].T_start_camera.translation() - experience).squaredNorm();
+    return (path[slot].T_start_camera.translation() - experience).squaredNorm();
   };
-  while (nearest > 0 && !log[nearest].gap && distance(nearest - 1) < distance(nearest)) --nearest;
+  while (nearest > 0 && !path[nearest].gap && distance(nearest - 1) < distance(nearest)) --nearest;
   if (nearest < anchor.slot) return nearest;
-  while (nearest < log.last() && !log[nearest + 1].gap && distance(nearest + 1) < distance(nearest))
+  while (nearest < path.last() && !path[nearest + 1].gap &&
+         distance(nearest + 1) < distance(nearest))
     ++nearest;
   return nearest;
 }
 
-double ExperienceChain::seconds(const DeadReckoning& log, std::size_t before, std::size_t i) const {
-  return std::abs(log.seconds(slotOfPassing(log, before), anchors_[i].slot));
+double ExperienceChain::seconds(const DeadReckoning& path, std::size_t before,
+                                std::size_t i) const {
+  return std::abs(path.seconds(slotOfPassing(path, before), anchors_[i].slot));
 }
 
-Link ExperienceChain::foldedLink(const DeadReckoning& log, std::size_t before,
+Link ExperienceChain::mergedLink(const DeadReckoning& path, std::size_t before,
                                  std::size_t i) const {
-  constexpr double kLeastWeight = 1e-6;  // keeps the division finite
+  constexpr double kMinWeight = 1e-6;  // keeps the division finite
   const Anchor& from = anchors_[before];
   const Anchor& to = anchors_[i];
   UncertainPose pose;
   if (from.visit) {  // the optimised pose of the visit
-    pose.T = T_world_experience(log, from.experience).inverse() * T_world_camera(log, from.slot);
-    pose.covariance = from.offset.covariance / std::max(from.offset_weight, kLeastWeight);
+    pose.T = T_world_experience(path, from.experience).inverse() * T_world_camera(path, from.slot);
+    pose.covariance = from.offset.covariance / std::max(from.offset_weight, kMinWeight);
   }
-  pose = compose(pose, before + 1 == i ? to.way : log.between(from.slot, to.slot));
+  pose = compose(pose, before + 1 == i ? to.odometry : path.between(from.slot, to.slot));
   if (to.visit) pose = compose(pose, inverse(to.offset));
   Link link;
   link.from = from.experience;
   link.to = to.experience;
   link.kind = to.visit ? LinkKind::Loop : LinkKind::Odometry;
-  link.frame = log[to.slot].frame;
+  link.frame = path[to.slot].frame;
   link.T_from_to = pose.T;
   link.covariance = 0.5 * (pose.covariance + pose.covariance.transpose());
-  link.duration = to.visit ? 0 : seconds(log, before, i);
-  link.weight = to.visit ? to.offset_weight : to.way_weight;
+  link.duration = to.visit ? 0 : seconds(path, before, i);
+  link.weight = to.visit ? to.offset_weight : to.odometry_weight;
   return link;
 }
 
-void ExperienceChain::graph(const DeadReckoning& log, MapGraph& graph) const {
+void ExperienceChain::graph(const DeadReckoning& path, MapGraph& graph) const {
   graph.experiences.clear();
   graph.links.clear();
   graph.rejected.clear();
@@ -181,14 +184,14 @@ void ExperienceChain::graph(const DeadReckoning& log, MapGraph& graph) const {
   graph.links.reserve(static_cast<std::size_t>(links_));  // growing would take twice the memory
   for (const std::size_t i : of_experience_) {
     const Anchor& anchor = anchors_[i];
-    graph.experiences.push_back({anchor.experience, log[anchor.slot].frame, anchor.template_id,
-                                 T_world_experience(log, anchor.experience)});
+    graph.experiences.push_back({anchor.experience, path[anchor.slot].frame, anchor.template_id,
+                                 T_world_experience(path, anchor.experience)});
   }
   std::size_t before = 0;
   for (std::size_t i = 1; i < anchors_.size(); ++i) {
     const std::size_t previous = anchors_[i].rejected ? before : std::exchange(before, i);
     if (!isLinked(previous, i)) continue;
-    Link link = foldedLink(log, previous, i);
+    Link link = mergedLink(path, previous, i);
     link.id = static_cast<std::int64_t>(graph.links.size());
     const bool loop = link.kind == LinkKind::Loop;
     if (anchors_[i].rejected || (loop && link.weight < parameters_.min_loop_weight)) {

@@ -32,8 +32,8 @@ struct Anchor {
   std::size_t slot = 0;          ///< slot of its frame, see DeadReckoning
   std::int64_t experience = -1;  ///< created or visited here; -1 for neither
   std::int64_t template_id = -1;
-  Way way;  ///< odometry from the previous anchor
-  double way_weight = 1;
+  PathMotion odometry;  ///< odometry from the previous anchor
+  double odometry_weight = 1;
   bool gap = false;  ///< first of a part of the path; the motion to it is unknown
   bool visit = false;
   bool assumed = false;  ///< the offset was not measured
@@ -68,42 +68,42 @@ class ExperienceChain {
   void start() { anchors_.emplace_back(); }
   /// The last frame has an unknown pose: a new part of the path begins there. Until a loop joins it
   /// with an earlier part, it starts at the end of the previous part.
-  void startPart(const DeadReckoning& log);
+  void startPart(const DeadReckoning& path);
   /// The last frame creates the next experience.
-  void addExperience(const DeadReckoning& log, std::int64_t template_id);
+  void addExperience(const DeadReckoning& path, std::int64_t template_id);
   /// The last frame visits an earlier experience, at a measured offset.
-  void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& measured);
+  void addVisit(const DeadReckoning& path, std::int64_t experience, const UncertainPose& measured);
   /// The same at an unknown offset: only its heading (rad) is known.
-  void addVisit(const DeadReckoning& log, std::int64_t experience, double relative_yaw);
+  void addVisit(const DeadReckoning& path, std::int64_t experience, double relative_yaw);
 
   /// Adds a visit at an earlier slot, at a measured offset. The experience must be older than the
-  /// slot. Updates the anchors of the frames of `log`.
-  void insertVisit(DeadReckoning& log, std::size_t slot, std::int64_t experience,
+  /// slot. Updates the anchors of the frames of `path`.
+  void insertVisit(DeadReckoning& path, std::size_t slot, std::int64_t experience,
                    const UncertainPose& measured);
 
   /// Recomputes odometry links whose motions have changed from slot `first` on.
-  void refresh(const DeadReckoning& log, std::size_t first);
+  void refresh(const DeadReckoning& path, std::size_t first);
   bool visited() const { return last_visit_ > 0; }
   /// Whether loops or motions have changed since the last correction.
   bool pending() const { return pending_; }
   /// Moves the anchors to a minimum of the energy. On failure nothing changes.
-  Status correct(const DeadReckoning& log, int iterations, double tolerance);
+  Status correct(const DeadReckoning& path, int iterations, double tolerance);
   /// The same from several starts (optimiseMultiStart); then rejects loops whose weight is below
   /// min_loop_weight.
-  Status correctFinally(const DeadReckoning& log, int iterations, double tolerance);
+  Status correctFinally(const DeadReckoning& path, int iterations, double tolerance);
 
   /// Slot of the frame that created the experience.
   std::size_t slotOf(std::int64_t experience) const { return origin(experience).slot; }
-  Eigen::Isometry3d T_world_camera(const DeadReckoning& log, std::size_t slot) const;
-  Eigen::Isometry3d T_world_experience(const DeadReckoning& log, std::int64_t experience) const;
+  Eigen::Isometry3d T_world_camera(const DeadReckoning& path, std::size_t slot) const;
+  Eigen::Isometry3d T_world_experience(const DeadReckoning& path, std::int64_t experience) const;
   /// Pose of a frame relative to the experience of the last anchor whose loop is not rejected.
-  ExperiencePose experiencePose(const DeadReckoning& log, std::size_t slot) const;
+  ExperiencePose experiencePose(const DeadReckoning& path, std::size_t slot) const;
   /// The graph of experiences alone: each visit is merged with its experience. A rejected loop
   /// keeps its link, but the odometry link after it starts at the anchor before the visit. Only
   /// loop links cross gaps of the path.
-  void graph(const DeadReckoning& log, MapGraph& graph) const;
+  void graph(const DeadReckoning& path, MapGraph& graph) const;
 
-  /// The state to save, besides that of DeadReckoning. Anchor::way is recomputed.
+  /// The state to save, besides that of DeadReckoning. Anchor::odometry is recomputed.
   const GrowingList<Anchor>& anchors() const { return anchors_; }
   const DriftModel& drift() const { return drift_; }
   /// The saved state as it was read.
@@ -115,14 +115,14 @@ class ExperienceChain {
     DriftModel drift;
   };
   /// `state` must have passed the checks of saved_map.
-  void restore(const DeadReckoning& log, State state);
+  void restore(const DeadReckoning& path, State state);
 
  private:
-  Anchor& append(const DeadReckoning& log);
+  Anchor& append(const DeadReckoning& path);
   UncertainPose withModel(const UncertainPose& measured) const;
   PathParts parts() const;
   std::size_t originOf(const Anchor& visit) const;
-  void alignPart(const DeadReckoning& log, const PathParts& before, std::size_t visit);
+  void alignPart(const DeadReckoning& path, const PathParts& before, std::size_t visit);
   /// Whether graph() has a link to anchor `i`. `previous`: the last anchor before it whose loop is
   /// not rejected.
   bool isLinked(std::size_t previous, std::size_t i) const;
@@ -130,37 +130,38 @@ class ExperienceChain {
   void countLastLink();
   /// Counts all links again.
   void countLinks();
-  void renumber(DeadReckoning& log, std::size_t i);
+  void renumber(DeadReckoning& path, std::size_t i);
   /// Whether the map is corrected in space; otherwise in the plane (parameter `space`).
-  bool isSpatial(const DeadReckoning& log) const;
+  bool isSpatial(const DeadReckoning& path) const;
   template <class G>
-  ChainProblem<G> problem(const DeadReckoning& log) const;
+  ChainProblem<G> problem(const DeadReckoning& path) const;
   template <class G>
   void rearrange(const PathParts& parts, const std::vector<typename G::Pose>& start,
                  OptimiserOptions options, std::size_t attempts, ChainProblem<G>& best,
                  OptimiserOutcome& outcome, ChainSystem<G>& system) const;
   template <class G>
-  Eigen::Isometry3d shiftOf(const DeadReckoning& log, std::size_t visit, bool visit_is_later) const;
-  void addVisit(const DeadReckoning& log, std::int64_t experience, const UncertainPose& offset,
+  Eigen::Isometry3d shiftOf(const DeadReckoning& path, std::size_t visit,
+                            bool visit_is_later) const;
+  void addVisit(const DeadReckoning& path, std::int64_t experience, const UncertainPose& offset,
                 bool assumed);
   const Anchor& origin(std::int64_t experience) const;
   template <class G>
-  PoseLink<G> wayLink(const DeadReckoning& log, std::size_t i, const PathParts& parts) const;
+  PoseLink<G> odometryLink(const DeadReckoning& path, std::size_t i, const PathParts& parts) const;
   template <class G>
-  PoseLink<G> loopLink(const DeadReckoning& log, std::size_t i) const;
+  PoseLink<G> loopLink(const DeadReckoning& path, std::size_t i) const;
   enum class Effort : std::uint8_t { Online, Final };
-  Status optimiseAll(const DeadReckoning& log, OptimiserOptions options, Effort effort);
+  Status optimiseAll(const DeadReckoning& path, OptimiserOptions options, Effort effort);
   template <class G>
-  Status optimiseIn(const DeadReckoning& log, OptimiserOptions options, Effort effort);
+  Status optimiseIn(const DeadReckoning& path, OptimiserOptions options, Effort effort);
   /// The slot at which the path around anchor `i` was nearest to the anchor's experience: a visit
   /// is decided metres before or after the path passes its experience.
-  std::size_t slotOfPassing(const DeadReckoning& log, std::size_t i) const;
+  std::size_t slotOfPassing(const DeadReckoning& path, std::size_t i) const;
   /// Time that the path took from the experience of anchor `before` to anchor `i`.
-  double seconds(const DeadReckoning& log, std::size_t before, std::size_t i) const;
-  Link foldedLink(const DeadReckoning& log, std::size_t before, std::size_t i) const;
+  double seconds(const DeadReckoning& path, std::size_t before, std::size_t i) const;
+  Link mergedLink(const DeadReckoning& path, std::size_t before, std::size_t i) const;
   template <class G>
   void apply(const ChainProblem<G>& problem);
-  Status learnDriftAndCorrect(const DeadReckoning& log, const OptimiserOptions& options,
+  Status learnDriftAndCorrect(const DeadReckoning& path, const OptimiserOptions& options,
                               ChainProblem<Space>& found, OptimiserOutcome& outcome,
                               ChainSystem<Space>& system);
 

@@ -162,18 +162,18 @@ class GaussNewton {
 
   /// One Levenberg-Marquardt step with fixed weights.
   Status step() {
-    constexpr double kLeastDamping = 1e-4;  // relative to the diagonal; chosen, not tuned
-    constexpr double kMostDamping = 1e8;  // beyond it the step is below rounding; chosen, not tuned
+    constexpr double kMinDamping = 1e-4;  // relative to the diagonal; chosen, not tuned
+    constexpr double kMaxDamping = 1e8;   // beyond it the step is below rounding; chosen, not tuned
     start_ = nodes_;
     const double before = leastSquares();
     system_.linearise(nodes_, links_, bends_);
-    for (double damping = damping_; damping < kMostDamping;
-         damping = std::max(kLeastDamping, 10 * damping)) {
+    for (double damping = damping_; damping < kMaxDamping;
+         damping = std::max(kMinDamping, 10 * damping)) {
       if (!system_.solve(damping, step_)) continue;
       moveAll(start_, step_, nodes_);
       measure();
       if (leastSquares() <= before * (1 + 1e-12) + 1e-300) {
-        damping_ = damping > kLeastDamping ? 0.1 * damping : 0;
+        damping_ = damping > kMinDamping ? 0.1 * damping : 0;
         return Status::ok();
       }
     }

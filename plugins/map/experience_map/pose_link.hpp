@@ -70,9 +70,9 @@ struct LinkDerivatives {
 template <int kSize>
 Eigen::Matrix<double, kSize, kSize> informationOf(
     const Eigen::Matrix<double, kSize, kSize>& covariance, double& log_determinant) {
-  constexpr double kLeastVariance = 1e-12;
+  constexpr double kMinVariance = 1e-12;
   using Block = Eigen::Matrix<double, kSize, kSize>;
-  const Block regular = covariance + kLeastVariance * Block::Identity();
+  const Block regular = covariance + kMinVariance * Block::Identity();
   Block information = regular;
   double log_variance = 0;
   if (invertPositive(information, log_variance)) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kMagic = "TLMEXMAP";
 constexpr std::uint64_t kStateVersion = 3;
 /// Bound of counters and stamps: counters are incremented later, stamps subtracted.
-constexpr std::int64_t kMost = std::int64_t{1} << 62U;
+constexpr std::int64_t kMax = std::int64_t{1} << 62U;
 /// Bound of lengths, m: farther than any vehicle drives, and results computed from it are finite.
 /// Covariances are bounded by its square.
 constexpr double kFarthest = 1e9;
@@ -80,7 +80,7 @@ void put(StateWriter& writer, const Anchor& anchor) {
   for (const bool flag : {anchor.gap, anchor.visit, anchor.assumed, anchor.rejected}) {
     writer.put(std::int64_t{flag});
   }
-  writer.put(anchor.way_weight);
+  writer.put(anchor.odometry_weight);
   writer.put(anchor.offset_weight);
   writer.putAll(std::span<const double>(anchor.correction.data(), 16));
   put(writer, anchor.offset);
@@ -94,7 +94,7 @@ Anchor getAnchor(StateReader& reader) {
   for (bool* flag : {&anchor.gap, &anchor.visit, &anchor.assumed, &anchor.rejected}) {
     *flag = reader.get<std::int64_t>() != 0;
   }
-  anchor.way_weight = reader.get<double>();
+  anchor.odometry_weight = reader.get<double>();
   anchor.offset_weight = reader.get<double>();
   reader.getAll(std::span<double>(anchor.correction.data(), 16));
   anchor.offset = getPose(reader);
@@ -114,8 +114,8 @@ bool areSound(const GrowingList<SavedFrame>& frames, std::size_t anchors) {
   for (std::size_t slot = 0; slot < frames.size(); ++slot) {
     const ReckonedFrame& frame = frames[slot].frame;
     const bool later = slot == 0 || frame.frame > frames[slot - 1].frame.frame;
-    if (!later || frame.frame < 0 || frame.frame >= kMost || frame.stamp_ns >= kMost ||
-        frame.stamp_ns <= -kMost || frame.anchor < 0 || !isSound(frames[slot].motion) ||
+    if (!later || frame.frame < 0 || frame.frame >= kMax || frame.stamp_ns >= kMax ||
+        frame.stamp_ns <= -kMax || frame.anchor < 0 || !isSound(frames[slot].motion) ||
         frame.anchor >= static_cast<std::int64_t>(anchors)) {
       return false;
     }
@@ -134,7 +134,7 @@ bool areSound(const GrowingList<Anchor>& anchors, const GrowingList<SavedFrame>&
     const bool known = anchor.visit ? anchor.experience >= 0 && anchor.experience < made
                                     : anchor.experience == -1 || anchor.experience == made;
     if (!in_order || !isSound({anchor.correction, Matrix6d::Zero()}) || !known ||
-        anchor.slot >= frames.size() || !isWeight(anchor.way_weight) ||
+        anchor.slot >= frames.size() || !isWeight(anchor.odometry_weight) ||
         !isWeight(anchor.offset_weight) || !isSound(anchor.offset)) {
       return false;
     }
@@ -184,7 +184,7 @@ Status loadMap(std::istream& stream, DeadReckoning& motions, ExperienceChain& ch
   if (!reader.complete()) return Status::invalidInput("the saved map is damaged: wrong length");
   const bool counted =
       std::ranges::all_of(std::array{version, next_correction, state.links, state.loops},
-                          [](std::int64_t number) { return number >= 0 && number < kMost; });
+                          [](std::int64_t number) { return number >= 0 && number < kMax; });
   if (!counted || !isSound(state.drift) || !areSound(frames, state.anchors.size()) ||
       !areSound(state.anchors, frames)) {
     return Status::invalidInput("the saved map is damaged: a number is out of range");

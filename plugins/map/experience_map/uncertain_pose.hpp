@@ -13,7 +13,7 @@ struct UncertainPose {
 };
 
 /// A motion over several frames.
-struct Way : UncertainPose {
+struct PathMotion : UncertainPose {
   double length = 0;  ///< m driven
 };
 

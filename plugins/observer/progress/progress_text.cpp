@@ -82,18 +82,18 @@ std::string counts(const ProgressState& s) {
 }  // namespace
 
 std::string barLine(const ProgressState& state, int width) {
-  constexpr std::size_t kLeastCells = 10;
-  constexpr std::size_t kMostCells = 40;
+  constexpr std::size_t kMinCells = 10;
+  constexpr std::size_t kMaxCells = 40;
   const auto room = static_cast<std::size_t>(std::max(width - 1, 0));
-  const bool has_bar = state.total > 0 && room >= kLeastCells + 8;
-  const std::size_t least_bar = has_bar ? kLeastCells + 2 : 0;
+  const bool has_bar = state.total > 0 && room >= kMinCells + 8;
+  const std::size_t least_bar = has_bar ? kMinCells + 2 : 0;
   std::string text;
   for (const std::string& part : barParts(state)) {
     if (least_bar + text.size() + 2 + part.size() > room) break;
     text += (text.empty() ? " " : "  ") + part;
   }
   if (!has_bar) return text.empty() ? text : text.substr(1);
-  const std::size_t cells = std::min(room - 2 - text.size(), kMostCells);
+  const std::size_t cells = std::min(room - 2 - text.size(), kMaxCells);
   return bar(state, cells) + text;
 }
 

@@ -16,7 +16,7 @@ class EventLog {
   void append(const std::vector<RunEvent>& events) {
     events_.insert(events_.end(), events.begin(), events.end());
     end_ += events.size();
-    while (events_.size() > kMost) events_.pop_front();
+    while (events_.size() > kMax) events_.pop_front();
   }
   std::size_t end() const { return end_; }
 
@@ -28,7 +28,7 @@ class EventLog {
   }
 
  private:
-  static constexpr std::size_t kMost = 1000;
+  static constexpr std::size_t kMax = 1000;
   std::deque<RunEvent> events_;
   std::size_t end_ = 0;
 };

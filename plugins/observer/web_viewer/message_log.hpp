@@ -12,14 +12,14 @@ namespace tolman::web_viewer {
 
 class MessageLog {
  public:
-  static constexpr std::size_t kMost = 1000;
+  static constexpr std::size_t kMax = 1000;
 
   void append(const std::vector<std::string>& messages) {
     for (const std::string& text : messages) {
       messages_.push_back(std::make_shared<const std::string>(text));
     }
     end_ += messages.size();
-    while (messages_.size() > kMost) messages_.pop_front();
+    while (messages_.size() > kMax) messages_.pop_front();
   }
   std::size_t end() const { return end_; }
 

@@ -35,10 +35,10 @@ Readiness readiness(const ImmaturePoint& point) {
   // Chosen on clip 06. The refinement linearises in the inverse depth and converges from errors of
   // about a fifth. Far points never have this relative accuracy; for them 0.01 1/m is enough. A
   // candidate that three epipolar searches have not found is occluded or on repeated texture.
-  constexpr int kMostFailures = 3;
+  constexpr int kMaxFailures = 3;
   constexpr float kLargestRelativeSigma = 0.2F;
   constexpr float kFarSigma = 0.01F;  // 1/m
-  if (point.failures >= kMostFailures) return Readiness::Hopeless;
+  if (point.failures >= kMaxFailures) return Readiness::Hopeless;
   const bool sharp = point.sigma < kLargestRelativeSigma * point.inverse_depth + kFarSigma;
   return point.has_depth && sharp ? Readiness::Ready : Readiness::Wait;
 }
@@ -74,7 +74,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
   // Both values are those of Engel et al. 2018 (DSO). For residuals with a noise of one grey level
   // an information of 100 m^2 is a standard deviation of the inverse depth of 0.1 1/m.
   constexpr int kIterations = 3;
-  constexpr float kLeastInformation = 100;  // m^2
+  constexpr float kMinInformation = 100;  // m^2
   const Keyframe& keyframe = window.keyframe(host);
   Point point;
   point.u = candidate.u;
@@ -119,7 +119,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
     const bool right_only = seen == 0 && keyframe.has_right;
     if (right_only && settings.lambda == 0) return point;  // it has no residual to refine it with
     const bool enough = good > 0 || (right_only && point.stereo == ResidualState::Good);
-    if (!enough || information < kLeastInformation) return std::nullopt;
+    if (!enough || information < kMinInformation) return std::nullopt;
     // Limits a step to a little more than the initial error of a candidate (see readiness()).
     const float limit = 0.3F * point.inverse_depth + 0.01F;
     const float step = std::clamp(-gradient / information, -limit, limit);

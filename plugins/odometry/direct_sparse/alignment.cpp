@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t kLanes = ReferenceLevel::kGroup;
 constexpr std::size_t kGroupsPerChunk = 128;  // fixed, for the same sums with any thread count
-// Grey levels; larger residuals are outliers. The value of the published program of Engel et al.
+// Grey levels; larger residuals are outliers. The value of DSO (Engel et al.)
 constexpr float kCutoff = 20;
 // At most, by level. Chosen, not tuned; they bound the time.
-constexpr std::array<int, ImagePyramid::kMostLevels> kIterations = {8, 12, 30, 30, 30, 30};
+constexpr std::array<int, ImagePyramid::kMaxLevels> kIterations = {8, 12, 30, 30, 30, 30};
 
 /// T_current_reference and the camera of one level, in float.
 struct LevelView {
@@ -213,7 +213,7 @@ void Aligner::alignLevel(const CameraRig& rig, const ReferenceLevel& level, cons
                          int l, AlignmentState& state, NormalEquations& normal) {
   float cutoff = kCutoff;
   evaluate(rig, level, image, l, state, cutoff, Sought::GradientAndH, normal);
-  // The share of 0.4 and the damping (0.01, halved, quadrupled) are those of the published program,
+  // The share of 0.4 and the damping (0.01, halved, quadrupled) are those of DSO,
   // the limits chosen, not tuned.
   while (normal.inliers < 0.4 * normal.in_view && cutoff < 6 * kCutoff) {
     cutoff *= 2;

@@ -18,7 +18,7 @@ struct Offset {
   float v;
 };
 /// Offsets, px, of the samples of a point, which share its depth: diagonal neighbours on fine
-/// levels, direct neighbours on coarse ones. As in the published program of Engel et al.
+/// levels, direct neighbours on coarse ones. As in DSO (Engel et al.)
 constexpr std::array<Offset, 5> kFine = {{{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
 constexpr std::array<Offset, 5> kCoarse = {{{0, 0}, {-1, 0}, {1, 0}, {0, -1}, {0, 1}}};
 

@@ -46,10 +46,10 @@ class AlignmentReference {
   void project(const CameraRig& rig, const Window& window);
   void sampleLevel(const CameraRig& rig, const GrayLevel& image, int l);
 
-  std::array<ReferenceLevel, ImagePyramid::kMostLevels> samples_;
+  std::array<ReferenceLevel, ImagePyramid::kMaxLevels> samples_;
   std::vector<Projected> projected_;
   /// For each level: which pixels have a sample.
-  std::array<std::vector<unsigned char>, ImagePyramid::kMostLevels> taken_;
+  std::array<std::vector<unsigned char>, ImagePyramid::kMaxLevels> taken_;
   int levels_ = 0;
   std::int64_t frame_ = -1;
 };

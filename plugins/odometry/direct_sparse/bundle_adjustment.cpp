@@ -74,7 +74,7 @@ AdjustmentResult adjustWindow(const CameraRig& rig, const AdjustmentSettings& se
     const SystemVector step = solve(window, system.H(), system.b(), settings.scale);
     const double depth_change = system.applyToDepths(window, step);
     const StepSize size = apply(window, step);
-    // Root mean squares of a step, m, rad and grey levels. That of a is the published program's,
+    // Root mean squares of a step, m, rad and grey levels. The one of a is that of DSO,
     // the others are chosen, not tuned.
     const bool small = size.metres < 2e-4 && size.radians < 1e-5 && size.a < 6e-4 &&
                        size.b < 0.06 && depth_change < 1e-3;

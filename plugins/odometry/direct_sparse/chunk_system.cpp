@@ -40,12 +40,12 @@ void ChunkSystem::clear(int host) {
 }
 
 ResidualState ChunkSystem::judge(const PixelSums& sums, float threshold) {
-  constexpr float kLeastGradient = 2;  // squared grey levels / px^2; as in the published program
+  constexpr float kMinGradient = 2;  // squared grey levels / px^2; as in DSO
   const float root = std::min(std::sqrt(sums.energy), 127.0F);
   ++histogram[static_cast<std::size_t>(root)];
   energy += std::min(sums.energy, threshold);
   // Without gradient the residual has no information; with a high energy it is wrong.
-  if (sums.energy > threshold || sums.xx + sums.yy < kLeastGradient) return ResidualState::Outlier;
+  if (sums.energy > threshold || sums.xx + sums.yy < kMinGradient) return ResidualState::Outlier;
   ++residuals;
   return ResidualState::Good;
 }
@@ -135,9 +135,9 @@ void ChunkSystem::addStereo(const PixelSums& s, float focal_baseline, float lamb
 }
 
 void ChunkSystem::eliminate(std::span<PointTerms> points) {
-  constexpr float kLeastInformation = 1e-3F;  // m^2; keeps the division finite
+  constexpr float kMinInformation = 1e-3F;  // m^2; keeps the division finite
   for (PointTerms& point : points) {
-    point.information += kLeastInformation;
+    point.information += kMinInformation;
     point.coupling[kGradientIndex] = point.gradient;  // eliminated like one more variable
   }
   PointTerms nothing;

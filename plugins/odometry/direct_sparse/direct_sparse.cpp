@@ -55,7 +55,7 @@ Status DirectSparse::configure(const Context& context) {
   settings.window = parameters_.window;
   const double disparity = rig_.pinhole.fx * rig_.baseline / parameters_.nearest;
   settings.max_disparity =
-      static_cast<int>(std::clamp(disparity + 1, 8.0, static_cast<double>(kMostDisparities)));
+      static_cast<int>(std::clamp(disparity + 1, 8.0, static_cast<double>(kMaxDisparities)));
   settings.marginal_weight = parameters_.marginal_weight;
   settings.offset_sigma = parameters_.offset_sigma;
   settings.adjustment.iterations = parameters_.iterations;
@@ -259,7 +259,7 @@ bool DirectSparse::wantsKeyframe(const AlignmentResult& tracked) const {
   constexpr int kDraftFrames = 2;  // that must refine the assumed depths first; chosen, not tuned
   if (mapper_.isDraft() && draft_frames_ < kDraftFrames) return false;
   // Engel et al., section 3.1: a keyframe when a weighted sum of flow, flow without rotation and
-  // brightness change exceeds 1. The weights are those of their published program, 0.04 and 0.02
+  // brightness change exceeds 1. The weights are those of DSO, 0.04 and 0.02
   // for flow relative to 640 + 480 px, and 2; so is the limit of twice the first RMS. The limits of
   // view and coverage (shares) are our own: chosen, not tuned.
   constexpr double kTranslationFlow = 0.04 * (640 + 480);

@@ -10,7 +10,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr int kMostSteps = 128;                // px; bounds the time
+constexpr int kMaxSteps = 128;                 // px; bounds the time
 constexpr float kMargin = kPatternRadius + 3;  // px; keeps reads within the image
 
 /// The epipolar line: a point of inverse depth d projects to start + shift * d, dehomogenised.
@@ -93,8 +93,8 @@ struct Found {
 
 Found searchLine(const GrayLevel& image, const TurnedPattern& pattern, const Eigen::Vector2f& from,
                  const Eigen::Vector2f& along, float length) {
-  std::array<float, kMostSteps> energies;  // NOLINT: written before it is read
-  const int steps = std::min(static_cast<int>(std::ceil(length)) + 1, kMostSteps);
+  std::array<float, kMaxSteps> energies;  // NOLINT: written before it is read
+  const int steps = std::min(static_cast<int>(std::ceil(length)) + 1, kMaxSteps);
   int best = -1;
   for (int i = 0; i < steps; ++i) {
     const Eigen::Vector2f p = from + static_cast<float>(i) * along;
@@ -138,7 +138,7 @@ void fuse(float measured, float sigma, ImmaturePoint& point) {
 
 void observeImmature(const PairGeometry& pair, const GrayLevel& image,
                      const EpipolarSettings& settings, ImmaturePoint& point) {
-  constexpr float kWorthwhile = 1.5F;  // px; as in the published program of Engel et al.
+  constexpr float kWorthwhile = 1.5F;  // px; as in DSO (Engel et al.)
   const auto& m = pair.warp;
   const Epipolar line{
       {m[0] * point.u + m[1] * point.v + m[2], m[3] * point.u + m[4] * point.v + m[5],
@@ -169,7 +169,7 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
   if (!found.inside) return;
   Eigen::Vector2f p = found.pixel;
   LineFit fit;
-  for (int i = 0; i < 3; ++i) {  // steps; as in the published program
+  for (int i = 0; i < 3; ++i) {  // steps; as in DSO
     if (!image.contains(p.x(), p.y(), kMargin)) return;
     fit = fitAt(image, pattern, p, along);
     p += fit.shift * along;
@@ -179,13 +179,13 @@ void observeImmature(const PairGeometry& pair, const GrayLevel& image,
   for (const float weight : point.pattern.weight) {
     gradients += kGradientConstant2 * (1 / weight - 1);
   }
-  constexpr float kMostEnergy = 12 * 12 * kPatternSize;  // as Window::kFirstThreshold
-  if (fit.energy > kMostEnergy || fit.information < 0.05F * gradients) {
+  constexpr float kMaxEnergy = 12 * 12 * kPatternSize;  // as Window::kFirstThreshold
+  if (fit.energy > kMaxEnergy || fit.information < 0.05F * gradients) {
     ++point.failures;
     return;
   }
   // Position error along the line, px, from the direction error of the line and from image noise;
-  // the constants are those of the published program.
+  // the constants are those of DSO.
   const float error = std::min(0.2F + 0.2F * gradients / fit.information, 10.0F);
   const float measured = line.inverseDepth(p);
   const float ahead = line.inverseDepth(p + error * along);

@@ -10,7 +10,7 @@ namespace tolman::direct_sparse {
 namespace {
 
 // Gives 30 inliers even if 94 % of the points are lost.
-constexpr std::size_t kMostFollowed = 500;
+constexpr std::size_t kMaxFollowed = 500;
 
 cv::Mat asMat(const GrayLevel& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.row(0))};
@@ -30,7 +30,7 @@ Followed pointsInView(const CameraRig& rig, const Window& window,
   const GrayLevel& image = window.newest().left.level(0);
   Followed followed;
   for (const Eigen::Vector3d& p :
-       somePositions(rig.pinhole, window, window.newest().T_camera_world(), kMostFollowed)) {
+       somePositions(rig.pinhole, window, window.newest().T_camera_world(), kMaxFollowed)) {
     const Eigen::Vector3d q = expected * p;
     if (p.z() < kNearest || q.z() < kNearest) continue;
     const Eigen::Vector2f there = rig.pinhole.project(p).cast<float>();
@@ -76,11 +76,11 @@ std::optional<Eigen::Isometry3d> poseByConsensus(const CameraRig& rig, const Fol
   // The guess is only a start for the photometric alignment, which rejects a wrong one. Derived,
   // not chosen on a clip: with 35 % inliers, 300 samples of four points contain one without
   // outliers with 99 % confidence, (1 - 0.35^4)^300 = 0.01.
-  constexpr int kFewest = 30;     // chosen, not tuned
+  constexpr int kMin = 30;        // chosen, not tuned
   constexpr double kShare = 0.3;  // a little below the 35 %
   constexpr double kNoise = 2;    // px, twice the largest error of the flow
   constexpr int kSamples = 300;
-  if (followed.points.size() < kFewest) return std::nullopt;
+  if (followed.points.size() < kMin) return std::nullopt;
   const cv::Matx33d K(rig.pinhole.fx, 0, rig.pinhole.cx, 0, rig.pinhole.fy, rig.pinhole.cy, 0, 0,
                       1);
   cv::Vec3d rotation;
@@ -90,7 +90,7 @@ std::optional<Eigen::Isometry3d> poseByConsensus(const CameraRig& rig, const Fol
       cv::solvePnPRansac(followed.points, followed.after, K, cv::noArray(), rotation, translation,
                          false, kSamples, kNoise, 0.999, inliers, cv::SOLVEPNP_SQPNP);
   const auto count = static_cast<double>(inliers.size());
-  if (!solved || count < kFewest || count < kShare * static_cast<double>(followed.points.size())) {
+  if (!solved || count < kMin || count < kShare * static_cast<double>(followed.points.size())) {
     return std::nullopt;
   }
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();

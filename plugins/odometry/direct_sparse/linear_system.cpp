@@ -280,7 +280,7 @@ float LinearSystem::outlierThreshold() const {
   for (int below = histogram[0]; bin + 1 < histogram.size() && 10 * below < 7 * count;) {
     below += histogram[++bin];
   }
-  // Of the 70th percentile, as in the published program of Engel et al.
+  // Of the 70th percentile, as in DSO (Engel et al.)
   const float root = 13.0F + 0.75F * (static_cast<float>(bin) + 0.5F);
   return root * root;
 }
@@ -321,7 +321,7 @@ SystemVector solve(const Window& window, const SystemMatrix& H, const SystemVect
   }
   const SystemVector units = (whole.diagonal().array() + 1e-9).rsqrt();  // keeps the scaling finite
   whole = units.asDiagonal() * whole * units.asDiagonal();
-  whole.diagonal().array() += kLeastDamping;
+  whole.diagonal().array() += kMinDamping;
   if (scale == Scale::Free && window.size() > 1) {
     // The scale is not observable; without this, rounding errors change it by factors.
     const SystemVector direction = units.cwiseProduct(scaleDirection(window)).stableNormalized();

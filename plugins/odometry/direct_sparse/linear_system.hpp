@@ -12,7 +12,7 @@
 
 namespace tolman::direct_sparse {
 
-inline constexpr double kLeastDamping = 1e-8;  // keeps the scaled system regular
+inline constexpr double kMinDamping = 1e-8;  // keeps the scaled system regular
 
 struct SystemSettings {
   float lambda = 1.5F;  ///< weight of the static term; 1 to 2 is best in Stereo DSO; 0: none

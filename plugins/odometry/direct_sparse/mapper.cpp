@@ -14,8 +14,9 @@
 namespace tolman::direct_sparse {
 namespace {
 
-/// Assumed variance of grey values (standard deviation 4 levels; chosen, not tuned): the
-/// information 1 / sigma^2 times this is in the units of the photometric energy.
+/// Assumed variance of grey values (standard deviation 4 levels; chosen, not tuned). The
+/// photometric energy is in squared grey levels, so a prior of standard deviation sigma enters it
+/// with kGreyVariance / sigma^2.
 constexpr double kGreyVariance = 16;
 
 }  // namespace
@@ -34,7 +35,7 @@ void Mapper::reset() {
   adjustment_ = AdjustmentResult();
 }
 
-void Mapper::holdOffset() {
+void Mapper::setOffsetPrior() {
   const double sigma = std::max(settings_.offset_sigma, 1e-6);  // px; keeps the division finite
   window_.prior.H(kOffsetIndex, kOffsetIndex) = kGreyVariance / (sigma * sigma);
 }
@@ -47,7 +48,7 @@ Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_ca
   keyframe.affine0 = affine;
   std::swap(keyframe.left, left);
   keyframe.gradients.build(keyframe.left.level(0));
-  if (window_.size() == 1) holdOffset();
+  if (window_.size() == 1) setOffsetPrior();
   selectCandidates(keyframe);
   return keyframe;
 }
@@ -68,7 +69,7 @@ std::size_t Mapper::addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_w
 }
 
 AdjustmentSettings Mapper::adjustmentFor(const Keyframe& keyframe) const {
-  constexpr int kFirstIterations = 30;  // chosen, not tuned; the published program has 20
+  constexpr int kFirstIterations = 30;  // chosen, not tuned; DSO has 20
   AdjustmentSettings settings = settings_.adjustment;
   const bool young = window_.size() < settings_.window && !keyframe.has_right;
   if (young) settings.iterations = std::max(settings.iterations, kFirstIterations);
@@ -111,7 +112,7 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   const auto offset = static_cast<float>(window_.offset.value());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < matches_.size(); ++i) {
-    // Removed: a point without a clear match in its row mostly has none along other epipolar lines.
+    // Removed: without a clear match in its row, a point has no depth to begin with.
     if (!matches_[i]) continue;
     ImmaturePoint& point = keyframe.immature[i];
     point.inverse_depth = std::max((matches_[i]->disparity + offset) / focal_baseline, 1e-5F);
@@ -168,7 +169,7 @@ void Mapper::observe(const Eigen::Isometry3d& T_world_camera, const Affine& affi
   observed_frame_.T0_camera_world = T_world_camera.inverse();
   observed_frame_.affine0 = affine;
   EpipolarSettings settings;
-  // Chosen, not tuned; the published program has 0.027.
+  // Chosen, not tuned; DSO has 0.027.
   settings.longest = 0.03F * static_cast<float>(rig_.width + rig_.height);
   for (const int slot : window_.order()) {
     Keyframe& keyframe = window_.keyframe(slot);

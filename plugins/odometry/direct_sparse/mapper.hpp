@@ -14,14 +14,14 @@
 
 namespace tolman::direct_sparse {
 
-/// DirectSparse::configure() sets them from the parameters.
+/// DirectSparse::configure() sets all of them from the parameters, whose defaults they are not.
 struct MapperSettings {
-  int points = 2000;
-  int candidates = 1500;
-  int window = 7;
-  int max_disparity = 160;  ///< px
-  double marginal_weight = 0.06;
-  double offset_sigma = 0;  ///< px, 0: the disparity offset is not estimated
+  int points = 2000;              ///< in the window
+  int candidates = 1500;          ///< per keyframe
+  int window = 7;                 ///< keyframes
+  int max_disparity = 160;        ///< px
+  double marginal_weight = 0.06;  ///< of marginalised points in the prior
+  double offset_sigma = 0;        ///< px, 0: the disparity offset is not estimated
   AdjustmentSettings adjustment;
 };
 
@@ -33,9 +33,9 @@ class Mapper {
   Window& window() { return window_; }
   const Window& window() const { return window_; }
 
-  /// Takes the pyramids in exchange for old ones, to reuse memory. `right` may be empty (covered
-  /// camera). The oldest keyframe of the window fixes the gauge. Returns the number of points in
-  /// the window.
+  /// Swaps the pyramids with the buffers of a removed keyframe, to reuse memory. `right` may be
+  /// empty (covered camera). The oldest keyframe of the window fixes the gauge. Returns the number
+  /// of points in the window.
   std::size_t addKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                           const Affine& affine, ImagePyramid& left, ImagePyramid& right);
   /// The first keyframe of a single camera, with assumed depths for this camera height (m). The
@@ -58,7 +58,7 @@ class Mapper {
  private:
   Keyframe& insert(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                    const Affine& affine, ImagePyramid& left);
-  void holdOffset();
+  void setOffsetPrior();
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
   void balanceRight(Keyframe& keyframe, const StereoSearch& search) const;

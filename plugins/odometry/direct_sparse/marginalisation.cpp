@@ -32,12 +32,12 @@ double crowding(const Window& window, int slot) {
 }
 
 bool exhausted(const Window& window, int slot) {
-  constexpr double kFewest = 0.05;
-  constexpr double kBrightnessChange = 0.7;  // of the logarithm; both as in the published program
+  constexpr double kMin = 0.05;
+  constexpr double kBrightnessChange = 0.7;  // of the logarithm; both as in DSO
   const Keyframe& keyframe = window.keyframe(slot);
   const double kept = static_cast<double>(keyframe.points.size() + keyframe.immature.size());
   const double made = static_cast<double>(keyframe.points_made) + kept;
-  return kept < kFewest * made ||
+  return kept < kMin * made ||
          std::fabs(keyframe.affine().a - window.newest().affine().a) > kBrightnessChange;
 }
 
@@ -67,8 +67,8 @@ FrameBlock byGauge(const Keyframe& keyframe, const Keyframe& anchor) {
 }
 
 bool worthKeeping(const Point& point) {
-  constexpr float kLeastInformation = 50;  // m^2; as in the published program of Engel et al.
-  return point.information > kLeastInformation && point.seen_good >= 3;
+  constexpr float kMinInformation = 50;  // m^2; as in DSO (Engel et al.)
+  return point.information > kMinInformation && point.seen_good >= 3;
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ std::vector<int> chooseLeaving(const Window& window, int most) {
   std::vector<int> leaving;
   if (window.size() <= 2) return leaving;
   const std::vector<int>& order = window.order();
-  const int fewest = std::max(2, most - 2);  // 5 of 7 as in the published program
+  const int fewest = std::max(2, most - 2);  // 5 of 7 as in DSO
   for (std::size_t i = 0; i < protectedFrom(window); ++i) {
     const int left = window.size() - static_cast<int>(leaving.size());
     if (left > fewest && exhausted(window, order[i])) leaving.push_back(order[i]);

@@ -22,10 +22,10 @@ void draftDepths(const CameraRig& rig, double height, Keyframe& keyframe) {
 }
 
 void draftPoints(Keyframe& keyframe) {
-  constexpr int kMostFailures = 3;  // as in activation.cpp
+  constexpr int kMaxFailures = 3;  // as in activation.cpp
   keyframe.points.clear();
   for (const ImmaturePoint& candidate : keyframe.immature) {
-    if (candidate.failures >= kMostFailures) continue;
+    if (candidate.failures >= kMaxFailures) continue;
     Point point;
     point.u = candidate.u;
     point.v = candidate.v;

@@ -16,7 +16,7 @@ namespace tolman::direct_sparse {
 struct Parameters {
   int points = 1500;
   int candidates = 1200;
-  int window = 7;  // keyframes; 5 to 7 in the published program of Engel et al.
+  int window = 7;  // keyframes; 5 to 7 in DSO (Engel et al.)
   int iterations = 2;
   double coupling = 1.5;  // 1 to 2 is best in Stereo DSO (Wang et al. 2017)
   double keyframe_weight = 1.2;

@@ -13,7 +13,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
-// As in the published program of Engel et al.
+// As in DSO (Engel et al.)
 constexpr int kBlock = 32;         // px
 constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this
 constexpr float kAboveMedian = 7;  // grey levels / px
@@ -156,7 +156,7 @@ void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int
 
 void PointSelector::pickFromCells(const GradientImage& image, int border) {
   pixels_.clear();
-  constexpr float kRelax = 0.75F;  // for each doubling; as in the published program
+  constexpr float kRelax = 0.75F;  // for each doubling; as in DSO
   const int large = 4 * cell_;
   for (int v = 0; v < height_; v += large) {
     for (int u = 0; u < width_; u += large) {

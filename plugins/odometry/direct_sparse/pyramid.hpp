@@ -52,10 +52,10 @@ inline float toLevel(float pixel, int level) {
 
 class ImagePyramid {
  public:
-  static constexpr int kMostLevels = 6;  // as in the published program
+  static constexpr int kMaxLevels = 6;  // as in DSO
 
   /// Reuses its memory. Levels stop before a side falls below 16 px, or at `most`.
-  void build(const Image& image, int most = kMostLevels);
+  void build(const Image& image, int most = kMaxLevels);
   /// Removes all levels; keeps the memory.
   void clear() { levels_ = 0; }
   int levels() const { return levels_; }
@@ -63,7 +63,7 @@ class ImagePyramid {
   bool empty() const { return levels_ == 0; }
 
  private:
-  GrayLevel images_[kMostLevels];
+  GrayLevel images_[kMaxLevels];
   int levels_ = 0;
 };
 

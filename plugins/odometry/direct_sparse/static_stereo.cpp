@@ -78,7 +78,7 @@ struct RowMinimum {
 RowMinimum searchRow(const StereoPatch& patch, const GrayLevel& image, int u_begin, int u_end,
                      int v) {
   RowMinimum found;
-  std::array<int, kMostDisparities + 8> costs;  // NOLINT: written before it is read
+  std::array<int, kMaxDisparities + 8> costs;  // NOLINT: written before it is read
   for (int u = u_begin; u < u_end; ++u) {
     const int cost = difference(patch, image, u, v);
     costs[static_cast<std::size_t>(u - u_begin)] = cost;
@@ -140,8 +140,8 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
                                   int u_found, float gain) {
   constexpr float kMargin = kRadius + 2;
   // Chosen, not tuned.
-  constexpr float kLeastInformation = 300;  // a step of 18 grey levels in one pixel
-  constexpr float kLargestRms = 14;         // grey levels
+  constexpr float kMinInformation = 300;  // a step of 18 grey levels in one pixel
+  constexpr float kLargestRms = 14;       // grey levels
   auto u_right = static_cast<float>(u_found);
   StereoStep shift;
   for (int i = 0; i < 6; ++i) {  // bounds the time
@@ -150,7 +150,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
       return std::nullopt;
     }
     shift = shiftOf(left, right, u, v, u_right, gain);
-    if (shift.information < kLeastInformation) return std::nullopt;
+    if (shift.information < kMinInformation) return std::nullopt;
     u_right += std::clamp(shift.step, -0.7F, 0.7F);
     if (std::fabs(shift.step) < 0.005F) break;  // px; chosen, not tuned
   }
@@ -169,9 +169,9 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
 
 std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& right, int u, int v,
                                        const StereoSearch& search) {
-  constexpr float kLeastRatio = 1.15F;  // of the second best cost to the best; chosen, not tuned
-  constexpr int kLargestMiss = 1;       // px, from right to left; as in HorizonAD/stereo_dso
-  constexpr int kBehind = 2;            // px below zero disparity, for the refinement of far points
+  constexpr float kMinRatio = 1.15F;  // of the second best cost to the best; chosen, not tuned
+  constexpr int kLargestMiss = 1;     // px, from right to left; as in HorizonAD/stereo_dso
+  constexpr int kBehind = 2;          // px below zero disparity, for the refinement of far points
   const int lowest = kStereoBorder;
   const int highest = right.width - kStereoBorder;
   const StereoPatch patch = patchAround(left, u, v, search.gain, search.offset);
@@ -181,7 +181,7 @@ std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& r
   const auto best = static_cast<float>(forth.best);
   constexpr float kNoise = 2 * kWidth * kHeight;  // makes two perfect matches ambiguous
   const float quality = (static_cast<float>(forth.second) + kNoise) / (best + kNoise);
-  if (forth.best == std::numeric_limits<int>::max() || quality < kLeastRatio) return std::nullopt;
+  if (forth.best == std::numeric_limits<int>::max() || quality < kMinRatio) return std::nullopt;
 
   const float inverse_gain = 1.0F / std::max(search.gain, 0.05F);  // keeps the division finite
   const StereoPatch back_patch =

@@ -9,10 +9,10 @@
 
 namespace tolman::direct_sparse {
 
-inline constexpr int kMostDisparities = 512;  // px; bounds the time of a row search
+inline constexpr int kMaxDisparities = 512;  // px; bounds the time of a row search
 
 struct StereoSearch {
-  int max_disparity = 160;  ///< px, at most kMostDisparities
+  int max_disparity = 160;  ///< px, at most kMaxDisparities
   float gain = 1;           ///< right = gain * left + offset
   float offset = 0;         ///< grey levels
 };

@@ -10,8 +10,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr std::size_t kMostCompared = 300;  // bounds the time
-constexpr double kNearest = 0.1;            // m; keeps the projection finite
+constexpr std::size_t kMaxCompared = 300;  // bounds the time
+constexpr double kNearest = 0.1;           // m; keeps the projection finite
 
 /// A point of the window in the new frame: pixel and disparity, px.
 struct Expected {
@@ -47,7 +47,7 @@ StereoAgreement compareWithStereo(const CameraRig& rig, const Window& window,
   balanceBrightness(left, right, search);
   StereoAgreement agreement;
   for (const Eigen::Vector3d& position :
-       somePositions(rig.pinhole, window, T_world_camera.inverse(), kMostCompared)) {
+       somePositions(rig.pinhole, window, T_world_camera.inverse(), kMaxCompared)) {
     const auto there = expectedAt(rig, position);
     if (!there) continue;
     const auto match = matchStereo(left, right, there->u, there->v, search);

@@ -9,21 +9,21 @@ namespace tolman::direct_sparse {
 namespace {
 
 // Fewest samples for the eight variables of an alignment. Chosen, not tuned.
-constexpr int kFewestSamples = 100;
+constexpr int kMinSamples = 100;
 
 bool isAccepted(const AlignmentResult& result, Tracker::Demand demand) {
   // The limits of inliers and view are our own (chosen, not tuned); that of the brightness change
-  // is the one of the published program of Engel et al.
+  // is the one of DSO (Engel et al.)
   const double least_inliers = demand == Tracker::Demand::Certain ? 0.6 : 0.3;
-  constexpr double kLeastInView = 0.15;
-  constexpr double kMostGain = 1.2;  // logarithm of the exposure ratio
-  return result.samples >= kFewestSamples && result.inlier_fraction > least_inliers &&
-         result.in_view > kLeastInView && std::fabs(result.state.brightness.a) < kMostGain;
+  constexpr double kMinInView = 0.15;
+  constexpr double kMaxGain = 1.2;  // logarithm of the exposure ratio
+  return result.samples >= kMinSamples && result.inlier_fraction > least_inliers &&
+         result.in_view > kMinInView && std::fabs(result.state.brightness.a) < kMaxGain;
 }
 
 /// Least number of samples of an accepted alignment, as a share of the usual number. Chosen on
 /// kitti_clips/06: blurred images leave a tenth, and their motion is wrong by a third.
-constexpr double kLeastShare = 0.15;
+constexpr double kMinShare = 0.15;
 constexpr double kRenewal = 0.1;  // of a frame in the mean of samples; chosen, not tuned
 
 /// Largest RMS of an accepted alignment: a wrong place may fit in part. Chosen on kitti_clips/06
@@ -31,9 +31,9 @@ constexpr double kRenewal = 0.1;  // of a frame in the mean of samples; chosen, 
 /// ten dark frames, in a blurred image), a wrong one four times (after two seconds without images).
 double mostRms(double last_rms) {
   constexpr double kGrowth = 2.5;
-  constexpr double kLeast = 5;  // grey levels: dark and blurred images have smaller ones
+  constexpr double kMin = 5;  // grey levels: dark and blurred images have smaller ones
   constexpr double kAny = std::numeric_limits<double>::max();
-  return last_rms == 0 ? kAny : kGrowth * std::max(last_rms, kLeast);
+  return last_rms == 0 ? kAny : kGrowth * std::max(last_rms, kMin);
 }
 
 /// Motions since the last frame to try when the expected one fails: standing, other speeds, the
@@ -77,7 +77,7 @@ void Tracker::reset() {
 bool Tracker::setReference(const CameraRig& rig, const Window& window) {
   reference_.build(rig, window);
   first_rms_ = 0;
-  return reference_.level(0).count >= static_cast<std::size_t>(kFewestSamples);
+  return reference_.level(0).count >= static_cast<std::size_t>(kMinSamples);
 }
 
 AlignmentResult Tracker::bestOf(const CameraRig& rig, const ImagePyramid& image,
@@ -136,7 +136,7 @@ bool Tracker::accept(const CameraRig& rig, AlignmentResult& result, Demand deman
   const bool confirmed = demand == Demand::Confirmed;
   const bool is_alike = confirmed || result.rms <= mostRms(last_rms_);
   if (!isAccepted(result, demand) || !is_alike) return false;
-  if (result.samples < kLeastShare * usual_samples_) return false;
+  if (result.samples < kMinShare * usual_samples_) return false;
   usual_samples_ += kRenewal * (result.samples - usual_samples_);
   if (!confirmed) last_rms_ = result.rms;
   if (first_rms_ == 0) first_rms_ = result.rms;

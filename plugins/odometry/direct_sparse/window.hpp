@@ -38,7 +38,7 @@ struct DisparityOffset {
 class Window {
  public:
   /// First outlier threshold, squared grey levels summed over a pattern: 12 grey levels per pixel.
-  /// As in the published program of Engel et al.
+  /// As in DSO (Engel et al.)
   static constexpr float kFirstThreshold = 12 * 12 * kPatternSize;
 
   void clear();

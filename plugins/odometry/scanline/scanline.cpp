@@ -51,8 +51,8 @@ Status Scanline::configure(const Context& context) {
   }
   turn_maker_.emplace(rig_, turn, p.field_of_view * kDegree);
   speed_maker_.emplace(rig_, speed, p.field_of_view * kDegree);
-  constexpr int kFewestColumns = 8;  // chosen, not tuned
-  if (std::min(turn_maker_->samples(), speed_maker_->samples()) < kFewestColumns) {
+  constexpr int kMinColumns = 8;  // chosen, not tuned
+  if (std::min(turn_maker_->samples(), speed_maker_->samples()) < kMinColumns) {
     return Status::invalidParameter("a part of the image has fewer than 8 columns; make it wider");
   }
   return reset();

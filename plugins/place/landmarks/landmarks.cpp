@@ -12,9 +12,9 @@
 namespace tolman::landmarks {
 namespace {
 
-constexpr double kNearest = 2;         // m; bounds the search; chosen, not tuned
-constexpr double kLeastDisparity = 1;  // px; chosen, not tuned
-constexpr int kHalfPatch = 5;          // px; chosen, not tuned
+constexpr double kNearest = 2;       // m; bounds the search; chosen, not tuned
+constexpr double kMinDisparity = 1;  // px; chosen, not tuned
+constexpr int kHalfPatch = 5;        // px; chosen, not tuned
 
 /// Peak of the parabola through three values at -1, 0 and 1; the middle one is the largest.
 double peakOf(double before, double at, double after) {
@@ -145,7 +145,7 @@ Landmarks findLandmarks(const cv::Mat& left, const cv::Mat& right, const CameraR
   for (std::size_t i = 0; i < corners.pixels.size(); ++i) {
     const cv::Point2f& pixel = corners.pixels[i];
     const double disparity = disparityAt(left, right, pixel, largest);
-    if (disparity < kLeastDisparity) continue;
+    if (disparity < kMinDisparity) continue;
     const Eigen::Vector3d p = K.ray({pixel.x, pixel.y}) * (K.fx * rig.baseline / disparity);
     landmarks.points.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()),
                                   static_cast<float>(p.z()));

@@ -23,8 +23,8 @@ const NamedArray* sensor(const Frame& frame, std::string_view name) {
 
 /// Within the bounds of saved indices and counters, which are subtracted and incremented later.
 bool isIndex(std::int64_t index) {
-  constexpr std::int64_t kMost = std::int64_t{1} << 62U;
-  return index > -kMost && index < kMost;
+  constexpr std::int64_t kMax = std::int64_t{1} << 62U;
+  return index > -kMax && index < kMax;
 }
 
 /// Bound of the numbers of a saved pose, m and rad; false for NaN.

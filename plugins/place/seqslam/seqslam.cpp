@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kMagic = "TLMSEQSL";
 constexpr std::uint64_t kStateVersion = 1;
-constexpr std::int64_t kMostImages = std::int64_t{1} << 40;  // a larger number is damage
+constexpr std::int64_t kMaxImages = std::int64_t{1} << 40;  // a larger number is damage
 
 }  // namespace
 
@@ -141,7 +141,7 @@ bool SeqSlam::loadViews(StateReader& reader) {
   views_.resize(count * viewSize());
   reader.getAll<std::int8_t>(views_);
   const auto isImage = [&](std::int64_t image) { return image >= 0 && image < images_; };
-  return images_ >= 0 && images_ < kMostImages && std::ranges::all_of(image_of_view_, isImage) &&
+  return images_ >= 0 && images_ < kMaxImages && std::ranges::all_of(image_of_view_, isImage) &&
          std::ranges::adjacent_find(image_of_view_, std::greater_equal{}) == image_of_view_.end();
 }
 

@@ -20,7 +20,7 @@ double yawOf(double index) { return 0.08 * (index - (kYaws - 1) / 2.0); }  // ra
 constexpr double kMeasuredFrom = 0.5;
 // Least correlation of the structure of the same street: 97 of 100 right places reach it.
 // Chosen on district (docs/places.md).
-constexpr double kLeastCorrelation = 0.28;
+constexpr double kMinCorrelation = 0.28;
 // Correction along the street: a camera sees only the near sides of objects, so structure of the
 // opposite direction fits best about a metre too far back. Measured on district (1.0 m), checked on
 // a route of another town (0.8 m).
@@ -108,7 +108,7 @@ BackwardPlaces::TurnedFit BackwardPlaces::bestFit(const StructureDeviation& stor
 std::optional<BackwardPlace> BackwardPlaces::located(const PlaceCandidate& candidate) const {
   const StructureDeviation stored = mean_.deviationOf(search_.levelsOf(candidate.view));
   const TurnedFit best = bestFit(stored);
-  if (!best.fit.within || best.fit.correlation < kLeastCorrelation) return {};
+  if (!best.fit.within || best.fit.correlation < kMinCorrelation) return {};
   const StructureFit same = fitStructure(mean_.deviationOf(*current_), stored);
   if (same.correlation > best.fit.correlation) return {};
   BackwardPlace place{candidate.view, candidate.probability, {}, covarianceOfStructure()};

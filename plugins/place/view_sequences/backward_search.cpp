@@ -15,7 +15,7 @@ namespace {
 // points. Chosen, not tuned: 2 m may be shared.
 constexpr double kSharedPath = 40;  // m
 // Fewest compared grids from which the usual distance is estimated. Chosen, not tuned.
-constexpr std::int64_t kFewestGrids = 10;
+constexpr std::int64_t kMinGrids = 10;
 // z of a view that is not compared; so large that its cost is above 0.
 constexpr float kNotCompared = 5;
 
@@ -92,7 +92,7 @@ void BackwardSearch::compareAll(const StructureQuery& query) {
   }
   const UsualDistance usual(sumsOf(of_grids_));
   distances_.assign(paths_.size(), kNotCompared);
-  if (end - first < kFewestGrids) return;
+  if (end - first < kMinGrids) return;
   for (std::int64_t view = 0; view < candidates_; ++view) {
     const std::int64_t i = grid_of_view_[static_cast<std::size_t>(view)];
     if (i < first) continue;

@@ -11,7 +11,7 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr int kLargestStep = 3;  // views; larger steps are penalised; chosen, not tuned
+constexpr int kLargestStep = 3;  // views that the recursion moves in a step; chosen, not tuned
 
 /// The recursion of one step. `costs`: of moving by 0 to kLargestStep views.
 struct Transition {

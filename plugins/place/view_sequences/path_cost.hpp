@@ -4,8 +4,10 @@
 // Wyeth, ICRA 2012), whose lines of constant speed become steps of driven metres. For stored view p
 // at step t
 //   C_t(p) = z_t(p) + offset + memory * min(0, min_k(C_{t-1}(p - k) + penalty * |k - advance|))
-// where z is the standardised distance of the view (negative: more alike than usual) and `advance`
-// the driven metres in numbers of stored views. The offset is between the z of a right and of a
+// where k is 0 to 3 views, t counts the steps of at least one spacing along the driven path, z is
+// the standardised distance of the view (negative: more alike than usual), and `advance` the length
+// of the step in spacings of stored views. Crossing a link between two sequences costs as much as
+// moving by one view. The offset is between the z of a right and of a
 // wrong place, and a cost above 0 counts as 0 (as in Page's CUSUM test), so that a sequence that
 // has left the known path returns to 0 within a few steps. On a path that is driven in the
 // opposite direction the order of views is reversed: p + k instead of p - k.
@@ -23,9 +25,9 @@ enum class Direction : std::uint8_t { Forwards, Backwards };
 
 /// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/places.md tells how.
 struct PathCostSettings {
-  double memory = 0.92;
-  double penalty = 1.0;
-  double offset = 1.4;
+  double memory = 0.92;                       ///< factor per step
+  double penalty = 1.0;                       ///< per view that a step differs from `advance`
+  double offset = 1.4;                        ///< per step
   Direction direction = Direction::Forwards;  ///< in which the stored paths are driven at present
 };
 

@@ -15,14 +15,14 @@ namespace tolman::view_sequences {
 namespace {
 
 // Fewest compared views from which the usual distance is estimated. Chosen, not tuned.
-constexpr std::int64_t kFewest = 4;
+constexpr std::int64_t kMin = 4;
 // Number of the best views by codes that are then compared in full, and size of the sample of views
 // for the usual distance. Chosen, not tuned; they bound the time.
 constexpr std::size_t kShortList = 50;
 constexpr std::int64_t kSample = 256;
 // The views of one place span about 2 * kSamePlace indices, so this many best views contain the
 // requested places and one more, with which the best is compared.
-constexpr std::size_t kBestViews = (PlaceSearch::kMostPlaces + 1) * 2 * kSamePlace;
+constexpr std::size_t kBestViews = (PlaceSearch::kMaxPlaces + 1) * 2 * kSamePlace;
 
 /// 1 - cosine of the angle that corresponds to this number of differing bits.
 float distanceOfBits(int bits) {
@@ -97,7 +97,7 @@ std::int64_t PlaceSearch::viewsUntil(double path) const {
 void PlaceSearch::compareAll(const ViewQuery& query) {
   const std::int64_t views = bank_.size();
   const std::int64_t by_code = coded();
-  const std::int64_t compared = std::min(views, std::max(candidates_, kFewest));
+  const std::int64_t compared = std::min(views, std::max(candidates_, kMin));
   distances_.resize(static_cast<std::size_t>(views));
   if (by_code > 0) codes_.distances(query, bits_);
   compareFrom(query, by_code);
@@ -199,7 +199,7 @@ std::vector<std::int64_t> PlaceSearch::bestViews(std::size_t count) const {
 
 std::vector<PlaceCandidate> PlaceSearch::candidates(int most) const {
   std::vector<PlaceCandidate> found;
-  if (candidates_ < kFewest) return found;
+  if (candidates_ < kMin) return found;
   std::vector<std::int64_t> places;  // the best view of each
   const auto count = static_cast<std::size_t>((most + 1) * 2 * kSamePlace);
   for (const std::int64_t view : std::span(best_).first(std::min(count, best_.size()))) {

@@ -37,8 +37,8 @@ class PlaceSearch {
 
   /// One step along the path: `path` in m so far, `advance` in stored views.
   void step(const ViewQuery& query, double path, double advance);
-  static constexpr int kMostPlaces = 5;  // bounds the time of landmarks
-  /// At most `most` places after a step, kMostPlaces or fewer, the most probable first; different
+  static constexpr int kMaxPlaces = 5;  // bounds the time of landmarks
+  /// At most `most` places after a step, kMaxPlaces or fewer, the most probable first; different
   /// places are more than ten views apart. Empty as long as there is too little to compare with.
   std::vector<PlaceCandidate> candidates(int most) const;
 

@@ -8,11 +8,11 @@ namespace tolman::view_sequences {
 namespace {
 
 // Chosen, not tuned.
-constexpr double kLeastApart = 4;             // m of path: a chance match does not last so long
-constexpr double kMostApart = 12;             // m of path
-constexpr double kLargestGap = 1.5;           // m, between the poses
-constexpr double kLargestTurn = 0.12;         // rad
-constexpr std::uint64_t kMostMeasured = 200;  // a larger number is damage
+constexpr double kMinApart = 4;              // m of path: a chance match does not last so long
+constexpr double kMaxApart = 12;             // m of path
+constexpr double kLargestGap = 1.5;          // m, between the poses
+constexpr double kLargestTurn = 0.12;        // rad
+constexpr std::uint64_t kMaxMeasured = 200;  // a larger number is damage
 
 void putPlanar(StateWriter& writer, const PlanarPose& pose) {
   for (const double value : {pose.x, pose.y, pose.theta}) writer.put(value);
@@ -26,9 +26,9 @@ bool getPlanar(StateReader& reader, PlanarPose& pose) {
 }  // namespace
 
 bool PoseAgreement::add(double path, const PlanarPose& stored, const PlanarPose& driven) {
-  while (!measured_.empty() && measured_.front().path < path - kMostApart) measured_.pop_front();
+  while (!measured_.empty() && measured_.front().path < path - kMaxApart) measured_.pop_front();
   const bool agrees = std::ranges::any_of(measured_, [&](const Measured& earlier) {
-    if (path - earlier.path < kLeastApart) return false;
+    if (path - earlier.path < kMinApart) return false;
     const PlanarPose expected = compose(earlier.stored, between(earlier.driven, driven));
     const PlanarPose gap = between(expected, stored);
     return std::hypot(gap.x, gap.y) < kLargestGap && std::abs(gap.theta) < kLargestTurn;
@@ -49,7 +49,7 @@ void PoseAgreement::save(StateWriter& writer) const {
 bool PoseAgreement::load(StateReader& reader) {
   measured_.clear();
   const auto count = reader.get<std::uint64_t>();
-  if (count > kMostMeasured) return false;
+  if (count > kMaxMeasured) return false;
   for (std::uint64_t i = 0; i < count; ++i) {
     Measured one;
     one.path = reader.get<double>();

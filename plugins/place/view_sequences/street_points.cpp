@@ -8,11 +8,11 @@
 namespace tolman::view_sequences {
 namespace {
 
-constexpr double kStreetReach = 30;     // m of path; chosen on district (docs/places.md)
-constexpr double kLeastReach = 15;      // m; grids over less differ too much; chosen, not tuned
-constexpr double kPatchSpacing = 0.99;  // m between patches: once in a step of 1 m
-constexpr std::int64_t kFewestPoints = 500;  // in a grid; a street has 10^4; chosen, not tuned
-constexpr std::uint64_t kMostPatches = 64;   // a larger number is damage
+constexpr double kStreetReach = 30;        // m of path; chosen on district (docs/places.md)
+constexpr double kMinReach = 15;           // m; grids over less differ too much; chosen, not tuned
+constexpr double kPatchSpacing = 0.99;     // m between patches: once in a step of 1 m
+constexpr std::int64_t kMinPoints = 500;   // in a grid; a street has 10^4; chosen, not tuned
+constexpr std::uint64_t kMaxPatches = 64;  // a larger number is damage
 
 void putPose(StateWriter& writer, const Eigen::Isometry3d& T) {
   writer.putAll<double>(std::span(T.matrix().data(), 16));
@@ -44,7 +44,7 @@ void StreetPoints::restart() {
 }
 
 std::optional<StructureLevels> StreetPoints::levels(double yaw) const {
-  if (patches_.empty() || patches_.back().path - patches_.front().path < kLeastReach) return {};
+  if (patches_.empty() || patches_.back().path - patches_.front().path < kMinReach) return {};
   StructureCounts counts;
   const Eigen::Matrix3d turn = expSo3({0, -yaw, 0});
   for (const Patch& patch : patches_) {
@@ -53,7 +53,7 @@ std::optional<StructureLevels> StreetPoints::levels(double yaw) const {
     const Eigen::Vector3f t = (turn * T.translation()).cast<float>();
     for (const CentimetrePoint& point : patch.points) counts.add(R * point.cast<float>() + t);
   }
-  if (counts.points() < kFewestPoints) return {};
+  if (counts.points() < kMinPoints) return {};
   return counts.levels();
 }
 
@@ -74,7 +74,7 @@ bool StreetPoints::load(StateReader& reader) {
   restart();
   if (!getPose(reader, T_start_camera_)) return false;
   const auto patches = reader.get<std::uint64_t>();
-  if (patches > kMostPatches) return false;
+  if (patches > kMaxPatches) return false;
   for (std::uint64_t i = 0; i < patches; ++i) {
     Patch patch;
     patch.path = reader.get<double>();

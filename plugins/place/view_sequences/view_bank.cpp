@@ -10,7 +10,7 @@ namespace {
 // Views of a chunk. Its mean is that of three chunks, with its neighbours. On campus walks
 // (places_gardens) means over 80 to 400 views were equally good, over 40 worse.
 constexpr std::int64_t kChunkViews = 64;
-constexpr std::int64_t kMostPasses = std::int64_t{1} << 40;  // a larger number is damage
+constexpr std::int64_t kMaxPasses = std::int64_t{1} << 40;  // a larger number is damage
 
 using Levels = std::array<std::int16_t, kValues>;
 
@@ -105,7 +105,7 @@ bool ViewBank::load(StateReader& reader) {
     chunks_.push_back(chunk);
   }
   pass_ = reader.get<std::int64_t>();
-  const bool sound = pass_ >= (chunks_.empty() ? 0 : chunks_.back().pass) && pass_ < kMostPasses &&
+  const bool sound = pass_ >= (chunks_.empty() ? 0 : chunks_.back().pass) && pass_ < kMaxPasses &&
                      std::ranges::all_of(paths_, [](float path) { return std::isfinite(path); });
   if (!sound || first != size()) return false;
   for (std::size_t c = 0; c < chunks_.size(); ++c) refresh(c);

@@ -125,7 +125,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   // reported (nor stored as new): without a pose it would be known only to a few metres.
   constexpr std::int64_t kBelieved = 20;  // steps; chosen, not tuned
   const std::vector<PlaceCandidate> found =
-      search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMostPlaces : 1);
+      search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMaxPlaces : 1);
   const double probability = found.empty() ? 0 : found.front().probability;
   observation.score = 1 - probability;
   const bool likely = probability >= parameters_.probability_verified;

@@ -105,21 +105,21 @@ bool checkPinhole(const std::filesystem::path& file, const Entry& entry, Inspect
 bool checkPair(const std::filesystem::path& file, const Entry& left, const Entry& right,
                Inspection& inspection) {
   constexpr double kSameFocal = 1e-3;   // px
-  constexpr double kLeast = 1e-3;       // m
-  constexpr double kMost = 5;           // m
+  constexpr double kMin = 1e-3;         // m
+  constexpr double kMax = 5;            // m
   constexpr double kMisaligned = 0.02;  // of the baseline; KITTI's colour pair has 0.005
   const Eigen::Vector3d t = left.offset() - right.offset();
   const std::string baseline = "baseline is " + fixed(t.x(), 4) + " m";
   std::string problem;
   if (!(left.P.leftCols<3>() - right.P.leftCols<3>()).isZero(kSameFocal)) {
     problem = "the two cameras have different focal lengths or centres; rectify the images";
-  } else if (std::abs(t.x()) < kLeast) {
+  } else if (std::abs(t.x()) < kMin) {
     problem = baseline + ": both cameras are at one place; give -fx * baseline as the fourth " +
               "number of the right camera's matrix, or set mono: true";
   } else if (t.x() < 0) {
     problem = baseline + ": the right camera is left of the left one; swap the two image " +
               "folders, or change the sign of the fourth number";
-  } else if (t.x() > kMost) {
+  } else if (t.x() > kMax) {
     problem = baseline + ", more than 5 m; the fourth number must be -fx * baseline, in px m";
   } else if (std::hypot(t.y(), t.z()) > kMisaligned * t.x()) {
     problem = "the right camera is " + fixed(t.y(), 4) + " m below and " + fixed(t.z(), 4) +

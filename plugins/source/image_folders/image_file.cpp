@@ -34,8 +34,8 @@ Status unread(int error) {
 }
 
 Result<ImageSize> plausibleSize(std::int64_t width, std::int64_t height) {
-  constexpr std::int64_t kMostPixels = 100'000'000;
-  if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels / width) {
+  constexpr std::int64_t kMaxPixels = 100'000'000;
+  if (width < 1 || height < 1 || width > kMaxPixels || height > kMaxPixels / width) {
     return problem("claims an impossible size of " + std::to_string(width) + "x" +
                    std::to_string(height) + " pixels");
   }
@@ -84,13 +84,13 @@ Result<ImageSize> checkJpeg(Bytes bytes) {
 }
 
 Result<std::vector<std::uint8_t>> readBytes(const fs::path& file) {
-  constexpr std::uintmax_t kMostBytes = 512U << 20U;
+  constexpr std::uintmax_t kMaxBytes = 512U << 20U;
   std::error_code failure;
   const fs::file_status status = fs::status(file, failure);
   if (status.type() == fs::file_type::none) return unread(failure.value());
   if (!fs::is_regular_file(status)) return problem("is missing or no file");
   const std::uintmax_t size = fs::file_size(file, failure);
-  if (failure || size > kMostBytes) return problem("is larger than 512 MiB");
+  if (failure || size > kMaxBytes) return problem("is larger than 512 MiB");
   std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);

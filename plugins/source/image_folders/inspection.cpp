@@ -25,10 +25,10 @@ void Inspection::warning(const std::filesystem::path& file, std::string message)
 }
 
 void Inspection::add(const std::string& file, std::string where, std::string message) {
-  constexpr int kMostErrors = 20;
+  constexpr int kMaxErrors = 20;
   const int errors = ++errors_of_file_[file];
-  if (errors > kMostErrors + 1) return;
-  if (errors == kMostErrors + 1) {
+  if (errors > kMaxErrors + 1) return;
+  if (errors == kMaxErrors + 1) {
     where = file;
     message = "has more problems; they are not listed";
   }

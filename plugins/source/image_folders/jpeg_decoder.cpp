@@ -16,7 +16,7 @@ namespace {
 
 /// More than encoders write. Each scan of a progressive file is a pass over all pixels, so a
 /// damaged file could take very long.
-constexpr int kMostScans = 100;
+constexpr int kMaxScans = 100;
 
 /// Data of libjpeg's callbacks. They get a pointer to the error manager, so it must be the first
 /// member.
@@ -40,7 +40,7 @@ void onMessage(j_common_ptr jpeg, int level) {
 }
 
 void limitScans(j_common_ptr jpeg) {
-  if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMostScans) return;
+  if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMaxScans) return;
   jpeg->err->msg_code = JERR_EOI_EXPECTED;  // "Didn't expect more than one scan"
   fail(jpeg);
 }

@@ -74,9 +74,9 @@ std::optional<PlainPng> readChunks(Bytes png) {
 
 /// All rows with their filters; null if the data are damaged or of another size.
 std::unique_ptr<std::uint8_t[]> inflate(const PlainPng& image) {
-  constexpr std::size_t kMostPerByte = 1032;  // largest ratio of deflate; limits memory
+  constexpr std::size_t kMaxPerByte = 1032;  // largest ratio of deflate; limits memory
   const std::size_t size = image.size();
-  if (size / kMostPerByte > image.packed.size()) return nullptr;
+  if (size / kMaxPerByte > image.packed.size()) return nullptr;
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> inflater(
       libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
   if (!inflater) throw std::bad_alloc();

@@ -80,13 +80,13 @@ bool isCut(const std::vector<TextLine>& lines) {
 }  // namespace
 
 std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
-  constexpr std::uintmax_t kMostBytes = 256U << 20U;
+  constexpr std::uintmax_t kMaxBytes = 256U << 20U;
   std::error_code failure;
   if (!fs::is_regular_file(file, failure)) {
     inspection.error(file, "is missing; restore it, or correct the path");
     return {};
   }
-  if (fs::file_size(file, failure) > kMostBytes || failure) {
+  if (fs::file_size(file, failure) > kMaxBytes || failure) {
     inspection.error(file, "is larger than 256 MiB; this is not the text file that is wanted");
     return {};
   }
@@ -125,10 +125,10 @@ std::vector<std::string_view> splitFields(std::string_view line) {
 }
 
 std::string inQuotes(std::string_view field) {
-  constexpr std::size_t kMost = 24;
+  constexpr std::size_t kMax = 24;
   std::string text = "'";
-  for (const char c : field.substr(0, kMost)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (field.size() > kMost ? "...'" : "'");
+  for (const char c : field.substr(0, kMax)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (field.size() > kMax ? "...'" : "'");
 }
 
 std::optional<double> parseNumber(std::string_view field) {

@@ -11,7 +11,7 @@
 namespace tolman::motion_log {
 namespace {
 
-constexpr std::int64_t kMostIds = 100'000'000;
+constexpr std::int64_t kMaxIds = 100'000'000;
 // Bound of metres and radians: farther than any vehicle drives; the poses of all frames are finite.
 constexpr double kFarthest = 1e9;
 
@@ -28,7 +28,7 @@ std::optional<Edge> parseEdge(std::istringstream& fields, int line) {
   const auto isNear = [](double number) { return std::abs(number) <= kFarthest; };  // no NaN
   const bool sound = fields && isNear(edge.motion.x) && isNear(edge.motion.y) &&
                      isNear(edge.motion.theta) && edge.from >= 0 && edge.to >= 0 &&
-                     edge.from < kMostIds && edge.to < kMostIds;
+                     edge.from < kMaxIds && edge.to < kMaxIds;
   return sound ? std::optional(edge) : std::nullopt;
 }
 

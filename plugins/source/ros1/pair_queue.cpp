@@ -6,8 +6,8 @@
 namespace tolman::ros1 {
 
 void PairQueue::add(std::deque<Arrived>& queue, Arrived image) {
-  constexpr std::size_t kMost = 100;
-  if (queue.size() == kMost) {
+  constexpr std::size_t kMax = 100;
+  if (queue.size() == kMax) {
     queue.pop_front();
     ++left_out_;
   }

@@ -90,19 +90,19 @@ Status Bag::openFile(const std::filesystem::path& path) {
 }
 
 void Bag::visit(std::size_t file) {
-  constexpr std::size_t kMostProblems = 20;
+  constexpr std::size_t kMaxProblems = 20;
   std::vector<std::string> problems;
   files_[file]->visit(
       [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes bytes) {
         add(topic, log_ns, {log_ns, file, place}, bytes);
       },
       problems);
-  for (std::size_t i = 0; i < std::min(problems.size(), kMostProblems); ++i) {
+  for (std::size_t i = 0; i < std::min(problems.size(), kMaxProblems); ++i) {
     problems_.push_back(paths_[file].string() + ": " + problems[i]);
   }
-  if (problems.size() > kMostProblems) {
+  if (problems.size() > kMaxProblems) {
     problems_.push_back(paths_[file].string() + ": has " +
-                        std::to_string(problems.size() - kMostProblems) + " more problems");
+                        std::to_string(problems.size() - kMaxProblems) + " more problems");
   }
 }
 

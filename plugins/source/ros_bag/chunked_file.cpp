@@ -14,7 +14,7 @@ std::optional<ChunkedFile::Contents> ChunkedFile::readBytes(std::uint64_t at, st
     problems.push_back(endsWithin(record));
     return std::nullopt;
   }
-  if (size > kMostBytes) {
+  if (size > kMaxBytes) {
     problems.push_back("has a record of more than 256 MiB" + atByte(record) + "; record it again");
     return std::nullopt;
   }

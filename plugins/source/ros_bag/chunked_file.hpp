@@ -23,7 +23,7 @@ class ChunkedFile : public BagFile {
   using Contents = std::vector<std::uint8_t>;
   using Problems = std::vector<std::string>;
   /// Largest size of a record and of an unpacked chunk.
-  static constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t{256} << 20U;
 
   explicit ChunkedFile(FileBytes file) : file_(std::move(file)) {}
   FileBytes& file() { return file_; }

@@ -13,10 +13,10 @@ namespace {
 
 /// Allocates memory for the next piece, at most a fixed amount more than is used.
 bool grow(std::vector<std::uint8_t>& out, std::size_t used, std::size_t most) {
-  constexpr std::size_t kLeast = 1U << 16U;
+  constexpr std::size_t kMin = 1U << 16U;
   if (used < out.size()) return true;
   if (out.size() >= most + 1) return false;
-  out.resize(std::min(most + 1, std::max(kLeast, 2 * out.size())));
+  out.resize(std::min(most + 1, std::max(kMin, 2 * out.size())));
   return true;
 }
 

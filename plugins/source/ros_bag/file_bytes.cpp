@@ -11,7 +11,7 @@ namespace tolman::ros_bag {
 namespace fs = std::filesystem;
 
 Result<FileBytes> FileBytes::open(const fs::path& path) {
-  constexpr std::size_t kMostInMemory = std::size_t{2} << 30U;
+  constexpr std::size_t kMaxInMemory = std::size_t{2} << 30U;
   std::error_code failure;
   FileBytes file;
   if (fs::is_regular_file(path, failure)) file.stream_.open(path, std::ios::binary);
@@ -23,13 +23,13 @@ Result<FileBytes> FileBytes::open(const fs::path& path) {
   std::array<std::uint8_t, 4> start{};
   if (!file.read(0, start) || !isZstd(start)) return file;
   const std::string remedy = "; unpack it: `zstd -d " + path.string() + "`";
-  if (file.size_ > kMostInMemory) {
+  if (file.size_ > kMaxInMemory) {
     return Status::unsupported(path.string() + ": is too large to be unpacked in memory" + remedy);
   }
   std::vector<std::uint8_t> packed(static_cast<std::size_t>(file.size_));
   const bool read = file.read(0, packed);
   // Images are not compressed to less than a hundredth, so a larger file is not a bag.
-  const std::size_t most = std::min(kMostInMemory, 100 * packed.size() + (1U << 20U));
+  const std::size_t most = std::min(kMaxInMemory, 100 * packed.size() + (1U << 20U));
   auto unpacked = read ? unpackZstd(packed, most) : std::nullopt;
   if (!unpacked) {
     return Status::invalidInput(path.string() +

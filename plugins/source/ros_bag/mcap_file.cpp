@@ -105,7 +105,7 @@ Result<McapFile::Contents> McapFile::unpack(Bytes contents) {
   const std::string_view compression = fields.text();
   const Bytes packed = fields.take(fields.number<std::uint64_t>());
   if (!fields.ok()) return Status::invalidInput("is not complete");
-  if (size > kMostBytes) return Status::invalidInput("claims more than 256 MiB");
+  if (size > kMaxBytes) return Status::invalidInput("claims more than 256 MiB");
   std::optional<Contents> records;
   if (compression.empty()) {
     records = Contents(packed.begin(), packed.end());

@@ -38,9 +38,9 @@ bool comesBefore(const fs::path& a, const fs::path& b) {
 }
 
 std::string readText(const fs::path& file) {
-  constexpr std::size_t kMost = 16U << 20U;
+  constexpr std::size_t kMax = 16U << 20U;
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored) || fs::file_size(file, ignored) > kMost) return {};
+  if (!fs::is_regular_file(file, ignored) || fs::file_size(file, ignored) > kMax) return {};
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }

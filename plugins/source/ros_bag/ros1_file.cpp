@@ -42,7 +42,7 @@ Result<std::unique_ptr<Ros1File>> Ros1File::open(FileBytes file) {
 std::optional<Ros1File::Contents> Ros1File::readRecord(std::uint64_t at, Problems& problems) {
   // A record: the length of its header (4 bytes), the header, the length of its data, the data.
   std::uint64_t size = 0;
-  for (int part = 0; part < 2 && size <= kMostBytes; ++part) {
+  for (int part = 0; part < 2 && size <= kMaxBytes; ++part) {
     std::array<std::uint8_t, sizeof(std::uint32_t)> length{};
     if (!file().read(at + size, length)) {
       problems.push_back(endsWithin(at));

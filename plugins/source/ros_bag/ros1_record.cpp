@@ -53,11 +53,11 @@ std::optional<Topic> topicOf(const Ros1Record& connection) {
 }
 
 Result<std::vector<std::uint8_t>> unpackChunk(const Ros1Record& chunk) {
-  constexpr std::uint32_t kMostBytes = std::uint32_t{256} << 20U;
+  constexpr std::uint32_t kMaxBytes = std::uint32_t{256} << 20U;
   const auto size = chunk.number<std::uint32_t>("size");
   const auto compression = chunk.field("compression");
   if (!size || !compression) return Status::invalidInput("has a damaged header");
-  if (*size > kMostBytes) return Status::invalidInput("claims more than 256 MiB");
+  if (*size > kMaxBytes) return Status::invalidInput("claims more than 256 MiB");
   const std::string_view how = asText(*compression);
   std::optional<std::vector<std::uint8_t>> records;
   if (how == "none") {

@@ -14,7 +14,7 @@
 namespace tolman::ros_bag {
 namespace {
 
-constexpr std::size_t kMostMessageBytes = std::size_t{256} << 20U;  // of an unpacked message
+constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20U;  // of an unpacked message
 
 std::vector<std::uint8_t> blobOf(const SQLite::Column& column) {
   const auto* data = static_cast<const std::uint8_t*>(column.getBlob());
@@ -26,7 +26,7 @@ std::vector<std::uint8_t> blobOf(const SQLite::Column& column) {
 /// The message, unpacked if it was compressed; empty if that fails.
 std::optional<std::vector<std::uint8_t>> plain(std::vector<std::uint8_t> blob) {
   if (!isZstd(blob)) return blob;
-  return unpackZstd(blob, kMostMessageBytes);
+  return unpackZstd(blob, kMaxMessageBytes);
 }
 
 std::unique_ptr<SQLite::Database> openPath(const std::filesystem::path& path) {

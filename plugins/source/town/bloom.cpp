@@ -19,10 +19,10 @@ std::vector<float> halo(const std::vector<float>& light, int width, int height, 
 
 void addBloom(std::vector<float>& radiance, int width, int height, float saturation, float bloom,
               double scale) {
-  constexpr float kMostExcess = 100;  // in units of saturation; chosen, not tuned
+  constexpr float kMaxExcess = 100;  // in units of saturation; chosen, not tuned
   std::vector<float> excess(radiance.size());
   for (std::size_t i = 0; i < radiance.size(); ++i) {
-    excess[i] = std::clamp(radiance[i] - saturation, 0.0F, kMostExcess * saturation);
+    excess[i] = std::clamp(radiance[i] - saturation, 0.0F, kMaxExcess * saturation);
   }
   // Radii in px at scale 1, and their equal shares: chosen, not tuned.
   const std::vector<float> narrow = halo(excess, width, height, 4 * scale);

@@ -39,8 +39,8 @@ struct Light {
   float snow = 0;   ///< cover of surfaces that face upwards
   Headlights headlights;
   /// Headlights of moving cars near the camera, the nearest first.
-  static constexpr int kMostOncoming = 4;
-  std::array<Headlights, kMostOncoming> oncoming;
+  static constexpr int kMaxOncoming = 4;
+  std::array<Headlights, kMaxOncoming> oncoming;
   int oncoming_count = 0;
   float glass = 0;    ///< share of light that windows mirror beside clean glass
   float puddles = 0;  ///< on dry streets

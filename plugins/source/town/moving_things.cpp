@@ -124,7 +124,7 @@ void MovingThings::addHeadlights(Light& light, const Eigen::Isometry3d& T_town_c
                    [&](const Placement& a, const Placement& b) { return away(a) < away(b); });
   light.oncoming_count = 0;
   for (const Placement& car : near) {
-    if (light.oncoming_count == Light::kMostOncoming || away(car) > 80) break;
+    if (light.oncoming_count == Light::kMaxOncoming || away(car) > 80) break;
     const Vec3 ahead = car.rotate({1, 0, 0});
     light.oncoming[static_cast<std::size_t>(light.oncoming_count++)] = {
         car.position + ahead * 2.1F + Vec3{0, 0, 0.62F}, ahead};

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 256U << 20U;
+constexpr std::uintmax_t kMaxBytes = 256U << 20U;
 constexpr double kRotationTolerance = 1e-3;  // KITTI prints seven digits
 constexpr double kFastest = 60;              ///< m/s
 constexpr double kLongestStep = 5;           ///< m, at any rate
@@ -125,7 +125,7 @@ Result<CameraRoute> readRoute(const fs::path& file, const RouteOptions& options)
                                 ": there is no such file; correct the path, or use block, eights, "
                                 "district, highway or car_park");
   }
-  if (fs::file_size(file, failure) > kMostBytes || failure) {
+  if (fs::file_size(file, failure) > kMaxBytes || failure) {
     return Status::invalidInput(name + ": is larger than 256 MiB; give a KITTI pose file");
   }
   std::ifstream stream(file);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kSky = 1e4;    ///< m; as good as infinite
 constexpr float kSharp = 0.1F;  ///< px; pixels with shorter paths keep their value; bounds the time
 constexpr float kLongest = 200;   ///< px; bounds the time
-constexpr int kMostSamples = 17;  ///< per pixel; bounds the time
+constexpr int kMaxSamples = 17;   ///< per pixel; bounds the time
 constexpr double kNearest = 0.1;  ///< m in front of the camera; keeps the projection finite
 
 }  // namespace
@@ -45,7 +45,7 @@ std::vector<float> shutterBlur(const RenderCamera& view, const std::vector<float
         blurred[at] = sharp[at];
         continue;
       }
-      const int count = std::clamp(2 + static_cast<int>(std::ceil(length)), 3, kMostSamples);
+      const int count = std::clamp(2 + static_cast<int>(std::ceil(length)), 3, kMaxSamples);
       float sum = 0;
       for (int i = 0; i < count; ++i) {  // at the middles of equal intervals of time
         const float t = (static_cast<float>(i) + 0.5F) / static_cast<float>(count) - 0.5F;

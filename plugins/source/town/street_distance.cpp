@@ -13,7 +13,7 @@ namespace tolman::town {
 namespace {
 
 constexpr double kFinestCell = 0.5;  ///< m
-constexpr double kMostCells = 16e6;  ///< of 4 bytes
+constexpr double kMaxCells = 16e6;   ///< of 4 bytes
 constexpr int kBlock = 16;           ///< cells
 
 struct Segment {
@@ -139,7 +139,7 @@ class DistanceRaster {
 GroundGrid distanceGrid(const std::vector<PathPoint>& path, const GridExtent& extent,
                         double farthest) {
   const Eigen::Vector2d size = extent.high - extent.low;
-  const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMostCells));
+  const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMaxCells));
   return DistanceRaster(path, extent, cell, farthest).fill();
 }
 

@@ -20,7 +20,7 @@ extern "C" {
 namespace tolman::video {
 namespace {
 
-constexpr std::int64_t kMostPixels = 100'000'000;
+constexpr std::int64_t kMaxPixels = 100'000'000;
 
 /// FFmpeg's callback to stop waiting.
 int isCancelled(void* cancellation) {
@@ -124,15 +124,15 @@ Status VideoFile::openDecoder() {
   if (decoder_ == nullptr) return Status::failed("no memory for a video");
   int status = avcodec_parameters_to_context(decoder_, &coded);
   decoder_->pkt_timebase = stream_->time_base;
-  decoder_->max_pixels = kMostPixels;
+  decoder_->max_pixels = kMaxPixels;
   decoder_->thread_count = 1;  // threads of FFmpeg would run between two calls
   if (status >= 0) status = avcodec_open2(decoder_, codec, nullptr);
   if (status < 0) {
     return Status::invalidInput("the decoder of " + name + " does not start (" +
                                 libavError(status) + "); convert the video");
   }
-  const bool sane = coded.width > 0 && coded.height > 0 &&
-                    std::int64_t{coded.width} * coded.height <= kMostPixels;
+  const bool sane =
+      coded.width > 0 && coded.height > 0 && std::int64_t{coded.width} * coded.height <= kMaxPixels;
   if (!sane) return Status::invalidInput("has pictures of no size; copy or record it again");
   quarter_turns_ = quarterTurns(*stream_);
   size_ = {coded.width, coded.height};

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kMagic = "TLMANSW2";
 constexpr std::int64_t kStart = -1;
 constexpr std::int64_t kEnd = -2;
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32U;  // of one block
+constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 32U;  // of one block
 
 std::uint64_t checksum(std::string_view payload) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -50,7 +50,7 @@ Status AnswersReader::open(const std::string& run) {
     std::array<std::uint64_t, 3> words{};
     stream_.read(reinterpret_cast<char*>(words.data()), sizeof words);
     block = {static_cast<std::int64_t>(words[0]), words[1], words[2], stream_.tellg()};
-    if (!stream_ || block.size > kMostBytes ||
+    if (!stream_ || block.size > kMaxBytes ||
         block.start + static_cast<std::streamoff>(block.size) > bytes) {
       return damaged("the run has not ended; `tolman run --resume` goes on with it");
     }

@@ -16,12 +16,12 @@ namespace {
 
 /// Throws FileError.
 std::string readText(const fs::path& file) {
-  constexpr std::uintmax_t kMostBytes = 1U << 20U;  // bounds memory
+  constexpr std::uintmax_t kMaxBytes = 1U << 20U;  // bounds memory
   std::error_code failure;
   if (!fs::is_regular_file(file, failure)) {
     throw FileError(0, "is missing; restore it, or correct the path");
   }
-  if (fs::file_size(file, failure) > kMostBytes || failure) {
+  if (fs::file_size(file, failure) > kMaxBytes || failure) {
     throw FileError(0, "is larger than 1 MiB; this is no calibration");
   }
   std::ifstream stream(file, std::ios::binary);

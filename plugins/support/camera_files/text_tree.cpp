@@ -75,10 +75,10 @@ FileError givenTwice(int line, std::string_view key, int first_line) {
 }
 
 std::string inQuotes(std::string_view text) {
-  constexpr std::size_t kMost = 24;  // characters of a message
+  constexpr std::size_t kMax = 24;  // characters of a message
   std::string quoted = "'";
-  for (const char c : text.substr(0, kMost)) quoted += c >= ' ' && c <= '~' ? c : '?';
-  return quoted + (text.size() > kMost ? "...'" : "'");
+  for (const char c : text.substr(0, kMax)) quoted += c >= ' ' && c <= '~' ? c : '?';
+  return quoted + (text.size() > kMax ? "...'" : "'");
 }
 
 }  // namespace tolman::camera_files

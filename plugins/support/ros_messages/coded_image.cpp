@@ -47,8 +47,8 @@ Result<ImageSize> jpegSize(Bytes coded) {
 }  // namespace
 
 Result<ImageSize> plausibleSize(std::uint64_t width, std::uint64_t height) {
-  constexpr std::uint64_t kMostPixels = 100'000'000;  // bounds memory: 300 MB of colour
-  if (width < 1 || height < 1 || width > kMostPixels || height > kMostPixels / width) {
+  constexpr std::uint64_t kMaxPixels = 100'000'000;  // bounds memory: 300 MB of colour
+  if (width < 1 || height < 1 || width > kMaxPixels || height > kMaxPixels / width) {
     return Status::invalidInput("claims an impossible size of " + std::to_string(width) + "x" +
                                 std::to_string(height) + " px");
   }

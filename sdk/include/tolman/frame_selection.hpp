@@ -128,11 +128,11 @@ class FrameSequence {
 
   /// Requires stamps that increase strictly, and sums in stampNs() that fit into 64 bits.
   Status checkStamps() const {
-    constexpr std::int64_t kMostNs = std::int64_t{1} << 62;  // 146 years
+    constexpr std::int64_t kMaxNs = std::int64_t{1} << 62;  // 146 years
     for (std::size_t i = 0; i < stamps_ns_.size(); ++i) {
       const std::string frame =
           std::to_string(selection_.first + static_cast<std::int64_t>(i) * selection_.step);
-      if (stamps_ns_[i] < 0 || stamps_ns_[i] > kMostNs) {
+      if (stamps_ns_[i] < 0 || stamps_ns_[i] > kMaxNs) {
         return Status::invalidInput("the stamp of frame " + frame +
                                     " is not within 0 and 146 years; check its unit");
       }
@@ -141,7 +141,7 @@ class FrameSequence {
                                     " is not after that of the frame before; sort the data");
       }
     }
-    if (stamps_ns_.back() - stamps_ns_.front() > kMostNs / selection_.passes) {
+    if (stamps_ns_.back() - stamps_ns_.front() > kMaxNs / selection_.passes) {
       return Status::invalidParameter("passes = " + std::to_string(selection_.passes) +
                                       " take longer than 146 years; choose fewer");
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The records that flow from stage to stage. Plain data, immutable once published.
 //
-// Time is that of the data, in integer nanoseconds. Results do not depend on the wall clock, except
-// that it decides which frames `realtime` drops. A source numbers its frames 0, 1, 2 ...; under
+// Time is that of the data, in integer nanoseconds. Results do not depend on the wall clock, with
+// two exceptions: which frames `realtime` drops or leaves without place recognition, and calls that
+// exceed the deadline of an isolated stage. A source numbers its frames 0, 1, 2 ...; under
 // `realtime` later stages may not get some of them, and in a continued run the numbers follow those
 // of the earlier run. A stage answers each frame that it is given exactly once; records of a frame
 // are joined by index, never by time. World frame: the left camera at frame 0 (x right, y down,
@@ -103,7 +104,7 @@ struct Motion {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(frame, "", "the frame that the motion arrives at");
+    TOLMAN_FIELD(frame, "", "the frame at which the motion ends");
     TOLMAN_FIELD(stamp_ns, "ns", "its data time");
     TOLMAN_FIELD(state, "", "tracking state");
     TOLMAN_FIELD(dt, "s", "time since the frame before");
@@ -112,7 +113,7 @@ struct Motion {
     TOLMAN_FIELD(v, "m/s", "speed in the plane, negative when reversing");
     TOLMAN_FIELD(omega, "rad/s", "turning rate, positive to the left");
     TOLMAN_FIELD(scale_known, "", "whether lengths are metres");
-    TOLMAN_FIELD(tracked, "", "measurements that carried the estimate");
+    TOLMAN_FIELD(tracked, "", "number of measurements that the estimate is based on");
     TOLMAN_FIELD(is_keyframe, "", "whether the odometry made this frame a keyframe");
     TOLMAN_FIELD(points_frame, "", "the frame that the points belong to, -1 for none");
     TOLMAN_FIELD(points, "px, px, 1/m, 1/m^2", "columns of u, v, inverse depth, its variance");
@@ -147,14 +148,15 @@ struct PlaceObservation {
   Recognition recognition = Recognition::None;
   std::int64_t template_id = -1;  ///< consecutive from 0 in order of creation; -1 only with None
   double score = 0;               ///< distance to the best template, in the plugin's measure
-  double relative_yaw = 0;        ///< rad, heading now minus heading when the template was made
+  double relative_yaw =
+      0;  ///< rad, heading now minus heading at the template, positive to the left
   bool has_relative_pose = false;
   Eigen::Isometry3d T_template_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(frame, "", "the frame that was looked at");
+    TOLMAN_FIELD(frame, "", "the frame of the view");
     TOLMAN_FIELD(stamp_ns, "ns", "its data time");
     TOLMAN_FIELD(recognition, "", "none, novel or familiar");
     TOLMAN_FIELD(template_id, "", "local view template, dense from 0, -1 for none");
@@ -187,14 +189,16 @@ struct EarlierLoop {
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(frame, "", "the frame at which the loop was seen");
     TOLMAN_FIELD(experience, "", "the experience that the robot was back at");
-    TOLMAN_FIELD(T_experience_camera, "m", "pose of that frame in the frame of the experience");
+    TOLMAN_FIELD(T_experience_camera, "m",
+                 "pose of the camera at that frame, in the coordinates of the experience");
     TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
   }
 };
 
 /// Answer of the spatial cells for one frame.
 ///
-/// - CreateExperience: `experience` is the next id; the first frame creates experience 0.
+/// - CreateExperience: `experience` is the next id, from 0. Until the first one is created, the
+///   answer is Stay with experience -1.
 /// - CloseLoop: `experience` is any existing id, including the current one. With
 ///   has_relative_pose the map takes T_experience_current and `covariance`; without, it takes the
 ///   position of the experience and a heading turned by relative_yaw, with a large covariance.
@@ -208,7 +212,8 @@ struct Decision {
   Action action = Action::Stay;
   std::int64_t experience = -1;   ///< consecutive from 0 in order of creation; -1 before the first
   std::int64_t template_id = -1;  ///< the view that led to the decision; -1 for none
-  double relative_yaw = 0;        ///< rad, heading now minus heading at `experience`
+  double relative_yaw =
+      0;  ///< rad, heading now minus heading at `experience`, positive to the left
   bool has_relative_pose = false;
   Eigen::Isometry3d T_experience_current = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
@@ -229,11 +234,12 @@ struct Decision {
     TOLMAN_FIELD(template_id, "", "the view that led to the decision, -1 for none");
     TOLMAN_FIELD(relative_yaw, "rad", "heading now minus heading at the experience");
     TOLMAN_FIELD(has_relative_pose, "", "whether T_experience_current was measured");
-    TOLMAN_FIELD(T_experience_current, "m", "pose now in the frame of the experience");
+    TOLMAN_FIELD(T_experience_current, "m",
+                 "pose of the camera, in the coordinates of the experience");
     TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
     TOLMAN_FIELD(heading, "rad", "head direction estimate");
     TOLMAN_FIELD(confidence, "", "of the decision, 0 to 1");
-    TOLMAN_FIELD(earlier, "", "loops of earlier frames that are believed only now");
+    TOLMAN_FIELD(earlier, "", "loops of earlier frames that are accepted only now");
   }
 };
 
@@ -321,8 +327,9 @@ struct MapGraph {
   std::int64_t version = 0;
   std::vector<Experience> experiences;  ///< experiences[i].id == i
   std::vector<Link> links;              ///< links[i].id == i
-  /// Ascending ids of the loop links that the map has rejected as false. They remain in `links`,
-  /// but do not constrain the map.
+  /// Ascending ids of the loop links that the map takes for false. They remain in `links`; counts,
+  /// exports and connected parts leave them out. A robust optimiser may still give them a small
+  /// weight.
   std::vector<std::int64_t> rejected;
 
   bool isRejected(const Link& link) const {
@@ -334,7 +341,7 @@ struct MapGraph {
     TOLMAN_FIELD(version, "", "number of the last correction of the map");
     TOLMAN_FIELD(experiences, "", "nodes, by id");
     TOLMAN_FIELD(links, "", "constraints, by id");
-    TOLMAN_FIELD(rejected, "", "ids of the loop links that the map has rejected, ascending");
+    TOLMAN_FIELD(rejected, "", "ids of the loop links that the map takes for false, ascending");
   }
 };
 

@@ -21,7 +21,8 @@
 //           The host refuses answers with NaN or infinity, numbers above 1e100, positions beyond
 //           1e12 m, invalid rotations or covariances, and answers whose frame index or stamp
 //           differs from the input's.
-// Results:  depend on inputs, parameters and seed alone, never on time, addresses or thread count.
+// Results:  of a plugin depend on inputs, parameters and seed alone, never on time, addresses or
+//           thread count.
 #pragma once
 
 #include <array>
@@ -206,6 +207,11 @@ struct RunInfo {
 };
 
 /// Reads the records of a run. It cannot change them: the host uses only the returned Status.
+///
+/// In a resumed run begin() is followed by the recorded frames of the session, so that what an
+/// observer writes is whole: without images, sensors and revisions, the cells' arrays as often as
+/// they were recorded, and the graph with the last of these frames. It is the map of the
+/// checkpoint.
 class Observer : public Plugin {
  public:
   virtual Status begin(const RunInfo& run) = 0;

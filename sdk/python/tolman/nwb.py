@@ -164,8 +164,18 @@ def _write_units(writer, run, origin_ns, peak_hz):
     table["spike_times"].attrs["resolution"] = SPIKE_RESOLUTION_S
 
 
+def _laps_of_sessions(poses, seconds):
+    """Laps within each session: how the robot came from one to the next is not known."""
+    x, y, session = (np.asarray(poses[name]) for name in ("x", "y", "session"))
+    rounds = []
+    for which in np.unique(session):
+        own = session == which
+        rounds += laps(x[own], y[own], seconds[own])
+    return rounds
+
+
 def _write_intervals(writer, run, poses, seconds, origin_ns):
-    rounds = laps(np.asarray(poses["x"]), np.asarray(poses["y"]), seconds)
+    rounds = _laps_of_sessions(poses, seconds)
     if rounds:
         columns = {"start_time": ([lap[0] for lap in rounds], "start of the lap, s"),
                    "stop_time": ([lap[1] for lap in rounds], "end of the lap, s"),
@@ -195,6 +205,10 @@ def export(run, out=None, peak_hz=PEAK_HZ):
     if len(poses) < 2:
         raise ValueError(f"{run.path}: fewer than two frames have a pose; there is nothing to export")
     frames = rows_where(frames, np.asarray(frames["frame"]) >= run.first_measured)
+    back = np.flatnonzero(np.diff(np.asarray(frames["stamp_ns"])) <= 0)
+    if len(back) > 0:
+        raise ValueError(f"{run.path}: the times of frame {frames['frame'][back[0] + 1]} and the frame before it, which is of "
+                         "another session, do not increase, and run.nwb has one clock; set evaluation.sessions to own")
     origin_ns = int(frames["stamp_ns"][0])
     seconds = 1e-9 * (np.asarray(poses["stamp_ns"]) - origin_ns)
     started = run.info.get("started", "1980-01-01T00:00:00Z").replace("Z", "+00:00")

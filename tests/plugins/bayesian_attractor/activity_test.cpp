@@ -53,7 +53,7 @@ TEST_CASE("hypotheses are listed with their shares, and fire by their shares") {
   for (int i = 0; i < 50; ++i) step(plugin, motionOf({4, 0, 0}, i), novel(i));
   step(plugin, motionOf({4, 0, 0}, 50), measured(20));
   const auto bumps = arrayOf(plugin, "hypotheses");
-  REQUIRE(bumps.size() == (kMostBumps + 1) * 5);
+  REQUIRE(bumps.size() == (kMaxBumps + 1) * 5);
   CHECK(bumps[1] == Approx(204));     // the integrator
   CHECK(bumps[5 + 1] == Approx(84));  // where template 20 was made
   CHECK(bumps[4] + bumps[5 + 4] == Approx(1));

@@ -32,11 +32,11 @@ double logit(double share) { return std::log(share / (1 - share)); }
 
 TEST_CASE("a view founds a bump with prior odds, likelihood and look-alikes as the energy") {
   BumpNetwork network({});
-  const LearnedPattern start = network.present();
+  const LearnedPattern start = network.currentPattern();
   drive(network, 200);
   // The view claims to see the start from 60 m behind the present place.
   const Recalibration calibrated = network.inject(start, {140, 0, 0}, kMeasured);
-  CHECK_FALSE(calibrated.won);
+  CHECK_FALSE(calibrated.accepted);
 
   // By hand: the covariance of a straight way of n steps.
   const NetworkSettings s;
@@ -62,13 +62,13 @@ TEST_CASE("a view founds a bump with prior odds, likelihood and look-alikes as t
 
 TEST_CASE("one view that path integration expects wins alone, and the integrator takes its place") {
   BumpNetwork network({});
-  const LearnedPattern start = network.present();
+  const LearnedPattern start = network.currentPattern();
   for (int side = 0; side < 4; ++side) {
     drive(network, 99);
     network.integrate({1, 0, std::numbers::pi / 2}, kClaimed);
   }
   const Recalibration calibrated = network.inject(start, {0.5, 0.2, 0.02}, kMeasured);
-  REQUIRE(calibrated.won);
+  REQUIRE(calibrated.accepted);
   CHECK(calibrated.share > 0.98);
   CHECK(calibrated.views == 1);
   CHECK(calibrated.bump == 0);
@@ -83,17 +83,17 @@ TEST_CASE("support adds up: views far from path integration win when they agree"
   BumpNetwork network({});
   std::vector<LearnedPattern> seen;
   for (int i = 0; i < 400; ++i) {  // once round a circle
-    seen.push_back(network.present());
+    seen.push_back(network.currentPattern());
     drive(network, 1, 2 * std::numbers::pi / 400);
   }
   // The truth: path integration is 20 m behind.
   int views = 0;
-  bool won = false;
-  for (std::size_t place = 20; !won && views < 20; place += 5, ++views) {
-    won = network.inject(seen[place], {}, kMeasured).won;
+  bool accepted = false;
+  for (std::size_t place = 20; !accepted && views < 20; place += 5, ++views) {
+    accepted = network.inject(seen[place], {}, kMeasured).accepted;
     drive(network, 5, 2 * std::numbers::pi / 400);
   }
-  CHECK(won);
+  CHECK(accepted);
   CHECK(views > 1);
   CHECK(views < 8);
 }
@@ -102,30 +102,30 @@ TEST_CASE("views that contradict each other make bumps of their own, never an av
   BumpNetwork network({});
   std::vector<LearnedPattern> seen;
   for (int i = 0; i < 600; ++i) {
-    seen.push_back(network.present());
+    seen.push_back(network.currentPattern());
     drive(network, 1, 0.01);
   }
   RandomStream random(2);
   for (int i = 0; i < 100; ++i) {
     drive(network, 5);
-    CHECK_FALSE(network.inject(seen[random.below(400)], {}, kMeasured).won);
-    CHECK(network.state().calibration.size() <= kMostBumps);
+    CHECK_FALSE(network.inject(seen[random.below(400)], {}, kMeasured).accepted);
+    CHECK(network.state().calibration.size() <= kMaxBumps);
   }
 }
 
 TEST_CASE("the same view on the spot is no new evidence") {
   BumpNetwork network({});
-  const LearnedPattern start = network.present();
+  const LearnedPattern start = network.currentPattern();
   drive(network, 300);
   network.inject(start, {250, 30, 0}, kMeasured);
   const double once = strongest(network).energy;
-  for (int i = 0; i < 20; ++i) CHECK_FALSE(network.inject(start, {250, 30, 0}, kMeasured).won);
+  for (int i = 0; i < 20; ++i) CHECK_FALSE(network.inject(start, {250, 30, 0}, kMeasured).accepted);
   CHECK(strongest(network).energy == once);
 }
 
 TEST_CASE("a bump loses energy with the way, and vanishes") {
   BumpNetwork network({});
-  const LearnedPattern start = network.present();
+  const LearnedPattern start = network.currentPattern();
   drive(network, 100);
   network.inject(start, {94, 0, 0}, kMeasured);
   const double before = strongest(network).energy;
@@ -137,50 +137,50 @@ TEST_CASE("a bump loses energy with the way, and vanishes") {
 
 TEST_CASE("without injection no bump ever wins") {
   BumpNetwork network({.injection = 0});
-  const LearnedPattern start = network.present();
+  const LearnedPattern start = network.currentPattern();
   for (int i = 0; i < 50; ++i) {
     drive(network, 5, 2 * std::numbers::pi / 50);
     CHECK_FALSE(
         network
             .inject(start, network.code().between(start.pattern, network.state().integrator.centre),
                     kMeasured)
-            .won);
+            .accepted);
   }
 }
 
 TEST_CASE("with one grid module a view one period away is as good as the true one") {
-  const auto won = [](int modules) {
+  const auto accepted = [](int modules) {
     BumpNetwork network({.modules = modules});
-    const LearnedPattern start = network.present();
+    const LearnedPattern start = network.currentPattern();
     drive(network, 150);  // one period
-    return network.inject(start, {}, kMeasured).won;
+    return network.inject(start, {}, kMeasured).accepted;
   };
-  CHECK(won(1));
-  CHECK_FALSE(won(4));
+  CHECK(accepted(1));
+  CHECK_FALSE(accepted(4));
 }
 
 TEST_CASE("new_part up in an unknown place, views that agree find it, and the parts are joined") {
   BumpNetwork network({});
   std::vector<LearnedPattern> seen;
   for (int i = 0; i < 400; ++i) {
-    seen.push_back(network.present());
+    seen.push_back(network.currentPattern());
     drive(network, 1, i % 100 < 50 ? 0.01 : -0.02);
   }
   network.startPart();
   drive(network, 30);
-  LearnedPattern meanwhile = network.present();
+  LearnedPattern meanwhile = network.currentPattern();
   std::size_t views = 0;
   Recalibration calibrated;
-  while (!calibrated.won && views < 20) {
+  while (!calibrated.accepted && views < 20) {
     calibrated = network.inject(seen[100 + 5 * views++], {}, kMeasured);
-    if (!calibrated.won) drive(network, 5, 0.01);
+    if (!calibrated.accepted) drive(network, 5, 0.01);
   }
-  REQUIRE(calibrated.won);
+  REQUIRE(calibrated.accepted);
   CHECK(views >= 3);
   CHECK(calibrated.joined_part == 1);
   CHECK(network.state().part == 0);
   const PlanarPose before = network.code().between(calibrated.from, meanwhile.pattern);
-  network.rejoin(calibrated, meanwhile);
+  network.moveToJoinedPart(calibrated, meanwhile);
   CHECK(meanwhile.part == 0);
   const PlanarPose after = network.code().between(calibrated.to, meanwhile.pattern);
   CHECK(after.x == Approx(before.x));
@@ -190,7 +190,7 @@ TEST_CASE("new_part up in an unknown place, views that agree find it, and the pa
 TEST_CASE("the share of right views is learned: after many look-alikes more support is needed") {
   const auto energyAfter = [](int lies) {
     BumpNetwork network({});
-    const LearnedPattern start = network.present();
+    const LearnedPattern start = network.currentPattern();
     drive(network, 300);
     RandomStream random(5);
     for (int i = 0; i < lies; ++i) {

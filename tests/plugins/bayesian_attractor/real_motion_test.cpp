@@ -28,7 +28,7 @@ Counts closedBy(const std::filesystem::path& folder, const NetworkSettings& sett
   }
   const Eigen::Matrix3d measured = Eigen::Vector3d(0.09, 0.09, 9e-4).asDiagonal();
   BumpNetwork network(settings);
-  std::vector<LearnedPattern> learned = {network.present()};
+  std::vector<LearnedPattern> learned = {network.currentPattern()};
   Counts counts;
   for (int frame = 1; frame <= static_cast<int>(motion.size()); ++frame) {
     const PlanarPose& step = motion[static_cast<std::size_t>(frame - 1)].step;
@@ -41,12 +41,12 @@ Counts closedBy(const std::filesystem::path& folder, const NetworkSettings& sett
       const auto then = static_cast<std::size_t>(it->second.to);
       const PlanarPose offset = between(it->second.step, {});
       const Recalibration calibrated = network.inject(learned[then], offset, measured);
-      if (!calibrated.won) continue;
+      if (!calibrated.accepted) continue;
       const PlanarPose apart = between(truth[static_cast<std::size_t>(frame)], truth[then]);
       int& count = std::hypot(apart.x, apart.y) <= 10 ? counts.right : counts.wrong;
       count += static_cast<int>(calibrated.views);
     }
-    learned.push_back(network.present());
+    learned.push_back(network.currentPattern());
   }
   return counts;
 }

@@ -18,38 +18,38 @@ Motion motionTo(std::int64_t frame, const Eigen::Isometry3d& T) {
 }
 
 DeadReckoning drive(std::int64_t frames, std::int64_t stride = 1) {
-  DeadReckoning log;
-  for (std::int64_t k = 0; k < frames; ++k) log.append(motionTo(k * stride, step(1, 0.1)), 0);
-  return log;
+  DeadReckoning path;
+  for (std::int64_t k = 0; k < frames; ++k) path.append(motionTo(k * stride, step(1, 0.1)), 0);
+  return path;
 }
 
 }  // namespace
 
 TEST_CASE("frames that were left out have no slot") {
-  const DeadReckoning log = drive(5, 3);
-  CHECK(log.slotOf(9) == 3);
-  CHECK(log.slotOf(0) == 0);
-  CHECK_FALSE(log.slotOf(10));
-  CHECK_FALSE(log.slotOf(13));
-  CHECK_FALSE(log.slotOf(-1));
-  CHECK(log.seconds(1, 4) == Approx(0.9));
+  const DeadReckoning path = drive(5, 3);
+  CHECK(path.slotOf(9) == 3);
+  CHECK(path.slotOf(0) == 0);
+  CHECK_FALSE(path.slotOf(10));
+  CHECK_FALSE(path.slotOf(13));
+  CHECK_FALSE(path.slotOf(-1));
+  CHECK(path.seconds(1, 4) == Approx(0.9));
 }
 
 TEST_CASE("the first motion arrives at the origin, whatever it says") {
-  const DeadReckoning log = drive(2);
-  CHECK(difference(log[0].T_start_camera, Eigen::Isometry3d::Identity()) == 0);
-  CHECK(difference(log[1].T_start_camera, step(1, 0.1)) < 1e-15);
+  const DeadReckoning path = drive(2);
+  CHECK(difference(path[0].T_start_camera, Eigen::Isometry3d::Identity()) == 0);
+  CHECK(difference(path[1].T_start_camera, step(1, 0.1)) < 1e-15);
 }
 
 TEST_CASE("frames that do not come in order are refused") {
-  const DeadReckoning log = drive(5);
-  CHECK(log.check(motionTo(5, step(1))).isOk());
-  CHECK(log.check(motionTo(4, step(1))).message() ==
+  const DeadReckoning path = drive(5);
+  CHECK(path.check(motionTo(5, step(1))).isOk());
+  CHECK(path.check(motionTo(4, step(1))).message() ==
         "motion of frame 4 comes after that of frame 4; frames must come in order");
 }
 
 TEST_CASE("a revision moves everything behind it and nothing before") {
-  DeadReckoning log = drive(10);
+  DeadReckoning path = drive(10);
   const DeadReckoning before = drive(10);
   std::size_t unknown = 0;
   MotionRevision first_try{
@@ -59,11 +59,11 @@ TEST_CASE("a revision moves everything behind it and nothing before") {
   MotionRevision of_nothing{
       .frame = 77, .T_previous_current = step(2), .covariance = Matrix6d::Zero()};
   const std::vector<MotionRevision> revisions = {first_try, of_nothing, final_try};
-  CHECK(log.revise(revisions, unknown) == 6);
+  CHECK(path.revise(revisions, unknown) == 6);
   CHECK(unknown == 1);
-  CHECK(difference(log[5].T_start_camera, before[5].T_start_camera) == 0);
-  CHECK(difference(log[6].T_start_camera, before[5].T_start_camera * step(2, 0)) < 1e-14);
-  CHECK(difference(log.between(6, 9).T, before.between(6, 9).T) < 1e-14);
+  CHECK(difference(path[5].T_start_camera, before[5].T_start_camera) == 0);
+  CHECK(difference(path[6].T_start_camera, before[5].T_start_camera * step(2, 0)) < 1e-14);
+  CHECK(difference(path.between(6, 9).T, before.between(6, 9).T) < 1e-14);
 }
 
 TEST_CASE("uncertainty of a way grows with its motions, and most where tracking was lost") {

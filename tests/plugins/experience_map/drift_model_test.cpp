@@ -43,15 +43,15 @@ Lap drive(std::uint64_t seed, const Eigen::Vector3d& steady, double bend) {
     Vector6d step;
     step << 0, 0.3 * std::sin(0.1 * static_cast<double>(k)), kLength, 0.02, 0.3141592, 0.01;
     truth.push_back(truth.back() * expSe3(step));
-    SpatialLink way;
-    way.from = k - 1;
-    way.to = k;
-    way.pose =
+    SpatialLink link;
+    link.from = k - 1;
+    link.to = k;
+    link.pose =
         truth[k - 1].inverse() * truth[k] * noise(random, 0.01, bend * kLength) * expSe3(drift);
-    way.covariance = isotropic(0.02, kRotation * kLength);
-    way.robust = false;
-    lap.nodes.push_back(lap.nodes.back() * way.pose);
-    lap.links.push_back(way);
+    link.covariance = isotropic(0.02, kRotation * kLength);
+    link.robust = false;
+    lap.nodes.push_back(lap.nodes.back() * link.pose);
+    lap.links.push_back(link);
     lap.lengths.push_back(kLength);
   }
   for (const auto& [from, to] : {std::pair{2, 22}, {9, 29}, {3, 43}, {27, 47}}) {
@@ -65,9 +65,9 @@ Lap drive(std::uint64_t seed, const Eigen::Vector3d& steady, double bend) {
   return lap;
 }
 
-Eigen::VectorXd loopResiduals(const Lap& lap, const std::vector<SpatialLink>& ways) {
+Eigen::VectorXd loopResiduals(const Lap& lap, const std::vector<SpatialLink>& links) {
   std::vector<Eigen::Isometry3d> nodes = {lap.nodes[0]};
-  for (std::size_t k = 0; k < lap.lengths.size(); ++k) nodes.push_back(nodes[k] * ways[k].pose);
+  for (std::size_t k = 0; k < lap.lengths.size(); ++k) nodes.push_back(nodes[k] * links[k].pose);
   const std::size_t loops = lap.links.size() - lap.lengths.size();
   Eigen::VectorXd all(static_cast<Eigen::Index>(6 * loops));
   for (std::size_t l = 0; l < loops; ++l) {
@@ -96,11 +96,11 @@ Oracle oracle(const Lap& lap, double rotation) {
   for (std::size_t k = 0; k < lap.lengths.size(); ++k) {
     Eigen::MatrixXd by(r.size(), 6);
     for (int i = 0; i < 6; ++i) {
-      std::vector<SpatialLink> ways = lap.links;
-      ways[k].pose = ways[k].pose * expSe3(kSmall * Vector6d::Unit(i));
-      const Eigen::VectorXd ahead = loopResiduals(lap, ways);
-      ways[k].pose = lap.links[k].pose * expSe3(-kSmall * Vector6d::Unit(i));
-      by.col(i) = (ahead - loopResiduals(lap, ways)) / (2 * kSmall);
+      std::vector<SpatialLink> links = lap.links;
+      links[k].pose = links[k].pose * expSe3(kSmall * Vector6d::Unit(i));
+      const Eigen::VectorXd ahead = loopResiduals(lap, links);
+      links[k].pose = lap.links[k].pose * expSe3(-kSmall * Vector6d::Unit(i));
+      by.col(i) = (ahead - loopResiduals(lap, links)) / (2 * kSmall);
     }
     S += by * isotropic(0.02, rotation * kLength) * by.transpose();
     by_steady -= kLength * by.leftCols<3>();
@@ -192,16 +192,16 @@ TEST_CASE("a prior of no steady drift leaves none") {
 }
 
 TEST_CASE("a link under another drift: the end moves back, the covariance shrinks, a gap stays") {
-  SpatialLink way;
-  way.pose = expSe3((Vector6d() << 1, 2, 3, 0.1, 0.2, 0.3).finished());
-  way.covariance = isotropic(0.1, 0.01);
+  SpatialLink link;
+  link.pose = expSe3((Vector6d() << 1, 2, 3, 0.1, 0.2, 0.3).finished());
+  link.covariance = isotropic(0.1, 0.01);
   const DriftModel drift = {0.001, {0, 0.01, 0}};
-  const SpatialLink moved = withDrift(way, 4, 0.002, drift);
-  const Eigen::Vector3d back = (way.pose.inverse() * moved.pose).translation();
+  const SpatialLink moved = withDrift(link, 4, 0.002, drift);
+  const Eigen::Vector3d back = (link.pose.inverse() * moved.pose).translation();
   CHECK((back - Eigen::Vector3d(0, -0.04, 0)).norm() < 1e-12);
   CHECK(moved.covariance(4, 4) == Approx(1e-4 - 16 * (4e-6 - 1e-6)));
   CHECK(moved.covariance(1, 1) == Approx(0.01));
-  CHECK(withDrift(way, 0, 0.002, drift).pose.isApprox(way.pose, 0));
+  CHECK(withDrift(link, 0, 0.002, drift).pose.isApprox(link.pose, 0));
 }
 
 }  // namespace tolman::experience_map

@@ -15,7 +15,7 @@ const kPage = fileURLToPath(
 );
 const kTypes = { '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css' };
 const kPolicy = "default-src 'self'; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'";
-const kMostRows = 2000;
+const kMaxRows = 2000;
 
 export class FakeServer {
   /** `start`: rows that are there already; `images`: false for a run without camera; `recorded`: the
@@ -136,7 +136,7 @@ export class FakeServer {
 
   frameMessage(client) {
     const n = kColumns.length;
-    const to = Math.min(this.rows, client.sent + kMostRows);
+    const to = Math.min(this.rows, client.sent + kMaxRows);
     const rows = this.run.rows.slice(client.sent * n, to * n);
     const events = this.pastEvents(this.rows).slice(client.events);
     const extra = { rows_from: client.sent, dropped: client.dropped, events };
