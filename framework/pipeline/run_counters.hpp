@@ -30,7 +30,7 @@ struct RunCounters {
   std::int64_t skipped = 0;     ///< frames at which a stage failed and the run continued
   std::int64_t impossible = 0;  ///< motions that `checks` replaced by a prediction, and frames with
                                 ///< a revision that they left out
-  std::int64_t defects = 0;         ///< frames without a sound image
+  std::int64_t defects = 0;     ///< frames without a sound image
   std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
   std::int64_t lost = 0;            ///< frames with odometry lost
   std::int64_t unmoved = 0;         ///< tracked frames whose motion is exactly zero

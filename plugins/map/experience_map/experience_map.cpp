@@ -114,7 +114,7 @@ void ExperienceMap::warnOfUnknown(std::size_t count, const char* what) const {
 void ExperienceMap::startPart() {
   chain_.startPart(motions_);
   log_->info("frame " + std::to_string(motions_[motions_.last()].frame) +
-              ": tracking restarted at an unknown pose; a new part of the map begins");
+             ": tracking restarted at an unknown pose; a new part of the map begins");
 }
 
 void ExperienceMap::applyDecision(const Decision& decision) {

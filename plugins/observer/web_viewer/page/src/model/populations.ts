@@ -38,8 +38,8 @@ export interface SortedArrays {
   readonly others: readonly OtherArray[];
 }
 
-const kMinRing = 12; // units; smaller arrays without description are not drawn as rings
-const kMinSheet = 4; // units along each axis
+const kLeastRing = 12; // units; smaller arrays without description are not drawn as rings
+const kLeastSheet = 4; // units along each axis
 
 export function sortArrays(arrays: readonly FrameArray[], infos: readonly ArrayInfo[]): SortedArrays {
   const described = arrays
@@ -61,8 +61,8 @@ function infoOf({ name, shape }: FrameArray, infos: readonly ArrayInfo[]): Array
   const info = infos.find((i) => i.name === name);
   if (info !== undefined) return info;
   const isOldRun = infos.length === 0;
-  const isRing = isOldRun && shape.length === 1 && (shape[0] as number) >= kMinRing;
-  const isSheet = isOldRun && shape.length === 2 && shape.every((units) => units >= kMinSheet);
+  const isRing = isOldRun && shape.length === 1 && (shape[0] as number) >= kLeastRing;
+  const isSheet = isOldRun && shape.length === 2 && shape.every((units) => units >= kLeastSheet);
   const axes = shape.map((units, i) => ({ name: `axis ${i}`, unit: '', period: units, first: 0, step: 1, labels: [] }));
   return { name, kind: isRing || isSheet ? 'activity' : 'values', unit: '', doc: '', population: '', axes };
 }

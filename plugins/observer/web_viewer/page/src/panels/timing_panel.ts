@@ -11,7 +11,7 @@ import { axis, fitPlot, hideCanvas } from './plot_look';
 
 const kDurations = kColumns.filter((column) => column.startsWith('duration.'));
 const kFrames = 300;
-const kMin = 1e-3; // ms; a logarithmic axis has no zero
+const kLeast = 1e-3; // ms; a logarithmic axis has no zero
 
 const kStageColours: Readonly<Record<string, keyof Colours>> = {
   source: 'grey', odometry: 'orange', place: 'purple', cells: 'green', map: 'blue',
@@ -54,7 +54,7 @@ export class TimingPanel implements Panel {
     const columns = kDurations.map((column) => rows.column(column));
     const frames = Array.from(rows.column('frame.frame').subarray(first, row + 1));
     const lines = columns.map((column) =>
-      Array.from(column.subarray(first, row + 1), (ms) => (ms >= 0 ? Math.max(ms, kMin) : null)),
+      Array.from(column.subarray(first, row + 1), (ms) => (ms >= 0 ? Math.max(ms, kLeast) : null)),
     );
     plot.setData([frames, ...lines]);
     columns.forEach((column, i) => {
@@ -67,8 +67,8 @@ export class TimingPanel implements Panel {
   private makePlot(): uPlot {
     const colours = () => this.colours as Colours;
     const log = (_: uPlot, low: number, high: number): uPlot.Range.MinMax => [
-      10 ** Math.floor(Math.log10(Math.max(low ?? 1, kMin))),
-      10 ** Math.ceil(Math.log10(Math.max(high ?? 1, 10 * kMin))),
+      10 ** Math.floor(Math.log10(Math.max(low ?? 1, kLeast))),
+      10 ** Math.ceil(Math.log10(Math.max(high ?? 1, 10 * kLeast))),
     ];
     const plot = new uPlot(
       {
