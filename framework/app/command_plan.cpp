@@ -98,6 +98,7 @@ End endOf(const std::string& text, const record::RunReader& reader, const MapGra
 struct RoutePlan {
   End from;
   End to;
+  bool scale_known = true;  ///< false (a single camera): lengths are in arbitrary units
   planning::PlannedRoute route;
 };
 
@@ -118,28 +119,31 @@ nlohmann::ordered_json toJson(const RoutePlan& plan, const MapGraph& graph) {
                     {"seconds", leg.seconds},
                     {"metres", leg.metres}});
   }
-  return {{"from", toJson(plan.from)},
-          {"to", toJson(plan.to)},
-          {"seconds", plan.route.seconds()},
-          {"metres", plan.route.metres()},
-          {"legs", legs}};
+  return {{"from", toJson(plan.from)},       {"to", toJson(plan.to)},
+          {"scale_known", plan.scale_known}, {"seconds", plan.route.seconds()},
+          {"metres", plan.route.metres()},   {"legs", legs}};
 }
 
 void print(const RoutePlan& plan, const MapGraph& graph) {
-  std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right m",
-                           "forward m", "up m", "time s", "path m");
+  const char* unit = plan.scale_known ? "m" : "units";
+  std::cout << fmt::format("{:>10} {:>9} {:>9} {:>9} {:>9} {:>9}\n", "experience", "right",
+                           "forward", "up", "time s", "path");
   for (const planning::Leg& leg : plan.route.legs) {
-    const Eigen::Vector3d p = placeOf(leg.experience, graph);
+    Eigen::Vector3d p = placeOf(leg.experience, graph);
+    for (double& metres : p) metres = std::abs(metres) < 0.005 ? 0 : metres;  // no "-0.00"
     std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n",
                              leg.experience, p.x(), p.y(), p.z(), leg.seconds, leg.metres);
   }
-  std::cout << fmt::format("{} experience{}, {:.1f} m, {:.1f} s\n", plan.route.legs.size(),
-                           plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(),
+  std::cout << fmt::format("{} experience{}, {:.1f} {}, {:.1f} s\n", plan.route.legs.size(),
+                           plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(), unit,
                            plan.route.seconds());
+  if (!plan.scale_known) {
+    std::cout << "lengths and places are in arbitrary units: one camera does not tell the scale\n";
+  }
   for (const End& end : {plan.from, plan.to}) {
     if (end.away_m) {
-      std::cout << fmt::format("{} is {:.1f} m from experience {}, the nearest\n", end.given,
-                               *end.away_m, end.experience);
+      std::cout << fmt::format("{} is {:.1f} {} from experience {}, the nearest\n", end.given,
+                               *end.away_m, unit, end.experience);
     }
   }
 }
@@ -147,7 +151,10 @@ void print(const RoutePlan& plan, const MapGraph& graph) {
 void run(const RouteOptions& options, const Invocation& invocation) {
   const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
   const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
-  RoutePlan plan{endOf(options.from, *reader, graph), endOf(options.to, *reader, graph), {}};
+  RoutePlan plan{endOf(options.from, *reader, graph),
+                 endOf(options.to, *reader, graph),
+                 valueOrEnd(reader->scaleKnown(), ExitCode::Dataset),
+                 {}};
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);

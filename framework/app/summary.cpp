@@ -27,8 +27,8 @@ std::string scoreText(std::string_view name, const std::optional<evaluation::Uni
 }  // namespace
 
 std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMetrics& metrics) {
-  std::string text =
-      fmt::format("{:<10}path {:.2f} m over {} poses", name, metrics.path_length_m, metrics.poses);
+  std::string text = fmt::format("{:<10}path {:.2f} {} over {} poses", name, metrics.path_length_m,
+                                 metrics.in_metres ? "m" : "units of unknown scale", metrics.poses);
   if (!metrics.scores) return text + fmt::format("; no error figures: {}\n", metrics.reason);
   const evaluation::Scores& s = *metrics.scores;
   text += fmt::format("; matched {}; {:.1f} % of the truth tracked\n", metrics.matched,

@@ -69,9 +69,11 @@ void scorePosition(const std::vector<PopulationHistory>& sheets, const StampedPo
   std::vector<double> errors;
   std::optional<PositionDecoder> decoder;
   for (const auto& [frame, modules] : phasesOf(sheets)) {
-    const auto mapped = map.find(frame);
-    if (mapped == map.end()) continue;
-    if (!decoder) decoder = decoderFrom(modules, positionOf(mapped->second), truth);
+    if (!decoder) {
+      const auto first = map.find(frame);
+      if (first == map.end()) continue;
+      decoder = decoderFrom(modules, positionOf(first->second), truth);
+    }
     const auto at = truth.find(frame);
     if (at == truth.end()) continue;
     errors.push_back(scale * decoder->error(modules, positionOf(at->second)));
@@ -96,8 +98,8 @@ Shuffling shufflingOf(const RecordedUnits& units, CellFigures& figures) {
 }  // namespace
 
 std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,
-                                      const Trajectory& truth, const TrajectoryMetrics& scored,
-                                      std::uint64_t seed) {
+                                      const Trajectory& since_start, const Trajectory& truth,
+                                      const TrajectoryMetrics& scored, std::uint64_t seed) {
   if (cells.rings.empty() && cells.sheets.empty()) return std::nullopt;
   CellFigures figures;
   figures.truth = scored.scores.has_value();
@@ -106,7 +108,7 @@ std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory
   const StampedPoses mapped = stampedPosesOf(map);
   const StampedPoses places = figures.truth ? stampedPosesOf(truth) : mapped;
   if (figures.truth) {
-    scorePosition(cells.sheets, mapped, places, scored.scores->scale, figures);
+    scorePosition(cells.sheets, stampedPosesOf(since_start), places, scored.scores->scale, figures);
   } else {
     figures.reason = figures.position_reason = scored.reason;
   }

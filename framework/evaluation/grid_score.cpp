@@ -102,6 +102,43 @@ int nearestPeaks(const std::vector<double>& mean, int centre) {
   return static_cast<int>(best);
 }
 
+/// Whether no neighbour is higher; unknown correlations are no neighbours.
+bool isPeak(const Eigen::MatrixXd& r, Eigen::Index i, Eigen::Index j) {
+  if (std::isnan(r(i, j))) return false;
+  for (Eigen::Index a = std::max<Eigen::Index>(i - 1, 0); a <= std::min(i + 1, r.rows() - 1); ++a) {
+    for (Eigen::Index b = std::max<Eigen::Index>(j - 1, 0); b <= std::min(j + 1, r.cols() - 1);
+         ++b) {
+      if (r(a, b) > r(i, j)) return false;
+    }
+  }
+  return true;
+}
+
+/// Mean distance of the peaks around the centre, in bins. `ring` is the maximum of the radial mean,
+/// which lies further out: the flank of a square lattice's ring holds its diagonal neighbours.
+double peakDistance(const Eigen::MatrixXd& r, int reach, int ring) {
+  constexpr double kInner = 0.6;                 // of the ring
+  constexpr double kTogether = 1.2;              // of the smallest distance
+  std::vector<std::pair<double, double>> peaks;  // distance, height
+  double highest = 0;
+  for (Eigen::Index i = 0; i < r.rows(); ++i) {
+    for (Eigen::Index j = 0; j < r.cols(); ++j) {
+      const double away =
+          std::hypot(static_cast<double>(i - reach), static_cast<double>(j - reach));
+      if (away < kInner * ring || away > kNearest * ring || !isPeak(r, i, j)) continue;
+      peaks.emplace_back(away, r(i, j));
+      highest = std::max(highest, r(i, j));
+    }
+  }
+  std::erase_if(peaks, [&](const auto& peak) { return peak.second < 0.5 * highest; });
+  if (peaks.empty() || highest <= 0) return ring;
+  const double nearest = std::ranges::min_element(peaks)->first;
+  std::erase_if(peaks, [&](const auto& peak) { return peak.first > kTogether * nearest; });
+  double sum = 0;
+  for (const auto& [away, height] : peaks) sum += away;
+  return sum / static_cast<double>(peaks.size());
+}
+
 double interpolated(const Eigen::MatrixXd& r, double x, double y) {
   const double i = std::floor(x);
   const double j = std::floor(y);
@@ -187,7 +224,7 @@ std::optional<GridScores> gridScores(const RateMap& map) {
   const int centre = centralPeak(mean);
   const int nearest = nearestPeaks(mean, centre);
   const int outer = std::min(reach, static_cast<int>(std::lround(kNearest * nearest)));
-  GridScores scores{0, kNan, 0, nearest * map.bin};
+  GridScores scores{0, kNan, 0, peakDistance(r, reach, nearest) * map.bin};
   RotatedRing ring(r, reach);
   for (int radius = centre + 1; radius <= reach; ++radius) {
     ring.grow(radius);

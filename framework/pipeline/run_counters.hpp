@@ -21,7 +21,7 @@ inline constexpr std::string_view kNeverBelieved =
 inline constexpr std::string_view kStoodStill =
     "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
     "moved, "
-    "see `tolman dataset check`, and `tolman validate` for the plugin";
+    "see `tolman dataset check`, and `tolman plugins validate` for the plugin";
 
 /// Counters of the health of a run.
 struct RunCounters {

@@ -137,10 +137,10 @@ std::string errorRow(const char* name, const evaluation::TrajectoryMetrics& m) {
   const auto metres = [&](double value) { return number(m.scores.has_value(), value, 3); };
   const auto drift = [&](double value) { return number(scores.kitti.segments > 0, value, 3); };
   return fmt::format(
-      "<tr><td>{}</td><td>{:.1f}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+      "<tr><td>{}</td><td>{:.1f}{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      name, m.path_length_m, metres(scores.ate_m.rmse), metres(scores.ate_m.mean),
-      metres(scores.ate_m.median), metres(scores.ate_m.max),
+      name, m.path_length_m, m.in_metres ? "" : " units", metres(scores.ate_m.rmse),
+      metres(scores.ate_m.mean), metres(scores.ate_m.median), metres(scores.ate_m.max),
       number(scores.horizontal_m.count > 0, scores.horizontal_m.rmse, 3),
       number(scores.vertical_m.count > 0, scores.vertical_m.rmse, 3),
       drift(scores.kitti.t_rel_percent), drift(scores.kitti.r_rel_deg_per_100m),

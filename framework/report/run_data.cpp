@@ -246,9 +246,13 @@ Result<RunData> readRun(const record::RunReader& reader, const config::Evaluatio
     data.metrics = measure(reader, truth, data, settings);
     data.metrics.motions = consistencyOf(reader, own, truth, data.metrics.alignment);
     alignTruth(data, truth, must(reader.scaleKnown()));
+    for (evaluation::TrajectoryMetrics* scored : {&data.metrics.odometry, &data.metrics.map}) {
+      const bool scaled = scored->scores && data.metrics.alignment == Alignment::Sim3;
+      scored->in_metres = scaled || must(reader.scaleKnown());
+    }
     data.cells = cellsOf(reader);
-    data.metrics.cells =
-        evaluation::scoreCells(data.cells, data.map, data.truth, data.metrics.map, seed);
+    data.metrics.cells = evaluation::scoreCells(data.cells, data.map, must(reader.map()),
+                                                data.truth, data.metrics.map, seed);
     data.odometry_error = errorsOf(truth, data.odometry, data.metrics.alignment);
     data.map_error = errorsOf(truth, data.map, data.metrics.alignment);
     return data;

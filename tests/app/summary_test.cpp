@@ -91,6 +91,12 @@ TEST_CASE("without truth there are no error figures, and the reason is said") {
   unscored.reason = "there is no ground truth";
   CHECK(app::trajectoryText("map", unscored) ==
         "map       path 108.00 m over 108 poses; no error figures: there is no ground truth\n");
+  unscored.in_metres = false;
+  CHECK_THAT(app::trajectoryText("map", unscored),
+             Catch::Contains("path 108.00 units of unknown scale over 108 poses"));
+  const auto json = evaluation::toJson(unscored);
+  CHECK(json["path_length_m"].is_null());
+  CHECK(json["path_length_units"] == 108);
 }
 
 TEST_CASE("one line tells what the cells said and how they are tuned") {

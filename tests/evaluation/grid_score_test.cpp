@@ -75,7 +75,7 @@ TEST_CASE("a hexagonal lattice scores as hexagonal, however turned, and not as s
     CHECK(scores->sargolini > 1);
     CHECK(scores->langston >= scores->sargolini);
     CHECK(scores->square < 0.2);
-    CHECK(scores->spacing == Approx(12).margin(1.01));
+    CHECK(scores->spacing == Approx(12).margin(0.5));
   }
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("a square lattice scores as square, however turned, and not as hexagon
     REQUIRE(scores);
     CHECK(scores->square > 1);
     CHECK(scores->sargolini < 0.2);
-    CHECK(scores->spacing == Approx(11).margin(1.01));
+    CHECK(scores->spacing == Approx(11).margin(0.5));
   }
 }
 

@@ -41,8 +41,8 @@ class SpatialTest(unittest.TestCase):
         self.assertLess(hexagonal.square, 0)
         self.assertGreater(square.square, 1)
         self.assertLess(square.sargolini, 0)
-        self.assertAlmostEqual(hexagonal.spacing, 10, delta=1)
-        self.assertAlmostEqual(square.spacing, 10, delta=1)
+        self.assertAlmostEqual(hexagonal.spacing, 10, delta=0.4)
+        self.assertAlmostEqual(square.spacing, 10, delta=0.4)
 
     def test_by_the_definition_a_square_lattice_is_far_below_zero_in_every_ring(self):
         """min(r60, r120) - max(r30, r90, r150): r90 of squares is 1, and r60 cannot be. The lattice of peaks of an autocorrelogram is a formula here."""

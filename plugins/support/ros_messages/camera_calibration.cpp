@@ -23,6 +23,10 @@ Pinhole pinholeOfP(const CameraInfoMessage& info) {
   return {info.P[0], info.P[5], info.P[2], info.P[6]};
 }
 
+Pinhole rectifiedPinhole(const CameraInfoMessage& info) {
+  return hasP(info) ? pinholeOfP(info) : Pinhole{info.K[0], info.K[4], info.K[2], info.K[5]};
+}
+
 Status checkSize(const CameraInfoMessage& info, int width, int height) {
   if (static_cast<std::int64_t>(info.width) == width &&
       static_cast<std::int64_t>(info.height) == height) {
@@ -85,6 +89,20 @@ Result<RawCamera> rawCamera(const CameraInfoMessage& info, int width, int height
   return camera;
 }
 
+/// Disparities are only those of depths if both cameras have one focal length and centre.
+Status checkRight(const CameraInfoMessage& right, const CameraRig& rig) {
+  constexpr double kSame = 1e-3;  // px; digits that are recorded
+  if (Status status = checkSize(right, rig.width, rig.height); !status.isOk()) return status;
+  const Pinhole p = rectifiedPinhole(right);
+  const Pinhole& q = rig.pinhole;
+  const Eigen::Vector4d apart(p.fx - q.fx, p.fy - q.fy, p.cx - q.cx, p.cy - q.cy);
+  if (apart.isZero(kSame)) return Status::ok();
+  return Status::invalidInput(
+      "the two rectified cameras have different focal lengths or centres (P of the right one, by " +
+      std::to_string(apart.cwiseAbs().maxCoeff()) +
+      " px); calibrate them as a pair with zero disparity at infinity");
+}
+
 }  // namespace
 
 bool isRectified(const std::string& topic, const CameraInfos& infos) {
@@ -104,11 +122,13 @@ Result<CameraRig> rectifiedRig(const CameraInfos& infos, int width, int height) 
   rig.width = width;
   rig.height = height;
   rig.calibrated = true;
-  rig.pinhole = hasP(left) ? pinholeOfP(left) : Pinhole{left.K[0], left.K[4], left.K[2], left.K[5]};
+  rig.pinhole = rectifiedPinhole(left);
   Status status = checkSize(left, width, height);
   if (status.isOk()) status = checkPinhole(rig.pinhole, width, height);
   if (!status.isOk()) return status;
   if (!infos.right) return rig;
+  status = checkRight(*infos.right, rig);
+  if (!status.isOk()) return status;
   const Result<double> baseline = baselineOf(*infos.right);
   if (!baseline.isOk()) return baseline.status();
   rig.baseline = baseline.value();

@@ -84,6 +84,11 @@ def write(run_directory, file=None):
         _add_array(array, name, out)
         if array.info.kind == "activity" and array.values.dtype != object:
             _add_rates(run, name, out)
+    if not run.scale_known:  # lengths of odometry and map are in arbitrary units, those of the truth are not
+        of_truth = ("frame/", "array/", "truth/") + (("rate_map/",) if run.frames["has_truth"].max() else ())
+        for name, unit in out.units.items():
+            if not name.startswith(of_truth):
+                out.units[name] = {"m": "units", "m/s": "units/s"}.get(unit, unit)
     file = pathlib.Path(file) if file else run.path / "run.npz"
     with replacing(file) as temporary, open(temporary, "wb") as stream:
         np.savez_compressed(stream, units=json.dumps(out.units), **out.arrays)

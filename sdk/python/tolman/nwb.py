@@ -124,12 +124,13 @@ def _text_type():
     return h5py.string_dtype()
 
 
-def _write_behavior(writer, poses, seconds, of):
+def _write_behavior(writer, poses, seconds, of, metric):
     writer.module("behavior", f"position and head direction: {of}")
     place = "processing/behavior/Position"
     writer.mark(writer.file.create_group(place), "Position")
     xy = np.stack([poses["x"], poses["y"]], axis=1)
-    writer.series(f"{place}/position", "SpatialSeries", xy, "meters", seconds, "x forward and y left of the first camera")
+    unit = "meters" if metric else "arbitrary units"
+    writer.series(f"{place}/position", "SpatialSeries", xy, unit, seconds, "x forward and y left of the first camera")
     writer.text(f"{place}/position/reference_frame", "the first camera: x along its optical axis, y to its left, in its plane")
     compass = "processing/behavior/CompassDirection"
     writer.mark(writer.file.create_group(compass), "CompassDirection")
@@ -217,7 +218,7 @@ def export(run, out=None, peak_hz=PEAK_HZ):
             h5py.File(unfinished, "w", libver=("v108", "v110"), track_order=False) as file:
         writer = _hdf5.Writer(file, f"{run.info.get('name')} {started} {json.dumps(run.info.get('plugins'))}")
         _write_head(writer, run, started)
-        _write_behavior(writer, poses, seconds, of)
+        _write_behavior(writer, poses, seconds, of, frames["has_truth"].max() or run.scale_known)
         _write_units(writer, run, origin_ns, peak_hz)
         _write_intervals(writer, run, poses, seconds, origin_ns)
     return out

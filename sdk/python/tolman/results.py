@@ -124,8 +124,16 @@ class Run:
         heading = np.arctan2(-axis_x, axis_z)
         first = [row[0] for row in self._database.execute("SELECT first_frame FROM session ORDER BY id")] or [0]
         session = np.maximum(np.searchsorted(first, frame, "right") - 1, 0)
-        return _table(("frame", "stamp_ns", "x", "y", "heading", "session"),
+        table = _table(("frame", "stamp_ns", "x", "y", "heading", "session"),
                       ("INTEGER", "INTEGER", "REAL", "REAL", "REAL", "INTEGER"), zip(frame, stamp, z, -x, heading, session))
+        if of == "map" and not self.scale_known and hasattr(table, "attrs"):
+            table.attrs["units"].update(x="units", y="units")
+        return table
+
+    @property
+    def scale_known(self):
+        """Whether lengths of odometry and map are metres; False for a single camera."""
+        return self._database.execute("SELECT count(*) FROM motion WHERE NOT scale_known").fetchone()[0] == 0
 
     @functools.cached_property
     def first_measured(self):

@@ -72,6 +72,21 @@ def _pearson(x, y, weight=None):
     return float(np.sum(weight * x * y) / spread) if spread > 0 else math.nan
 
 
+def _peak_distance(r, centre, ring):
+    """Mean distance of the peaks around the centre. `ring`: the maximum of the radial mean, which lies further out, as
+    the flank of a square lattice's ring holds its diagonal neighbours."""
+    i, j = np.indices(r.shape)
+    away = np.hypot(i - centre[0], j - centre[1])
+    padded = np.pad(np.nan_to_num(r, nan=-2), 1, constant_values=-2)
+    around = [padded[1 + di:padded.shape[0] - 1 + di, 1 + dj:padded.shape[1] - 1 + dj]
+              for di in (-1, 0, 1) for dj in (-1, 0, 1) if di or dj]
+    is_peak = np.isfinite(r) & (np.nan_to_num(r, nan=-2) >= np.max(around, axis=0)) & (away >= 0.6 * ring) & (away <= 1.25 * ring)
+    if not is_peak.any() or r[is_peak].max() <= 0:
+        return float(ring)
+    distances = away[is_peak & (np.nan_to_num(r, nan=-2) >= 0.5 * r[is_peak].max())]
+    return float(distances[distances <= 1.2 * distances.min()].mean())
+
+
 def grid_scores(rates):
     """Of one rate map."""
     reach = int(2 / 3 * min(rates.shape))
@@ -93,7 +108,7 @@ def grid_scores(rates):
         return GridScores()
     best = max(peaks, key=lambda d: mean[d])
     nearest = next(d for d in peaks if d == best or mean[d] >= 0.5 * mean[best] > 0)
-    scores = GridScores(spacing=float(nearest))
+    scores = GridScores(spacing=_peak_distance(r, centre, nearest))
     outer = min(reach, round(1.25 * nearest))
     for last in range(inner + 2, reach + 1):
         chosen = radius[inner + 1:last + 1]

@@ -70,6 +70,20 @@ TEST_CASE("other models, and one camera") {
         std::string::npos);
 }
 
+TEST_CASE("a right camera of another size, focal length or centre is refused") {
+  const auto left = messageOf(test::plainCamera(640, 480, 500, 0));
+  const auto refusal = [&](const CameraInfoMessage& right) {
+    return rectifiedRig({left, right}, 640, 480).status().message();
+  };
+  CHECK(refusal(messageOf(test::plainCamera(640, 480, 500, 0.2))).empty());
+  CHECK(refusal(messageOf(test::plainCamera(640, 480, 510, 0.2)))
+            .starts_with("the two rectified cameras have different focal lengths or centres"));
+  CameraInfoMessage shifted = messageOf(test::plainCamera(640, 480, 500, 0.2));
+  shifted.P[2] -= 10;  // disparities would be 10 px too large
+  CHECK(refusal(shifted).find("by 10.0") != std::string::npos);
+  CHECK(refusal(messageOf(test::plainCamera(320, 240, 500, 0.2))).starts_with("is of 320x240 px"));
+}
+
 TEST_CASE("calibration that is none") {
   const auto message = [](const test::RosCamera& camera, int width) {
     return rectifiedRig({messageOf(camera), std::nullopt}, width, 480).status().message();
