@@ -9,8 +9,33 @@
 namespace tolman::evaluation {
 namespace {
 
+/// Whether poses `from` and `to` of the estimate have others between them that show a longer way
+/// than the straight line.
+bool isBent(const Trajectory& estimate, std::size_t from, std::size_t to) {
+  constexpr double kLonger = 1.1;
+  if (to <= from + 1) return false;
+  const auto position = [&](std::size_t i) -> Eigen::Vector3d {
+    return estimate[i].T_world_camera.translation();
+  };
+  double length = 0;
+  for (std::size_t i = from; i < to; ++i) length += (position(i + 1) - position(i)).norm();
+  return length > kLonger * (position(to) - position(from)).norm();
+}
+
+/// `which`: of each matched pose in the whole estimate.
+std::vector<std::size_t> piecesOf(const Matches& matches, const Trajectory& estimate,
+                                  const std::vector<std::size_t>& which) {
+  std::vector<std::size_t> pieces(matches.size(), 0);
+  for (std::size_t i = 1; i < matches.size(); ++i) {
+    const bool carried = matches.truth[i].session != matches.truth[i - 1].session;
+    pieces[i] = pieces[i - 1] + (carried || isBent(estimate, which[i - 1], which[i]) ? 1 : 0);
+  }
+  return pieces;
+}
+
 Result<Matches> checked(Matches matches, const Trajectory& truth, const Trajectory& estimate,
-                        const std::string& rule) {
+                        const std::vector<std::size_t>& which, const std::string& rule) {
+  matches.piece = piecesOf(matches, estimate, which);
   const std::vector<double> driven = distances(truth);
   for (const std::size_t i : matches.index) matches.driven.push_back(driven[i]);
   if (matches.size() > 0) return matches;
@@ -50,6 +75,7 @@ std::int64_t medianStep(const Trajectory& trajectory) {
 Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& estimate) {
   Matches matches;
   matches.truth_total = truth.size();
+  std::vector<std::size_t> which;
   auto candidate = truth.begin();
   for (const TrajectoryPose& pose : estimate) {
     while (candidate != truth.end() && candidate->frame < pose.frame) ++candidate;
@@ -58,14 +84,16 @@ Result<Matches> associateByFrame(const Trajectory& truth, const Trajectory& esti
     matches.truth.push_back(*candidate);
     matches.estimate.push_back(pose);
     matches.index.push_back(static_cast<std::size_t>(candidate - truth.begin()));
+    which.push_back(static_cast<std::size_t>(&pose - estimate.data()));
   }
-  return checked(std::move(matches), truth, estimate, "frame index");
+  return checked(std::move(matches), truth, estimate, which, "frame index");
 }
 
 Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& estimate,
                                  std::int64_t max_difference_ns) {
   Matches matches;
   matches.truth_total = truth.size();
+  std::vector<std::size_t> which;
   for (const TrajectoryPose& pose : estimate) {
     if (truth.empty()) break;
     const TrajectoryPose& candidate = nearest(truth, pose);
@@ -73,14 +101,16 @@ Result<Matches> associateByStamp(const Trajectory& truth, const Trajectory& esti
     if (matches.size() > 0 && matches.truth.back().frame == candidate.frame) {
       if (difference(candidate, pose) < difference(candidate, matches.estimate.back())) {
         matches.estimate.back() = pose;
+        which.back() = static_cast<std::size_t>(&pose - estimate.data());
       }
       continue;
     }
     matches.truth.push_back(candidate);
     matches.estimate.push_back(pose);
     matches.index.push_back(static_cast<std::size_t>(&candidate - truth.data()));
+    which.push_back(static_cast<std::size_t>(&pose - estimate.data()));
   }
-  return checked(std::move(matches), truth, estimate,
+  return checked(std::move(matches), truth, estimate, which,
                  "stamp within " + std::to_string(max_difference_ns) + " ns");
 }
 

@@ -16,7 +16,11 @@ struct Matches {
   Trajectory estimate;
   std::vector<std::size_t> index;  ///< of truth[i] in the whole truth; ascending
   std::vector<double> driven;      ///< m: length of the whole true path up to truth[i]
-  std::size_t truth_total = 0;     ///< poses of the truth, matched or not
+  /// Number of the piece of the path that pair i belongs to. How far the robot drove from one piece
+  /// to the next is not known: they are of different sessions, or the truth has a gap in which the
+  /// estimate is over a tenth longer than the straight line.
+  std::vector<std::size_t> piece;
+  std::size_t truth_total = 0;  ///< poses of the truth, matched or not
 
   std::size_t size() const { return truth.size(); }
   /// The share of the truth that has a tracked pose.

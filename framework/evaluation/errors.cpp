@@ -31,8 +31,8 @@ class StepErrors {
   std::vector<double> rotations_;
 };
 
-bool inOneSession(const Matches& matches, std::size_t from, std::size_t to) {
-  return matches.truth[from].session == matches.truth[to].session;
+bool inOnePiece(const Matches& matches, std::size_t from, std::size_t to) {
+  return matches.piece[from] == matches.piece[to];
 }
 
 }  // namespace
@@ -79,7 +79,7 @@ RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta
     const std::int64_t wanted = aligned.estimate[from].frame + delta;
     while (to < aligned.size() && aligned.estimate[to].frame < wanted) ++to;
     if (to == aligned.size()) break;
-    if (aligned.estimate[to].frame == wanted && inOneSession(aligned, from, to)) {
+    if (aligned.estimate[to].frame == wanted && inOnePiece(aligned, from, to)) {
       errors.add(aligned, from, to, 1);
     }
   }
@@ -93,7 +93,7 @@ RelativeError relativeErrorOverDistance(const Matches& aligned, double length) {
   for (std::size_t from = 0; from < aligned.size(); ++from) {
     while (to < aligned.size() && distance[to] - distance[from] < length) ++to;
     if (to == aligned.size()) break;
-    if (!inOneSession(aligned, from, to)) continue;
+    if (!inOnePiece(aligned, from, to)) continue;
     errors.add(aligned, from, to, distance[to] - distance[from]);
   }
   return std::move(errors).result();

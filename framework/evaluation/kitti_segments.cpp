@@ -16,10 +16,10 @@ constexpr double kLongestOvershoot = 0.1;  // of a segment's length
 /// The length that the errors of a segment are divided by. It is the nominal length, as in KITTI's
 /// program, if the segment ends at the first true pose beyond it; the true length, if true poses
 /// before that end have no estimate; none, if that makes the segment too long, or if it ends in
-/// another session.
+/// another piece of the path.
 std::optional<double> lengthOf(const Matches& matches, std::size_t from, std::size_t to,
                                double nominal) {
-  if (matches.truth[from].session != matches.truth[to].session) return std::nullopt;
+  if (matches.piece[from] != matches.piece[to]) return std::nullopt;
   if (matches.index[to] == matches.index[to - 1] + 1) return nominal;
   const double driven = matches.driven[to] - matches.driven[from];
   if (driven > (1 + kLongestOvershoot) * nominal) return std::nullopt;

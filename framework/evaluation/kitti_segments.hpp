@@ -27,7 +27,7 @@ struct SegmentErrors {
   SegmentLengths lengths;    ///< the requested lengths
   std::size_t segments = 0;  ///< how many were measured; 0: the path is too short, no figures
   std::size_t segments_in_gaps = 0;  ///< left out: they end where poses have no estimate, or in
-                                     ///< another session
+                                     ///< another piece of the path
   double t_rel_percent = 0;          ///< mean translation error per length
   double r_rel_deg_per_100m = 0;
 };
@@ -36,7 +36,7 @@ struct SegmentErrors {
 /// first one that is more than the length of true path away; all segments have the same weight.
 /// Where true poses before that end have no estimate, errors are divided by the segment's true
 /// length, and segments more than a tenth too long are left out. So are segments that end in
-/// another session than they begin in.
+/// another piece of the path than they begin in (Matches::piece).
 SegmentErrors segmentErrors(const Matches& matches, const SegmentLengths& lengths);
 
 }  // namespace tolman::evaluation

@@ -54,12 +54,12 @@ Json segmentsJson(const SegmentErrors& errors) {
           {"lengths_m", asked ? Json(errors.lengths.lengths_m) : Json()},
           {"segments", errors.segments},
           {"segments_in_gaps", errors.segments_in_gaps},
-          {"reason",
-           known || !asked
-               ? Json()
-               : Json(errors.segments_in_gaps > 0
-                          ? "all segments end where poses have no estimate, or in another session"
-                          : "the path is shorter than any segment")}};
+          {"reason", known || !asked ? Json()
+                                     : Json(errors.segments_in_gaps > 0
+                                                ? "all segments end where poses have no estimate, "
+                                                  "in a gap of the truth, or in another "
+                                                  "session"
+                                                : "the path is shorter than any segment")}};
 }
 
 Json sessionsJson(const Metrics& metrics) {

@@ -133,6 +133,16 @@ Result<std::int64_t> RunReader::nextFrame() const {
   });
 }
 
+Result<std::int64_t> RunReader::lastGivenFrame() const {
+  return answered(name_, [&] {  // realtime reports a dropped frame by an event
+    return integerOf(
+        database_,
+        "SELECT max(coalesce((SELECT max(\"frame\") FROM \"frame\"), -1), coalesce((SELECT "
+        "max(\"frame\") FROM \"event\" WHERE \"source\" = 'pipeline' AND \"message\" LIKE "
+        "'frame dropped%'), -1))");
+  });
+}
+
 Result<std::int64_t> RunReader::newestExperience() const {
   return answered(name_, [&] {
     return integerOf(database_,

@@ -53,6 +53,8 @@ class RunReader {
   Result<std::vector<RecordedSession>> sessions() const;
   /// One more than the last frame.
   Result<std::int64_t> nextFrame() const;
+  /// The last frame that the source gave, also if the pipeline dropped it; -1 for none.
+  Result<std::int64_t> lastGivenFrame() const;
   /// The experience of the newest recorded frame; -1 where none is recorded.
   Result<std::int64_t> newestExperience() const;
   /// The motions with their last revisions, composed; each session starts with the identity.

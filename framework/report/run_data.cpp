@@ -113,10 +113,12 @@ evaluation::MotionConsistency consistencyOf(const record::RunReader& reader, std
 }
 
 /// Counts frames that `realtime` dropped as not tracked. They have no record, and so no truth.
-void countDropped(evaluation::TrajectoryMetrics& metrics, const evaluation::Trajectory& poses) {
+void countDropped(evaluation::TrajectoryMetrics& metrics, const evaluation::Trajectory& poses,
+                  std::int64_t last_given) {
   if (!metrics.scores || poses.empty()) return;
   const auto processed = static_cast<double>(poses.size());
-  const auto given = static_cast<double>(poses.back().frame - poses.front().frame + 1);
+  const std::int64_t last = std::max(poses.back().frame, last_given);
+  const auto given = static_cast<double>(last - poses.front().frame + 1);
   metrics.scores->coverage *= processed / given;
 }
 
@@ -149,7 +151,8 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
   const std::int64_t own = run.odometry.empty() ? 0 : run.odometry.front().frame;
   metrics.odometry =
       evaluation::scoreTrajectory(since(own, truth), run.odometry, metrics.alignment, lengths);
-  countDropped(metrics.odometry, run.odometry);
+  const std::int64_t last_given = must(reader.lastGivenFrame());
+  countDropped(metrics.odometry, run.odometry, last_given);
   const record::GraphParts parts = record::partsOf(run.graph);
   metrics.parts = parts.count;
   metrics.sessions =
@@ -160,7 +163,7 @@ evaluation::Metrics measure(const record::RunReader& reader, const evaluation::T
     metrics.map.reason = evaluation::unjoinedText(metrics);
   } else {
     metrics.map = evaluation::scoreTrajectory(truth, run.map, metrics.alignment, lengths);
-    countDropped(metrics.map, run.odometry);
+    countDropped(metrics.map, run.odometry, last_given);
     warnOfParts(metrics);
   }
   const record::RunTotals totals = must(reader.totals());

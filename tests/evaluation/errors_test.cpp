@@ -93,3 +93,25 @@ TEST_CASE("how the robot came from one session to the next counts in no figure")
   CHECK(segments.segments_in_gaps == 2);  // from 40 and 50
   CHECK(segments.t_rel_percent < 1e-9);
 }
+
+TEST_CASE("sub-paths over a bent way without true poses are left out, straight ones are not") {
+  // A circle of 100 m, of which the truth lacks the frames 30 to 70.
+  Trajectory estimate = test::straightPath(100);
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / 100;
+    estimate[i].T_world_camera =
+        fromPlanar({16 * std::sin(angle), 16 - 16 * std::cos(angle), angle});
+  }
+  Trajectory truth = estimate;
+  truth.erase(truth.begin() + 30, truth.begin() + 70);
+  const Matches bent = test::paired(truth, estimate);
+  CHECK(bent.piece.back() == 1);
+  const SegmentErrors segments = segmentErrors(bent, {"custom", {10}});
+  CHECK(segments.segments_in_gaps > 0);
+  CHECK(segments.t_rel_percent < 1e-9);
+  CHECK(relativeErrorOverDistance(bent, 5).translation_m.max < 1e-9);
+  Trajectory sparse = test::straightPath(100);
+  const Trajectory straight = sparse;
+  sparse.erase(sparse.begin() + 30, sparse.begin() + 70);
+  CHECK(test::paired(sparse, straight).piece.back() == 0);
+}

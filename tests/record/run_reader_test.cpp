@@ -344,3 +344,16 @@ TEST_CASE("a damaged database never crashes the reader") {
   }
   SUCCEED();
 }
+
+TEST_CASE("frames that were dropped at the end were given, too") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  REQUIRE(recorder->begin(RunInfo()).isOk());
+  REQUIRE(recorder
+              ->event(8, LogLevel::Warning, "pipeline",
+                      "frame dropped: the stages are slower than the data")
+              .isOk());
+  REQUIRE(recorder->event(9, LogLevel::Warning, "map", "another event").isOk());
+  REQUIRE(recorder->close().isOk());
+  CHECK(RunReader::open(folder.path()).value()->lastGivenFrame().value() == 8);
+}

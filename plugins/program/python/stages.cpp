@@ -2,6 +2,7 @@
 #include "stages.hpp"
 
 #include <memory>
+#include <numbers>
 
 #include "stage.hpp"
 
@@ -72,6 +73,9 @@ class PythonCells final : public PythonStage<Cells> {
               Decision& decision) override {
     return work("step", [&] {
       answer(decision, "step", motion, observation);
+      // In Python the remainder of -1e-17 by 2 pi is 2 pi.
+      constexpr double kCircle = 2 * std::numbers::pi;
+      if (decision.heading == kCircle) decision.heading = 0;
       address(decision, motion);
     });
   }
