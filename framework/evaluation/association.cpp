@@ -10,16 +10,18 @@ namespace tolman::evaluation {
 namespace {
 
 /// Whether poses `from` and `to` of the estimate have others between them that show a longer way
-/// than the straight line.
+/// than the straight line. The noise of a robot that stands is none.
 bool isBent(const Trajectory& estimate, std::size_t from, std::size_t to) {
-  constexpr double kLonger = 1.1;
+  constexpr double kLonger = 0.1;  // of the straight line
+  constexpr double kNoise = 0.25;  // m
   if (to <= from + 1) return false;
   const auto position = [&](std::size_t i) -> Eigen::Vector3d {
     return estimate[i].T_world_camera.translation();
   };
   double length = 0;
   for (std::size_t i = from; i < to; ++i) length += (position(i + 1) - position(i)).norm();
-  return length > kLonger * (position(to) - position(from)).norm();
+  const double straight = (position(to) - position(from)).norm();
+  return length - straight > std::max(kLonger * straight, kNoise);
 }
 
 /// `which`: of each matched pose in the whole estimate.

@@ -10,7 +10,7 @@ namespace tolman::place_replay {
 namespace {
 
 constexpr std::string_view kMagic = "TLMPLRPL";
-constexpr std::uint64_t kStateVersion = 5;
+constexpr std::uint64_t kStateVersion = 4;
 constexpr std::int64_t kNothing = -1;
 constexpr float kUnknownDrive = -1;
 using RandomWords = std::array<std::uint64_t, sizeof(RandomStream) / sizeof(std::uint64_t)>;
@@ -55,7 +55,6 @@ Status PlaceReplay::reset() {
   drive_.reset();
   last_compared_.reset();
   pending_.reset();
-  pending_match_.reset();
   run_end_ = -1;
   run_offset_ = 0;
   return Status::ok();
@@ -72,15 +71,8 @@ void PlaceReplay::removeViewsOfOtherDrive(const Frame& frame) {
     views_.clear();
     last_compared_.reset();
     pending_.reset();
-    pending_match_.reset();
   }
   drive_ = here;
-}
-
-void PlaceReplay::keepPending() {
-  if (pending_ && pending_match_) views_.try_emplace(*pending_, *pending_match_);
-  pending_.reset();
-  pending_match_.reset();
 }
 
 void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
@@ -91,21 +83,18 @@ void PlaceReplay::makeTemplate(std::int64_t source_index, const PlanarPose& in_t
   observation.template_id = templates_++;
 }
 
-PlaceReplay::ReplayedView PlaceReplay::reportMatch(const ReplayedView& view,
-                                                   const PlanarPose& here_in_earlier,
-                                                   PlaceObservation& observation) const {
+void PlaceReplay::reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
+                              PlaceObservation& observation) const {
   const PlanarPose here = compose(view.in_template, here_in_earlier);
   observation.recognition = Recognition::Familiar;
   observation.template_id = view.template_id;
   observation.relative_yaw = here.theta;
-  const ReplayedView matched = {view.template_id, here};
-  if (!parameters_.relative_pose) return matched;
+  if (!parameters_.relative_pose) return;
   observation.has_relative_pose = true;
   observation.T_template_current = fromPlanar(here);
   const double p = parameters_.sigma_position * parameters_.sigma_position;
   const double h = parameters_.sigma_heading * parameters_.sigma_heading;
   observation.covariance.diagonal() << p, p, p, h, h, h;
-  return matched;
 }
 
 /// A frame that is known to be compared, or every `view_step` frames since the last compared one.
@@ -121,19 +110,19 @@ bool PlaceReplay::isCompared(const Frame& frame) {
 }
 
 /// Reports the first candidate whose view is known.
-std::optional<PlaceReplay::ReplayedView> PlaceReplay::recognise(const Frame& frame,
-                                                                PlaceObservation& observation) {
+bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
   const NamedArray* alike = sensor(frame, "place.candidate");
-  if (alike == nullptr) return std::nullopt;
+  if (alike == nullptr) return false;
   for (std::size_t i = 0; i + 4 <= alike->values.size(); i += 4) {
     const auto number = [&](std::size_t k) { return static_cast<double>(alike->values[i + k]); };
     const auto view = views_.find(std::llround(number(0)));
     if (view == views_.end()) continue;
     if (parameters_.kept < 1 && random_.uniform() >= parameters_.kept) continue;
     // The candidate has the pose of the earlier frame in this one; the observation has the inverse.
-    return reportMatch(view->second, between({number(1), number(2), number(3)}, {}), observation);
+    reportMatch(view->second, between({number(1), number(2), number(3)}, {}), observation);
+    return true;
   }
-  return std::nullopt;
+  return false;
 }
 
 std::optional<PlaceReplay::ReplayedView> PlaceReplay::lookAlike(std::int64_t source_index) {
@@ -158,7 +147,7 @@ std::optional<PlaceReplay::ReplayedView> PlaceReplay::lookAlike(std::int64_t sou
 bool PlaceReplay::reportFalseMatch(const Frame& frame, PlaceObservation& observation) {
   if (!(parameters_.invented > 0)) return false;
   const std::optional<ReplayedView> view = lookAlike(frame.source_index);
-  if (view) (void)reportMatch(*view, {}, observation);
+  if (view) reportMatch(*view, {}, observation);
   return view.has_value();
 }
 
@@ -169,17 +158,14 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
   observation.stamp_ns = frame.stamp_ns;
   removeViewsOfOtherDrive(frame);
   // After a restart at an unknown pose the motion from the pending view is not known.
-  if (motion && motion->state == TrackingState::Initialising) keepPending();
+  if (motion && motion->state == TrackingState::Initialising) pending_.reset();
   const bool look = isCompared(frame);
-  const std::optional<ReplayedView> matched = recognise(frame, observation);
-  if (matched || reportFalseMatch(frame, observation)) {
-    keepPending();
+  if (recognise(frame, observation) || reportFalseMatch(frame, observation)) {
     pending_ = frame.source_index;
-    pending_match_ = matched;
     return Status::ok();
   }
   if (look) {
-    keepPending();
+    pending_.reset();
     makeTemplate(frame.source_index, {}, observation);
     return Status::ok();
   }
@@ -187,7 +173,6 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
     // The pending view is that of the previous frame, one motion before this one.
     makeTemplate(*pending_, between(toPlanar(motion->T_previous_current), {}), observation);
     pending_.reset();
-    pending_match_.reset();
   }
   return Status::ok();
 }
@@ -199,9 +184,6 @@ Status PlaceReplay::save(std::ostream& stream) const {
   writer.put(drive_.value_or(kUnknownDrive));
   writer.put(last_compared_.value_or(kNothing));
   writer.put(pending_.value_or(kNothing));
-  writer.put(pending_match_ ? pending_match_->template_id : kNothing);
-  const PlanarPose waiting = pending_match_ ? pending_match_->in_template : PlanarPose{};
-  for (const double number : {waiting.x, waiting.y, waiting.theta}) writer.put(number);
   writer.put(run_end_);
   writer.put(run_offset_);
   writer.put(static_cast<std::int64_t>(views_.size()));
@@ -234,22 +216,11 @@ Status PlaceReplay::read(StateReader& reader) {
   if (last_look != kNothing) last_compared_ = last_look;
   const auto owed = reader.get<std::int64_t>();
   if (owed != kNothing) pending_ = owed;
-  ReplayedView waiting{reader.get<std::int64_t>(), {}};
-  for (double* number :
-       {&waiting.in_template.x, &waiting.in_template.y, &waiting.in_template.theta}) {
-    *number = reader.get<double>();
-  }
-  if (waiting.template_id != kNothing) pending_match_ = waiting;
   run_end_ = reader.get<std::int64_t>();
   run_offset_ = reader.get<std::int64_t>();
   bool sound =
       std::ranges::any_of(words, [](std::uint64_t word) { return word != 0; }) && templates_ >= 0 &&
-      std::ranges::all_of(std::array{templates_, last_look, owed, run_end_, run_offset_},
-                          isIndex) &&
-      waiting.template_id >= kNothing && waiting.template_id < templates_ &&
-      std::ranges::all_of(
-          std::array{waiting.in_template.x, waiting.in_template.y, waiting.in_template.theta},
-          isNear);
+      std::ranges::all_of(std::array{templates_, last_look, owed, run_end_, run_offset_}, isIndex);
   const auto count = reader.get<std::int64_t>();
   for (std::int64_t i = 0; i < count && reader.remaining() > 0; ++i) {
     const auto source_index = reader.get<std::int64_t>();

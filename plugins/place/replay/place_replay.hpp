@@ -71,8 +71,7 @@ struct PlaceReplayParameters {
 /// The recorded detector compared a frame every `view_step` frames and those that the source marks
 /// (`place.looked`). A compared frame without candidate makes a template. After one with a
 /// candidate the next frame makes its template, because a frame has only one observation; so later
-/// frames can match it as well. If the next frame has an observation of its own, later frames match
-/// the template that the frame itself was recognised as.
+/// frames can match it as well.
 class PlaceReplay final : public Place, public StateKeeper {
  public:
   using Parameters = PlaceReplayParameters;
@@ -94,20 +93,17 @@ class PlaceReplay final : public Place, public StateKeeper {
   /// Removes the views when `motion.drive` changes: candidates are frame numbers, which are other
   /// places on another drive.
   void removeViewsOfOtherDrive(const Frame& frame);
-  /// Ends the wait of the pending view: it becomes a view of the template that it matched.
-  void keepPending();
   void makeTemplate(std::int64_t source_index, const PlanarPose& in_template,
                     PlaceObservation& observation);
   /// Whether the recorded detector compared this frame.
   bool isCompared(const Frame& frame);
-  std::optional<ReplayedView> recognise(const Frame& frame, PlaceObservation& observation);
+  bool recognise(const Frame& frame, PlaceObservation& observation);
   /// Reports a false match with an old view, or with the next one of a run of false matches.
   bool reportFalseMatch(const Frame& frame, PlaceObservation& observation);
   /// The view of a false match at this frame; empty for no false match.
   std::optional<ReplayedView> lookAlike(std::int64_t source_index);
-  /// Returns the view of this frame in the matched template.
-  ReplayedView reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
-                           PlaceObservation& observation) const;
+  void reportMatch(const ReplayedView& view, const PlanarPose& here_in_earlier,
+                   PlaceObservation& observation) const;
 
   Status read(StateReader& reader);
 
@@ -121,8 +117,7 @@ class PlaceReplay final : public Place, public StateKeeper {
   std::optional<float> drive_;                 ///< motion.drive of the views
   std::optional<std::int64_t> last_compared_;  ///< source index
   std::optional<std::int64_t>
-      pending_;  ///< source index of a recognised view that has no template yet
-  std::optional<ReplayedView> pending_match_;  ///< what it matched; none for a false match
+      pending_;                  ///< source index of a recognised view that has no template yet
   std::int64_t run_end_ = -1;    ///< source index at which a run of false matches ends
   std::int64_t run_offset_ = 0;  ///< source index of the matched view minus that of the frame
 };
