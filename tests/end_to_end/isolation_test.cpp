@@ -237,6 +237,10 @@ TEST_CASE("when the host is killed its stages do not live on") {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
   };
+  // Before the run begins, processes that look at the plugins come and go.
+  for (int i = 0; i < 3000 && !fs::exists(folder.path() / "run" / "run.sqlite"); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
   wait(2);
   REQUIRE(marked() == 2);
   host.signal(SIGKILL);
