@@ -160,15 +160,22 @@ class PlacesMeasurement {
     keepState(second);
   }
 
+  /// Whether a parameter of the source has this value (as JSON), or the source has none of that
+  /// name.
+  static bool isSourceAt(const run::CheckedSystem& system, const std::string& name,
+                         const std::string& value) {
+    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
+    const auto found = source.find(name);
+    return found == source.end() || run::valueJson(found->second).dump() == value;
+  }
+
   /// The numbers of pairs are those of the images in the recording, so all images must be shown, in
   /// their order.
   static void refuseSelection(const run::CheckedSystem& system) {
-    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
     for (const auto& [name, whole] : {std::pair<const char*, std::string>("first", "0"),
                                       {"step", "1"},
                                       {"order", "\"forward\""}}) {
-      const auto value = source.find(name);
-      if (value == source.end() || run::valueJson(value->second).dump() == whole) continue;
+      if (isSourceAt(system, name, whole)) continue;
       throw run::Failed({run::FailureKind::Configuration,
                          fmt::format("--pairs numbers all images of the recording, and source.{} "
                                      "selects some; leave it at {}",
@@ -180,10 +187,7 @@ class PlacesMeasurement {
   /// before the pairs.
   void refuseUnknownImages(const PlaceTruth& truth, const Pass& pass,
                            const run::CheckedSystem& system) const {
-    const ParameterValues& source = system.values.at(system.config.stages.front().instance);
-    const auto last = source.find("last");
-    const bool whole = options_.frames < 0 &&
-                       (last == source.end() || run::valueJson(last->second).dump() == "-1");
+    const bool whole = options_.frames < 0 && isSourceAt(system, "last", "-1");
     if (!whole || cancellation_.requested() || truth.last_query < pass.images()) return;
     throw run::Failed({run::FailureKind::Dataset,
                        fmt::format("{}: names image {}, and the recording has {} images, from 0; "

@@ -23,6 +23,7 @@ struct Matches {
   std::size_t truth_total = 0;  ///< poses of the truth, matched or not
 
   std::size_t size() const { return truth.size(); }
+  bool inOnePiece(std::size_t from, std::size_t to) const { return piece[from] == piece[to]; }
   /// The share of the truth that has a tracked pose.
   double coverage() const {
     const auto tracked = std::ranges::count(estimate, true, &TrajectoryPose::tracked);

@@ -49,13 +49,18 @@ double meanAngle(double sum, const Steps& steps) {
   return std::acos(std::min(1.0, std::max(-1.0, sum / steps.lengths)));
 }
 
+/// Mean angle between the directions of true and estimated motion, rad; 0 for too few steps.
+double directionsApart(const Matches& matches, const Steps& steps) {
+  constexpr std::size_t kMin = 10;  // frames
+  if (matches.size() < kMin || !(steps.lengths > 0)) return 0;
+  return meanAngle(steps.products.trace(), steps);
+}
+
 }  // namespace
 
 std::string axesHint(const Matches& matches) {
-  constexpr std::size_t kMin = 10;  // frames
   const Steps steps = stepsOf(matches.truth, matches.estimate);
-  if (matches.size() < kMin || !(steps.lengths > 0)) return "";
-  const double apart = meanAngle(steps.products.trace(), steps);
+  const double apart = directionsApart(matches, steps);
   if (apart < kApart) return "";
   const Steps other = stepsOf(inverted(matches.truth), matches.estimate);
   if (meanAngle(other.products.trace(), other) < kTogether) {
@@ -76,16 +81,12 @@ std::string axesHint(const Matches& matches) {
 }
 
 std::string rotationHint(const Matches& aligned) {
-  constexpr std::size_t kMin = 10;  // frames
-  constexpr double kAgree = 0.05;   // of the true path
-  const Steps steps = stepsOf(aligned.truth, aligned.estimate);
-  if (aligned.size() < kMin || !(steps.lengths > 0)) return "";
-  const double apart = meanAngle(steps.products.trace(), steps);
+  constexpr double kAgree = 0.05;  // of the true path
+  const double apart = directionsApart(aligned, stepsOf(aligned.truth, aligned.estimate));
   if (apart < kApart || absoluteError(aligned).rmse > kAgree * pathLength(aligned.truth)) return "";
   return fmt::format(
       "the positions agree, but true and estimated motion, each in the axes of its camera, point "
-      "in "
-      "directions {:.0f} degrees apart: the rotations of one of the two are wrong. Are the "
+      "in directions {:.0f} degrees apart: the rotations of one of the two are wrong. Are the "
       "quaternions in the order x y z w, and the poses camera to world? Rotation errors and drift "
       "are wrong if not",
       apart / kDegree);

@@ -31,10 +31,6 @@ class StepErrors {
   std::vector<double> rotations_;
 };
 
-bool inOnePiece(const Matches& matches, std::size_t from, std::size_t to) {
-  return matches.piece[from] == matches.piece[to];
-}
-
 }  // namespace
 
 Statistics statistics(std::vector<double> values) {
@@ -79,7 +75,7 @@ RelativeError relativeErrorOverFrames(const Matches& aligned, std::int64_t delta
     const std::int64_t wanted = aligned.estimate[from].frame + delta;
     while (to < aligned.size() && aligned.estimate[to].frame < wanted) ++to;
     if (to == aligned.size()) break;
-    if (aligned.estimate[to].frame == wanted && inOnePiece(aligned, from, to)) {
+    if (aligned.estimate[to].frame == wanted && aligned.inOnePiece(from, to)) {
       errors.add(aligned, from, to, 1);
     }
   }
@@ -93,7 +89,7 @@ RelativeError relativeErrorOverDistance(const Matches& aligned, double length) {
   for (std::size_t from = 0; from < aligned.size(); ++from) {
     while (to < aligned.size() && distance[to] - distance[from] < length) ++to;
     if (to == aligned.size()) break;
-    if (!inOnePiece(aligned, from, to)) continue;
+    if (!aligned.inOnePiece(from, to)) continue;
     errors.add(aligned, from, to, distance[to] - distance[from]);
   }
   return std::move(errors).result();

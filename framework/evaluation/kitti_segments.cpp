@@ -19,7 +19,7 @@ constexpr double kLongestOvershoot = 0.1;  // of a segment's length
 /// another piece of the path.
 std::optional<double> lengthOf(const Matches& matches, std::size_t from, std::size_t to,
                                double nominal) {
-  if (matches.piece[from] != matches.piece[to]) return std::nullopt;
+  if (!matches.inOnePiece(from, to)) return std::nullopt;
   if (matches.index[to] == matches.index[to - 1] + 1) return nominal;
   const double driven = matches.driven[to] - matches.driven[from];
   if (driven > (1 + kLongestOvershoot) * nominal) return std::nullopt;
