@@ -26,6 +26,7 @@ if(TOLMAN_ASAN)
   set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
   add_compile_options(-fsanitize=address,undefined -fno-sanitize=object-size,vptr
                       -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS) # empty optionals and indices, which ASan overlooks
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(TOLMAN_FUZZ)

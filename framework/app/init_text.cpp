@@ -44,6 +44,7 @@ std::string notKnown(const Probe& probe, const RecordingSearch& search, CarriedB
   }
   if (search.rate_assumed)
     add(fmt::format("the frame rate: {:.4g} Hz are assumed (source.rate)", probe.rate));
+  for (const std::string& reason : search.unread_times) add("the times: " + reason);
   if (probe.width > 0 && !probe.calibrated) {
     add("the calibration: turns are right only with the right odometry.field_of_view, and lengths");
     text += "#     have an arbitrary scale\n";

@@ -66,26 +66,45 @@ std::vector<std::string> pairsFirst(const std::vector<std::string>& folders) {
   return ordered;
 }
 
-std::string unitOf(const std::string& stamp) {
-  const double value = std::strtod(stamp.c_str(), nullptr);  // 0 if it is not a number
-  return value > 1e17 ? "ns" : value > 1e14 ? "us" : value > 1e11 ? "ms" : "s";
+/// The unit of two stamps in a row: the one in which they are times of the years 2001 to 2096 at
+/// most an hour apart, otherwise the largest in which they are at most 1.5 s apart.
+std::string unitOf(const std::string& first, const std::string& second) {
+  constexpr std::array<std::pair<const char*, double>, 4> kUnits = {
+      {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"ns", 1e-9}}};
+  const double from = std::strtod(first.c_str(), nullptr);  // 0 if it is not a number
+  const double step = std::strtod(second.c_str(), nullptr) - from;
+  for (const auto& [unit, seconds] : kUnits) {
+    const double date = from * seconds;
+    if (date > 1e9 && date < 4e9 && step * seconds > 1e-4 && step * seconds < 3600) return unit;
+  }
+  const auto* found =
+      std::ranges::find_if(kUnits, [&](const auto& unit) { return step * unit.second <= 1.5; });
+  return found == kUnits.end() ? "ns" : found->first;
 }
 
-/// A table whose first line has a column of times: its name, and the unit of the first value.
+std::vector<std::string> cellsOf(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line);
+  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  return cells;
+}
+
+/// A table whose first line has a column of times: its name, and the unit of the first values.
 std::optional<SourceValues> timesColumn(const fs::path& file) {
   std::ifstream stream(file);
-  std::string header;
-  std::string first;
-  if (!std::getline(stream, header) || !std::getline(stream, first)) return std::nullopt;
-  std::istringstream names(header);
-  std::istringstream cells(first);
-  std::string name;
-  std::string cell;
-  while (std::getline(names, name, ',') && std::getline(cells, cell, ',')) {
+  std::array<std::string, 3> lines;
+  for (std::string& line : lines) {
+    if (!std::getline(stream, line)) return std::nullopt;
+  }
+  const std::vector<std::string> names = cellsOf(lines[0]);
+  const std::vector<std::string> first = cellsOf(lines[1]);
+  const std::vector<std::string> second = cellsOf(lines[2]);
+  for (std::size_t i = 0; i < std::min({names.size(), first.size(), second.size()}); ++i) {
+    const std::string& name = names[i];
     if (name.find("time") == std::string::npos && name.find("stamp") == std::string::npos) continue;
     return SourceValues{{"stamps", config::writeText(file.filename().string())},
                         {"stamps_column", config::writeText(name)},
-                        {"stamps_unit", unitOf(cell)}};
+                        {"stamps_unit", unitOf(first[i], second[i])}};
   }
   return std::nullopt;
 }
@@ -97,18 +116,23 @@ std::optional<SourceValues> timesList(const fs::path& file) {
   double now = 0;
   std::string rest;
   std::string first;
+  std::string second;
   if (!std::getline(stream, first) || !(std::istringstream(first) >> before)) return std::nullopt;
-  if (std::istringstream(first) >> before >> rest || !(stream >> now) || now <= before) {
+  if (std::istringstream(first) >> before >> rest || !std::getline(stream, second) ||
+      !(std::istringstream(second) >> now)) {
     return std::nullopt;
   }
   return SourceValues{{"stamps", config::writeText(file.filename().string())},
-                      {"stamps_unit", unitOf(first)}};
+                      {"stamps_unit", unitOf(first, second)}};
 }
 
-bool isLongNumber(const std::string& name) {
+/// Whether the name of an image may be its time: 13 digits or more, or a number with decimals.
+bool isTime(const std::string& name) {
   const std::string stem = fs::path(name).stem().string();
-  return stem.size() >= 13 &&
-         std::ranges::all_of(stem, [](unsigned char c) { return std::isdigit(c) != 0; });
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  const auto digits = std::ranges::count_if(stem, is_digit);
+  const auto points = std::ranges::count(stem, '.');
+  return digits + points == std::ssize(stem) && (points == 0 ? digits >= 13 : points == 1);
 }
 
 class Search {
@@ -222,20 +246,32 @@ class Search {
     for (const std::string& file : namesIn(recording_, {".csv", ".txt"})) {
       const bool is_table = fs::path(file).extension() == ".csv";
       const auto column = is_table ? timesColumn(recording_ / file) : timesList(recording_ / file);
-      auto stamped = column ? withMore(*column) : std::nullopt;
-      if (!stamped) continue;
-      found_.best = std::move(stamped);
-      return;
+      if (column && tryTimes(*column)) return;
     }
     fs::path images = recording_;
     for (const auto& [name, value] : found_.best->values) {
       if (name == "left") images = recording_ / value;
     }
     const auto names = namesIn(images, {".png", ".jpg", ".jpeg"});
-    if (names.empty() || !isLongNumber(names.front())) return;
-    const std::string unit = unitOf(fs::path(names.front()).stem().string());
-    auto stamped = withMore({{"stamps_in_names", "true"}, {"stamps_unit", unit}});
-    if (stamped) found_.best = std::move(stamped);
+    if (names.size() < 2 || !isTime(names[0]) || !isTime(names[1])) return;
+    const std::string unit =
+        unitOf(fs::path(names[0]).stem().string(), fs::path(names[1]).stem().string());
+    tryTimes({{"stamps_in_names", "true"}, {"stamps_unit", unit}});
+  }
+
+  /// Whether the best source can read these times; otherwise keeps its reason.
+  bool tryTimes(const SourceValues& times) {
+    SourceValues values = found_.best->values;
+    values.insert(values.end(), times.begin(), times.end());
+    Result<Probe> tried = probe(found_.best->plugin, values, deadline_, invocation_);
+    if (tried.isOk()) {
+      found_.best = std::move(tried).value();
+    } else if (tried.status().code() == StatusCode::InvalidInput) {
+      std::string reason = tried.status().message();
+      std::ranges::replace(reason, '\n', ' ');
+      found_.unread_times.push_back(std::move(reason));
+    }
+    return tried.isOk();
   }
 
   fs::path recording_;

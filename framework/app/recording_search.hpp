@@ -16,6 +16,7 @@ struct RecordingSearch {
   std::vector<std::string> others;         ///< other sources that read it, but give less
   std::vector<std::string> reasons;        ///< "SOURCE: why it does not read the recording"
   std::vector<std::string> other_folders;  ///< with images that the found source does not read
+  std::vector<std::string> unread_times;   ///< why the source cannot use the times that lie there
   bool rate_assumed = false;
 };
 

@@ -58,7 +58,8 @@ Json segmentsJson(const SegmentErrors& errors) {
                                      : Json(errors.segments_in_gaps > 0
                                                 ? "all segments end where poses have no estimate, "
                                                   "in a gap of the truth, or in another "
-                                                  "session"
+                                                  "session, or are shorter than half of the way "
+                                                  "between two frames"
                                                 : "the path is shorter than any segment")}};
 }
 

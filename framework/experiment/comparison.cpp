@@ -28,14 +28,18 @@ std::vector<std::string> factorNames(const std::vector<RunRow>& rows) {
   return names;
 }
 
-/// `wanted`, or the one name that ends with it.
-std::string fullName(const std::string& wanted, const std::vector<std::string>& names) {
+/// `wanted`, or the one name that ends with it. `kind` is what messages call a name.
+Result<std::string> fullName(const std::string& kind, const std::string& wanted,
+                             const std::vector<std::string>& names) {
   if (std::ranges::find(names, wanted) != names.end()) return wanted;
   std::vector<std::string> ends;
   for (const std::string& name : names) {
     if (name.ends_with("." + wanted)) ends.push_back(name);
   }
-  return ends.size() == 1 ? ends.front() : "";
+  if (ends.size() == 1) return ends.front();
+  if (ends.empty()) return Status::invalidParameter("no " + kind + " '" + wanted + "'");
+  return Status::invalidParameter("more than one " + kind + " ends with '" + wanted +
+                                  "': " + config::listed(ends));
 }
 
 /// The metric for a short name such as "ate", as in the summary of a run.
@@ -86,10 +90,10 @@ class Comparer {
   Status choose() {
     const std::vector<std::string> names = factorNames(rows_);
     const auto known = [&](const std::string& wanted, std::string& name) {
-      name = fullName(wanted, names);
-      if (!name.empty()) return Status::ok();
-      return Status::invalidParameter("no factor '" + wanted + "'" +
-                                      config::didYouMean(wanted, names) +
+      const Result<std::string> full = fullName("factor", wanted, names);
+      if (full.isOk()) name = full.value();
+      if (full.isOk()) return Status::ok();
+      return Status::invalidParameter(full.status().message() + config::didYouMean(wanted, names) +
                                       "; factors: " + config::listed(names));
     };
     auto only = options_.only;
@@ -122,15 +126,19 @@ class Comparer {
   }
 
   Status chooseMetric() {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : rows_.front().metrics) names.push_back(name);
+    std::set<std::string> known;
+    for (const RunRow& row : rows_) {
+      for (const auto& [name, value] : row.metrics) known.insert(name);
+    }
+    const std::vector<std::string> names(known.begin(), known.end());
     const std::string wanted = metricOf(options_.metric);
-    comparison_.metric = fullName(wanted, names);
-    if (comparison_.metric.empty()) {
-      return Status::invalidParameter("no metric '" + wanted + "' in " +
+    const Result<std::string> full = fullName("metric", wanted, names);
+    if (!full.isOk()) {
+      return Status::invalidParameter(full.status().message() + " in " +
                                       rows_.front().directory.string() + "/metrics.json" +
                                       config::didYouMean(wanted, names));
     }
+    comparison_.metric = full.value();
     const std::size_t before = rows_.size();
     std::erase_if(rows_,
                   [&](const RunRow& row) { return !row.metrics.contains(comparison_.metric); });

@@ -21,7 +21,7 @@ namespace {
 using config::Node;
 using NodePointer = std::shared_ptr<const Node>;
 
-constexpr std::int64_t kMaxSamples = 100'000;
+constexpr std::size_t kMaxSamples = 100'000;
 
 /// The label of a value: a scalar, the plugin of a stage, the values of a map, or a list in
 /// brackets.
@@ -170,6 +170,23 @@ class Reader {
     return value.isOk() ? value.value() : fallback;
   }
 
+  std::size_t whole(const Node& parent, const std::string& key, std::int64_t fallback) {
+    const Node* node = scalar(parent, key);
+    if (node == nullptr) return static_cast<std::size_t>(fallback);
+    const Result<std::int64_t> value = config::readInteger(node->text);
+    const bool is_usable = value.isOk() && value.value() >= 0;
+    if (!is_usable) problem(*node, key, "expects a whole number from 0");
+    return static_cast<std::size_t>(is_usable ? value.value() : fallback);
+  }
+
+  bool flag(const Node& parent, const std::string& key) {
+    const Node* node = scalar(parent, key);
+    if (node == nullptr) return false;
+    const Result<bool> value = config::readBool(node->text);
+    if (!value.isOk()) problem(*node, key, value.status().message());
+    return value.isOk() && value.value();
+  }
+
   Range range(const Node& node) {
     knownKeys(node, node.key, {"min", "max", "log", "integer"});
     Range range{node.key, 0, 1, false, false, node.origin};
@@ -179,12 +196,12 @@ class Reader {
     }
     range.low = number(node, "min", 0);
     range.high = number(node, "max", 1);
-    const auto flag = [&](const char* key) {
-      const Node* given = scalar(node, key);
-      return given != nullptr && given->text == "true";
-    };
-    range.log = flag("log");
-    range.integer = flag("integer");
+    range.log = flag(node, "log");
+    range.integer = flag(node, "integer");
+    if (range.integer &&
+        (std::trunc(range.low) != range.low || std::trunc(range.high) != range.high)) {
+      problem(node, node.key, "expects whole numbers for min and max with integer");
+    }
     if (range.low > range.high || (range.log && (range.low <= 0 || range.integer))) {
       problem(node, node.key, "is no range; max must be above min, and min above 0 with log");
       range = Range{node.key, 0, 1, false, false, node.origin};
@@ -195,9 +212,9 @@ class Reader {
   /// {count: N, seed: S, keys: {key: {min: A, max: B, log: true, integer: true}}}
   void readSamples(const Node& samples, const std::string& kind) {
     knownKeys(samples, kind, {"count", "seed", "keys"});
-    const double count = number(samples, "count", 0);
+    const std::size_t count = whole(samples, "count", 0);
     const Node* keys = map(samples, "keys");
-    if (count < 1 || count > static_cast<double>(kMaxSamples) || keys == nullptr) {
+    if (count < 1 || count > kMaxSamples || keys == nullptr) {
       problem(samples, kind, "expects a count from 1 to 100000 and a map of keys");
       return;
     }
@@ -207,11 +224,9 @@ class Reader {
       problem(*keys, kind, fmt::format("has more than {} keys", kSobolDimensions));
       return;
     }
-    const auto n = static_cast<std::size_t>(count);
     const auto shares = kind == "sobol"
-                            ? sobolPoints(n, ranges.size())
-                            : randomPoints(n, ranges.size(),
-                                           static_cast<std::uint64_t>(number(samples, "seed", 1)));
+                            ? sobolPoints(count, ranges.size())
+                            : randomPoints(count, ranges.size(), whole(samples, "seed", 1));
     Axis axis;
     for (const auto& point : shares) {
       Choice& choice = axis.emplace_back();

@@ -52,7 +52,11 @@ Result<std::string> contentOf(const RunReader& reader, std::string_view file, co
   const auto& all = file.starts_with("odometry.") ? reader.odometry() : reader.map();
   if (!all.isOk()) return all.status();
   const evaluation::Trajectory poses = within(all.value(), span);
-  return file.ends_with(".tum") ? Result<std::string>(tumText(poses)) : kittiText(poses);
+  if (poses.empty()) return std::string();
+  if (file.ends_with(".tum")) return tumText(poses);
+  const Result<std::int64_t> last = reader.lastGivenFrame();
+  if (!last.isOk()) return last.status();
+  return kittiText(poses, std::min(last.value() + 1, span.end) - span.first);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -56,20 +57,25 @@ std::string tumText(const evaluation::Trajectory& poses) {
   return text;
 }
 
-Result<std::string> kittiText(const evaluation::Trajectory& poses) {
+Result<std::string> kittiText(const evaluation::Trajectory& poses, std::int64_t frames) {
   std::string text;
   std::string line = kittiLine(Eigen::Isometry3d::Identity());
   std::int64_t next = 0;
-  for (const evaluation::TrajectoryPose& pose : poses) {
-    if (pose.frame < next || pose.frame - next > kMaxGap || pose.frame > kMaxFrames) {
-      return Status::invalidInput(fmt::format(
-          "frame {} comes where frame {} was due; the record is damaged", pose.frame, next));
+  const auto repeatUntil = [&](std::int64_t frame) {
+    if (frame < next || frame - next > kMaxGap || frame > kMaxFrames) {
+      return Status::invalidInput(
+          fmt::format("frame {} comes where frame {} was due; the record is damaged", frame, next));
     }
-    for (; next < pose.frame; ++next) text += line;
+    for (; next < frame; ++next) text += line;
+    return Status::ok();
+  };
+  for (const evaluation::TrajectoryPose& pose : poses) {
+    if (Status status = repeatUntil(pose.frame); !status.isOk()) return status;
     line = kittiLine(pose.T_world_camera);
     text += line;
     ++next;
   }
+  if (Status status = repeatUntil(std::max(next, frames)); !status.isOk()) return status;
   return text;
 }
 

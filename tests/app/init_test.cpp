@@ -108,6 +108,37 @@ TEST_CASE("init finds a pair of folders, a calibration and times in names", "[da
   written.run(4);
 }
 
+TEST_CASE("init finds the unit of times, and tells times that cannot be used") {
+  const TemporaryFolder folder;
+  const auto writeImages = [&](const fs::path& images, const std::string& format) {
+    fs::create_directories(images);
+    cv::Mat image(60, 80, CV_8UC1);
+    for (int i = 0; i < 6; ++i) {
+      cv::randu(image, 0, 255);
+      cv::imwrite((images / fmt::format(fmt::runtime(format), i)).string(), image);
+    }
+  };
+  const auto textWith = [&](const std::string& name, const std::string& times) {
+    const fs::path images = folder.path() / name;
+    writeImages(images, "{:06}.png");
+    std::ofstream(images / "times.csv") << times;
+    return Written(images).text;
+  };
+  const std::string regular = textWith("a", "frame,time\n0,0\n1,33\n2,66\n3,99\n4,132\n5,165\n");
+  CHECK(contains(regular, "stamps_unit: ms\n"));
+  CHECK_FALSE(contains(regular, "the times:"));
+  const std::string epoch = textWith("b",
+                                     "frame,stamp\n0,1700000000\n1,1700000001\n2,1700000002\n"
+                                     "3,1700000003\n4,1700000004\n5,1700000005\n");
+  CHECK(contains(epoch, "stamps_unit: s\n"));
+  const std::string unsorted = textWith("c", "frame,time\n0,0\n1,1\n2,9\n3,3\n4,4\n5,5\n");
+  CHECK_FALSE(contains(unsorted, "stamps_unit"));
+  CHECK(contains(unsorted, "#   - the times: "));
+  CHECK(contains(unsorted, "times.csv"));
+  writeImages(folder.path() / "d", "170000000{}.25.png");
+  CHECK(contains(Written(folder.path() / "d").text, "stamps_in_names: true\n  stamps_unit: s\n"));
+}
+
 TEST_CASE("init writes a configuration for a video, which runs", "[data]") {
   const auto clip = dataOrSkip("kitti_clips/03_left");
   if (!clip) return;

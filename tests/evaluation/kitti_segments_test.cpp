@@ -86,6 +86,15 @@ TEST_CASE("the way through a gap is that of the whole truth") {
   CHECK(segmentErrors(matches, kittiLengths()).t_rel_percent < 1.03);
 }
 
+TEST_CASE("segments far shorter than the way between two frames are left out") {
+  const Trajectory truth = test::straightPath(41);
+  const Trajectory estimate = test::straightPath(41, 1.02);
+  const SegmentErrors errors = segmentErrors(test::paired(truth, estimate), {"custom", {0.1, 4}});
+  CHECK(errors.segments == 4);  // starts 0, 10, 20 and 30; a segment of 4 m spans 5 steps
+  CHECK(errors.segments_in_gaps == 4);
+  CHECK(errors.t_rel_percent == Approx(2 * 5.0 / 4));
+}
+
 TEST_CASE("short paths have their own, named lengths") {
   CHECK(lengthsFor(4000).name == "kitti");
   CHECK(lengthsFor(60).name == "short");

@@ -237,6 +237,24 @@ TEST_CASE("what must not be averaged is refused") {
   options = {};
   options.metric = "map.atee";
   CHECK(compareRuns(rows(), options).status().code() == StatusCode::InvalidParameter);
+  for (RunRow& row : all) row.metrics["odometry.coverage"] = row.metrics["map.coverage"] = 1;
+  options.metric = "coverage";
+  CHECK(compareRuns(all, options)
+            .status()
+            .message()
+            .find("more than one metric ends with 'coverage': map.coverage, odometry.coverage") ==
+        0);
+}
+
+TEST_CASE("a metric that only the first run lacks can be compared") {
+  std::vector<RunRow> all = rows();
+  for (RunRow& row : all) row.metrics["loops"] = 3;
+  all.front().metrics.erase("loops");
+  ComparisonOptions options;
+  options.metric = "loops";
+  const auto compared = compareRuns(all, options);
+  REQUIRE(compared.isOk());
+  CHECK(compared.value().notes.front() == "1 of 12 runs have no loops and are left out.");
 }
 
 TEST_CASE("tables as Markdown, LaTeX and CSV") {

@@ -123,6 +123,13 @@ TEST_CASE("mistakes are told with line and remedy") {
   told("base: motion\nseeds: none\n", "expects how many, or a list");
   told("base: motion\nrandom: {count: 5, keys: {a: {min: 2, max: 1}}}\n", "is no range");
   told("base: motion\nrandom: {count: 5, keys: {a: 3}}\n", "expects a range such as");
+  told("base: motion\nrandom: {count: 2.5, keys: {a: {min: 1, max: 2}}}\n",
+       "count: expects a whole number");
+  told("base: motion\nrandom: {count: 2, seed: -1, keys: {a: {min: 1, max: 2}}}\n",
+       "seed: expects a whole number");
+  told("base: motion\nrandom: {count: 2, keys: {a: {min: 1, max: 2, log: yes}}}\n", "log: ");
+  told("base: motion\nrandom: {count: 2, keys: {a: {min: 1.5, max: 2, integer: true}}}\n",
+       "expects whole numbers for min and max");
   told("base: motion\nset: {name: x}\n", "points have names of their own");
 }
 

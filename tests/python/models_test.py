@@ -2,6 +2,7 @@
 """The models that come with the package: what their papers show, and runs on a random walk."""
 import math
 import unittest
+import unittest.mock
 
 from support import Systems, tolman as program
 
@@ -175,6 +176,17 @@ class TrajectoryTest(Systems):
             load("trajectory")(path=file)
         with self.assertRaises(tolman.InvalidInput):
             load("trajectory")(path=self.folder / "missing.csv")
+
+    def test_a_csv_file_of_a_spreadsheet_is_read_and_its_gaps_are_told(self):
+        file = self.folder / "rat.csv"
+        file.write_text("t,x,y,heading\n0,0,0,0\n0.1,0,0,0\n0.2,1,0,0\n9.2,1,1,0\n", encoding="utf-8-sig")
+        with unittest.mock.patch("tolman.plugins._NoLog.warning", create=True) as warning:
+            source = load("trajectory")(path=file)
+        self.assertEqual(len(source.poses), 93)
+        self.assertIn("1 gaps without positions, the longest of 9 s at t = 0.2 s", warning.call_args.args[0])
+        file.write_text("t,x,y,heading\n0,0,0,0\n1,1,0,nan\n")
+        with self.assertRaises(tolman.InvalidInput):
+            load("trajectory")(path=file)
 
     def test_nwb_of_an_animal_is_read(self):
         try:

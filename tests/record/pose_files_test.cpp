@@ -67,6 +67,10 @@ TEST_CASE("a KITTI file has one line a frame, also for frames that were dropped"
         "1 0 0 0 0 1 0 0 0 0 1 1\n"
         "1 0 0 0 0 1 0 0 0 0 1 1\n"  // frame 2: as before
         "1 0 0 0 0 1 0 0 0 0 1 3\n");
+  const std::string line = "1 0 0 0 0 1 0 0 0 0 1 3\n";
+  CHECK(kittiText(poses, 6).value() == kittiText(poses).value() + line + line);
+  CHECK(kittiText(poses, 2).value() == kittiText(poses).value());
+  CHECK_FALSE(kittiText(poses, 1LL << 60).isOk());
   const evaluation::Trajectory damaged = {poseAt(0, 0, 0), poseAt(1LL << 60, 0, 0)};
   CHECK(kittiText(damaged).status().message() ==
         "frame 1152921504606846976 comes where frame 1 was due; the record is damaged");

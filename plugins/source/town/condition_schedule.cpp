@@ -27,7 +27,7 @@ Result<ConditionSchedule> ConditionSchedule::make(const TownParameters& paramete
   const Result<std::vector<ConditionEntry>> entries = parseConditions(parameters.conditions);
   if (!entries.isOk()) return entries.status();
   ConditionSchedule schedule;
-  schedule.conditions_ = conditionsOf(route, entries.value());
+  schedule.conditions_ = conditionsOf(route, entries.value(), schedule.warnings_);
   schedule.driven_ = drivenMetres(route);
   for (const Condition& condition : schedule.conditions_) {
     schedule.lights_.push_back(lightOf(condition, parameters));

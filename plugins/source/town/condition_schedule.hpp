@@ -2,6 +2,7 @@
 // Light and season at each frame of the drive.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "conditions.hpp"
@@ -20,11 +21,13 @@ class ConditionSchedule {
   const Condition& at(std::size_t frame) const { return conditions_[frame]; }
   bool anyBare() const;
   bool anyExchanged() const;
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   std::vector<Condition> conditions_;  ///< of each frame
   std::vector<Light> lights_;          ///< of each frame, before changes are spread
   std::vector<double> driven_;         ///< m, until each frame
+  std::vector<std::string> warnings_;  ///< of entries that hold nowhere
 };
 
 }  // namespace tolman::town

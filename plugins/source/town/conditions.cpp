@@ -120,6 +120,7 @@ Status checkWords(const std::string& entry, const std::vector<std::string>& word
 Result<ConditionEntry> parseEntry(const std::string& text) {
   const std::size_t equals = text.find('=');
   ConditionEntry entry;
+  entry.text = text;
   if (equals == std::string::npos || !parseWhere(text.substr(0, equals), entry)) {
     return refuse(text,
                   "does not begin with a range; write 'pass 2 =', 'pass 2-3 =', "
@@ -143,6 +144,15 @@ void dropShortRuns(std::vector<int>& passes, const std::vector<double>& driven) 
     }
     begin = end;
   }
+}
+
+std::string nowhere(const ConditionEntry& entry, double driven, int passes) {
+  std::string most = std::to_string(std::lround(driven)) + " m long";
+  if (entry.is_pass && passes == 1) most = "never driven twice at one place";
+  if (entry.is_pass && passes > 1) {
+    most = "driven at most " + std::to_string(passes) + " times at one place";
+  }
+  return "conditions: '" + entry.text + "' holds at no frame: the route is " + most;
 }
 
 }  // namespace
@@ -193,17 +203,22 @@ std::vector<int> passNumbers(const CameraRoute& route) {
 }
 
 std::vector<Condition> conditionsOf(const CameraRoute& route,
-                                    const std::vector<ConditionEntry>& entries) {
+                                    const std::vector<ConditionEntry>& entries,
+                                    std::vector<std::string>& warnings) {
   std::vector<Condition> conditions(route.T_town_camera.size());
   if (entries.empty()) return conditions;
   const std::vector<double> driven = drivenMetres(route);
   const std::vector<int> passes = passNumbers(route);
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    for (const ConditionEntry& entry : entries) {
+  for (const ConditionEntry& entry : entries) {
+    bool holds = false;
+    for (std::size_t i = 0; i < conditions.size(); ++i) {
       const double at = entry.is_pass ? passes[i] : driven[i];
       if (at < entry.first || at > entry.last) continue;
+      holds = true;
       for (const std::string& word : entry.words) findWord(word)->change(conditions[i]);
     }
+    if (!holds)
+      warnings.push_back(nowhere(entry, driven.back(), *std::ranges::max_element(passes)));
   }
   return conditions;
 }

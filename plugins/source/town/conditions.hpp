@@ -32,6 +32,7 @@ struct Condition {
 };
 
 struct ConditionEntry {
+  std::string text;      ///< as it was given
   bool is_pass = false;  ///< the range is in passes, from 1; otherwise in m driven
   double first = 0;
   double last = 0;  ///< inclusive
@@ -48,8 +49,9 @@ std::vector<double> drivenMetres(const CameraRoute& route);
 /// shorter than 15 m, as at junctions, are ignored.
 std::vector<int> passNumbers(const CameraRoute& route);
 
-/// Conditions of each frame of the route.
+/// Conditions of each frame of the route; entries that hold at no frame become warnings.
 std::vector<Condition> conditionsOf(const CameraRoute& route,
-                                    const std::vector<ConditionEntry>& entries);
+                                    const std::vector<ConditionEntry>& entries,
+                                    std::vector<std::string>& warnings);
 
 }  // namespace tolman::town

@@ -49,6 +49,7 @@ Status TownSource::configure(const Context& context) {
                    static_cast<std::uint32_t>(context.seed >> 32U));
   ready_ = setRig();
   if (ready_.isOk()) ready_ = build();
+  for (const std::string& warning : schedule_.warnings()) context.log.warning(warning);
   return ready_;
 }
 

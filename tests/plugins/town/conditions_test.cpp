@@ -18,7 +18,14 @@ std::string refusal(const std::string& text) {
 }
 
 std::vector<Condition> conditionsOn(const CameraRoute& route, const std::string& text) {
-  return conditionsOf(route, parseConditions(text).value());
+  std::vector<std::string> warnings;
+  return conditionsOf(route, parseConditions(text).value(), warnings);
+}
+
+std::vector<std::string> warningsOn(const CameraRoute& route, const std::string& text) {
+  std::vector<std::string> warnings;
+  conditionsOf(route, parseConditions(text).value(), warnings);
+  return warnings;
 }
 
 }  // namespace
@@ -59,6 +66,18 @@ TEST_CASE("what is not in the grammar is refused by name") {
         "conditions: 'all = day snow night': 'day' and 'night' exclude each other");
   CHECK(refusal("all = fog rain").find("'fog' and 'rain' exclude") != std::string::npos);
   CHECK(refusal("9-5 m = night").find("the smaller number first") != std::string::npos);
+}
+
+TEST_CASE("entries that hold at no frame are told") {
+  const CameraRoute route = builtInRoute("block", {}).value();
+  CHECK(warningsOn(route, "all = rain; pass 2 = night; 0-20 m = snow").empty());
+  CHECK(warningsOn(route, "pass 2-3 = day; pass 3-9 = night") ==
+        std::vector<std::string>{"conditions: 'pass 3-9 = night' holds at no frame: the route is "
+                                 "driven at most 2 times at one place"});
+  const std::string metres = std::to_string(std::lround(drivenMetres(route).back()));
+  CHECK(warningsOn(route, "90000-90010 m = night").front() ==
+        "conditions: '90000-90010 m = night' holds at no frame: the route is " + metres +
+            " m long");
 }
 
 TEST_CASE("metres hold where they are driven, later entries win") {

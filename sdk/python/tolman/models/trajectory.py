@@ -31,8 +31,10 @@ class Trajectory(tolman.Source):
 
     def start(self):
         t, x, y, heading = self._walk() if self.path.name == "" else self._read()
-        if len(t) < 2 or not np.all(np.isfinite([*t, *x, *y])) or np.any(np.diff(t) <= 0):
+        numbers = np.concatenate([t, x, y, [] if heading is None else heading])
+        if len(t) < 2 or not np.all(np.isfinite(numbers)) or np.any(np.diff(t) <= 0):
             raise tolman.InvalidInput(f"{self.path}: needs two positions or more, numbers, in ascending time")
+        self._tell_gaps(t)
         self.carried = [math.ceil(at * self.rate - 1e-6) for at in self._visits()] if self.path.name == "" else []  # frames
         self.time = np.arange(t[0], t[-1] + 1e-9, 1 / self.rate)
         x, y = np.interp(self.time, t, x), np.interp(self.time, t, y)
@@ -45,6 +47,14 @@ class Trajectory(tolman.Source):
             heading = np.interp(self.time, t, np.unwrap(heading))
         self.poses = np.stack([x, y, heading], axis=1)
         self.sent, self.views = 0, []  # frames that made a view
+
+    def _tell_gaps(self, t):
+        steps = np.diff(t)
+        gaps = np.flatnonzero(steps > max(1.0, 10 * np.median(steps)))
+        if len(gaps) > 0:
+            longest = gaps[np.argmax(steps[gaps])]
+            self.log.warning(f"{self.path}: {len(gaps)} gaps without positions, the longest of {steps[longest]:.3g} s at "
+                             f"t = {t[longest]:.6g} s; the path is a straight line there")
 
     def _visits(self):
         """Times of the walk when another room begins."""
@@ -82,7 +92,7 @@ class Trajectory(tolman.Source):
         return self._read_nwb() if self.path.suffix == ".nwb" else self._read_csv()
 
     def _read_csv(self):
-        with open(self.path, newline="", encoding="utf-8") as file:
+        with open(self.path, newline="", encoding="utf-8-sig") as file:
             rows = list(csv.DictReader(file))
         try:
             columns = {name: np.array([float(row[name]) for row in rows]) for name in (rows[0] if rows else {})}
