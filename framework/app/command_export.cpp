@@ -22,6 +22,11 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
   if (!out.empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
+  if (session >= 0 && std::filesystem::equivalent(run, folder, ignored)) {
+    throw Ended{ExitCode::Usage,
+                "--session would replace the files of the run's own session; leave out --out, or "
+                "give another folder"};
+  }
   const bool is_new = std::filesystem::create_directories(folder, ignored);
   const auto written = record::exportRun(run, folder, session);
   if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty

@@ -100,6 +100,14 @@ struct RoutePlan {
   End to;
   bool scale_known = true;  ///< false (a single camera): lengths are in arbitrary units
   planning::PlannedRoute route;
+
+  /// Null where times are not known.
+  nlohmann::ordered_json secondsOf(const planning::Leg& leg) const {
+    return route.times_known ? nlohmann::ordered_json(leg.seconds) : nullptr;
+  }
+  std::string timeText(const planning::Leg& leg, int decimals) const {
+    return route.times_known ? fmt::format("{:.{}f}", leg.seconds, decimals) : "-";
+  }
 };
 
 nlohmann::ordered_json toJson(const End& end) {
@@ -116,11 +124,11 @@ nlohmann::ordered_json toJson(const RoutePlan& plan, const MapGraph& graph) {
                     {"right_m", p.x()},
                     {"forward_m", p.y()},
                     {"up_m", p.z()},
-                    {"seconds", leg.seconds},
+                    {"seconds", plan.secondsOf(leg)},
                     {"metres", leg.metres}});
   }
   return {{"from", toJson(plan.from)},       {"to", toJson(plan.to)},
-          {"scale_known", plan.scale_known}, {"seconds", plan.route.seconds()},
+          {"scale_known", plan.scale_known}, {"seconds", plan.secondsOf(plan.route.legs.back())},
           {"metres", plan.route.metres()},   {"legs", legs}};
 }
 
@@ -131,12 +139,16 @@ void print(const RoutePlan& plan, const MapGraph& graph) {
   for (const planning::Leg& leg : plan.route.legs) {
     Eigen::Vector3d p = placeOf(leg.experience, graph);
     for (double& metres : p) metres = std::abs(metres) < 0.005 ? 0 : metres;  // no "-0.00"
-    std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n",
-                             leg.experience, p.x(), p.y(), p.z(), leg.seconds, leg.metres);
+    std::cout << fmt::format("{:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9} {:>9.2f}\n", leg.experience,
+                             p.x(), p.y(), p.z(), plan.timeText(leg, 2), leg.metres);
   }
-  std::cout << fmt::format("{} experience{}, {:.1f} {}, {:.1f} s\n", plan.route.legs.size(),
+  std::cout << fmt::format("{} experience{}, {:.1f} {}, {} s\n", plan.route.legs.size(),
                            plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(), unit,
-                           plan.route.seconds());
+                           plan.timeText(plan.route.legs.back(), 1));
+  if (!plan.route.times_known) {
+    std::cout
+        << "times are not known: no link of this map has a duration; this is the shortest way\n";
+  }
   if (!plan.scale_known) {
     std::cout << "lengths and places are in arbitrary units: one camera does not tell the scale\n";
   }

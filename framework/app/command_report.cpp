@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "record/export.hpp"
 #include "record/run_directory.hpp"
 #include "run/report_files.hpp"
 
@@ -58,6 +59,11 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
     const auto written =
         valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
     printFiles(written, invocation);
+    for (const std::string& run : *runs) {
+      const auto reader = record::RunReader::open(run);
+      const Status status = reader.isOk() ? record::checkUnchanged(*reader.value()) : Status::ok();
+      if (!status.isOk()) std::cerr << "warning: " + status.message() + "\n";
+    }
   });
 }
 

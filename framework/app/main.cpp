@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
 #include <malloc.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -41,9 +42,19 @@ void limitFragmentation() {
 #endif
 }
 
+/// Below this a run overflows its stack, which ends a process without a message.
+bool hasStack() {
+  constexpr rlim_t kSmallest = 256 << 10;  // bytes; 100 KiB were enough for a run
+  struct rlimit limit {};
+  if (::getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= kSmallest) return true;
+  std::cerr << "tolman: the stack is limited to less than 256 KiB; give it more (`ulimit -s`)\n";
+  return false;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!hasStack()) return static_cast<int>(tolman::app::ExitCode::Internal);
   limitFragmentation();
   repairInheritedState();
   std::optional<tolman::app::TerminalOutput> terminal;

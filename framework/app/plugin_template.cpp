@@ -114,6 +114,9 @@ std::optional<std::string> objectionTo(const std::string& name) {
   if (std::find(kTakenNames.begin(), kTakenNames.end(), name) != kTakenNames.end()) {
     return "'" + name + "' is the name of another file of the repository; try 'my_" + name + "'";
   }
+  if (name == "none" || name == "true" || name == "false") {  // Python's None, True, False
+    return "'" + name + "' would name a class that Python has already; try 'my_" + name + "'";
+  }
   return std::nullopt;
 }
 

@@ -32,13 +32,20 @@ void addExamples(CLI::App& app, const std::string& command) {
   }
 }
 
-/// `help` and `version`, which `wordsOf` has replaced before anything is parsed, and `help-tree`.
-void addWordCommands(CLI::App& app) {
+std::string versionText() {
+  return std::string("tolman ") + run::kVersion + " (" + run::kRevision + ")";
+}
+
+/// `help`, which `wordsOf` has replaced before anything is parsed, `version`, and `help-tree`.
+void addWordCommands(CLI::App& app, const Invocation& invocation) {
   CLI::App* help = app.add_subcommand("help", "The options of a command; same as COMMAND --help");
   help->add_option("command", "Command, such as run or plugins describe")
       ->type_name("COMMAND")
       ->expected(0, -1);
-  app.add_subcommand("version", "Version of the program; same as --version");
+  app.add_subcommand("version", "Version of the program; same as --version")->callback([&] {
+    const nlohmann::ordered_json json = {{"version", run::kVersion}, {"revision", run::kRevision}};
+    std::cout << (invocation.json ? jsonText(json) : versionText() + "\n");
+  });
   app.add_subcommand("help-tree", "All commands and options as JSON (internal)")
       ->group("")
       ->callback([&app] { std::cout << helpTree(app).dump(1) << "\n"; });
@@ -52,16 +59,16 @@ std::optional<double> finiteNumber(std::string_view text) {
   return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-/// The words behind `tolman`, with `help COMMAND` as `COMMAND --help`, and `version`.
+/// The words behind `tolman`, with `help COMMAND` as `COMMAND --help`.
 std::vector<std::string> wordsOf(int argc, const char* const* argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty()) return words;
-  if (words.front() == "help") {
-    words.erase(words.begin());
-    words.emplace_back("--help");
-  } else if (words.front() == "version") {
-    words.front() = "--version";
+  auto command = words.begin();
+  while (command != words.end() && command->starts_with('-')) {
+    command += *command == "--plugin-path" && command + 1 != words.end() ? 2 : 1;
   }
+  if (command == words.end() || *command != "help") return words;
+  words.erase(command);
+  words.emplace_back("--help");
   return words;
 }
 
@@ -137,8 +144,7 @@ ExitCode exitCode(const Status& status) {
 
 int runProgram(int argc, const char* const* argv) {
   CLI::App app{"Tolman: neurobiologically inspired visual SLAM from swappable plugins.", "tolman"};
-  app.set_version_flag("--version",
-                       std::string("tolman ") + run::kVersion + " (" + run::kRevision + ")");
+  app.set_version_flag("--version", versionText());
   app.require_subcommand(1);
   Invocation invocation;
   invocation.command_line.assign(argv, argv + argc);
@@ -164,7 +170,7 @@ int runProgram(int argc, const char* const* argv) {
   addSweepCommand(app, invocation);
   addCompareCommand(app, invocation);
   addRerunCommand(app, invocation);
-  addWordCommands(app);
+  addWordCommands(app, invocation);
   addStageCommand(app);
   addProbeCommand(app, invocation);
   addExamples(app, "tolman");

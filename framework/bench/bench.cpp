@@ -99,6 +99,9 @@ class ChainBench {
     options_.progress.begin_pass(assembly.sourceInfo().frames);
     BenchPass measured = scope == run::Scope::Source ? sourceAlone(assembly) : chain(assembly);
     options_.progress.end_pass();
+    if (measured.frames == 0 && !cancellation_.requested()) {
+      throw run::Failed({run::FailureKind::Dataset, "source: gave no frame to measure"});
+    }
     if (!cancellation_.requested()) passes.push_back(std::move(measured));  // else: incomplete pass
   }
 

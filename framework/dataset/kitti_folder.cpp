@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <optional>
 #include <system_error>
 
 #include "dataset/png_encoder.hpp"
@@ -22,6 +24,26 @@ constexpr std::array kTextFiles = {"times.txt", "calib.txt", "poses.txt", "loops
 /// Marks a folder as a rendering. It is written first, because --force replaces only marked
 /// folders.
 constexpr const char* kMark = ".tolman-rendering";
+constexpr const char* kMarkText =
+    "`tolman dataset render` wrote this folder; --force may replace it.\n";
+
+/// What a finished rendering has written: its second line of the mark, "frames: 5 image_0 image_1".
+struct WrittenImages {
+  std::int64_t frames = 0;
+  std::set<std::string> folders;
+};
+
+std::optional<WrittenImages> writtenImages(const fs::path& folder) {
+  std::ifstream mark(folder / kMark);
+  std::string line;
+  std::string word;
+  WrittenImages written;
+  if (!std::getline(mark, line) || !(mark >> word >> written.frames)) return std::nullopt;
+  while (mark >> word) written.folders.insert(word);
+  return written;
+}
+
+std::string imageName(std::int64_t index) { return fmt::format("{:06}.png", index); }
 
 /// Whether writeFrame() makes files of this name: digits and ".png", or its temporary name.
 bool isOurs(const fs::path& file) {
@@ -67,13 +89,21 @@ Status mayBeWritten(const fs::path& folder, bool replace) {
   return refuseLinks(folder);
 }
 
+/// Of an unfinished rendering it is not known which images it wrote: all that have such names.
 void removeEarlier(const fs::path& folder) {
   std::error_code ignored;
+  const auto written = writtenImages(folder);
   for (const char* name : kTextFiles) fs::remove(folder / name, ignored);
   for (const char* name : kImageFolders) {
+    if (written && !written->folders.contains(name)) continue;
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
-      if (isOurs(entry.path())) files.push_back(entry.path());
+    for (std::int64_t i = 0; written && i < written->frames; ++i) {
+      files.push_back(folder / name / imageName(i));
+    }
+    if (!written) {
+      for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
+        if (isOurs(entry.path())) files.push_back(entry.path());
+      }
     }
     for (const fs::path& file : files) fs::remove(file, ignored);
     fs::remove(folder / name, ignored);  // fails if other files are in it
@@ -133,8 +163,7 @@ Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
   }
   if (Status status = mayBeWritten(folder, replace); !status.isOk()) return status;
   if (replace) removeEarlier(folder);
-  const Status marked = record::writeAtomically(
-      folder / kMark, "`tolman dataset render` wrote this folder; --force may replace it.\n");
+  const Status marked = record::writeAtomically(folder / kMark, kMarkText);
   if (!marked.isOk()) return marked;
   return KittiFolder(folder, std::move(lock));
 }
@@ -142,12 +171,15 @@ Result<KittiFolder> KittiFolder::create(const fs::path& folder, bool replace) {
 Status KittiFolder::writeImage(const char* name, std::int64_t index,
                                const Result<std::string>& png) const {
   if (!png.isOk()) return png.status();
+  {
+    const std::lock_guard lock(written_->mutex);
+    written_->folders.insert(name);
+  }
   std::error_code failure;
   fs::create_directory(folder_ / name, failure);
   // Without sync: ten thousand syncs take minutes, and `tolman dataset check` finds an image that a
   // power cut has damaged.
-  return record::writeAtomically(folder_ / name / fmt::format("{:06}.png", index), png.value(),
-                                 record::Sync::No);
+  return record::writeAtomically(folder_ / name / imageName(index), png.value(), record::Sync::No);
 }
 
 Status KittiFolder::writeFrame(std::int64_t index, const Frame& frame,
@@ -182,8 +214,10 @@ Status KittiFolder::writeTexts(const CameraRig& rig, const DriveLog& log,
   const Status calibration =
       rig.calibrated ? record::writeAtomically(folder_ / "calib.txt", calibrationText(rig))
                      : Status::ok();
-  return firstFailure(
-      {calibration, record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
+  std::string mark = kMarkText + fmt::format("frames: {}", log.stamps_ns.size());
+  for (const std::string& folder : written_->folders) mark += " " + folder;
+  return firstFailure({calibration, record::writeAtomically(folder_ / kMark, mark + "\n"),
+                       record::writeAtomically(folder_ / "times.txt", timesText(log.stamps_ns))});
 }
 
 }  // namespace tolman::dataset

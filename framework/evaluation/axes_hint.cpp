@@ -97,7 +97,15 @@ std::string unitHint(const Matches& matches) {
   constexpr double kMin = 0.1;  // m; shorter paths say nothing
   const double truth = pathLength(matches.truth);
   const double estimate = pathLength(matches.estimate);
+  constexpr double kShort = 2.0 / 3;  // noise makes a path longer, never shorter; chosen, not tuned
+  if (truth >= 1 && estimate < 1e-6 * truth) return "the estimate does not move";
   if (std::min(truth, estimate) < kMin) return "";
+  if (truth >= 1 && estimate < kShort * truth && estimate * kFactor > truth) {
+    return fmt::format(
+        "the estimated path is only {:.3g} times as long as the true one; the scale of a single "
+        "camera is not known: align with sim3, or look for gaps in tracking",
+        estimate / truth);
+  }
   if (std::max(truth, estimate) < kFactor * std::min(truth, estimate)) return "";
   return fmt::format(
       "the true path is {:.3g} times as long as the estimated one: are the positions of both in "

@@ -21,7 +21,8 @@ std::string axesHint(const Matches& matches);
 /// empty.
 std::string rotationHint(const Matches& aligned);
 
-/// A warning if one of the paths is over 50 times as long as the other; else empty.
+/// A warning if one of the paths is over 50 times as long as the other, if the estimate is shorter
+/// than two thirds of a true path of 1 m or more, or does not move; else empty.
 std::string unitHint(const Matches& matches);
 
 }  // namespace tolman::evaluation

@@ -100,6 +100,9 @@ class Comparer {
     for (auto& [factor, label] : only) {
       if (Status status = known(std::string(factor), factor); !status.isOk()) return status;
     }
+    for (const auto& [factor, label] : only) {
+      if (Status status = requireLabel(factor, label); !status.isOk()) return status;
+    }
     std::erase_if(rows_, [&](const RunRow& row) { return !hasLabels(row, only); });
     if (rows_.empty()) return Status::invalidParameter("no run is left to compare");
     for (const std::string& wanted : options_.by) {
@@ -111,6 +114,16 @@ class Comparer {
     if (is_alone && varied > 1) return Status::ok();  // each run is a level of its own
     if (comparison_.by.empty()) comparison_.by = variedFactors(names);
     return Status::ok();
+  }
+
+  Status requireLabel(const std::string& factor, const std::string& label) const {
+    std::set<std::string> labels;
+    for (const RunRow& row : rows_) labels.insert(row.label(factor));
+    if (labels.contains(label)) return Status::ok();
+    const std::vector<std::string> names(labels.begin(), labels.end());
+    return Status::invalidParameter("no run has " + factor + "=" + label +
+                                    config::didYouMean(label, names) +
+                                    "; values: " + config::listed(names));
   }
 
   /// All factors that vary in the runs; if none does, the first factor.
@@ -190,8 +203,12 @@ class Comparer {
     }
     std::set<std::string> own;
     for (const RunRow& row : rows_) own.insert(row.label("sequence") + row.results);
+    const std::vector<std::string> useless =
+        own.size() < rows_.size() ? factorsWithoutEffect(rows_) : std::vector<std::string>();
+    if (equal > 0 && !useless.empty()) {
+      note(config::listed(useless) + " changes nothing, byte for byte.");
+    }
     if (equal == 0 && own.size() < rows_.size()) {
-      const std::vector<std::string> useless = factorsWithoutEffect(rows_);
       note(fmt::format("Only {} of {} runs have results of their own, byte for byte: {}.",
                        own.size(), rows_.size(),
                        useless.empty() ? "some levels of a factor change nothing"

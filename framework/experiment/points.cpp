@@ -138,6 +138,10 @@ void removeExcluded(std::vector<SweepPoint>& points, const SweepFile& sweep,
     if (removed == 0)
       problems.push_back({exclusion.origin, "exclude",
                           "leaves out no point; remove the entry, or correct its labels"});
+    if (points.empty()) {
+      problems.push_back({exclusion.origin, "exclude", "leaves out all points that were left"});
+      return;
+    }
   }
 }
 

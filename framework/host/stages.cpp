@@ -48,6 +48,9 @@ void shift(std::vector<MotionRevision>& revisions, std::int64_t frames) {
 Status SourceStage::info(SourceInfo& info) {
   const Status status = call("info", -1, [&](Source& source) {
     const Status answered = source.info(info);
+    if (answered.isOk() && info.frames < -1) {
+      return Status::failed(fmt::format("told {} frames; -1 for an unknown number", info.frames));
+    }
     return answered.isOk() ? checkValues(info.rig) : answered;
   });
   if (status.isOk()) info_ = info;
@@ -61,6 +64,9 @@ Status SourceStage::check(const Frame& frame) {
   if (frame.frame > 0 && frame.stamp_ns <= last_stamp_ns_) {
     return Status::invalidInput(
         fmt::format("time does not increase: {} ns after {} ns", frame.stamp_ns, last_stamp_ns_));
+  }
+  if (frame.stamp_ns < 0) {
+    return Status::invalidInput(fmt::format("time is negative: {} ns", frame.stamp_ns));
   }
   Status status = checkImages(frame, info_.rig);
   if (status.isOk()) status = checkValues(frame);

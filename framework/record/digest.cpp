@@ -39,4 +39,11 @@ Status writeResultsDigest(const std::filesystem::path& run_directory) {
   return writeAtomically(run_directory / "results.sha256", text);
 }
 
+std::map<std::string, std::string> resultsDigests(const std::filesystem::path& run_directory) {
+  std::map<std::string, std::string> digests;
+  std::ifstream stream = openRegular(run_directory / "results.sha256");
+  for (std::string digest, file; stream >> digest >> file;) digests[file] = digest;
+  return digests;
+}
+
 }  // namespace tolman::record

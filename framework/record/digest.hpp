@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -17,5 +18,8 @@ Result<std::string> fileDigest(const std::filesystem::path& file);
 /// Writes results.sha256: digests of the exported files that exist, in the format of `sha256sum
 /// -c`.
 Status writeResultsDigest(const std::filesystem::path& run_directory);
+
+/// Digests that results.sha256 lists, by file; empty where there is none.
+std::map<std::string, std::string> resultsDigests(const std::filesystem::path& run_directory);
 
 }  // namespace tolman::record

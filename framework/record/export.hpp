@@ -18,12 +18,17 @@ inline constexpr std::array<std::string_view, 5> kExportedFiles = {
 /// Writes kExportedFiles into `folder`, each atomically; the folder must exist. `trajectory` is
 /// that of the map. Trajectories are those of one session (-1: the last), because the stamps of
 /// different sessions may be of different clocks. Files that would be empty (a run without a map)
-/// are left out. Returns the written files; InvalidInput if the record has nothing to export.
+/// are left out. Returns the written files; InvalidInput if the record has nothing to export, and
+/// Failed if it would replace sound results of the run (checkUnchanged).
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session = -1);
 Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path& run_directory,
                                                      const std::filesystem::path& folder,
                                                      std::int64_t session = -1);
+
+/// Failed where the record of a finished run gives other results than its results.sha256 lists, and
+/// the listed file is still there: rows were changed after the run.
+Status checkUnchanged(const RunReader& reader);
 
 }  // namespace tolman::record

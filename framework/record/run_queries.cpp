@@ -170,6 +170,9 @@ const Result<MapGraph>& RunReader::graph() const {
       if (std::min(link.from, link.to) < 0 || std::max(link.from, link.to) >= count) {
         throw BadRow("link " + std::to_string(link.id) + " ends at no experience");
       }
+      if (!(link.duration >= 0)) {
+        throw BadRow("link " + std::to_string(link.id) + " has a duration below 0");
+      }
       graph.links.push_back(link);
       if (link.rejected) graph.rejected.push_back(link.id);
     }

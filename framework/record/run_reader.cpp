@@ -33,11 +33,11 @@ RunReader::RunReader(std::filesystem::path directory, const std::filesystem::pat
   database_.exec("BEGIN");  // all reads see one state
   checkVersion();
   requireOwnTables(database_);
-  requireMotions(database_);
   const std::string counts = entry(kRowCountsKey);
   if (!counts.empty() && counts != rowCounts(database_)) {
     throw BadRow("has other numbers of rows than when the run ended: rows were removed or added");
   }
+  requireRowsOfFrames(database_);
 }
 
 void RunReader::checkVersion() const {

@@ -2,6 +2,8 @@
 #include "record/schema_check.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string>
 
 #include "record/schema.hpp"
 
@@ -23,13 +25,26 @@ void requireOwnTables(const Database& database) {
   }
 }
 
-void requireMotions(const Database& database) {
-  Statement row(database,
-                "SELECT frame FROM map_update WHERE frame NOT IN (SELECT frame FROM motion) "
-                "ORDER BY frame LIMIT 1");
-  if (!row.step()) return;
-  throw BadRow("the motion of frame " + row.next().getString() +
-               " is missing: rows of the record were removed");
+void requireRowsOfFrames(const Database& database) {
+  const std::array<std::string, 5> tables = {"frame", "motion", "place", "decision", "map_update"};
+  const auto frameOf = [&](const std::string& query) {
+    Statement row(database, query + " ORDER BY 1 LIMIT 1");
+    return row.step() ? row.next().getString() : std::string();
+  };
+  for (const std::string& table : tables) {
+    for (const std::string& other : tables) {
+      if (table == other || frameOf("SELECT frame FROM " + table).empty()) continue;
+      const std::string frame =
+          frameOf("SELECT frame FROM " + other + " EXCEPT SELECT frame FROM " + table);
+      if (frame.empty()) continue;
+      throw BadRow("the " + table + " of frame " + frame +
+                   " is missing: rows of the record were removed");
+    }
+  }
+  const std::string frame = frameOf(
+      "SELECT frame.frame FROM frame JOIN motion USING (frame) WHERE frame.stamp_ns <> "
+      "motion.stamp_ns");
+  if (!frame.empty()) throw BadRow("the stamps of frame " + frame + " and of its motion differ");
 }
 
 std::string rowCounts(const Database& database) {

@@ -10,8 +10,9 @@ namespace tolman::record {
 /// tables, whose rows may be computed without end.
 void requireOwnTables(const Database& database);
 
-/// Throws BadRow where the map has processed a frame whose motion is missing: rows were removed.
-void requireMotions(const Database& database);
+/// Throws BadRow where a frame lacks the row of a stage that has others, or a stage has a row of a
+/// frame that is missing: rows were removed. Also where a frame and its motion have two stamps.
+void requireRowsOfFrames(const Database& database);
 
 /// In table `run` of a record that was closed: the rowCounts() that it then had.
 inline constexpr const char* kRowCountsKey = "rows";

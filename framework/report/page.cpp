@@ -165,7 +165,8 @@ std::string errorTable(const evaluation::Metrics& metrics) {
              "<th>vertical rmse m</th><th title=\"KITTI drift: mean "
              "translation error of sub-paths\">t_rel %</th><th title=\"KITTI drift: mean rotation "
              "error of sub-paths\">r_rel °/100 m</th>"
-             "<th>tracked %</th></tr>\n",
+             "<th title=\"share of the true poses that have a tracked estimate\">coverage "
+             "%</th></tr>\n",
              enumName(metrics.alignment)) +
          errorRow("odometry", metrics.odometry) + errorRow("map", metrics.map) +
          "</table></div>\n" + openTurnNote(metrics);

@@ -88,7 +88,7 @@ std::vector<std::pair<std::string, TextOf>> metricRows() {
   return {{"map ATE rmse m", score(&Metrics::map, 3, rmse)},
           {"odometry ATE rmse m", score(&Metrics::odometry, 3, rmse)},
           {"odometry t_rel %", score(&Metrics::odometry, 3, drift)},
-          {"tracked %", score(&Metrics::odometry, 1, tracked)},
+          {"coverage %", score(&Metrics::odometry, 1, tracked)},
           {"loop links",
            [](const RunPage& run) { return std::to_string(run.data.metrics.counts.loop_links); }},
           {"true loop links", loops(&LoopFigures::true_links)},

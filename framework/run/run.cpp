@@ -88,6 +88,7 @@ Outcome Run::execute(CheckedSystem system) {
   }
   drive(outcome);
   failIfInputsChanged(outcome);
+  failIfNothingCame(outcome);
   if (const Status moved = directory_->stillInPlace(); !moved.isOk()) {
     outcome.failure = recordFailure(moved);
     writeRunFile(outcome);
@@ -289,7 +290,7 @@ void Run::drive(Outcome& outcome) {
   for (const Status& status : assembly_->teardown()) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
-  warnOfMissingFrames(result, listener);
+  warnOfOtherFrames(result, listener);
   outcome.failure = failureOf(result.failure, listener);
   if (!outcome.failure) outcome.failure = unsaved;
   if (!outcome.failure && result.interrupted) outcome.failure = stop_.reason();
@@ -302,13 +303,16 @@ void Run::drive(Outcome& outcome) {
   outcome.wall_s = 1e-9 * static_cast<double>(clock_.steadyNs() - begin_ns);
 }
 
-/// A source may know beforehand how many frames it has; fewer may mean damaged data.
-void Run::warnOfMissingFrames(const pipeline::DriveResult& result, RunListener& listener) {
+/// A source may know beforehand how many frames it has; fewer may mean damaged data, and more that
+/// what it tells of them is wrong.
+void Run::warnOfOtherFrames(const pipeline::DriveResult& result, RunListener& listener) {
   const std::int64_t known = assembly_->sourceInfo().frames;
   const std::int64_t given = result.counters.frames + result.counters.dropped;
-  if (result.failure || result.interrupted || known < 0 || given >= known) return;
-  listener.onEvent({-1, LogLevel::Warning, assembly_->stageName(Role::Source),
-                    fmt::format("ended after {} of the {} frames that it had told", given, known)});
+  if (result.failure || result.interrupted || known < 0 || given == known) return;
+  const std::string text =
+      given < known ? fmt::format("ended after {} of the {} frames that it had told", given, known)
+                    : fmt::format("gave {} frames, and had told {}", given, known);
+  listener.onEvent({-1, LogLevel::Warning, assembly_->stageName(Role::Source), text});
 }
 
 WatchdogSettings Run::watchdogSettings(RunListener& listener) {
@@ -340,7 +344,13 @@ std::optional<Failure> Run::saveState(const pipeline::DriveResult& result, RunLi
       !directory_->stillInPlace().isOk()) {
     return std::nullopt;
   }
-  return run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
+  std::optional<Failure> unsaved =
+      run::saveState(*assembly_, directory_->path(), {listener.nextFrame(), n.experiences, -1});
+  // A stage that was left out of the rest of the run (`on_failure: skip`) has no state.
+  if (!unsaved || n.skipped == 0 || unsaved->kind != FailureKind::Stage) return unsaved;
+  listener.onEvent(
+      {-1, LogLevel::Warning, "state", unsaved->message + "; this run cannot be continued"});
+  return std::nullopt;
 }
 
 /// A run whose data changed while it read them has results of two data sets.
@@ -352,6 +362,17 @@ void Run::failIfInputsChanged(Outcome& outcome) {
                             changed.string() +
                                 ": was changed or removed while the run was going, so the results "
                                 "may be of two data sets; run it again"};
+  log_.write(LogLevel::Error, "source", outcome.failure->message, false);
+}
+
+void Run::failIfNothingCame(Outcome& outcome) {
+  const pipeline::RunCounters& n = outcome.counters;
+  if (outcome.failure || outcome.interrupted || n.frames > 0) return;
+  outcome.failure =
+      n.skipped > 0
+          ? Failure{FailureKind::Stage, "every frame was skipped, as a stage failed at each"}
+          : Failure{FailureKind::Dataset,
+                    "source: gave no frame; look at first, last and step, and at the data"};
   log_.write(LogLevel::Error, "source", outcome.failure->message, false);
 }
 

@@ -78,12 +78,13 @@ class Run {
   std::string runId() const;
 
   void drive(Outcome& outcome);
-  void warnOfMissingFrames(const pipeline::DriveResult& result, RunListener& listener);
+  void warnOfOtherFrames(const pipeline::DriveResult& result, RunListener& listener);
   WatchdogSettings watchdogSettings(RunListener& listener);
   std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
                                    const RunListener& listener) const;
   std::optional<Failure> saveState(const pipeline::DriveResult& result, RunListener& listener);
   void failIfInputsChanged(Outcome& outcome);
+  void failIfNothingCame(Outcome& outcome);
   void conclude(Outcome& outcome);
   bool writeRunFile(Outcome& outcome);
   void failUnlessWritten(Outcome& outcome, const Status& written);

@@ -57,6 +57,7 @@ TEST_CASE("other names are refused, with the nearest that is right") {
     CHECK(objection->ends_with("; try '" + remedy + "'"));
     CHECK_FALSE(objectionTo(remedy));
   }
+  CHECK(objectionTo("none")->ends_with("; try 'my_none'"));
   CHECK(objectionTo("")->ends_with("; choose such a name"));
   CHECK(objectionTo("1234")->ends_with("; choose such a name"));
   CHECK(objectionTo(std::string(41, 'a')));

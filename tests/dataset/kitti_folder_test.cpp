@@ -92,6 +92,29 @@ TEST_CASE("replacing removes an earlier rendering, and nothing else") {
   CHECK(fs::exists(folder.path() / "velodyne/000000.png"));
 }
 
+TEST_CASE("of a finished rendering only the images that it wrote are replaced") {
+  const test::TemporaryFolder folder;
+  {
+    const auto rendering = dataset::KittiFolder::create(folder.path(), false);
+    REQUIRE(rendering.isOk());
+    Frame frame;
+    frame.left = frame.right = Image::create(8, 8, PixelFormat::Gray8, [](std::uint8_t*) {});
+    dataset::DriveLog log;
+    for (std::int64_t i = 0; i < 2; ++i) {
+      REQUIRE(rendering.value().writeFrame(i, frame, "").isOk());
+      log.stamps_ns.push_back(i);
+    }
+    REQUIRE(rendering.value().writeTexts(kittiRig(), log, {}).isOk());
+  }
+  for (const char* foreign : {"image_0/000002.png", "image_1/123456.png", "image_2/000000.png"}) {
+    touch(folder.path() / foreign);
+  }
+  REQUIRE(dataset::KittiFolder::create(folder.path(), true).isOk());
+  CHECK(entries(folder.path() / "image_0") == 1);
+  CHECK(entries(folder.path() / "image_1") == 1);
+  CHECK(entries(folder.path() / "image_2") == 1);
+}
+
 TEST_CASE("a data set that no rendering has made is not replaced") {
   const test::TemporaryFolder folder;
   touch(folder.path() / "image_0/000000.png");

@@ -88,6 +88,11 @@ TEST_CASE("positions in millimetres are told, a poor scale is not") {
   CHECK(unitHint(scaled(1000)).starts_with("the true path is 1e+03 times as long"));
   CHECK(unitHint(scaled(0.01)).starts_with("the true path is 0.01 times as long"));
   CHECK(unitHint(scaled(0.001)).empty());  // 6 cm may be any distance
-  CHECK(unitHint(scaled(3)).empty());
+  CHECK(unitHint(scaled(1.4)).empty());
+  CHECK(unitHint(scaled(0.3)).empty());  // noise makes a path longer
+  CHECK(unitHint(scaled(2)).starts_with("the estimated path is only 0.5 times as long"));
   CHECK(unitHint(scaled(0)).empty());  // the robot stands
+  Trajectory still = estimate;
+  for (TrajectoryPose& pose : still) pose.T_world_camera.translation().setZero();
+  CHECK(unitHint(test::paired(estimate, still)) == "the estimate does not move");
 }

@@ -155,6 +155,17 @@ TEST_CASE("a factor that changes nothing is told") {
       "Only 6 of 12 runs have results of their own, byte for byte: cells.period changes nothing.");
 }
 
+TEST_CASE("a factor that changes nothing is told where some seeds change nothing, too") {
+  std::vector<RunRow> same = rows();
+  for (RunRow& r : same) {
+    r.results = r.label("sequence") + (r.label("seed") == "3" ? "1" : r.label("seed"));
+  }
+  const auto compared = compareRuns(same, {});
+  REQUIRE(compared.isOk());
+  CHECK(std::ranges::count(compared.value().notes,
+                           "cells.period changes nothing, byte for byte.") == 1);
+}
+
 TEST_CASE("copies of one drive are not independent sequences") {
   std::vector<RunRow> all = rows();
   for (RunRow& r : all) r.results = r.label("cells.period") + r.label("seed");
@@ -230,6 +241,9 @@ TEST_CASE("what must not be averaged is refused") {
   options.by = {"perriod"};
   CHECK(compareRuns(all, options).status().message().find("factors: cells.period") !=
         std::string::npos);
+  options = {};
+  options.only = {{"sequence", "c"}};
+  CHECK(compareRuns(rows(), options).status().message().starts_with("no run has sequence=c"));
   options = {};
   options.baseline = "1500";
   CHECK(compareRuns(rows(), options).status().message() ==

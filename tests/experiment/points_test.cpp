@@ -120,6 +120,8 @@ TEST_CASE("mistakes are told with line and remedy") {
   told("base: motion\ngrid: {a: [1, 1]}\n", "has the value '1' twice");
   told("base: motion\ngrid: {a: [1]}\nexclude: [{b: 1}]\n", ":3:11: exclude: no factor 'b'");
   told("base: motion\ngrid: {a: [1]}\nexclude: [{a: 2}]\n", "leaves out no point");
+  told("base: motion\ngrid: {a: [1, 2]}\nexclude: [{a: 1}, {a: 2}]\n",
+       ":3:19: exclude: leaves out all points");
   told("base: motion\nseeds: none\n", "expects how many, or a list");
   told("base: motion\nrandom: {count: 5, keys: {a: {min: 2, max: 1}}}\n", "is no range");
   told("base: motion\nrandom: {count: 5, keys: {a: 3}}\n", "expects a range such as");

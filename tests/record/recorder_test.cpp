@@ -21,12 +21,14 @@ TEST_CASE("a whole snapshot is stored and read back, lists included") {
   const Frame first = test::frameAt(0);
   Frame frame = test::frameAt(1);
   frame.sensors = {{"gyroscope.yaw_rate", {1}, {0.5F}}, {"sonar", {2, 2}, {1, 2, 3, 4}}};
+  const Motion first_motion = test::motionAt(0);
   Motion motion = test::motionAt(1);
   motion.revisions = {{0, test::randomPose(random), Matrix6d::Identity()},
                       {1, test::randomPose(random), Matrix6d::Identity()}};
   auto recorder = Recorder::open(folder.path()).value();
   Snapshot snapshot;
   snapshot.frame = &first;
+  snapshot.motion = &first_motion;
   REQUIRE(recorder->snapshot(snapshot).isOk());
   snapshot.frame = &frame;
   snapshot.motion = &motion;
@@ -43,9 +45,9 @@ TEST_CASE("a whole snapshot is stored and read back, lists included") {
   CHECK(frames[1].sensors[1].shape == std::vector<int>{2, 2});
   CHECK(frames[1].sensors[1].values == std::vector<float>{1, 2, 3, 4});
   const auto motions = reader->records<Motion>().value();
-  REQUIRE(motions.size() == 1);
-  REQUIRE(motions[0].revisions.size() == 2);
-  CHECK(motions[0].revisions[1].frame == 1);
+  REQUIRE(motions.size() == 2);
+  REQUIRE(motions[1].revisions.size() == 2);
+  CHECK(motions[1].revisions[1].frame == 1);
   CHECK(readArrays(reader->database(), 1, "cells").at(0).values == std::vector<float>{1, 2, 3});
 }
 

@@ -218,6 +218,30 @@ TEST_CASE("a record whose rows were removed after its end is refused") {
   }
 }
 
+TEST_CASE("a record of a killed run whose rows were removed is refused") {
+  for (const std::string table : {"frame", "motion", "map_update"}) {
+    const test::TemporaryFolder folder;
+    auto recorder = Recorder::open(folder.path()).value();
+    for (std::int64_t i = 0; i < 4; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+    REQUIRE(recorder->commit().isOk());
+    CHECK(RunReader::open(folder.path()).isOk());
+    SQLite::Database(folder.path() / "run.sqlite", SQLite::OPEN_READWRITE)
+        .exec("PRAGMA foreign_keys = OFF; DELETE FROM " + table + " WHERE frame = 1");
+    INFO(table);
+    CHECK(refusal(folder.path()) ==
+          "/run.sqlite: the " + table + " of frame 1 is missing: rows of the record were removed");
+  }
+}
+
+TEST_CASE("a motion of another time than its frame is refused") {
+  const test::TemporaryFolder folder;
+  auto recorder = Recorder::open(folder.path()).value();
+  for (std::int64_t i = 0; i < 4; ++i) REQUIRE(test::recordFrame(*recorder, i).isOk());
+  REQUIRE(recorder->close().isOk());
+  test::queryByHand(folder.path(), "UPDATE frame SET stamp_ns = stamp_ns + 5 WHERE frame = 2");
+  CHECK(refusal(folder.path()) == "/run.sqlite: the stamps of frame 2 and of its motion differ");
+}
+
 TEST_CASE("the links that the map has rejected are marked, whatever their weight") {
   const test::TemporaryFolder folder;
   auto recorder = Recorder::open(folder.path()).value();
@@ -298,7 +322,8 @@ TEST_CASE("numbers that no run has are refused, not computed with") {
   const std::string too_large = ": a number is larger than any run has";
   CHECK(refusalAfter("SELECT 1").empty());
   SECTION("stamps whose differences are no stamps") {
-    CHECK(refusalAfter("UPDATE motion SET stamp_ns = -9223372036854775807") == too_large);
+    CHECK(refusalAfter("UPDATE motion SET stamp_ns = -9223372036854775807; "
+                       "UPDATE frame SET stamp_ns = -9223372036854775807") == too_large);
   }
   SECTION("positions beyond every road") {
     CHECK(refusalAfter("UPDATE motion SET T_previous_current_z = 1e300") == too_large);
@@ -311,9 +336,10 @@ TEST_CASE("numbers that no run has are refused, not computed with") {
           ": a matrix has numbers that are not finite");
   }
   SECTION("the last frame, after which there is none") {
-    test::queryByHand(folder.path(),
-                      "PRAGMA foreign_keys = OFF; "
-                      "UPDATE frame SET frame = 9223372036854775807 WHERE frame = 2");
+    for (const std::string table : {"frame", "motion", "place", "decision", "map_update"}) {
+      test::queryByHand(folder.path(), "PRAGMA foreign_keys = OFF; UPDATE " + table +
+                                           " SET frame = 9223372036854775807 WHERE frame = 2");
+    }
     const auto reader = RunReader::open(folder.path()).value();
     CHECK_FALSE(reader->nextFrame().isOk());
     CHECK_FALSE(Replay::open(*reader, {}, true).isOk());

@@ -59,8 +59,3 @@ TEST_CASE("a trigger is refused, by readers and by a run that would write again"
   REQUIRE_FALSE(recorder.isOk());
   CHECK_THAT(recorder.status().message(), Catch::Contains("has a trigger 'thief'"));
 }
-
-TEST_CASE("a frame that the map has processed has a motion") {
-  CHECK_THAT(refusal("DELETE FROM motion WHERE frame IN (2, 3)"),
-             Catch::EndsWith("the motion of frame 2 is missing: rows of the record were removed"));
-}

@@ -85,7 +85,8 @@ struct AttractorParameters {
                 "Standard deviation of the relative yaw of a familiar view without measured pose."),
         parameter("prior", &P::prior)
             .range(1e-6, 0.999)
-            .doc("Expected share of right ones among familiar views, before any was seen."),
+            .doc("Expected share of right ones among familiar views, before any was seen; also the "
+                 "probability that the robot is in the mapped area when tracking restarts."),
         parameter("prior_views", &P::prior_views)
             .range(0.1, 1e12)
             .unit("views")
@@ -102,7 +103,8 @@ struct AttractorParameters {
         parameter("inhibition", &P::inhibition)
             .range(0, 100)
             .unit("nats/m")
-            .doc("Log odds that each calibration bump loses per metre driven."),
+            .doc("Log odds that each calibration bump loses per metre driven, whatever the others "
+                 "do."),
         parameter("threshold", &P::threshold)
             .range(0, 1)
             .doc("Posterior probability above which a calibration bump is accepted and closes "

@@ -64,9 +64,9 @@ Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
                                   std::vector<typename G::Pose>& nodes,
                                   std::vector<PoseLink<G>>& links, ChainSystem<G>& system);
 
-/// A redescending loss has many minima. Takes the best of three: from `nodes` as given, by
-/// graduated non-convexity, and from dead reckoning without loops, so that the result is never
-/// worse than that.
+/// A redescending loss has many minima. Optimises from `nodes` as given; where that does not
+/// converge or gives a loop a weight of 0.5 or less, also by graduated non-convexity and from dead
+/// reckoning without loops, and takes the best of the three. Huber's loss is convex: one start.
 template <class G>
 Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             const std::vector<typename G::Pose>& reckoned,

@@ -80,7 +80,7 @@ Status DirectSparse::reset() {
   first_lost_ = -1;
   gap_s_ = 0;
   lost_frames_ = 0;
-  unrecognised_ = 0;
+  untracked_in_a_row_ = 0;
   draft_frames_ = 0;
   had_keyframe_ = false;
   return Status::ok();
@@ -165,13 +165,13 @@ void DirectSparse::answer(bool visible, const Frame& frame, Motion& motion) {
       answerMeasured(*tracked, frame, motion);
       return;
     }
-    ++unrecognised_;
+    ++untracked_in_a_row_;
   }
   answerPredicted(mapper_.window().newest(), motion);
   // A single disturbed image must not discard the window; a window with assumed depths is replaced
   // after the first failure.
   const int patience = mapper_.isDraft() ? 1 : 2;  // frames
-  if (visible && (!can_track_ || unrecognised_ >= patience)) restart(frame, motion);
+  if (visible && (!can_track_ || untracked_in_a_row_ >= patience)) restart(frame, motion);
 }
 
 /// Direct alignment from the expected motion; if that fails, from the pose found by features.
@@ -179,7 +179,7 @@ std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt
   const Expectation expectation = expect(dt);
   if (mapper_.isDraft()) return trackDraft(expectation);
   const auto isGood = [&](const std::optional<AlignmentResult>& tracked) {
-    return tracked && isPossible(*tracked, dt) && !isDoubtful(*tracked, frame);
+    return tracked && isPlausible(*tracked, dt) && !contradictsStereo(*tracked, frame);
   };
   const auto tracked = tracker_.track(rig_, current_, expectation);
   if (isGood(tracked)) return tracked;
@@ -195,7 +195,7 @@ std::optional<AlignmentResult> DirectSparse::align(const Frame& frame, double dt
 /// need an acceleration of more than one g. The reversed velocity is allowed too, for clips that
 /// are played forwards and backwards. The limits were chosen on faults of KITTI 06
 /// (docs/odometry.md).
-bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
+bool DirectSparse::isPlausible(const AlignmentResult& tracked, double dt) const {
   const bool in_metres = cameras_ == Cameras::Stereo;
   if (!has_velocity_ || !in_metres) return true;
   constexpr double kAcceleration = 10;  // m/s^2
@@ -209,7 +209,7 @@ bool DirectSparse::isPossible(const AlignmentResult& tracked, double dt) const {
 }
 
 /// After a gap the frame may have been aligned at a wrong place: compares with its static stereo.
-bool DirectSparse::isDoubtful(const AlignmentResult& tracked, const Frame& frame) {
+bool DirectSparse::contradictsStereo(const AlignmentResult& tracked, const Frame& frame) {
   if (first_lost_ < 0) return false;
   buildRight(frame);
   if (right_.empty()) return false;
@@ -316,7 +316,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   first_lost_ = -1;
   gap_s_ = 0;
   lost_frames_ = 0;
-  unrecognised_ = 0;
+  untracked_in_a_row_ = 0;
 }
 
 void DirectSparse::answerDraft(Motion& motion) {
@@ -389,7 +389,7 @@ void DirectSparse::restart(const Frame& frame, Motion& motion) {
     remember(T_world_camera, mapper_.window().newest(), motion);
   }
   motion.revisions = history_.removeOld(findKeyframe());
-  unrecognised_ = 0;
+  untracked_in_a_row_ = 0;
 }
 
 Matrix6d DirectSparse::motionCovariance(const AlignmentResult& tracked,

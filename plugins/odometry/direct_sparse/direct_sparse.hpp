@@ -38,8 +38,8 @@ class DirectSparse : public Odometry {
   /// Single camera: alternates between tracking the frame and estimating depths from it.
   std::optional<AlignmentResult> trackDraft(Expectation expectation);
   std::optional<AlignmentResult> align(const Frame& frame, double dt);
-  bool isDoubtful(const AlignmentResult& tracked, const Frame& frame);
-  bool isPossible(const AlignmentResult& tracked, double dt) const;
+  bool contradictsStereo(const AlignmentResult& tracked, const Frame& frame);
+  bool isPlausible(const AlignmentResult& tracked, double dt) const;
   Eigen::Isometry3d poseOf(const AlignmentResult& tracked) const;
   void answerMeasured(const AlignmentResult& tracked, const Frame& frame, Motion& motion);
   /// Reports Initialising while depths are only assumed; the motion is revised later.
@@ -92,9 +92,9 @@ class DirectSparse : public Odometry {
   std::int64_t first_lost_ = -1;     ///< frame index; -1 while tracking
   double gap_s_ = 0;                 ///< s, duration of the predicted motions since then
   int lost_frames_ = 0;
-  int draft_frames_ = 0;       ///< frames tracked against the assumed depths of the start
-  bool had_keyframe_ = false;  ///< a keyframe with measured depths has existed
-  int unrecognised_ = 0;       ///< frames in a row with contrast that could not be tracked
+  int draft_frames_ = 0;        ///< frames tracked against the assumed depths of the start
+  bool had_keyframe_ = false;   ///< a keyframe with measured depths has existed
+  int untracked_in_a_row_ = 0;  ///< frames in a row with contrast that could not be tracked
 };
 
 }  // namespace tolman::direct_sparse

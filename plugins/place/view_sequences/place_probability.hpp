@@ -10,6 +10,10 @@ namespace tolman::view_sequences {
 
 /// Views nearer to each other than this show the same place. Chosen, not tuned.
 inline constexpr std::int64_t kSamePlace = 10;
+/// m between a place and a pose that landmarks measure there. Chosen as the distance up to which
+/// loops count as true; on the town's 06 and 07 all such poses farther away were of the street
+/// ahead.
+inline constexpr double kFarthestPose = 10;
 /// Cost of the hypothesis that the robot is at no known place. Chosen as kNatsPerCost.
 inline constexpr double kCostOfNovelty = -4;
 

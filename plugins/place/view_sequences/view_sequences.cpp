@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "place_probability.hpp"
 #include "tolman/state_stream.hpp"
 
 namespace tolman::view_sequences {
@@ -121,9 +122,9 @@ Status ViewSequences::take(const PathStep& step, const Frame& frame, const Packe
 
 Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int image_width,
                              PlaceObservation& observation) {
-  // Between two measurements, and for kBelieved steps after the last one, a likely place is not
+  // Between two measurements, and for kSilentSteps steps after the last one, a likely place is not
   // reported (nor stored as new): without a pose it would be known only to a few metres.
-  constexpr std::int64_t kBelieved = 20;  // steps; chosen, not tuned
+  constexpr std::int64_t kSilentSteps = 20;  // steps; chosen, not tuned
   const std::vector<PlaceCandidate> found =
       search_->candidates(verifier_->canMeasure() ? PlaceSearch::kMaxPlaces : 1);
   const double probability = found.empty() ? 0 : found.front().probability;
@@ -135,7 +136,7 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   if (place.value()) {
     recognise(*place.value(), query, image_width, observation);
   } else if (probability >= parameters_.probability) {
-    if (since_measured_ > kBelieved)
+    if (since_measured_ > kSilentSteps)
       recognise({found.front().view, {}}, query, image_width, observation);
   } else if (!recogniseBackwards(observation)) {
     return store(step, observation);
@@ -143,7 +144,8 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   return Status::ok();
 }
 
-/// The most probable place whose landmarks agree on a pose.
+/// The most probable place whose landmarks agree on a pose near it. A pose farther away is of a
+/// view along the same street: it is measured too poorly for a loop.
 Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     const std::vector<PlaceCandidate>& candidates) {
   for (const PlaceCandidate& candidate : candidates) {
@@ -152,7 +154,7 @@ Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     if (!view) continue;
     auto pose = verifier_->locate(*view);
     if (!pose.isOk()) return pose.status();
-    if (pose.value()) {
+    if (pose.value() && pose.value()->T_template_current.translation().norm() <= kFarthestPose) {
       since_measured_ = 0;
       return std::optional(VerifiedView{*view, std::move(pose).value()});
     }

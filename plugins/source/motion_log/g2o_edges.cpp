@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -14,6 +15,7 @@ namespace {
 constexpr std::int64_t kMaxIds = 100'000'000;
 // Bound of metres and radians: farther than any vehicle drives; the poses of all frames are finite.
 constexpr double kFarthest = 1e9;
+constexpr double kMaxTurn = 2 * std::numbers::pi + 1e-3;  // rad, of one edge
 
 Status badLine(const std::filesystem::path& file, int line, const std::string& what) {
   std::string message = file.string();
@@ -92,6 +94,10 @@ Result<std::vector<Edge>> readEdges(const std::filesystem::path& file) {
       return badLine(
           file, number,
           "needs two ids from 0 and three numbers (dx dy dtheta) of at most 1e9; correct it");
+    }
+    if (std::abs(edge->motion.theta) > kMaxTurn) {
+      return badLine(file, number,
+                     "turns by more than a full turn; dtheta is in radians, not degrees");
     }
     const std::string problem = informationProblem(fields);
     if (!problem.empty()) return badLine(file, number, problem);

@@ -33,6 +33,10 @@ double meanSpeed(const MapGraph& graph) {
   return metres > 0 && seconds > 0 ? metres / seconds : 1;
 }
 
+bool hasDurations(const MapGraph& graph) {
+  return std::ranges::any_of(graph.links, [](const Link& link) { return link.duration > 0; });
+}
+
 /// The graph without rejected links and without links of infinite length or duration, which a
 /// damaged record may contain.
 Graph passable(const MapGraph& graph) {
@@ -92,6 +96,7 @@ Result<PlannedRoute> fastestRoute(const MapGraph& graph, std::int64_t from, std:
     if (here == start) break;
   }
   std::reverse(route.legs.begin(), route.legs.end());
+  route.times_known = route.legs.size() == 1 || hasDurations(graph);
   return route;
 }
 

@@ -19,7 +19,8 @@ struct Leg {
 };
 
 struct PlannedRoute {
-  std::vector<Leg> legs;  ///< from start to goal, both included
+  std::vector<Leg> legs;    ///< from start to goal, both included
+  bool times_known = true;  ///< false: no link has a duration, and seconds are those at 1 m/s
   double seconds() const { return legs.empty() ? 0 : legs.back().seconds; }
   double metres() const { return legs.empty() ? 0 : legs.back().metres; }
 };

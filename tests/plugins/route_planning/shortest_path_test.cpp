@@ -85,6 +85,20 @@ TEST_CASE("a loop link costs its length at the mean speed") {
   CHECK(route.value().seconds() == Approx(2));
 }
 
+TEST_CASE("without any duration times are not known, and the way is the shortest") {
+  MapGraph graph = graphOf(4);
+  connect(graph, 0, 1, 0, 5);
+  connect(graph, 1, 3, 0, 5);
+  connect(graph, 0, 2, 0, 2);
+  connect(graph, 2, 3, 0, 2);
+  const PlannedRoute route = fastestRoute(graph, 0, 3).value();
+  CHECK(idsOf(route) == std::vector<std::int64_t>{0, 2, 3});
+  CHECK_FALSE(route.times_known);
+  CHECK(fastestRoute(graph, 1, 1).value().times_known);
+  connect(graph, 0, 3, 100, 100);
+  CHECK(fastestRoute(graph, 0, 3).value().times_known);
+}
+
 TEST_CASE("rejected loop links are not used; links of a small weight are") {
   MapGraph graph = graphOf(2);
   connect(graph, 0, 1, 1, 1, LinkKind::Loop);

@@ -111,8 +111,10 @@ TEST_CASE("while tracking is lost the predicted motion counts") {
   Motion lost = ahead(0.5);
   lost.state = TrackingState::Lost;
   CHECK_FALSE(steps.move(lost));
-  CHECK(steps.move(lost)->path == Approx(1));
-  CHECK_FALSE(steps.move(lost)->begins_pass);
+  const auto step = steps.move(lost);
+  REQUIRE(step);
+  CHECK(step->path == Approx(1));
+  CHECK_FALSE(step->begins_pass);
 }
 
 TEST_CASE("in unknown units a mean motion is one spacing") {
