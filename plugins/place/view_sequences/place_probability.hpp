@@ -10,10 +10,10 @@ namespace tolman::view_sequences {
 
 /// Views nearer to each other than this show the same place. Chosen, not tuned.
 inline constexpr std::int64_t kSamePlace = 10;
-/// m between a place and a pose that landmarks measure there. Chosen as the distance up to which
-/// loops count as true; on the town's 06 and 07 all such poses farther away were of the street
-/// ahead.
-inline constexpr double kFarthestPose = 10;
+/// m between a place and a pose that landmarks measure there. Views with landmarks are 4 m apart,
+/// so one is nearer; on the town's 06 and 07 poses beyond 15 m were all of the street ahead, with
+/// errors of metres. Chosen there.
+inline constexpr double kFarthestPose = 6;
 /// Cost of the hypothesis that the robot is at no known place. Chosen as kNatsPerCost.
 inline constexpr double kCostOfNovelty = -4;
 

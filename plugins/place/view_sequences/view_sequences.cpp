@@ -144,22 +144,28 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   return Status::ok();
 }
 
-/// The most probable place whose landmarks agree on a pose near it. A pose farther away is of a
+/// The place whose landmarks agree on a pose near it: the most probable one if it is `kSure`,
+/// otherwise the one where most landmarks agree, for fronts repeat. A pose farther away is of a
 /// view along the same street: it is measured too poorly for a loop.
 Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     const std::vector<PlaceCandidate>& candidates) {
+  constexpr double kSure = 0.9;  // chosen, not tuned
+  std::optional<VerifiedView> best;
   for (const PlaceCandidate& candidate : candidates) {
     if (candidate.probability < parameters_.probability_verified) break;
     const auto view = verifier_->viewNear(candidate.view);
     if (!view) continue;
     auto pose = verifier_->locate(*view);
     if (!pose.isOk()) return pose.status();
-    if (pose.value() && pose.value()->T_template_current.translation().norm() <= kFarthestPose) {
-      since_measured_ = 0;
-      return std::optional(VerifiedView{*view, std::move(pose).value()});
-    }
+    if (!pose.value()) continue;
+    const landmarks::MeasuredPose& measured = *pose.value();
+    if (measured.T_template_current.translation().norm() > kFarthestPose) continue;
+    if (best && measured.inliers <= best->pose->inliers) continue;
+    best = VerifiedView{*view, std::move(pose).value()};
+    if (candidate.probability >= kSure) break;
   }
-  return std::optional<VerifiedView>();
+  if (best) since_measured_ = 0;
+  return best;
 }
 
 /// Recognises a street that is driven in the opposite direction, once in `landmark_spacing` steps.
