@@ -180,11 +180,16 @@ class Search {
     if (better) found_.best = std::move(tried).value();
   }
 
-  /// Probes the best source with further parameters; none if it cannot read the recording then.
-  std::optional<Probe> withMore(const SourceValues& more) {
+  /// Probes the best source with further parameters.
+  Result<Probe> probeWith(const SourceValues& more) {
     SourceValues values = found_.best->values;
     values.insert(values.end(), more.begin(), more.end());
-    Result<Probe> tried = probe(found_.best->plugin, values, deadline_, invocation_);
+    return probe(found_.best->plugin, values, deadline_, invocation_);
+  }
+
+  /// The same; none if it cannot read the recording then.
+  std::optional<Probe> withMore(const SourceValues& more) {
+    Result<Probe> tried = probeWith(more);
     return tried.isOk() ? std::optional(std::move(tried).value()) : std::nullopt;
   }
 
@@ -261,9 +266,7 @@ class Search {
 
   /// Whether the best source can read these times; otherwise keeps its reason.
   bool tryTimes(const SourceValues& times) {
-    SourceValues values = found_.best->values;
-    values.insert(values.end(), times.begin(), times.end());
-    Result<Probe> tried = probe(found_.best->plugin, values, deadline_, invocation_);
+    Result<Probe> tried = probeWith(times);
     if (tried.isOk()) {
       found_.best = std::move(tried).value();
     } else if (tried.status().code() == StatusCode::InvalidInput) {

@@ -91,8 +91,10 @@ class Comparer {
     const std::vector<std::string> names = factorNames(rows_);
     const auto known = [&](const std::string& wanted, std::string& name) {
       const Result<std::string> full = fullName("factor", wanted, names);
-      if (full.isOk()) name = full.value();
-      if (full.isOk()) return Status::ok();
+      if (full.isOk()) {
+        name = full.value();
+        return Status::ok();
+      }
       return Status::invalidParameter(full.status().message() + config::didYouMean(wanted, names) +
                                       "; factors: " + config::listed(names));
     };
