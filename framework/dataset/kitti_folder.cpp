@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <optional>
 #include <system_error>
@@ -54,6 +55,14 @@ bool isOurs(const fs::path& file) {
          name.find_first_not_of("0123456789") == name.size() - 4;
 }
 
+/// Whether the file is one of the first `frames` images.
+bool isAmong(std::int64_t frames, const fs::path& file) {
+  const std::string stem = file.stem().string();
+  std::int64_t index = -1;
+  std::from_chars(stem.data(), stem.data() + stem.size(), index);
+  return index >= 0 && index < frames && file.filename() == imageName(index);
+}
+
 /// Refuses symbolic links: files would be removed and written in another folder.
 Status refuseLinks(const fs::path& folder) {
   std::error_code ignored;
@@ -97,13 +106,9 @@ void removeEarlier(const fs::path& folder) {
   for (const char* name : kImageFolders) {
     if (written && !written->folders.contains(name)) continue;
     std::vector<fs::path> files;
-    for (std::int64_t i = 0; written && i < written->frames; ++i) {
-      files.push_back(folder / name / imageName(i));
-    }
-    if (!written) {
-      for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
-        if (isOurs(entry.path())) files.push_back(entry.path());
-      }
+    for (const auto& entry : fs::directory_iterator(folder / name, ignored)) {
+      const bool is_ours = written ? isAmong(written->frames, entry.path()) : isOurs(entry.path());
+      if (is_ours) files.push_back(entry.path());
     }
     for (const fs::path& file : files) fs::remove(file, ignored);
     fs::remove(folder / name, ignored);  // fails if other files are in it

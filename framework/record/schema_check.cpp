@@ -2,8 +2,8 @@
 #include "record/schema_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string>
+#include <vector>
 
 #include "record/schema.hpp"
 
@@ -26,20 +26,24 @@ void requireOwnTables(const Database& database) {
 }
 
 void requireRowsOfFrames(const Database& database) {
-  const std::array<std::string, 5> tables = {"frame", "motion", "place", "decision", "map_update"};
   const auto frameOf = [&](const std::string& query) {
-    Statement row(database, query + " ORDER BY 1 LIMIT 1");
+    Statement row(database, query + " ORDER BY frame LIMIT 1");
     return row.step() ? row.next().getString() : std::string();
   };
-  for (const std::string& table : tables) {
-    for (const std::string& other : tables) {
-      if (table == other || frameOf("SELECT frame FROM " + table).empty()) continue;
-      const std::string frame =
-          frameOf("SELECT frame FROM " + other + " EXCEPT SELECT frame FROM " + table);
-      if (frame.empty()) continue;
-      throw BadRow("the " + table + " of frame " + frame +
-                   " is missing: rows of the record were removed");
-    }
+  const auto requireAll = [&](const std::string& table, const std::string& other) {
+    const std::string frame = frameOf("SELECT frame FROM " + other +
+                                      " WHERE frame NOT IN (SELECT frame FROM " + table + ")");
+    if (frame.empty()) return;
+    throw BadRow("the " + table + " of frame " + frame +
+                 " is missing: rows of the record were removed");
+  };
+  std::vector<std::string> tables = {"frame", "motion", "place", "decision", "map_update"};
+  std::erase_if(tables, [&](const std::string& table) {
+    return frameOf("SELECT frame FROM " + table).empty();
+  });
+  for (std::size_t i = 1; i < tables.size(); ++i) {
+    requireAll(tables[i], tables[0]);
+    requireAll(tables[0], tables[i]);
   }
   const std::string frame = frameOf(
       "SELECT frame.frame FROM frame JOIN motion USING (frame) WHERE frame.stamp_ns <> "
