@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures speed and memory: of the source alone, and of the whole chain in lossless mode.
+// Measures speed and memory: of the source alone, and of all stages in lossless mode.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,8 @@ struct BenchOptions {
 /// One pass over the data. Nothing is recorded and there are no observers.
 struct BenchPass {
   std::int64_t frames = 0;
-  double seconds = 0;   ///< source: sum of its calls; chain: from the start to the last frame's end
+  double seconds =
+      0;  ///< source: sum of its calls; all stages: from the start to the last frame's end
   double cpu_s = 0;     ///< of all threads of the process; `bench odometry` only
   double peak_mib = 0;  ///< peak resident memory of the process, plugins included
   std::map<std::string, evaluation::StageTiming> stages;  ///< by role

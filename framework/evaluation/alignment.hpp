@@ -13,7 +13,7 @@
 namespace tolman::evaluation {
 
 enum class Alignment : std::uint8_t {
-  None,  ///< both start in the same frame
+  None,  ///< both have the same coordinate frame
   Se2,   ///< rotation about the y axis and shift in the x-z plane, those of the first camera
   Se3,   ///< rigid motion, no scale: for stereo
   Sim3,  ///< rigid motion and scale: for a single camera
@@ -36,7 +36,7 @@ struct Similarity {
 /// InvalidInput where the scale is undetermined because one side does not move.
 Result<Similarity> align(const Matches& matches, Alignment alignment);
 
-/// The matches with the estimate transformed into the frame of the truth.
+/// The matches with the estimate transformed into the coordinates of the truth.
 Matches aligned(const Matches& matches, const Similarity& similarity);
 
 }  // namespace tolman::evaluation

@@ -49,7 +49,7 @@ std::map<std::int64_t, std::vector<ModulePhase>> phasesOf(
   return phases;
 }
 
-/// Decodes positions in the frame of the map, which has `position` at the first frame.
+/// Decodes positions in the coordinates of the map, which has `position` at the first frame.
 PositionDecoder decoderFrom(const std::vector<ModulePhase>& modules,
                             const Eigen::Vector2d& position, const StampedPoses& truth) {
   Eigen::AlignedBox2d box;

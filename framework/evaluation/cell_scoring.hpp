@@ -11,8 +11,8 @@
 
 namespace tolman::evaluation {
 
-/// None without rings and sheets. `truth` is in the frame of the map, and `scored` has the errors
-/// of the map. Units are measured at the true places, or without scores at those of the map.
+/// None without rings and sheets. `truth` is in the coordinates of the map, and `scored` has the
+/// errors of the map. Units are measured at the true places, or without scores at those of the map.
 /// `since_start` is the map with the earlier sessions: the code of grid modules has its origin at
 /// its first frame, because cells go on from session to session.
 std::optional<CellFigures> scoreCells(const CellHistory& cells, const Trajectory& map,

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kParts = 100;  // equal parts of the path
 
-/// The map transformed into the frame of the truth.
+/// The map transformed into the coordinates of the truth.
 Result<evaluation::Matches> alignedMap(const std::filesystem::path& directory,
                                        const std::string& alignment) {
   const auto reader = record::RunReader::open(directory);

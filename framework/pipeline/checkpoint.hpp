@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state of the chain between two frames.
+// The state of the stages between two frames.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ int concurrency(int threads);
 DriveResult drive(Chain& chain, const config::PipelineSettings& options, int threads,
                   const Cancellation& cancellation);
 
-/// The two ways to feed the chain; drive() chooses by `options.mode`.
+/// The two ways to pass frames to the stages; drive() chooses by `options.mode`.
 void runLossless(Chain& chain, const config::PipelineSettings& options,
                  const Cancellation& cancellation);
 Latency runRealtime(Chain& chain, const config::PipelineSettings& options,

@@ -21,7 +21,7 @@ struct RecordedSession {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(id, "", "dense from 0; the last one is this run's own");
+    TOLMAN_FIELD(id, "", "0, 1, 2 ...; the last one is this run's own");
     TOLMAN_FIELD(first_frame, "", "its first frame; those before are of earlier sessions");
     TOLMAN_FIELD(name, "", "name of the run");
     TOLMAN_FIELD(source, "", "the source's description of its data");

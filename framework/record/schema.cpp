@@ -60,7 +60,7 @@ std::vector<Table> schema() {
           "frame is valid"),
       frameTable<PlaceObservation>("answers of place recognition"),
       frameTable<Decision>("decisions of the spatial cells"),
-      announcedTable<EarlierLoop>("loops of earlier frames that a decision believes"),
+      announcedTable<EarlierLoop>("loops of earlier frames that a decision accepts"),
       frameTable<MapUpdate>("answers of the map"),
       frameTable<FinalPose>("pose of each frame in the finished map"),
       table<Experience>("nodes of the experience map, latest values",

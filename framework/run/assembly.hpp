@@ -43,7 +43,7 @@ class Assembly {
   Failure failureOf(const pipeline::StageFailure& failure) const;
   /// The failure policies of odometry, place, cells and map.
   pipeline::Policies policies() const;
-  /// The stages of the whole chain, which must be in the scope.
+  /// All stages from source to map, which must be in the scope.
   pipeline::Stages stages() { return {*source_, *checked_odometry_, *place_, *cells_, *map_}; }
   pipeline::CheckedOdometry& checkedOdometry() { return *checked_odometry_; }
   pipeline::RectifiedSource& source() { return *source_; }

@@ -17,7 +17,7 @@ namespace tolman::run {
 
 class RunListener : public pipeline::Listener {
  public:
-  /// `assembly` must be of the whole chain; checkpoints are written below `directory`.
+  /// `assembly` must have all stages; checkpoints are written below `directory`.
   RunListener(record::Recorder& recorder, Assembly& assembly, const record::RunDirectory& directory,
               RunLog& log, const Clock& clock);
 

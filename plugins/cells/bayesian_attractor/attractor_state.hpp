@@ -18,7 +18,7 @@ struct ViewLink {
   LearnedPattern learned;
   double travel = 0;            ///< m, when it was learned
   std::int64_t experience = 0;  ///< the experience that the robot was at
-  /// Pose of the template in the frame of that experience, by path integration.
+  /// Pose of the template in the coordinates of that experience, by path integration.
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
 };
 

@@ -37,8 +37,8 @@ struct NetworkSettings {
   double prior_views = 100;  ///< number of views that weighs as much as `prior`
   double injection = 1;      ///< factor on a view's log-likelihood ratio
   double agreement = 3;      ///< nats, maximum that a further view adds
-  double inhibition = 0.02;  ///< nats / m, decay of every calibration bump, which does not depend
-                             ///< on the others
+  double inhibition = 0.02;  ///< nats / m, decay of every calibration bump; does not depend on the
+                             ///< other bumps
   double threshold = 0.98;   ///< share (posterior probability) above which a bump is accepted
   double view_spacing = 5;   ///< m of travel after which the next view counts in full
 };
@@ -46,7 +46,7 @@ struct NetworkSettings {
 /// What a view was linked to when it was learned.
 struct LearnedPattern {
   FiringPattern pattern;
-  std::int64_t part = 0;     ///< part of the world that the pattern belongs to
+  std::int64_t part = 0;     ///< number of the part of the path (see BumpNetwork::startPart)
   std::int64_t stretch = 0;  ///< number of the piece of path between accepted bumps
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< relative to its part's origin
   double height_variance = 0;                            ///< m^2, likewise
@@ -57,7 +57,7 @@ struct CalibrationBump {
   std::int64_t id = -1;  ///< 0, 1, 2 ... in the order of creation
   Bump bump;
   double energy = 0;                 ///< nats
-  std::int64_t part = 0;             ///< part of the world that the bump is in
+  std::int64_t part = 0;             ///< part of the path that the bump is in
   std::int64_t views = 0;            ///< views that were injected into it
   double last_injection_travel = 0;  ///< m of travel, at the last injection
 };
@@ -67,7 +67,7 @@ struct NetworkState {
   Bump integrator;
   std::vector<CalibrationBump> calibration;
   std::int64_t bumps = 0;  ///< calibration bumps created so far
-  std::int64_t part = 0;   ///< part of the world that the robot is in
+  std::int64_t part = 0;   ///< part of the path that the robot is in
   std::int64_t parts = 1;  ///< number of parts so far
   std::int64_t stretch = 0;
   Bump
@@ -81,7 +81,7 @@ struct NetworkState {
 };
 
 /// Outcome of an injection: the bump that the view was injected into, and whether it was accepted.
-/// A bump that is accepted in another part of the world joins the two parts: the patterns of one
+/// A bump that is accepted in another part of the path joins the two parts: the patterns of one
 /// move.
 struct Recalibration {
   std::int64_t bump = -1;  ///< CalibrationBump::id; -1: too weak to create a bump
@@ -101,7 +101,9 @@ class BumpNetwork {
 
   /// `claimed`: covariance of the step as odometry reports it, in the robot's axes.
   void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed, const Climb& climb = {});
-  /// From here on the pose relative to the earlier path is unknown (a kidnapped robot).
+  /// From here on the pose relative to the earlier path is unknown (a kidnapped robot): a new part
+  /// of the path begins. Patterns of different parts have no known displacement until a loop joins
+  /// the parts.
   void startPart();
   /// A familiar view that puts the robot at `offset` from where it was learned.
   Recalibration inject(const LearnedPattern& learned, const PlanarPose& offset,

@@ -54,15 +54,16 @@ struct AttractorParameters {
         parameter("drift_position", &P::drift_position)
             .range(0, 100)
             .unit("m/m^0.5")
-            .doc("Widens bumps in position, beside the covariance that odometry reports."),
+            .doc("Standard deviation of position that path integration adds to the covariance that "
+                 "odometry reports."),
         parameter("drift_heading", &P::drift_heading)
             .range(0, 3)
             .unit("rad/m^0.5")
-            .doc("Widens bumps in heading, beside the covariance that odometry reports."),
+            .doc("Standard deviation of heading that path integration adds likewise."),
         parameter("drift_height", &P::drift_height)
             .range(0, 100)
             .unit("m/m^0.5")
-            .doc("Widens bumps in height, beside the covariance that odometry reports; only with "
+            .doc("Standard deviation of height that path integration adds likewise; only with "
                  "height_period."),
         parameter("drift_tail", &P::drift_tail)
             .range(1, 1e6)
@@ -75,17 +76,16 @@ struct AttractorParameters {
         parameter("view_sigma_position", &P::view_sigma_position)
             .range(1e-6, 1e6)
             .unit("m")
-            .doc(
-                "Standard deviation, per axis, of the position of a familiar view without measured "
-                "pose relative to its template."),
+            .doc("Standard deviation, per axis, of the position relative to the template, for "
+                 "familiar views without measured pose."),
         parameter("view_sigma_heading", &P::view_sigma_heading)
             .range(1e-6, 10)
             .unit("rad")
-            .doc(
-                "Standard deviation of the relative yaw of a familiar view without measured pose."),
+            .doc("Standard deviation of the relative yaw, for familiar views without measured "
+                 "pose."),
         parameter("prior", &P::prior)
             .range(1e-6, 0.999)
-            .doc("Expected share of right ones among familiar views, before any was seen; also the "
+            .doc("Expected share of right views among familiar ones before any was seen; also the "
                  "probability that the robot is in the mapped area when tracking restarts."),
         parameter("prior_views", &P::prior_views)
             .range(0.1, 1e12)
@@ -98,13 +98,13 @@ struct AttractorParameters {
         parameter("agreement", &P::agreement)
             .range(0, 100)
             .unit("nats")
-            .doc("Most energy that a further view adds: log(1/p), where p is how often a run of "
-                 "look-alikes goes on agreeing."),
+            .doc("Most energy that a further view adds: log(1/p), where p is the probability that "
+                 "the next of several look-alikes in a row agrees with the bump as well."),
         parameter("inhibition", &P::inhibition)
             .range(0, 100)
             .unit("nats/m")
-            .doc("Log odds that each calibration bump loses per metre driven, whatever the others "
-                 "do."),
+            .doc("Decay: log odds that each calibration bump loses per metre driven. It does not "
+                 "depend on other bumps, whose competition is the normalisation of shares."),
         parameter("threshold", &P::threshold)
             .range(0, 1)
             .doc("Posterior probability above which a calibration bump is accepted and closes "
@@ -125,7 +125,8 @@ struct AttractorParameters {
         parameter("loop_minimum_travel", &P::loop_minimum_travel)
             .range(0, 1e9)
             .unit("m")
-            .doc("Views of templates made within this travelled distance do not inject."),
+            .doc("Views whose template was made less than this travelled distance ago do not "
+                 "inject."),
         parameter("loop_spacing", &P::loop_spacing)
             .range(0, 1e9)
             .unit("m")

@@ -48,8 +48,8 @@ struct CanSheetParameters {
         parameter("units", &P::units)
             .range(8, 48)
             .unit("cells")
-            .doc("Along each of the two axes of a module; the time of a step grows with its fourth "
-                 "power."),
+            .doc("Units along each of the two axes of a module; the time of a step grows with the "
+                 "fourth power of their number."),
         parameter("intensity", &P::intensity)
             .range(0.05, 10)
             .doc("I of the weights, for 90 units a module; divided among more."),
@@ -75,7 +75,7 @@ struct CanSheetParameters {
         parameter("view_spacing", &P::view_spacing)
             .range(0, 1e6)
             .unit("m")
-            .doc("Shortest way between two views that inject."),
+            .doc("Shortest travelled distance between two views that inject."),
         parameter("agreement", &P::agreement)
             .range(0.001, 0.5)
             .unit("periods")
@@ -91,11 +91,12 @@ struct CanSheetParameters {
         parameter("loop_minimum_travel", &P::loop_minimum_travel)
             .range(0, 1e9)
             .unit("m")
-            .doc("Views of templates made within this travelled distance are ignored."),
+            .doc(
+                "Views whose template was made less than this travelled distance ago are ignored."),
         parameter("loop_spacing", &P::loop_spacing)
             .range(0, 1e9)
             .unit("m")
-            .doc("Shortest way between two loop links."));
+            .doc("Shortest travelled distance between two loop links."));
   }
 
  public:

@@ -48,7 +48,7 @@ struct Parameters {
         parameter("cell_height", &P::cell_height)
             .range(1e-4, 1e4)
             .unit("m")
-            .doc("Its height, and that of a layer of head direction cells."),
+            .doc("Height of a grid cell, and of a layer of head direction cells."),
         parameter("grid_excitation_width", &P::grid_excitation_width)
             .range(1, 9)
             .unit("cells")
@@ -70,11 +70,13 @@ struct Parameters {
             .doc("Taken from every grid cell in each step; the total activity is 1."),
         parameter("grid_injected_energy", &P::grid_injected_energy)
             .range(0, 10)
-            .doc("What a rested familiar view adds to the grid cells."),
+            .doc("Energy that a familiar view without additional habituation adds to the grid "
+                 "cells."),
         parameter("grid_packet", &P::grid_packet)
             .range(1, 10)
             .unit("cells")
-            .doc("So far round the strongest grid cell activity counts for the estimate."));
+            .doc("Distance from the strongest grid cell within which activity counts for the "
+                 "estimate."));
   }
 
   static constexpr auto headParameters() {
@@ -106,28 +108,30 @@ struct Parameters {
             .doc("Taken from every head direction cell in each step; the total activity is 1."),
         parameter("head_injected_energy", &P::head_injected_energy)
             .range(0, 10)
-            .doc("What a rested familiar view adds to the head direction cells."),
+            .doc("Energy that a familiar view without additional habituation adds to the head "
+                 "direction cells."),
         parameter("head_packet", &P::head_packet)
             .range(1, 10)
             .unit("cells")
-            .doc("So far round the strongest head direction cell activity counts for the "
-                 "estimate."));
+            .doc("Distance from the strongest head direction cell within which activity counts for "
+                 "the estimate."));
   }
 
   static constexpr auto viewParameters() {
     using P = Parameters;
-    return parameters(parameter("active_decay", &P::active_decay)
-                          .range(0, 30)
-                          .doc("Habituation of a view at rest, and what an immediate repetition "
-                               "adds."),
-                      parameter("restore", &P::restore)
-                          .range(0, 30)
-                          .doc("Recovery from habituation with each view."),
-                      parameter("experience_threshold", &P::experience_threshold)
-                          .range(0.01, 1e4)
-                          .unit("cells")
-                          .doc("Experiences of a view are at least so far apart in x, y, height "
-                               "and heading."));
+    return parameters(
+        parameter("active_decay", &P::active_decay)
+            .range(0, 30)
+            .doc("Initial and lowest habituation of a view, and its increase when the view is "
+                 "repeated at once."),
+        parameter("restore", &P::restore)
+            .range(0, 30)
+            .doc("Recovery from habituation with each view."),
+        parameter("experience_threshold", &P::experience_threshold)
+            .range(0.01, 1e4)
+            .unit("cells")
+            .doc("Smallest distance between two experiences of a view, over x, y, height and "
+                 "heading."));
   }
 
  public:

@@ -17,7 +17,7 @@ NetworkSettings networkSettings(const PaperAttractorParameters& p, double energy
   return settings;
 }
 
-/// Pose of the camera in the frame of the view's template.
+/// Pose of the camera in the coordinates of the view's template.
 Eigen::Isometry3d fromTemplate(const PlaceObservation& observation) {
   return observation.has_relative_pose ? observation.T_template_current
                                        : fromPlanar({0, 0, observation.relative_yaw});

@@ -94,7 +94,7 @@ struct PaperAttractorParameters {
             .doc("No view injects before this many have been seen."),
         parameter("habituation_increment", &P::habituation_increment)
             .range(0, 30)
-            .doc("Habituation of a view that comes twice in a row."),
+            .doc("Habituation that a view gains when it comes twice in a row."),
         parameter("habituation_recovery", &P::habituation_recovery)
             .range(0, 30)
             .doc("Recovery from habituation with each view."));
@@ -118,11 +118,12 @@ struct PaperAttractorParameters {
         parameter("loop_minimum_travel", &P::loop_minimum_travel)
             .range(0, 1e9)
             .unit("m")
-            .doc("Shortest way since an experience was left before a loop to it is closed."),
+            .doc("Shortest travelled distance since an experience was left before a loop to it is "
+                 "closed."),
         parameter("loop_spacing", &P::loop_spacing)
             .range(0, 1e9)
             .unit("m")
-            .doc("Shortest way between two loop links."));
+            .doc("Shortest travelled distance between two loop links."));
   }
 
  public:

@@ -23,7 +23,7 @@ struct ViewLink {
   CellPose learned;             ///< the estimate at that moment
   std::int64_t order = 0;       ///< how many links were made before
   std::int64_t experience = 0;  ///< the experience the robot was at
-  /// Pose of the template in the frame of that experience, by path integration.
+  /// Pose of the template in the coordinates of that experience, by path integration.
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
   double decay = 1;  ///< habituation, as of view number `last_view`
   std::int64_t last_view = 0;

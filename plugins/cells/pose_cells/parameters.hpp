@@ -55,28 +55,34 @@ struct PoseCellParameters {
         parameter("least_shift", &P::least_shift)
             .range(0, 2)
             .unit("cells")
-            .doc(
-                "Motions and turns are added up until they are so long; 0, as published: at once."),
+            .doc("Motions and turns are added up to this length before they shift the activity; 0, "
+                 "as "
+                 "published: at once."),
         parameter("injected_energy", &P::injected_energy)
             .range(0, 10)
-            .doc("What a rested familiar view adds where the packet is; 0.15 as published."),
+            .doc("Energy that a familiar view without additional habituation adds where the "
+                 "activity "
+                 "packet is; 0.15 as published."),
         parameter("unsupported", &P::unsupported)
             .range(0, 1)
-            .doc("Share of it that a view adds where all cells are silent; 1, as published: all."),
+            .doc("Share of injected_energy that a view adds where all cells are silent; 1 as "
+                 "published."),
         parameter("active_decay", &P::active_decay)
             .range(0, 30)
-            .doc("Habituation at rest, and what an immediate repetition adds."),
+            .doc("Initial and lowest habituation of a view, and its increase when the view is "
+                 "repeated "
+                 "at once."),
         parameter("restore", &P::restore)
             .range(0, 30)
             .doc("Recovery from habituation with each view."),
         parameter("newest_ignored", &P::newest_ignored)
             .range(0, 1000000)
             .unit("templates")
-            .doc("So many of the newest templates do not inject."),
+            .doc("Number of the newest templates, which do not inject."),
         parameter("experience_threshold", &P::experience_threshold)
             .range(0.01, 1e4)
             .unit("cells")
-            .doc("Experiences are at least so far apart."));
+            .doc("Smallest distance between experiences."));
   }
 };
 

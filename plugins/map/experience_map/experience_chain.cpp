@@ -133,7 +133,7 @@ std::size_t ExperienceChain::slotOfPassing(const DeadReckoning& path, std::size_
   const Anchor& anchor = anchors_[i];
   std::size_t nearest = anchor.slot;
   if (!anchor.visit) return nearest;
-  // All in the frame of dead reckoning, as the anchor's correction has it.
+  // All in the coordinates of dead reckoning, as the anchor's correction has it.
   const Eigen::Vector3d experience =
       anchor.correction.inverse() * T_world_experience(path, anchor.experience).translation();
   const auto distance = [&](std::size_t slot) {

@@ -80,46 +80,47 @@ struct Parameters {
 
   static constexpr auto trustParameters() {
     using P = Parameters;
-    return parameters(parameter("drift_translation", &P::drift_translation)
-                          .range(1e-9, 1)
-                          .doc("Standard deviation of a link, m per m travelled, added to the "
-                               "covariance of odometry."),
-                      parameter("drift_rotation", &P::drift_rotation)
-                          .range(1e-9, 1)
-                          .unit("rad/m")
-                          .doc("The same for its rotation."),
-                      parameter("learn_drift", &P::learn_drift)
-                          .doc("In space, after the last frame: loops may lower drift_rotation, "
-                               "and tell the part of the drift that is the same all along."),
-                      parameter("steady_drift", &P::steady_drift)
-                          .range(0, 1)
-                          .doc("Standard deviation, m per m travelled, of that part along each "
-                               "axis of the camera; 0: there is none."),
-                      parameter("lost_sigma_translation", &P::lost_sigma_translation)
-                          .range(0, 1e6)
-                          .unit("m")
-                          .doc("Standard deviation added by a frame without measured motion."),
-                      parameter("lost_sigma_rotation", &P::lost_sigma_rotation)
-                          .range(0, 10)
-                          .unit("rad")
-                          .doc("The same for its rotation."),
-                      parameter("assumed_sigma_translation", &P::assumed_sigma_translation)
-                          .range(1e-6, 1e6)
-                          .unit("m")
-                          .doc("Standard deviation of the offset from the experience when a loop "
-                               "has no measured pose."),
-                      parameter("assumed_sigma_rotation", &P::assumed_sigma_rotation)
-                          .range(1e-6, 10)
-                          .unit("rad")
-                          .doc("The same for its heading."),
-                      parameter("measured_sigma_translation", &P::measured_sigma_translation)
-                          .range(1e-9, 1e6)
-                          .unit("m")
-                          .doc("Standard deviation added to the measured pose of a loop."),
-                      parameter("measured_sigma_rotation", &P::measured_sigma_rotation)
-                          .range(1e-9, 10)
-                          .unit("rad")
-                          .doc("The same for its rotation."));
+    return parameters(
+        parameter("drift_translation", &P::drift_translation)
+            .range(1e-9, 1)
+            .doc("Standard deviation of translation, m per m travelled, added to the "
+                 "covariance of an odometry link."),
+        parameter("drift_rotation", &P::drift_rotation)
+            .range(1e-9, 1)
+            .unit("rad/m")
+            .doc("The same for its rotation."),
+        parameter("learn_drift", &P::learn_drift)
+            .doc("In space, after the last frame: loops may lower drift_rotation, "
+                 "and determine the steady drift, which is the same over the whole path."),
+        parameter("steady_drift", &P::steady_drift)
+            .range(0, 1)
+            .doc("Standard deviation, m per m travelled, of the steady drift along each "
+                 "axis of the camera; 0: there is none."),
+        parameter("lost_sigma_translation", &P::lost_sigma_translation)
+            .range(0, 1e6)
+            .unit("m")
+            .doc("Standard deviation added by a frame without measured motion."),
+        parameter("lost_sigma_rotation", &P::lost_sigma_rotation)
+            .range(0, 10)
+            .unit("rad")
+            .doc("The same for its rotation."),
+        parameter("assumed_sigma_translation", &P::assumed_sigma_translation)
+            .range(1e-6, 1e6)
+            .unit("m")
+            .doc("Standard deviation of the offset from the experience when a loop "
+                 "has no measured pose."),
+        parameter("assumed_sigma_rotation", &P::assumed_sigma_rotation)
+            .range(1e-6, 10)
+            .unit("rad")
+            .doc("The same for its heading."),
+        parameter("measured_sigma_translation", &P::measured_sigma_translation)
+            .range(1e-9, 1e6)
+            .unit("m")
+            .doc("Standard deviation added to the measured pose of a loop."),
+        parameter("measured_sigma_rotation", &P::measured_sigma_rotation)
+            .range(1e-9, 10)
+            .unit("rad")
+            .doc("The same for its rotation."));
   }
 
  public:

@@ -14,7 +14,7 @@
 
 namespace tolman::direct_sparse {
 
-/// DirectSparse::configure() sets all of them from the parameters, whose defaults they are not.
+/// DirectSparse::configure() sets all of them from the parameters, whose defaults are different.
 struct MapperSettings {
   int points = 2000;              ///< in the window
   int candidates = 1500;          ///< per keyframe

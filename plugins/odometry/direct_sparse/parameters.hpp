@@ -51,8 +51,8 @@ struct Parameters {
         parameter<P, double>("largest_adjustment", &P::largest_adjustment)
             .range(0, 1000)
             .unit("m")
-            .doc("Largest plausible move of a keyframe when the window is adjusted; beyond it the "
-                 "frame is lost and a new window is started."));
+            .doc("Largest plausible change of a keyframe's position when the window is adjusted; "
+                 "beyond it the frame is lost and a new window is started."));
   }
   static constexpr auto declaration() {
     using P = Parameters;
@@ -62,7 +62,7 @@ struct Parameters {
             parameter<P, double>("coupling", &P::coupling)
                 .range(0, 10)
                 .doc("Weight of static stereo in the window, the paper's lambda; 0 leaves the "
-                     "second camera to the first guess of each depth."),
+                     "second camera to the first estimate of each depth."),
             parameter<P, double>("nearest", &P::nearest)
                 .range(0.01, 1000)
                 .unit("m")
@@ -93,7 +93,7 @@ struct MonoParameters : Parameters {
                 .range(0.01, 100)
                 .unit("m")
                 .doc("Assumed height of the camera above the ground, which sets the scale of the "
-                     "first draft of the scene.")));
+                     "depths that are assumed at the start.")));
   }
 };
 

@@ -8,8 +8,8 @@
 
 namespace tolman::feature_stereo {
 
-/// Chosen on KITTI 06, raw 0001 and the town along KITTI 07, if at all (docs/odometry.md); how is
-/// not recorded, but where something is said.
+/// Where nothing else is said, the defaults were chosen on KITTI 06, raw 0001 and the town along
+/// KITTI 07 (docs/odometry.md); how is not recorded.
 struct Parameters {
   int corners = 500;
   double corner_quality = 0.003;
@@ -69,7 +69,7 @@ struct Parameters {
         parameter("sigma_doubling", &P::sigma_doubling)
             .range(0.1, 1e6)
             .unit("px")
-            .doc("Disparity from which the two standard deviations grow with the disparity."));
+            .doc("Disparity at which both variances are twice those of a far corner."));
   }
   /// Poses, keyframes and the window.
   static constexpr auto poseParameters() {

@@ -54,8 +54,8 @@ class SeqSlam final : public Place, public StateKeeper {
           parameter("contrast_window", &P::contrast_window)
               .range(2, 1000)
               .unit("views")
-              .doc("R_window: the difference from a view is measured against those from so many "
-                   "views around it."),
+              .doc("R_window: number of views around a view, by whose differences its own is "
+                   "normalised."),
           parameter("sequence", &P::sequence)
               .range(2, 1000)
               .unit("images")
@@ -72,15 +72,18 @@ class SeqSlam final : public Place, public StateKeeper {
           parameter("same_place", &P::same_place)
               .range(0, 1000)
               .unit("views")
-              .doc("Views so near to the best one show the same place and are no rivals."),
+              .doc("Views up to this number from the best one show the same place and are no "
+                   "rivals."),
           parameter("recent", &P::recent)
               .range(0, 1000000)
               .unit("images")
-              .doc("Views that were stored within the last so many images are not recognised."),
+              .doc("Views that were stored within this number of the last images are not "
+                   "recognised."),
           parameter("quotient", &P::quotient)
               .range(0, 1)
-              .doc("A view is familiar if the best line's score is at most so much of its best "
-                   "rival's; 1 always answers."));
+              .doc("A view is familiar if the score of the best line is at most this share of that "
+                   "of "
+                   "its best rival; with 1 every view is."));
     }
   };
 

@@ -28,18 +28,19 @@ struct Parameters {
         parameter("spacing", &P::spacing)
             .range(0.01, 100)
             .unit("m")
-            .doc("Driven distance from one step to the next; frames between are not looked at."),
+            .doc("Driven distance from one step to the next; frames between two steps are not "
+                 "used."),
         parameter("recent", &P::recent)
             .range(0, 10000)
             .unit("m")
-            .doc("Views of the last so many metres of path are not recognised."),
+            .doc("Length of the newest part of the path, whose views are not recognised."),
         parameter("probability", &P::probability)
             .range(0.01, 0.999999)
-            .doc("A place must be at least so probable to be familiar. The score is 1 minus the "
+            .doc("Smallest probability of a place that is familiar. The score is 1 minus the "
                  "probability of the best place."),
         parameter("memory", &P::memory)
             .range(0, 0.99)
-            .doc("Share of a path's cost that a step keeps: 0 looks at single views, 0.92 at "
+            .doc("Share of a path's cost that a step keeps: with 0 single views count, with 0.92 "
                  "about a dozen."),
         parameter("exhaustive", &P::exhaustive)
             .range(0, 10000000)
@@ -59,18 +60,20 @@ struct Parameters {
         parameter("landmark_spacing", &P::landmark_spacing)
             .range(1, 1000)
             .unit("steps")
-            .doc("One stored view in so many keeps landmarks; a familiar place is measured once "
-                 "in so many steps, also one that is driven the other way."),
+            .doc("Number of steps from one stored view with landmarks to the next, and from one "
+                 "measured pose of a familiar place to the next, in either direction."),
         parameter("probability_verified", &P::probability_verified)
             .range(0.001, 0.999999)
-            .doc("Places at least so probable are tried with landmarks, the best five at most."),
+            .doc("Smallest probability of a place that is tried with landmarks; the best five at "
+                 "most."),
         parameter("backwards", &P::backwards)
-            .doc("Recognise streets that are driven the other way as well, by the structure that a "
-                 "stereo pair measures."),
+            .doc("Also recognise streets that are driven in the opposite direction, by the "
+                 "structure "
+                 "that a stereo pair measures."),
         parameter("probability_backwards", &P::probability_backwards)
             .range(0.01, 0.999999)
-            .doc("A place that is driven the other way must be at least so probable to be "
-                 "familiar."));
+            .doc("Smallest probability of a familiar place that is driven in the opposite "
+                 "direction."));
   }
 };
 

@@ -10,9 +10,9 @@ namespace tolman::view_sequences {
 
 /// Views nearer to each other than this show the same place. Chosen, not tuned.
 inline constexpr std::int64_t kSamePlace = 10;
-/// m between a place and a pose that landmarks measure there. Views with landmarks are 4 m apart,
-/// so one is nearer; on the town's 06 and 07 poses beyond 15 m were all of the street ahead, with
-/// errors of metres. Chosen there.
+/// Largest distance (m) between a place and a pose that its landmarks measure. Views with landmarks
+/// are 4 m apart, so one of them is nearer. Chosen on the town's 06 and 07, where all poses beyond
+/// 15 m were of views further along the same street, with errors of metres.
 inline constexpr double kFarthestPose = 6;
 /// Cost of the hypothesis that the robot is at no known place. Chosen as kNatsPerCost.
 inline constexpr double kCostOfNovelty = -4;

@@ -33,7 +33,7 @@ class StructureQuery {
   std::array<float, kLateral> squares_of_mean_;  ///< of each slice
 };
 
-/// Position of the present camera in the frame of a stored grid of the opposite direction.
+/// Position of the present camera in the coordinates of a stored grid of the opposite direction.
 struct StructureFit {
   double correlation = -1;  ///< cosine between the deviations
   double lateral = 0;       ///< m to the right of the stored camera

@@ -23,25 +23,37 @@ class TumSource final : public FolderSource {
 
     static constexpr auto declaration() {
       return std::tuple_cat(
-          parameters(
-              parameter("path", &Parameters::path)
-                  .path()
-                  .required()
-                  .doc("Folder of the sequence, with rgb.txt and depth.txt."),
-              parameter("depth", &Parameters::depth)
-                  .doc("Give depth as the sensor array depth.left, in m; 0: not measured."),
-              parameter("depth_scale", &Parameters::depth_scale)
-                  .range(1, 1e6)
-                  .unit("1/m")
-                  .doc("Values of a depth image per metre."),
-              parameter("most_apart", &Parameters::most_apart)
-                  .range(0, 1)
-                  .unit("s")
-                  .doc("Depth, and true poses, further apart in time are not of one image."),
-              parameter("fx", &Parameters::fx).range(1, 1e6).unit("px").doc("Focal length."),
-              parameter("fy", &Parameters::fy).range(1, 1e6).unit("px").doc("Focal length, down."),
-              parameter("cx", &Parameters::cx).range(0, 1e6).unit("px").doc("Principal point."),
-              parameter("cy", &Parameters::cy).range(0, 1e6).unit("px").doc("Principal point.")),
+          parameters(parameter("path", &Parameters::path)
+                         .path()
+                         .required()
+                         .doc("Folder of the sequence, with rgb.txt and depth.txt."),
+                     parameter("depth", &Parameters::depth)
+                         .doc("Give depth as the sensor array depth.left, in m; 0: not measured."),
+                     parameter("depth_scale", &Parameters::depth_scale)
+                         .range(1, 1e6)
+                         .unit("1/m")
+                         .doc("Values of a depth image per metre."),
+                     parameter("most_apart", &Parameters::most_apart)
+                         .range(0, 1)
+                         .unit("s")
+                         .doc("Largest difference in time between an image and its depth or its "
+                              "true pose."),
+                     parameter("fx", &Parameters::fx)
+                         .range(1, 1e6)
+                         .unit("px")
+                         .doc("Focal length, horizontal."),
+                     parameter("fy", &Parameters::fy)
+                         .range(1, 1e6)
+                         .unit("px")
+                         .doc("Focal length, vertical."),
+                     parameter("cx", &Parameters::cx)
+                         .range(0, 1e6)
+                         .unit("px")
+                         .doc("Principal point, horizontal."),
+                     parameter("cy", &Parameters::cy)
+                         .range(0, 1e6)
+                         .unit("px")
+                         .doc("Principal point, vertical.")),
           folderParameters<Parameters>());
     }
   };

@@ -15,7 +15,7 @@ namespace tolman::motion_log {
 struct Edge {
   std::int64_t from = 0;
   std::int64_t to = 0;
-  PlanarPose motion;  ///< pose of `to` in the frame of `from`
+  PlanarPose motion;  ///< pose of `to` in the coordinates of `from`
   int line = 0;
 };
 

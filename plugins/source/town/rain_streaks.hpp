@@ -17,7 +17,8 @@ struct Rain {
   std::uint32_t seed = 0;  ///< different for each frame
 };
 
-/// The drops are placed in the frame of the left camera; `T_left_camera` is the pose of this one.
+/// The drops are placed in the coordinates of the left camera; `T_left_camera` is the pose of this
+/// one.
 void addRain(std::vector<float>& radiance, const RenderCamera& view,
              const Eigen::Isometry3d& T_left_camera, const Rain& rain);
 

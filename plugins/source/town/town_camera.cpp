@@ -10,11 +10,11 @@
 
 namespace tolman::town {
 
-TownCamera::TownCamera(const TownParameters& parameters, const CameraRig& believed,
+TownCamera::TownCamera(const TownParameters& parameters, const CameraRig& calibrated,
                        TrueCamera truth, std::size_t index, std::uint32_t run_seed)
     : parameters_(parameters),
-      width_(believed.width),
-      height_(believed.height),
+      width_(calibrated.width),
+      height_(calibrated.height),
       truth_(std::move(truth)),
       index_(index),
       run_seed_(run_seed),

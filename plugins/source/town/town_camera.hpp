@@ -30,7 +30,7 @@ struct Moment {
 class TownCamera {
  public:
   /// `index`: 0 left, 1 right.
-  TownCamera(const TownParameters& parameters, const CameraRig& believed, TrueCamera truth,
+  TownCamera(const TownParameters& parameters, const CameraRig& calibrated, TrueCamera truth,
              std::size_t index, std::uint32_t run_seed);
 
   Image take(Renderer& renderer, const Light& light, const Moment& moment);

@@ -79,9 +79,9 @@ constexpr auto driveParameters() {
                "to drive "
                "along."),
       parameter("crossings", &P::crossings)
-          .doc("What becomes of a route whose passes cross too far apart in height: level bends "
-               "their heights, and the true poses, until they agree; bridge builds bridges where "
-               "they cross at an angle, and levels the rest; refuse."),
+          .doc("For a route whose passes cross too far apart in height. level: their heights, and "
+               "the true poses, are bent until they agree; bridge: bridges are built where they "
+               "cross at an angle, and the rest is levelled; refuse: the route is refused."),
       parameter("rate", &P::rate).range(0.1, 1000).unit("Hz").doc("Frames per second."),
       parameter("speed", &P::speed)
           .range(0.5, 40)
@@ -121,9 +121,9 @@ constexpr auto cameraParameters() {
               "How far the camera is turned to the right about its optical axis, from the poses of "
               "the route."),
       parameter("flight", &P::flight)
-          .doc("A file of free poses, with streets on level ground under them, instead of poses "
-               "whose heights the streets follow; a built-in route is flown, at 0 to 4 m above "
-               "the first camera, pitching and rolling by 8 degrees."));
+          .doc("The camera is flown or carried. A file: streets lie on level ground below the "
+               "poses and do not follow their heights. A built-in route: 0 to 4 m above the "
+               "first camera, pitching and rolling by 8 degrees."));
 }
 
 constexpr auto townParameters() {

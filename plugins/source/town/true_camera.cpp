@@ -46,21 +46,22 @@ Eigen::Isometry3d rightCamera(const TownParameters& p, double baseline) {
 
 }  // namespace
 
-Result<std::array<TrueCamera, 2>> trueCameras(const TownParameters& p, const CameraRig& believed) {
+Result<std::array<TrueCamera, 2>> trueCameras(const TownParameters& p,
+                                              const CameraRig& calibrated) {
   if (const Status status = checkLists(p); !status.isOk()) return status;
   std::array<TrueCamera, 2> cameras;
   for (std::size_t i = 0; i < 2; ++i) {
     TrueCamera& camera = cameras[i];
-    camera.pinhole = believed.pinhole;
+    camera.pinhole = calibrated.pinhole;
     camera.pinhole.fx *= 1 + p.focal_length_error[i];
     camera.pinhole.fy *= 1 + p.focal_length_error[i];
     camera.pinhole.cx += p.scale * p.principal_point_error_px[2 * i];
     camera.pinhole.cy += p.scale * p.principal_point_error_px[2 * i + 1];
     camera.warp = makeWarp(
-        believed.width, believed.height, p.scale * p.warp_rms_px,
+        calibrated.width, calibrated.height, p.scale * p.warp_rms_px,
         hash(static_cast<std::uint32_t>(p.camera_seed), static_cast<std::uint32_t>(i), 501));
   }
-  cameras[1].T_left_camera = rightCamera(p, believed.baseline);
+  cameras[1].T_left_camera = rightCamera(p, calibrated.baseline);
   return cameras;
 }
 

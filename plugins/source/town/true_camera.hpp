@@ -20,6 +20,6 @@ struct TrueCamera {
 
 /// Left and right camera; refuses lists of a wrong length.
 Result<std::array<TrueCamera, 2>> trueCameras(const TownParameters& parameters,
-                                              const CameraRig& believed);
+                                              const CameraRig& calibrated);
 
 }  // namespace tolman::town

@@ -18,7 +18,7 @@ struct Corners {
 };
 inline constexpr int kDescriptionBytes = 32;  // of ORB: 256 bits
 
-/// Landmarks in the frame of the left camera, m.
+/// Landmarks in the coordinates of the left camera, m.
 struct Landmarks {
   std::vector<cv::Point3f> points;
   cv::Mat descriptions;  ///< as those of Corners

@@ -14,7 +14,7 @@ struct LostMotion {
   Matrix6d covariance;
 };
 
-/// The last velocity (m/s, rad/s) is believed for 5 s after tracking was lost; then the camera is
+/// The last velocity (m/s, rad/s) is assumed for 5 s after tracking was lost; then the camera is
 /// taken to stand, with the covariance of having gone straight on. 5 s: chosen, not tuned; usual
 /// gaps are shorter. `lost_s`: time since the loss, at the frame before; `lost_frames`: frames
 /// since then, this one included.

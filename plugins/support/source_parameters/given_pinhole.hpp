@@ -40,11 +40,11 @@ constexpr auto pinholeParameters(
       parameter<P, double>("cx", &P::cx)
           .range(0, 1e6)
           .unit("px")
-          .doc("Principal point; 0 for the centre of the image."),
+          .doc("Principal point, horizontal; 0 for the centre of the image."),
       parameter<P, double>("cy", &P::cy)
           .range(0, 1e6)
           .unit("px")
-          .doc("Principal point; 0 for the centre of the image."),
+          .doc("Principal point, vertical; 0 for the centre of the image."),
       parameter<P, double>("baseline", &P::baseline).range(0, 5).unit("m").doc(baseline_doc));
 }
 

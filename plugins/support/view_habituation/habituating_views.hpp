@@ -14,8 +14,9 @@ namespace tolman {
 
 /// The defaults are OpenRatSLAM's (for St Lucia).
 struct HabituationSettings {
-  double energy = 1;         ///< of a rested view
-  double resting_decay = 1;  ///< of a rested view, and what an immediate repetition adds
+  double energy = 1;         ///< that a view without habituation injects
+  double resting_decay = 1;  ///< initial and lowest decay of a view, and its increase when the view
+                             ///< is repeated at once
   double restore = 0.04;     ///< of the decay, per view
   int newest_ignored = 0;    ///< this many of the newest views inject nothing
 };

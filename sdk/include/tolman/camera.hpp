@@ -61,7 +61,7 @@ struct CameraRig {
   }
 };
 
-/// How a lens maps a point (x, y, z) of the camera frame to the pixel (fx a + cx, fy b + cy).
+/// How a lens maps a point (x, y, z), in camera axes, to the pixel (fx a + cx, fy b + cy).
 enum class LensModel : std::uint8_t {
   Pinhole,  ///< (a, b) = (x/z, y/z)
   /// (a, b) is (x/z, y/z) moved along and across its radius, with the coefficients k1 k2 p1 p2 k3
@@ -87,7 +87,8 @@ struct RawCamera {
   /// Coefficients in the order of LensModel; those that the model does not have are 0.
   Eigen::Matrix<double, 8, 1> distortion = Eigen::Matrix<double, 8, 1>::Zero();
   double xi = 0;  ///< Omnidirectional: mirror parameter
-  /// The reference is any frame that the cameras of a rig share: a body, or the first camera.
+  /// Metres. The reference is any coordinate frame that the cameras of a rig share, such as that of
+  /// a body or of the first camera.
   Eigen::Isometry3d T_reference_camera = Eigen::Isometry3d::Identity();
   /// Rotation to the rectified camera; used where RawRig::has_rectified is set.
   Eigen::Matrix3d R_rectified_camera = Eigen::Matrix3d::Identity();
@@ -103,7 +104,7 @@ struct RawCamera {
     TOLMAN_FIELD(pinhole.cy, "px", "principal point, vertical");
     TOLMAN_FIELD(distortion, "", "coefficients of the model");
     TOLMAN_FIELD(xi, "", "mirror parameter of the omnidirectional model");
-    TOLMAN_FIELD(T_reference_camera, "m", "pose in the frame that the cameras share");
+    TOLMAN_FIELD(T_reference_camera, "m", "pose in the coordinate frame that the cameras share");
     TOLMAN_FIELD(R_rectified_camera, "", "rotation to the rectified camera, where it is given");
   }
 };

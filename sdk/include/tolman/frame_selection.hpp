@@ -59,7 +59,7 @@ constexpr auto selectionParameters() {
           .doc("forward, backward, or pingpong: forward and backward alternately."),
       parameter<P, std::int64_t>("passes", &P::passes)
           .range(1, 10000)
-          .doc("Number of passes of pingpong, in either direction."));
+          .doc("Number of passes of pingpong; forward and backward count as two."));
 }
 
 /// The frames of a run: frame k is frame sourceIndex(k) of the data set, at stampNs(k).

@@ -114,14 +114,14 @@ struct PlanarPose {
   double theta = 0;  ///< rad, counter-clockwise, in [-pi, pi)
 };
 
-/// a followed by b, b expressed in a's frame.
+/// a followed by b, where b is given in the coordinates of a.
 inline PlanarPose compose(const PlanarPose& a, const PlanarPose& b) {
   const double c = std::cos(a.theta);
   const double s = std::sin(a.theta);
   return {a.x + c * b.x - s * b.y, a.y + s * b.x + c * b.y, wrapAngle(a.theta + b.theta)};
 }
 
-/// The motion from a to b, expressed in a's frame: compose(a, between(a, b)) == b.
+/// The motion from a to b, in the coordinates of a: compose(a, between(a, b)) == b.
 inline PlanarPose between(const PlanarPose& a, const PlanarPose& b) {
   const double c = std::cos(a.theta);
   const double s = std::sin(a.theta);

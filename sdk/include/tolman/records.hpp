@@ -6,10 +6,10 @@
 // exceed the deadline of an isolated stage. A source numbers its frames 0, 1, 2 ...; under
 // `realtime` later stages may not get some of them, and in a continued run the numbers follow those
 // of the earlier run. A stage answers each frame that it is given exactly once; records of a frame
-// are joined by index, never by time. World frame: the left camera at frame 0 (x right, y down,
-// z forward). 6x6 covariances have the order (translation, rotation), so their units are m^2, m rad
-// and rad^2. They are in the tangent space of the current frame, at which the motion ends:
-// T = T_estimate * expSe3(noise).
+// are joined by index, never by time. World coordinates are those of the left camera at frame 0
+// (x right, y down, z forward). 6x6 covariances have the order (translation, rotation), so their
+// units are m^2, m rad and rad^2. The covariance of a pose T_a_b is in the tangent space of b; for
+// a motion that is the camera where it ends: T = T_estimate * expSe3(noise).
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ struct Frame {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(frame, "", "index in the run, dense from 0");
+    TOLMAN_FIELD(frame, "", "index in the run: 0, 1, 2 ...");
     TOLMAN_FIELD(stamp_ns, "ns", "data time of the exposure");
     TOLMAN_FIELD(source_index, "", "index in the data set, before first, step and order");
     TOLMAN_FIELD(left, "", "image of the left (or only) camera");
@@ -147,7 +147,7 @@ struct PlaceObservation {
   std::int64_t stamp_ns = 0;
   Recognition recognition = Recognition::None;
   std::int64_t template_id = -1;  ///< consecutive from 0 in order of creation; -1 only with None
-  double score = 0;               ///< distance to the best template, in the plugin's measure
+  double score = 0;  ///< distance to the best template, in the plugin's measure; small: alike
   double relative_yaw =
       0;  ///< rad, heading now minus heading at the template, positive to the left
   bool has_relative_pose = false;
@@ -159,11 +159,13 @@ struct PlaceObservation {
     TOLMAN_FIELD(frame, "", "the frame of the view");
     TOLMAN_FIELD(stamp_ns, "ns", "its data time");
     TOLMAN_FIELD(recognition, "", "none, novel or familiar");
-    TOLMAN_FIELD(template_id, "", "local view template, dense from 0, -1 for none");
-    TOLMAN_FIELD(score, "", "distance to the best template, smaller is more alike");
+    TOLMAN_FIELD(template_id, "",
+                 "local view template: 0, 1, 2 ... as they were made, -1 for none");
+    TOLMAN_FIELD(score, "", "distance to the best template, in the plugin's measure");
     TOLMAN_FIELD(relative_yaw, "rad", "heading now minus heading of the template");
     TOLMAN_FIELD(has_relative_pose, "", "whether T_template_current was measured");
-    TOLMAN_FIELD(T_template_current, "m", "pose now in the camera frame of the template");
+    TOLMAN_FIELD(T_template_current, "m",
+                 "pose of the camera, in the camera frame of the template");
     TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
   }
 };
@@ -188,7 +190,7 @@ struct EarlierLoop {
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(frame, "", "the frame at which the loop was seen");
-    TOLMAN_FIELD(experience, "", "the experience that the robot was back at");
+    TOLMAN_FIELD(experience, "", "the experience to which the robot had returned");
     TOLMAN_FIELD(T_experience_camera, "m",
                  "pose of the camera at that frame, in the coordinates of the experience");
     TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
@@ -227,7 +229,7 @@ struct Decision {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(frame, "", "the frame that was decided on");
+    TOLMAN_FIELD(frame, "", "the frame of the decision");
     TOLMAN_FIELD(stamp_ns, "ns", "its data time");
     TOLMAN_FIELD(action, "", "stay, create_experience or close_loop");
     TOLMAN_FIELD(experience, "", "the experience that the robot is at, -1 before the first");
@@ -246,15 +248,15 @@ struct Decision {
 /// A node of the experience map.
 struct Experience {
   static constexpr const char* kRecord = "experience";
-  std::int64_t id = -1;
-  std::int64_t frame = -1;  ///< at which it was made
+  std::int64_t id = -1;     ///< consecutive from 0 in order of creation
+  std::int64_t frame = -1;  ///< at which it was created
   std::int64_t template_id = -1;
   Eigen::Isometry3d T_world_experience = Eigen::Isometry3d::Identity();
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(id, "", "dense from 0 in the order of making");
-    TOLMAN_FIELD(frame, "", "the frame that it was made at");
+    TOLMAN_FIELD(id, "", "0, 1, 2 ... in the order of creation");
+    TOLMAN_FIELD(frame, "", "the frame at which it was created");
     TOLMAN_FIELD(template_id, "", "its local view template, -1 for none");
     TOLMAN_FIELD(T_world_experience, "m", "corrected pose, camera axes");
   }
@@ -267,11 +269,11 @@ constexpr std::span<const std::string_view> enumNames(LinkKind) { return kLinkKi
 /// A spatial constraint between two experiences.
 struct Link {
   static constexpr const char* kRecord = "link";
-  std::int64_t id = -1;
-  std::int64_t from = -1;
-  std::int64_t to = -1;
+  std::int64_t id = -1;    ///< consecutive from 0 in order of creation
+  std::int64_t from = -1;  ///< id of an experience
+  std::int64_t to = -1;    ///< id of an experience
   LinkKind kind = LinkKind::Odometry;
-  std::int64_t frame = -1;  ///< at which it was made
+  std::int64_t frame = -1;  ///< at which it was created
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
   double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
@@ -282,15 +284,15 @@ struct Link {
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(id, "", "dense from 0 in the order of making");
-    TOLMAN_FIELD(from, "", "experience");
-    TOLMAN_FIELD(to, "", "experience");
+    TOLMAN_FIELD(id, "", "0, 1, 2 ... in the order of creation");
+    TOLMAN_FIELD(from, "", "id of the experience at its start");
+    TOLMAN_FIELD(to, "", "id of the experience at its end");
     TOLMAN_FIELD(kind, "", "odometry or loop");
-    TOLMAN_FIELD(frame, "", "the frame that it was made at");
-    TOLMAN_FIELD(T_from_to, "m", "pose of `to` in the frame of `from`");
+    TOLMAN_FIELD(frame, "", "the frame at which it was created");
+    TOLMAN_FIELD(T_from_to, "m", "pose of `to`, in the coordinates of `from`");
     TOLMAN_FIELD(covariance, "m^2, m rad, rad^2", "covariance, translation before rotation");
-    TOLMAN_FIELD(duration, "s", "data time between the ends");
-    TOLMAN_FIELD(weight, "", "weight that the robust loss leaves it, 0 to 1");
+    TOLMAN_FIELD(duration, "s", "data time between the two ends, 0 for a loop link");
+    TOLMAN_FIELD(weight, "", "weight under the robust loss of the optimiser, 0 to 1");
   }
 };
 
@@ -302,22 +304,24 @@ struct MapUpdate {
   std::int64_t experience = -1;  ///< the experience to which this frame is attached
   Eigen::Isometry3d T_experience_camera = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();  ///< current estimate
-  std::int64_t version = 0;      ///< grows with every correction of earlier poses
+  std::int64_t version = 0;      ///< increases with every correction of earlier poses
   std::int64_t experiences = 0;  ///< number of them in the graph
   std::int64_t links = 0;        ///< number of all links, rejected ones included
   std::int64_t loops = 0;        ///< number of loop links, rejected ones included
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
-    TOLMAN_FIELD(frame, "", "the frame that was placed");
+    TOLMAN_FIELD(frame, "", "the frame of the answer");
     TOLMAN_FIELD(stamp_ns, "ns", "its data time");
     TOLMAN_FIELD(experience, "", "the experience that the frame is attached to");
-    TOLMAN_FIELD(T_experience_camera, "m", "pose in the frame of that experience");
-    TOLMAN_FIELD(T_world_camera, "m", "pose in the world, as known at this frame");
+    TOLMAN_FIELD(T_experience_camera, "m",
+                 "pose of the camera, in the coordinates of that experience");
+    TOLMAN_FIELD(T_world_camera, "m",
+                 "pose of the camera in the world, as estimated at this frame");
     TOLMAN_FIELD(version, "", "number of the last correction of the map");
-    TOLMAN_FIELD(experiences, "", "nodes so far");
-    TOLMAN_FIELD(links, "", "links so far");
-    TOLMAN_FIELD(loops, "", "loop links so far");
+    TOLMAN_FIELD(experiences, "", "experiences in the graph");
+    TOLMAN_FIELD(links, "", "all links in the graph, rejected ones included");
+    TOLMAN_FIELD(loops, "", "loop links in the graph, rejected ones included");
   }
 };
 
@@ -327,9 +331,9 @@ struct MapGraph {
   std::int64_t version = 0;
   std::vector<Experience> experiences;  ///< experiences[i].id == i
   std::vector<Link> links;              ///< links[i].id == i
-  /// Ascending ids of the loop links that the map takes for false. They remain in `links`; counts,
-  /// exports and connected parts leave them out. A robust optimiser may still give them a small
-  /// weight.
+  /// Ascending ids of the loop links that the map has rejected as false. They remain in `links`;
+  /// counts, exports and connected parts leave them out. A robust optimiser may still give them a
+  /// small weight.
   std::vector<std::int64_t> rejected;
 
   bool isRejected(const Link& link) const {
@@ -341,7 +345,7 @@ struct MapGraph {
     TOLMAN_FIELD(version, "", "number of the last correction of the map");
     TOLMAN_FIELD(experiences, "", "nodes, by id");
     TOLMAN_FIELD(links, "", "constraints, by id");
-    TOLMAN_FIELD(rejected, "", "ids of the loop links that the map takes for false, ascending");
+    TOLMAN_FIELD(rejected, "", "ids of the rejected loop links, ascending");
   }
 };
 

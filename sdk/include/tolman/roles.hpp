@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The six roles. A plugin implements one of these classes; the host calls it.
 //
-// Life:     construct (cheap: no files, no threads) -> configure -> work ... -> finish -> destroy.
+// Lifetime: construct (cheap: no files, no threads) -> configure -> work ... -> finish -> destroy.
 //           reset() may come after configure at any time; the instance is then as if it had just
 //           been configured: the same frames give the same answers, bit by bit.
 // Threads:  one call at a time per instance, but not always from the same thread. A plugin may use
@@ -89,8 +89,8 @@ struct SourceInfo {
   }
 };
 
-/// Gives calibrated frames in time order. configure() checks the data as far as is possible without
-/// decoding them, so that errors come before frame 0.
+/// Gives frames in the order of time, and the rig that took them. configure() checks the data as
+/// far as is possible without decoding them, so that errors come before frame 0.
 class Source : public Plugin {
  public:
   virtual Status info(SourceInfo& info) = 0;
@@ -160,14 +160,14 @@ struct RunEvent {
   static constexpr const char* kRecord = "run_event";
   std::int64_t frame = -1;  ///< -1: before the first or after the last
   LogLevel level = LogLevel::Info;
-  std::string source;  ///< the stage
+  std::string source;  ///< name of the stage
   std::string message;
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {
     TOLMAN_FIELD(frame, "", "the frame that it happened at, -1 for none");
     TOLMAN_FIELD(level, "", "severity");
-    TOLMAN_FIELD(source, "", "the stage");
+    TOLMAN_FIELD(source, "", "name of the stage");
     TOLMAN_FIELD(message, "", "for people");
   }
 };
@@ -175,17 +175,20 @@ struct RunEvent {
 /// Wall time in ns that each role took for one frame, in the order of Role. For display only.
 using StageTimes = std::array<std::int64_t, kRoleNames.size()>;
 
-/// Everything about one frame, for observers. Pointers are valid during the call only; copy what
-/// you keep. Records can be copied cheaply (images are shared).
+/// All records of one frame, for observers. No pointer is null unless said below. Pointers are
+/// valid during the call only; copy what you keep. Records can be copied cheaply (images are
+/// shared).
 struct Snapshot {
   const Frame* frame = nullptr;
   const Motion* motion = nullptr;
   const PlaceObservation* place = nullptr;
   const Decision* decision = nullptr;
   const MapUpdate* map = nullptr;
-  const std::vector<NamedArray>* cells = nullptr;  ///< arrays of the cells: neural activity
+  /// The named arrays of the plugin in the role cells, such as its neural activity (ArraySource);
+  /// empty if it has none.
+  const std::vector<NamedArray>* cells = nullptr;
   const MapGraph* graph = nullptr;  ///< null: unchanged, or a large graph that is given later
-  StageTimes stage_times_ns{};      ///< 0 for the observers
+  StageTimes stage_times_ns{};      ///< wall time, ns; 0 for the observers
   const std::vector<RunEvent>* events = nullptr;  ///< since the last snapshot; may be null
 };
 
@@ -208,10 +211,9 @@ struct RunInfo {
 
 /// Reads the records of a run. It cannot change them: the host uses only the returned Status.
 ///
-/// In a resumed run begin() is followed by the recorded frames of the session, so that what an
-/// observer writes is whole: without images, sensors and revisions, the cells' arrays as often as
-/// they were recorded, and the graph with the last of these frames. It is the map of the
-/// checkpoint.
+/// In a resumed run the recorded frames of the session follow begin(), so that the output of an
+/// observer is complete. They have no images, sensors and revisions, the arrays of the cells as
+/// often as they were recorded, and the graph, that of the checkpoint, with the last frame only.
 class Observer : public Plugin {
  public:
   virtual Status begin(const RunInfo& run) = 0;

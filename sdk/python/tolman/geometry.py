@@ -17,13 +17,13 @@ def from_planar(x, y, theta):
 
 
 def compose(a, b):
-    """The planar pose b, given in the frame of a, in the frame that a is given in."""
+    """a followed by b, where b is given in the coordinates of a."""
     c, s = math.cos(a[2]), math.sin(a[2])
     return a[0] + c * b[0] - s * b[1], a[1] + s * b[0] + c * b[1], wrap_angle(a[2] + b[2])
 
 
 def between(a, b):
-    """The planar pose b in the frame of a."""
+    """The motion from a to b, in the coordinates of a: compose(a, between(a, b)) is b."""
     c, s = math.cos(a[2]), math.sin(a[2])
     x, y = b[0] - a[0], b[1] - a[1]
     return c * x + s * y, c * y - s * x, wrap_angle(b[2] - a[2])

@@ -242,7 +242,7 @@ class Snapshot:
     place: PlaceObservation
     decision: Decision
     map: MapUpdate
-    cells: dict
+    cells: dict  # named arrays of the cells
     graph: MapGraph | None  # None unless the map changed since the last snapshot
     stage_times_ns: dict
     events: list
