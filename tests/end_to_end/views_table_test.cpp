@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the tables of views in docs/method.md again: precision and recall of `view_templates` on
+// Measures the tables of views in docs/camera-maps.md again: precision and recall of `view_templates` on
 // a corridor that was walked twice, at each threshold of the page.
 #include <spdlog/fmt/fmt.h>
 
@@ -75,7 +75,7 @@ TEST_CASE("views: the page's precision and recall are those of the plugin", "[da
        {"gradients, 16x12",
         {"place.cells=gradients", "place.columns=16", "place.rows=12", "place.shift=3",
          "place.vertical_shift=1"}}}));
-  const Table page = tableOf(readText(inSource("docs/method.md")), head);
+  const Table page = tableOf(readText(inSource("docs/camera-maps.md")), head);
   REQUIRE(page.thresholds.size() == 10);
   for (std::size_t i = 0; i < page.thresholds.size(); ++i) {
     CAPTURE(head, page.thresholds[i]);
