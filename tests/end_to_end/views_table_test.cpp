@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the tables of views in docs/camera-maps.md again: precision and recall of `view_templates` on
-// a corridor that was walked twice, at each threshold of the page.
+// Measures the tables of views in docs/camera-maps.md again: precision and recall of
+// `view_templates` on a corridor that was walked twice, at each threshold of the page.
 #include <spdlog/fmt/fmt.h>
 
 #include <catch2/catch.hpp>
