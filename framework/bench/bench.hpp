@@ -31,8 +31,7 @@ struct BenchOptions {
 /// One pass over the data. Nothing is recorded and there are no observers.
 struct BenchPass {
   std::int64_t frames = 0;
-  double seconds =
-      0;  ///< source: sum of its calls; all stages: from the start to the last frame's end
+  double seconds = 0;   ///< source: sum of its calls; all stages: until the last frame has ended
   double cpu_s = 0;     ///< of all threads of the process; `bench odometry` only
   double peak_mib = 0;  ///< peak resident memory of the process, plugins included
   std::map<std::string, evaluation::StageTiming> stages;  ///< by role
@@ -49,7 +48,7 @@ struct Bench {
   bool interrupted = false;             ///< the passes listed are complete
 };
 
-/// Each pass creates and configures its stages anew. Throws run::Failed.
+/// Each pass creates and configures its stages again. Throws run::Failed.
 Bench runBench(const run::SystemOptions& system, const BenchOptions& options, run::RunLog& log,
                const Cancellation& cancellation);
 

@@ -40,7 +40,7 @@ struct TrajectoryMetrics {
   std::size_t matched = 0;
   std::optional<Scores> scores;
   std::string reason;   ///< why there are no scores
-  std::string warning;  ///< why the scores may not mean what they say (axesHint()); mostly empty
+  std::string warning;  ///< why the scores may be misleading (axesHint()); mostly empty
 };
 
 /// Computing time of a stage per frame, ms.

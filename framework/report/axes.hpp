@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A coordinate frame with ticks and labels; converts values to pixels.
+// The axes of a plot, a box with ticks and labels; converts values to pixels.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@ std::vector<double> ticks(const Range& range, int wanted);
 /// A value with as many decimals as the step of the axis needs: "0.25", "1500".
 std::string tickText(double value, double step);
 
-/// Position of the frame in the picture, px.
+/// The box of the axes in the picture, px.
 inline Eigen::AlignedBox2d frame(double left, double top, double right, double bottom) {
   return {Eigen::Vector2d(left, top), Eigen::Vector2d(right, bottom)};
 }
@@ -33,19 +33,19 @@ struct AxesPlan {
   std::string y_label;  ///< empty: also no ticks
   Range x;
   Range y;
-  Eigen::AlignedBox2d place;  ///< of the frame, px
-  bool equal = false;         ///< equal scales; the frame is made smaller to fit
+  Eigen::AlignedBox2d place;  ///< the box, px
+  bool equal = false;         ///< equal scales; the box is made smaller to fit
 };
 
 class Axes {
  public:
-  /// Draws frame, grid lines, ticks and labels.
+  /// Draws box, grid lines, ticks and labels.
   Axes(Svg& svg, AxesPlan plan);
 
   Eigen::Vector2d at(double x, double y) const;
   double pixelsX(double length) const { return length * scale_.x(); }
   const Eigen::AlignedBox2d& box() const { return plan_.place; }
-  /// Values outside the frame are clamped to it.
+  /// Values outside the box are clamped to it.
   void polyline(const std::vector<double>& x, const std::vector<double>& y, const char* colour,
                 double thickness = 1.5);
 
@@ -53,7 +53,7 @@ class Axes {
     const char* colour;
     std::string name;
   };
-  /// Draws a legend above the frame, from the left.
+  /// Draws a legend above the box, from the left.
   void legend(const std::vector<LegendEntry>& entries);
 
  private:
