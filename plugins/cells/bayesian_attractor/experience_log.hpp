@@ -12,11 +12,11 @@ namespace tolman::bayesian_attractor {
 
 /// Chosen, not tuned (docs/method.md, Parameters).
 struct ExperienceSettings {
-  double spacing = 5;               ///< m between experiences at most
-  double turn = 0.5;                ///< rad between experiences at most
-  double novel_spacing = 1;         ///< m; a novel view nearer than this makes no new experience
-  double loop_minimum_travel = 30;  ///< m since the experience was left
-  double loop_spacing = 5;          ///< m between loop links
+  double spacing = 5;               ///< m, largest distance between experiences
+  double turn = 0.5;                ///< rad, largest turn between experiences
+  double novel_spacing = 1;         ///< m, at which a novel view makes a new experience
+  double loop_minimum_travel = 30;  ///< m, smallest travel since the experience was left
+  double loop_spacing = 5;          ///< m, smallest travel between loop links
 };
 
 class ExperienceLog {
@@ -26,8 +26,8 @@ class ExperienceLog {
   void advance(const Eigen::Isometry3d& T_previous_current);
 
   /// True for the first one (also of a new part), at `spacing` or `turn` from where the newest one
-  /// was made, or for a novel view. Loops do not reset this distance: a false loop would otherwise
-  /// leave a gap between experiences.
+  /// was made, or for a novel view at `novel_spacing` from there. Loops do not reset this distance:
+  /// a false loop would otherwise leave a gap between experiences.
   bool wantsNew(bool view_is_novel) const;
   /// False for the current experience and within loop_minimum_travel and loop_spacing.
   bool allowsLoopTo(std::int64_t experience) const;

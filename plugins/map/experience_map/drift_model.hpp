@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Estimates the drift of odometry in space from closed loops. An error of height between two visits
 // may come from a steady drift of position or from an error of rotation. The two give different
-// maps; the orientations that the loops measure tell them apart.
+// maps; the orientations that the loops measure distinguish them.
 #pragma once
 
 #include <vector>
