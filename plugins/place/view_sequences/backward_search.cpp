@@ -22,6 +22,7 @@ constexpr float kNotCompared = 5;
 SearchSettings backwards(SearchSettings settings) {
   settings.recent = std::max(settings.recent, kSharedPath);
   settings.cost.direction = Direction::Backwards;
+  settings.cost.penalty = 1;
   return settings;
 }
 

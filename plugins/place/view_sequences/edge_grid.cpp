@@ -14,20 +14,43 @@ namespace {
 constexpr int kCell = 12;  // px of the reduced image; chosen, not tuned
 constexpr int kWidth = kColumns * kCell;
 constexpr int kHeight = kRows * kCell;
-// Gradients below this, in grey levels of 0 to 1 over two pixels, are treated as noise. Chosen,
-// not tuned.
+// Gradients below this over two pixels are treated as noise. Chosen, not tuned.
 constexpr float kNoise = 0.01F;
-// A view with a smaller mean strength of edges, in the same units, is blank. Chosen, not tuned.
-constexpr float kBlank = 0.002F;
+// A view whose mean gradient over two pixels is smaller, in grey levels, is blank or dark. Chosen,
+// not tuned.
+constexpr double kBlank = 1;
 
 cv::Mat reduced(const Image& image) {
-  cv::Mat gray = asMat(image);
+  const cv::Mat whole = asMat(image);
   cv::Mat small;
-  cv::resize(gray, small, cv::Size(kWidth, kHeight), 0, 0, cv::INTER_AREA);
+  cv::resize(whole, small, cv::Size(kWidth, kHeight), 0, 0, cv::INTER_AREA);
   if (image.format() != PixelFormat::Gray8) cv::cvtColor(small, small, cv::COLOR_BGR2GRAY);
-  cv::Mat values;
-  small.convertTo(values, CV_32F, 1.0 / 255);
-  return values;
+  return small;
+}
+
+bool isBlank(const cv::Mat& gray) {
+  double sum = 0;
+  for (int y = 1; y < gray.rows - 1; ++y) {
+    const std::uint8_t* above = gray.ptr<std::uint8_t>(y - 1);
+    const std::uint8_t* row = gray.ptr<std::uint8_t>(y);
+    const std::uint8_t* below = gray.ptr<std::uint8_t>(y + 1);
+    for (int x = 1; x < gray.cols - 1; ++x) {
+      sum += std::hypot(row[x + 1] - row[x - 1], below[x] - above[x]);
+    }
+  }
+  return sum < kBlank * static_cast<double>(gray.total());
+}
+
+/// Logarithm of an image, so that edges in the dark count as those in the light: without it 0.81 of
+/// the views of the town's 05 were ranked first on a second pass by night, with it 0.90. 8, 16 and
+/// 32 for kDark are equally good there and on campus walks.
+cv::Mat lightOf(const cv::Mat& gray) {
+  constexpr float kDark = 8;      // grey levels; the logarithm is nearly linear below
+  constexpr float kMiddle = 100;  // grey level where its slope is that of level / 255
+  cv::Mat light;
+  gray.convertTo(light, CV_32F, 1, kDark);
+  cv::log(light, light);
+  return light * ((kMiddle + kDark) / 255);
 }
 
 /// The two cells nearest to a pixel along one axis, and the weight of the second.
@@ -115,19 +138,12 @@ float strengthAround(const EdgeValues& edges, int column, int row) {
   return std::sqrt(energy / static_cast<float>(cells));
 }
 
-bool isBlank(const EdgeValues& edges) {
-  float sum = 0;
-  for (int c = 0; c < kColumns; ++c) {
-    for (int r = 0; r < kRows; ++r) sum += std::sqrt(energyOf(edges, c, r));
-  }
-  return sum < kBlank * kColumns * kRows;
-}
-
 }  // namespace
 
 bool edgeGrid(const Image& image, EdgeValues& values) {
-  const EdgeValues edges = edgesOf(reduced(image));
-  if (isBlank(edges)) return false;
+  const cv::Mat gray = reduced(image);
+  if (isBlank(gray)) return false;
+  const EdgeValues edges = edgesOf(lightOf(gray));
   for (int c = 0; c < kColumns; ++c) {
     for (int r = 0; r < kRows; ++r) {
       const float around = strengthAround(edges, c, r) + kNoise;

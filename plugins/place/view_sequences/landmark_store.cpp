@@ -11,32 +11,38 @@ namespace tolman::view_sequences {
 namespace {
 
 using landmarks::kDescriptionBytes;
+using landmarks::kPatchBytes;
 using landmarks::Landmarks;
 
-constexpr std::int64_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes;
+constexpr std::int64_t kBytesEach = 3 * sizeof(float) + kDescriptionBytes + kPatchBytes;
 
 Status failure(const char* what, const Status& status) {
   return Status::failed(std::string("landmarks cannot be ") + what + ": " + status.message() +
                         " Set landmarks to 0 to do without");
 }
 
-std::vector<std::uint8_t> bytesOfLandmarks(const Landmarks& landmarks) {
-  std::vector<std::uint8_t> bytes(landmarks.points.size() * kBytesEach);
+std::vector<std::uint8_t> bytesOfLandmarks(const StoredLandmarks& landmarks) {
+  const Landmarks& corners = landmarks.corners;
+  std::vector<std::uint8_t> bytes(corners.points.size() * kBytesEach);
   std::uint8_t* out = bytes.data();
-  for (std::size_t i = 0; i < landmarks.points.size(); ++i, out += kBytesEach) {
-    const cv::Point3f& p = landmarks.points[i];
+  const auto put = [&out](const void* from, std::size_t size) {
+    std::memcpy(out, from, size);
+    out += size;
+  };
+  for (std::size_t i = 0; i < corners.points.size(); ++i) {
+    const cv::Point3f& p = corners.points[i];
     const float xyz[3] = {p.x, p.y, p.z};
-    std::memcpy(out, xyz, sizeof xyz);
-    std::memcpy(out + sizeof xyz, landmarks.descriptions.ptr<std::uint8_t>(static_cast<int>(i)),
-                kDescriptionBytes);
+    put(xyz, sizeof xyz);
+    put(corners.descriptions.ptr<std::uint8_t>(static_cast<int>(i)), kDescriptionBytes);
+    put(landmarks.patches[i].data(), kPatchBytes);
   }
   return bytes;
 }
 
 }  // namespace
 
-Status LandmarkStore::add(std::int64_t view, const Landmarks& landmarks) {
-  return append(view, static_cast<std::int64_t>(landmarks.points.size()),
+Status LandmarkStore::add(std::int64_t view, const StoredLandmarks& landmarks) {
+  return append(view, static_cast<std::int64_t>(landmarks.corners.points.size()),
                 bytesOfLandmarks(landmarks));
 }
 
@@ -65,18 +71,24 @@ Result<std::vector<std::uint8_t>> LandmarkStore::bytesOf(const StoredView& entry
   return bytes;
 }
 
-Result<Landmarks> LandmarkStore::read(std::int64_t view) const {
+Result<StoredLandmarks> LandmarkStore::read(std::int64_t view) const {
   const auto entry = std::ranges::lower_bound(entries_, view, {}, &StoredView::view);
   auto bytes = bytesOf(*entry);
   if (!bytes.isOk()) return bytes.status();
-  Landmarks landmarks;
-  landmarks.descriptions.create(static_cast<int>(entry->count), kDescriptionBytes, CV_8U);
+  StoredLandmarks landmarks;
+  landmarks.corners.descriptions.create(static_cast<int>(entry->count), kDescriptionBytes, CV_8U);
+  landmarks.patches.resize(static_cast<std::size_t>(entry->count));
   const std::uint8_t* in = bytes.value().data();
-  for (int i = 0; i < entry->count; ++i, in += kBytesEach) {
+  const auto get = [&in](void* to, std::size_t size) {
+    std::memcpy(to, in, size);
+    in += size;
+  };
+  for (int i = 0; i < entry->count; ++i) {
     float xyz[3];
-    std::memcpy(xyz, in, sizeof xyz);
-    landmarks.points.emplace_back(xyz[0], xyz[1], xyz[2]);
-    std::memcpy(landmarks.descriptions.ptr<std::uint8_t>(i), in + sizeof xyz, kDescriptionBytes);
+    get(xyz, sizeof xyz);
+    landmarks.corners.points.emplace_back(xyz[0], xyz[1], xyz[2]);
+    get(landmarks.corners.descriptions.ptr<std::uint8_t>(i), kDescriptionBytes);
+    get(landmarks.patches[static_cast<std::size_t>(i)].data(), kPatchBytes);
   }
   return landmarks;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "edge_patches.hpp"
 #include "landmarks.hpp"
 #include "scratch_file.hpp"
 #include "tolman/state_stream.hpp"
@@ -14,15 +15,21 @@
 
 namespace tolman::view_sequences {
 
+/// Landmarks with the edges around them, one patch for each.
+struct StoredLandmarks {
+  landmarks::Landmarks corners;
+  std::vector<landmarks::EdgePatch> patches;
+};
+
 class LandmarkStore {
  public:
   /// `view` must be larger than that of all earlier calls.
-  Status add(std::int64_t view, const landmarks::Landmarks& landmarks);
+  Status add(std::int64_t view, const StoredLandmarks& landmarks);
   /// The view with landmarks nearest to `view`, at most `reach` views away; at equal distance the
   /// older one.
   std::optional<std::int64_t> nearest(std::int64_t view, std::int64_t reach) const;
   /// The landmarks of a view that has some.
-  Result<landmarks::Landmarks> read(std::int64_t view) const;
+  Result<StoredLandmarks> read(std::int64_t view) const;
 
   /// Fails if the file cannot be read.
   Status save(StateWriter& writer) const;

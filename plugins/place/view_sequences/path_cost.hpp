@@ -26,7 +26,7 @@ enum class Direction : std::uint8_t { Forwards, Backwards };
 /// Chosen on `places_gardens` (first half) and `places_two_laps`; docs/places.md tells how.
 struct PathCostSettings {
   double memory = 0.92;                       ///< factor per step
-  double penalty = 1.0;                       ///< per view that a step differs from `advance`
+  double penalty = 1.5;                       ///< per view that a step differs from `advance`
   double offset = 1.4;                        ///< per step
   Direction direction = Direction::Forwards;  ///< in which the stored paths are driven at present
 };

@@ -33,18 +33,23 @@ class PlaceVerifier {
   std::optional<std::int64_t> viewNear(std::int64_t view) const;
   /// Pose of the frame relative to a view with landmarks; empty if too few agree.
   Result<std::optional<landmarks::MeasuredPose>> locate(std::int64_t view);
+  /// The same from the edges around landmarks, which are found in other light, too, but only from
+  /// nearly the same direction.
+  Result<std::optional<landmarks::MeasuredPose>> locateByEdges(std::int64_t view);
 
   Status save(StateWriter& writer) const { return store_.save(writer); }
   Status load(StateReader& reader, std::int64_t views) { return store_.load(reader, views); }
 
  private:
   const landmarks::Corners& corners();
+  const landmarks::EdgeMap& edges();
 
   CameraRig rig_;
   VerifierSettings settings_;
   LandmarkStore store_;
   const Frame* frame_ = nullptr;
   std::optional<landmarks::Corners> corners_;  ///< of the frame, computed when needed
+  std::optional<landmarks::EdgeMap> edges_;    ///< as corners_
 };
 
 }  // namespace tolman::view_sequences

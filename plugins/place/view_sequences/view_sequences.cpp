@@ -13,8 +13,8 @@ namespace tolman::view_sequences {
 namespace {
 
 constexpr std::string_view kMagic = "TLMVSEQS";
-constexpr const char* kVersions = " (version 2: saved with `backwards`, 1: without)";
-constexpr std::uint64_t versionOfState(bool backwards) { return backwards ? 2 : 1; }
+constexpr const char* kVersions = " (version 4: saved with `backwards`, 3: without)";
+constexpr std::uint64_t versionOfState(bool backwards) { return backwards ? 4 : 3; }
 
 EdgeValues levelsOf(const PackedView& view) {
   std::array<std::int16_t, kValues> levels;
@@ -144,18 +144,30 @@ Status ViewSequences::answer(const PathStep& step, const ViewQuery& query, int i
   return Status::ok();
 }
 
-/// The place whose landmarks agree on a pose near it: the most probable one if it is `kSure`,
-/// otherwise the one where most landmarks agree, for fronts repeat. A pose farther away is of a
-/// view along the same street: it is measured too poorly for a loop.
+/// The place whose landmarks agree on a pose near it; by corners, or, where they find none, by the
+/// edges around them.
 Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     const std::vector<PlaceCandidate>& candidates) {
+  auto place = verifiedBy(&PlaceVerifier::locate, candidates);
+  if (place.isOk() && !place.value()) {
+    place = verifiedBy(&PlaceVerifier::locateByEdges, candidates);
+  }
+  if (place.isOk() && place.value()) since_measured_ = 0;
+  return place;
+}
+
+/// The most probable place with a pose if it is `kSure`, otherwise the one where most landmarks
+/// agree, for fronts repeat. A pose farther away is of a view along the same street: it is measured
+/// too poorly for a loop.
+Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verifiedBy(
+    Locate locate, const std::vector<PlaceCandidate>& candidates) {
   constexpr double kSure = 0.9;  // chosen, not tuned
   std::optional<VerifiedView> best;
   for (const PlaceCandidate& candidate : candidates) {
     if (candidate.probability < parameters_.probability_verified) break;
     const auto view = verifier_->viewNear(candidate.view);
     if (!view) continue;
-    auto pose = verifier_->locate(*view);
+    auto pose = ((*verifier_).*locate)(*view);
     if (!pose.isOk()) return pose.status();
     if (!pose.value()) continue;
     const landmarks::MeasuredPose& measured = *pose.value();
@@ -164,7 +176,6 @@ Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verified(
     best = VerifiedView{*view, std::move(pose).value()};
     if (candidate.probability >= kSure) break;
   }
-  if (best) since_measured_ = 0;
   return best;
 }
 

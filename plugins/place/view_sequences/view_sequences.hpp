@@ -53,7 +53,10 @@ class ViewSequences final : public Place,
               PlaceObservation& observation);
   Status answer(const PathStep& step, const ViewQuery& query, int image_width,
                 PlaceObservation& observation);
+  using Locate = Result<std::optional<landmarks::MeasuredPose>> (PlaceVerifier::*)(std::int64_t);
   Result<std::optional<VerifiedView>> verified(const std::vector<PlaceCandidate>& candidates);
+  Result<std::optional<VerifiedView>> verifiedBy(Locate locate,
+                                                 const std::vector<PlaceCandidate>& candidates);
   bool recogniseBackwards(PlaceObservation& observation);
   Status store(const PathStep& step, PlaceObservation& observation);
   void recognise(const VerifiedView& place, const ViewQuery& query, int image_width,

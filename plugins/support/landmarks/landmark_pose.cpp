@@ -8,15 +8,14 @@
 namespace tolman::landmarks {
 namespace {
 
-constexpr double kSigma = 1.0;   // px, standard deviation of a matched corner; chosen, not tuned
-constexpr double kInlier = 3.0;  // px, three deviations; chosen, not tuned
+constexpr double kInlier = 3;  // standard deviations; chosen, not tuned
 using Jacobian = Eigen::Matrix<double, 2, 6>;
 
 cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
 
 /// RANSAC over P3P. OpenCV uses a constant seed, so the result is reproducible.
 std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& matches,
-                                           const Pinhole& pinhole) {
+                                           const Pinhole& pinhole, double sigma) {
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
   for (const LandmarkMatch& match : matches) {
@@ -26,9 +25,9 @@ std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& mat
   cv::Vec3d rotation;
   cv::Vec3d translation;
   // At most 200 samples (chosen, not tuned; bounds the time), and 99.9 % confidence.
-  const bool found =
-      cv::solvePnPRansac(points, pixels, matrixOf(pinhole), cv::noArray(), rotation, translation,
-                         false, 200, kInlier, 0.999, cv::noArray(), cv::SOLVEPNP_AP3P);
+  const bool found = cv::solvePnPRansac(
+      points, pixels, matrixOf(pinhole), cv::noArray(), rotation, translation, false, 200,
+      static_cast<float>(kInlier * sigma), 0.999, cv::noArray(), cv::SOLVEPNP_AP3P);
   if (!found) return std::nullopt;
   Eigen::Isometry3d T_current_template = Eigen::Isometry3d::Identity();
   T_current_template.linear() = expSo3({rotation[0], rotation[1], rotation[2]});
@@ -44,7 +43,7 @@ struct PoseEquations {
 };
 
 PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const Pinhole& K,
-                              const Eigen::Isometry3d& T_template_current) {
+                              const Eigen::Isometry3d& T_template_current, double sigma) {
   PoseEquations normal;
   const Eigen::Isometry3d T_current_template = T_template_current.inverse();
   for (const LandmarkMatch& match : matches) {
@@ -52,7 +51,7 @@ PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const P
         T_current_template * Eigen::Vector3d(match.point.x, match.point.y, match.point.z);
     if (p.z() < 0.1) continue;  // m; keeps the projection finite
     const Eigen::Vector2d error = Eigen::Vector2d(match.pixel.x, match.pixel.y) - K.project(p);
-    if (error.norm() > kInlier) continue;
+    if (error.norm() > kInlier * sigma) continue;
     Eigen::Matrix<double, 2, 3> projection;
     projection << K.fx / p.z(), 0, -K.fx * p.x() / (p.z() * p.z()), 0, K.fy / p.z(),
         -K.fy * p.y() / (p.z() * p.z());
@@ -60,8 +59,8 @@ PoseEquations poseEquationsOf(const std::vector<LandmarkMatch>& matches, const P
     Jacobian J;
     J.leftCols<3>() = -projection;
     J.rightCols<3>() = projection * skew(p);
-    normal.H += J.transpose() * J / (kSigma * kSigma);
-    normal.b += J.transpose() * error / (kSigma * kSigma);
+    normal.H += J.transpose() * J / (sigma * sigma);
+    normal.b += J.transpose() * error / (sigma * sigma);
     ++normal.inliers;
   }
   return normal;
@@ -86,18 +85,18 @@ std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& 
 }
 
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
-                                   const Pinhole& pinhole, int least) {
+                                   const Pinhole& pinhole, int least, double sigma) {
   if (static_cast<int>(matches.size()) < least) return std::nullopt;
-  const std::optional<Eigen::Isometry3d> start = consensus(matches, pinhole);
+  const std::optional<Eigen::Isometry3d> start = consensus(matches, pinhole, sigma);
   if (!start) return std::nullopt;
   MeasuredPose measured;
   measured.T_template_current = *start;
-  PoseEquations normal = poseEquationsOf(matches, pinhole, *start);
+  PoseEquations normal = poseEquationsOf(matches, pinhole, *start, sigma);
   constexpr int kSteps = 5;  // fixed, bounds the time; chosen, not tuned
   for (int step = 0; step < kSteps && normal.inliers >= least; ++step) {
     measured.T_template_current =
         normalised(measured.T_template_current * expSe3(Vector6d(normal.H.ldlt().solve(normal.b))));
-    normal = poseEquationsOf(matches, pinhole, measured.T_template_current);
+    normal = poseEquationsOf(matches, pinhole, measured.T_template_current, sigma);
   }
   if (normal.inliers < least) return std::nullopt;
   measured.inliers = normal.inliers;

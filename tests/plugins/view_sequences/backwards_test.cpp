@@ -149,8 +149,8 @@ TEST_CASE("states with and without structure are not mixed up, and damaged ones 
   }
   const Status older = with.load(without.saved());
   CHECK(older.message() ==
-        "the saved state has version 1, this plugin reads version 2 (version 2: saved with "
-        "`backwards`, 1: without)");
+        "the saved state has version 3, this plugin reads version 4 (version 4: saved with "
+        "`backwards`, 3: without)");
   CHECK_FALSE(without.load(Tour(backwards(), houseRig()).saved()).isOk());
   Tour fresh(backwards(), houseRig());
   CHECK(with.saved() == fresh.saved());  // a refused state leaves nothing behind

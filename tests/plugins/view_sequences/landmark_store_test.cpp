@@ -4,6 +4,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
@@ -19,33 +20,35 @@ using namespace tolman;
 using namespace tolman::view_sequences;
 using namespace tolman::view_sequences::test;
 using tolman::landmarks::kDescriptionBytes;
-using tolman::landmarks::Landmarks;
+using tolman::landmarks::kPatchBytes;
 
 namespace {
 
-Landmarks someLandmarks(int count, RandomStream& random) {
-  Landmarks landmarks;
-  landmarks.descriptions.create(count, kDescriptionBytes, CV_8U);
+StoredLandmarks someLandmarks(int count, RandomStream& random) {
+  StoredLandmarks landmarks;
+  landmarks.corners.descriptions.create(count, kDescriptionBytes, CV_8U);
   for (int i = 0; i < count; ++i) {
     const auto any = [&] { return static_cast<float>(random.uniform(-50, 50)); };
     const float x = any();
     const float y = any();
-    landmarks.points.emplace_back(x, y, any());
+    landmarks.corners.points.emplace_back(x, y, any());
+    const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
     for (int k = 0; k < kDescriptionBytes; ++k) {
-      landmarks.descriptions.at<std::uint8_t>(i, k) = static_cast<std::uint8_t>(random.below(256));
+      landmarks.corners.descriptions.at<std::uint8_t>(i, k) = byte();
     }
+    std::ranges::generate(landmarks.patches.emplace_back(), byte);
   }
   return landmarks;
 }
 
-bool areEqual(const Landmarks& a, const Landmarks& b) {
-  if (a.points != b.points || a.descriptions.rows != b.descriptions.rows) return false;
-  for (int i = 0; i < a.descriptions.rows; ++i) {
-    if (std::memcmp(a.descriptions.ptr(i), b.descriptions.ptr(i), kDescriptionBytes) != 0) {
-      return false;
-    }
+bool areEqual(const StoredLandmarks& a, const StoredLandmarks& b) {
+  const cv::Mat& bits_a = a.corners.descriptions;
+  const cv::Mat& bits_b = b.corners.descriptions;
+  if (a.corners.points != b.corners.points || bits_a.rows != bits_b.rows) return false;
+  for (int i = 0; i < bits_a.rows; ++i) {
+    if (std::memcmp(bits_a.ptr(i), bits_b.ptr(i), kDescriptionBytes) != 0) return false;
   }
-  return true;
+  return a.patches == b.patches;
 }
 
 std::string bytesOf(const LandmarkStore& store) {
@@ -66,7 +69,7 @@ constexpr const char* kRemedy =
 TEST_CASE("landmarks are read as they were stored, in any order") {
   RandomStream random(1);
   LandmarkStore store;
-  std::vector<Landmarks> stored;
+  std::vector<StoredLandmarks> stored;
   for (int i = 0; i < 30; ++i) {
     stored.push_back(someLandmarks(static_cast<int>(random.below(400)), random));
     REQUIRE(store.add(3 * i, stored.back()).isOk());
@@ -102,7 +105,7 @@ TEST_CASE("the nearest view with landmarks, of two equally near ones the older")
 TEST_CASE("a loaded store has what the saved one had") {
   RandomStream random(3);
   LandmarkStore saved;
-  std::vector<Landmarks> stored;
+  std::vector<StoredLandmarks> stored;
   for (int i = 0; i < 12; ++i) {
     stored.push_back(someLandmarks(5 * i, random));
     REQUIRE(saved.add(7 * i + 2, stored.back()).isOk());
@@ -140,7 +143,7 @@ TEST_CASE("damaged landmarks are refused without asking for memory") {
   CHECK(refusal(overwritten(sound, 8, std::int64_t{-1})) == damaged);
   CHECK(refusal(overwritten(sound, 8, std::int64_t{9})) == damaged);  // 9 twice
   for (const std::int64_t count :
-       {std::int64_t{-1}, INT64_MAX, INT64_MAX / 44, std::int64_t{1000}}) {
+       {std::int64_t{-1}, INT64_MAX, INT64_MAX / (44 + kPatchBytes), std::int64_t{1000}}) {
     CHECK(refusal(overwritten(sound, 16, count)) == damaged);
   }
   for (std::size_t length = 0; length + 1 < sound.size(); length += 37) {
@@ -159,7 +162,7 @@ TEST_CASE("the file has no name: nothing is left in the folder for temporary fil
   REQUIRE(store.add(0, someLandmarks(100, random)).isOk());
   CHECK(std::filesystem::is_empty(folder.path()));
   LandmarkStore moved = std::move(store);
-  CHECK(moved.read(0).value().points.size() == 100);
+  CHECK(moved.read(0).value().corners.points.size() == 100);
 }
 
 TEST_CASE("without a folder for temporary files the error says so and gives the remedy") {
@@ -186,7 +189,7 @@ TEST_CASE("a full disk is an error, and what was stored before can still be read
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
   RandomStream random(7);
   LandmarkStore store;
-  const Landmarks first = someLandmarks(50, random);
+  const StoredLandmarks first = someLandmarks(50, random);
   REQUIRE(store.add(0, first).isOk());
   rlimit small = before;
   small.rlim_cur = 4000;
@@ -197,7 +200,7 @@ TEST_CASE("a full disk is an error, and what was stored before can still be read
   CHECK(status.message() == std::string("landmarks cannot be stored: File too large") + kRemedy);
   CHECK(store.nearest(3, 0) == std::nullopt);
   CHECK(areEqual(store.read(0).value(), first));
-  const Landmarks later = someLandmarks(60, random);
+  const StoredLandmarks later = someLandmarks(60, random);
   REQUIRE(store.add(6, later).isOk());
   CHECK(areEqual(store.read(6).value(), later));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Marks loops that are compiled twice, and the faster version chosen when the plugin is loaded.
-// Both give the same bytes: sums of whole numbers, and no fused multiply-add.
+// Both give the same bytes: sums have the same order, and there is no fused multiply-add.
 #pragma once
 
 // Not with sanitizers, which are not yet initialised when the loader chooses.

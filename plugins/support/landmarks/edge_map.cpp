@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "edge_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <opencv2/imgproc.hpp>
+
+#include "wide.hpp"
+
+namespace tolman::landmarks {
+namespace {
+
+// Chosen on the town's route 06 with its second pass by night.
+constexpr int kWidth = 620;             // px of the reduced image, about
+constexpr float kDark = 8;              // grey levels; the logarithm is nearly linear below
+constexpr double kImageBlur = 0.8;      // px, standard deviation: against noise
+constexpr double kStrengthBlur = 1.25;  // cells, standard deviation
+
+/// Logarithm of the reduced image, without its noise.
+cv::Mat lightOf(const cv::Mat& gray, int factor) {
+  cv::Mat reduced = gray;
+  if (factor > 1) {
+    const cv::Size size(gray.cols / factor, gray.rows / factor);
+    cv::resize(gray, reduced, size, 0, 0, cv::INTER_AREA);
+  }
+  std::array<float, 256> logarithm;
+  for (std::size_t v = 0; v < logarithm.size(); ++v) {
+    logarithm[v] = std::log(static_cast<float>(v) + kDark);
+  }
+  cv::Mat light;
+  cv::LUT(reduced, cv::Mat(1, 256, CV_32F, logarithm.data()), light);
+  cv::GaussianBlur(light, light, cv::Size(), kImageBlur);
+  return light;
+}
+
+/// Gradients of a row of pixels.
+struct RowOfEdges {
+  explicit RowOfEdges(int width)
+      : across(static_cast<std::size_t>(width)), down(across), strength(across), scale(across) {}
+
+  std::vector<float> across;
+  std::vector<float> down;
+  std::vector<float> strength;
+  std::vector<float> scale;  ///< 4 / strength
+};
+
+TOLMAN_WIDE void gradientsOf(const float* above, const float* row, const float* below, int width,
+                             float* across, float* down, float* strength, float* scale) {
+  constexpr float kLeast = 1e-6F;  // keeps the division finite
+  for (int x = 1; x < width - 1; ++x) {
+    across[x] = row[x + 1] - row[x - 1];
+    down[x] = below[x] - above[x];
+    strength[x] = std::sqrt(across[x] * across[x] + down[x] * down[x]) + kLeast;
+    scale[x] = 4 / strength[x];
+  }
+}
+
+/// Adds to each cell its two pixels' edges along a direction (cosine, sine): all of the strength
+/// there, none at 30 degrees from it and beyond.
+TOLMAN_WIDE void addDirection(const float* across, const float* down, const float* strength,
+                              const float* scale, int width, float cosine, float sine, float* along,
+                              float* cells) {
+  for (int x = 0; x < width; ++x) {
+    const float part = across[x] * cosine + down[x] * sine;
+    const float value = part * part * scale[x] - 3 * strength[x];
+    along[x] = value > 0 ? value : 0;
+  }
+  for (int c = 0; c < width / 2; ++c) cells[c] += along[2 * c] + along[2 * c + 1];
+}
+
+}  // namespace
+
+EdgeMap::EdgeMap(const cv::Mat& gray)
+    : factor_(std::max(1, static_cast<int>(std::lround(gray.cols / double{kWidth})))) {
+  const cv::Mat light = lightOf(gray, factor_);
+  columns_ = light.cols / 2;
+  rows_ = light.rows / 2;
+  stride_ = columns_ + 2 * kMargin;
+  plane_ = static_cast<std::size_t>(stride_) * static_cast<std::size_t>(rows_ + 2 * kMargin);
+  planes_.assign(plane_ * kDirections + kReadable, 0);
+  energy_.assign(plane_, 0);
+  addEdges(light);
+  smoothen();
+}
+
+void EdgeMap::addEdges(const cv::Mat& light) {
+  const int width = 2 * columns_;
+  RowOfEdges edges(width);
+  std::vector<float> along(static_cast<std::size_t>(width));
+  for (int y = 1; y + 1 < light.rows && y < 2 * rows_; ++y) {
+    gradientsOf(light.ptr<float>(y - 1), light.ptr<float>(y), light.ptr<float>(y + 1), width,
+                edges.across.data(), edges.down.data(), edges.strength.data(), edges.scale.data());
+    for (int k = 0; k < kDirections; ++k) {
+      const double angle = (k + 0.5) * std::numbers::pi / kDirections;
+      addDirection(edges.across.data(), edges.down.data(), edges.strength.data(),
+                   edges.scale.data(), width, static_cast<float>(std::cos(angle)),
+                   static_cast<float>(std::sin(angle)), along.data(),
+                   planes_.data() + static_cast<std::size_t>(k) * plane_ + indexOf(y / 2, 0));
+    }
+  }
+}
+
+/// Spreads the strengths over the neighbouring cells, and takes the square root.
+void EdgeMap::smoothen() {
+  for (int k = 0; k < kDirections; ++k) {
+    float* plane = planes_.data() + static_cast<std::size_t>(k) * plane_;
+    cv::Mat inside(rows_, columns_, CV_32F, plane + indexOf(0, 0),
+                   static_cast<std::size_t>(stride_) * sizeof(float));
+    cv::GaussianBlur(inside, inside, cv::Size(), kStrengthBlur, 0,
+                     cv::BORDER_REFLECT_101 | cv::BORDER_ISOLATED);
+    for (std::size_t i = 0; i < plane_; ++i) {
+      energy_[i] += plane[i];
+      plane[i] = std::sqrt(plane[i]);
+    }
+  }
+}
+
+cv::Point2f EdgeMap::cellOf(const cv::Point2f& pixel) const {
+  const auto f = static_cast<float>(factor_);
+  return {((pixel.x + 0.5F) / f - 1) / 2, ((pixel.y + 0.5F) / f - 1) / 2};
+}
+
+cv::Point2f EdgeMap::pixelOf(const cv::Point2f& cell) const {
+  const auto f = static_cast<float>(factor_);
+  return {(2 * cell.x + 1) * f - 0.5F, (2 * cell.y + 1) * f - 0.5F};
+}
+
+}  // namespace tolman::landmarks
