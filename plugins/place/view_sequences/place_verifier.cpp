@@ -49,10 +49,10 @@ Result<std::optional<landmarks::MeasuredPose>> PlaceVerifier::locate(std::int64_
 }
 
 Result<std::optional<landmarks::MeasuredPose>> PlaceVerifier::locateByEdges(std::int64_t view) {
-  // On the town's 06 by night 61 or more patches agree on a pose at the same place, and at most 34
-  // at other streets; 20 m along the same street up to 100 do, but on a pose that far away.
+  // Chosen on the town's 06, by day and with its second pass by night: 50 of 52 poses of right places
+  // are accepted there, and one wrong pose; with a share of a half nine wrong ones.
   constexpr int kTimesLeast = 2;
-  constexpr double kShare = 0.5;
+  constexpr double kShare = 0.65;
   // Errors of patches that are near to each other are alike, so the pose is less exact than its
   // equations say: by this factor on 06.
   constexpr double kInflation = 2.5;
