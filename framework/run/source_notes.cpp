@@ -14,18 +14,22 @@ std::optional<std::string> SourceNotes::add(const Frame& frame) {
   const std::int64_t step = frame.stamp_ns - last_ns_;
   last_ns_ = frame.stamp_ns;
   if (frames_++ == 0) return std::nullopt;
+  const bool is_jump = step >= kDay_ns && (steps_ns_.empty() || step / 1000 >= usualStep());
   steps_ns_.push_back(step);
-  const bool is_jump = step >= kDay_ns && (usual_steps_ == 0 || step / 1000 >= usual_ns_);
-  if (!is_jump) {
-    usual_ns_ += (step - usual_ns_) / ++usual_steps_;
-    return std::nullopt;
-  }
+  if (!is_jump) return std::nullopt;
   if (++jumps_ > kTold) return std::nullopt;
   return fmt::format(
       "the stamp is {:.0f} s after that of the frame before; stamps are in ns, and velocities are "
       "divided by that time{}",
       1e-9 * static_cast<double>(step),
       jumps_ == kTold ? "; further such steps are counted at the end" : "");
+}
+
+std::int64_t SourceNotes::usualStep() const {
+  std::vector<std::int64_t> steps = steps_ns_;
+  const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), median, steps.end());
+  return *median;
 }
 
 std::vector<std::string> SourceNotes::atEnd(bool told_truth) const {
@@ -38,10 +42,7 @@ std::vector<std::string> SourceNotes::atEnd(bool told_truth) const {
         frames_));
   }
   if (steps_ns_.empty()) return notes;
-  std::vector<std::int64_t> steps = steps_ns_;
-  const auto median = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), median, steps.end());
-  const double usual_s = 1e-9 * static_cast<double>(*median);
+  const double usual_s = 1e-9 * static_cast<double>(usualStep());
   if (usual_s > kImpossible_s) {
     notes.push_back(
         fmt::format("frames are {:.4g} s apart (median); stamps are in ns: are they in another "

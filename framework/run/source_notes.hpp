@@ -21,10 +21,10 @@ class SourceNotes {
   std::vector<std::string> atEnd(bool told_truth) const;
 
  private:
+  /// The median; pauses do not change it.
+  std::int64_t usualStep() const;
   std::int64_t last_ns_ = 0;
   std::vector<std::int64_t> steps_ns_;
-  std::int64_t usual_ns_ = 0;  ///< mean of the steps that are no jumps
-  std::int64_t usual_steps_ = 0;
   int jumps_ = 0;
   std::int64_t frames_ = 0;
   std::int64_t true_poses_ = 0;
