@@ -4,8 +4,18 @@
 
 #include "app/system_options.hpp"
 #include "config/resolved.hpp"
+#include "record/run_reader.hpp"
 
 namespace tolman::app {
+namespace {
+
+/// A run with `continue: DIR` would be refused only when it begins.
+void requireEarlierRun(const std::string& directory) {
+  if (directory.empty()) return;
+  (void)run::require(record::RunReader::open(directory), run::FailureKind::Continuation);
+}
+
+}  // namespace
 
 void addCheckCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand("check", "Check a configuration without running it");
@@ -16,6 +26,7 @@ void addCheckCommand(CLI::App& app, Invocation& invocation) {
     run::SystemOptions system = options->read(invocation);
     system.apart = true;
     const auto checked = run::require(run::checkSystem(system));
+    requireEarlierRun(checked.config.general.continue_from);
     if (*explain) {
       std::cout << config::explain(checked.config, checked.values);
     } else if (invocation.json) {

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "config/printable_text.hpp"
 #include "isolation/child_process.hpp"
 #include "record/export.hpp"
 #include "record/reference.hpp"
@@ -14,6 +15,16 @@
 
 namespace tolman::app {
 namespace {
+
+/// What is exported of a record that was changed after its run is exported, but not silently.
+void warnOfEditedRows(const std::string& run) {
+  const auto reader = record::RunReader::open(run);
+  const Status status = reader.isOk() ? record::checkRows(*reader.value()) : Status::ok();
+  if (!status.isOk()) {
+    std::cerr << "warning: " << config::printable(status.message())
+              << "; what was exported is of the changed record\n";
+  }
+}
 
 void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
                  const Invocation& invocation) {
@@ -31,6 +42,7 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   const auto written = record::exportRun(run, folder, session);
   if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
   printFiles(valueOrEnd(written), invocation);
+  warnOfEditedRows(run);
 }
 
 /// Lets the Python package `tolman` write run.nwb or run.npz (`kind`). It prints to the same

@@ -26,6 +26,7 @@ struct InitOptions {
 
 /// Splits texts "name=value".
 SourceValues splitValues(const std::vector<std::string>& texts) {
+  refuseTwoValues(texts);
   SourceValues values;
   for (const std::string& text : texts) {
     const std::size_t at = text.find('=');

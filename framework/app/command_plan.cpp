@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -160,6 +161,22 @@ void print(const RoutePlan& plan, const MapGraph& graph) {
   }
 }
 
+/// The nearest experience to a place that is much further away than the map is large says little.
+void warnOfFarPlaces(const RoutePlan& plan, const MapGraph& graph) {
+  Eigen::AlignedBox3d box;
+  for (const Experience& e : firstPart(graph).experiences) box.extend(planning::placeOf(e));
+  const double extent = box.isEmpty() ? 0 : box.diagonal().norm();
+  constexpr double kBeside = 100;  // m
+  const char* unit = plan.scale_known ? "m" : "units";
+  for (const End& end : {plan.from, plan.to}) {
+    if (!end.away_m || *end.away_m <= extent + kBeside) continue;
+    std::cerr << fmt::format(
+        "warning: {} is {:.0f} {} from the map, which is {:.0f} {} large; places are metres right "
+        "and forward of the start\n",
+        end.given, *end.away_m, unit, extent, unit);
+  }
+}
+
 void run(const RouteOptions& options, const Invocation& invocation) {
   const auto reader = valueOrEnd(record::RunReader::open(options.run), ExitCode::Dataset);
   const MapGraph graph = valueOrEnd(reader->graph(), ExitCode::Dataset);
@@ -170,6 +187,7 @@ void run(const RouteOptions& options, const Invocation& invocation) {
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
+  warnOfFarPlaces(plan, graph);
   if (invocation.json) {
     std::cout << jsonText(toJson(plan, graph));
   } else {

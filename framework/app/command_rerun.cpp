@@ -152,6 +152,10 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
     if (!same && changed.empty() && changes.empty())
       std::cout << "  nothing that run.json knows has changed\n";
   }
+  if (!same && invocation.quiet && !invocation.json) {
+    std::cerr << run::printable(after.string()) + ": its results are not those of " +
+                     run::printable(before.string()) + "; leave out --quiet to see which\n";
+  }
   return same ? ExitCode::Ok : ExitCode::Record;
 }
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/program.hpp"
+#include "app/source_overrides.hpp"
 #include "app/terminal_output.hpp"
 #include "conformance/kit.hpp"
 #include "conformance/report_text.hpp"
@@ -135,6 +136,7 @@ void addValidateCommand(CLI::App& plugins, Invocation& invocation) {
   command->add_option("--memory", options->memory_mib, "MiB for each check; 0 for no limit")
       ->capture_default_str();
   command->callback([options, &invocation] {
+    refuseTwoValues(options->set);
     options->program = {std::filesystem::read_symlink("/proc/self/exe").string(), "plugins",
                         "run-check"};
     validate(*options, invocation);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "app/source_overrides.hpp"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 
 #include "config/check.hpp"
 #include "config/overrides.hpp"
@@ -28,7 +30,22 @@ S section(const config::Node& tree, const std::string& key, config::Problems& pr
 
 }  // namespace
 
+void refuseTwoValues(const std::vector<std::string>& overrides) {
+  std::map<std::string, std::string> values;
+  for (const std::string& one : overrides) {
+    const std::size_t equals = one.find('=');
+    if (equals == std::string::npos) continue;  // refused with its place when it is read
+    const std::string key = one.substr(0, equals);
+    const std::string value = one.substr(equals + 1);
+    const auto [before, is_new] = values.emplace(key, value);
+    if (is_new || before->second == value) continue;
+    throw CLI::ValidationError("--set " + key, "is given twice, as '" + before->second +
+                                                   "' and as '" + value + "'; give it once");
+  }
+}
+
 SourceOverrides splitOverrides(const std::vector<std::string>& overrides) {
+  refuseTwoValues(overrides);
   SourceOverrides split;
   for (const std::string& override : overrides) {
     const bool of_host = isBelow(override, kImages) || isBelow(override, kRectification);

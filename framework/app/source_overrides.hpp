@@ -16,6 +16,10 @@ struct SourceOverrides {
   std::vector<std::string> host;    ///< "images.scale=0.5", "rectification.mode=off"
 };
 
+/// Throws CLI::ValidationError for --set a=1 --set a=2: neither is certainly meant.
+void refuseTwoValues(const std::vector<std::string>& overrides);
+
+/// Refuses two values of one key.
 SourceOverrides splitOverrides(const std::vector<std::string>& overrides);
 
 /// How the host processes the images of the source.

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/program.hpp"
+#include "app/source_overrides.hpp"
 #include "config/scalars.hpp"
 #include "run/checked_system.hpp"
 
@@ -65,7 +66,11 @@ class SystemOptionsReader {
     if (config_.empty() && resume_.empty()) {
       throw CLI::RequiredError("a configuration, or --resume,");
     }
-    if (!resume_.empty()) refuseOthers();
+    if (!resume_.empty()) {
+      refuseOthers();
+      requireRun();
+    }
+    refuseTwoValues(overrides_);
     const std::string config =
         resume_.empty() ? configFile(config_) : resume_ + "/config.resolved.yaml";
     run::SystemOptions options{config, overrides_, invocation.plugin_paths};
@@ -87,6 +92,18 @@ class SystemOptionsReader {
       }
     }
     overrides.push_back(name + "=" + value);
+  }
+
+  /// Without this a folder that is no run would be a configuration that cannot be read.
+  void requireRun() const {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(resume_ + "/config.resolved.yaml", ignored)) return;
+    const bool exists = std::filesystem::exists(resume_, ignored);
+    throw Ended{ExitCode::Session,
+                resume_ +
+                    (exists ? ": is no run directory, it holds no config.resolved.yaml"
+                            : ": there is no such run directory") +
+                    "; give the folder that a run has written"};
   }
 
   /// A resumed run keeps its options, so --resume excludes them.

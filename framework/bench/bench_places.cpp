@@ -126,7 +126,9 @@ class PlacesMeasurement {
     bench_.images = pass.images();
     if (options_.second.empty()) {
       const PlaceTruth truth = truthOf(pass, first.system());
-      if (options_.pairs.empty()) judgeTurned(pass);
+      if (options_.pairs.empty()) {
+        judgeTurned(pass, first.system().config.evaluation.loop_height);
+      }
       judge(pass, truth);
       keepState(first);
     } else {
@@ -205,7 +207,7 @@ class PlacesMeasurement {
                                      options_.pairs, pass.images())});
     }
     if (static_cast<std::int64_t>(pass.truth.size()) == pass.images()) {
-      return truthOfPoses(pass.truth);
+      return truthOfPoses(pass.truth, system.config.evaluation.loop_height);
     }
     throw run::Failed({run::FailureKind::Configuration,
                        "nothing says which images show the same place: the source has no true "
@@ -237,12 +239,12 @@ class PlacesMeasurement {
   }
 
   /// Judges claims of the opposite direction; needs a drive with true poses.
-  void judgeTurned(const Pass& pass) {
+  void judgeTurned(const Pass& pass, double loop_height) {
     std::vector<TurnedAnswer> turned;
     for (const Answer& a : pass.answers) {
       if (a.turned) turned.push_back({a.query, a.place, a.score, a.T_place_query});
     }
-    bench_.opposite = judgeOpposite(pass.truth, turned);
+    bench_.opposite = judgeOpposite(pass.truth, turned, loop_height);
   }
 
   void keepState(run::Assembly& assembly) {

@@ -20,7 +20,8 @@ OppositePlaces::Claim judged(const evaluation::Trajectory& truth, const TurnedAn
   const double error = (claimed.translation() - pose(answer.query).translation()).norm();
   const bool is_opposite = dataset::headingBetween(pose(answer.place), pose(answer.query), rule) ==
                            dataset::Heading::Opposite;
-  return {answer.query, answer.place, answer.score, error, is_opposite && error <= rule.distance_m};
+  const bool is_there = dataset::isSamePlace(claimed, pose(answer.query), rule);
+  return {answer.query, answer.place, answer.score, error, is_opposite && is_there};
 }
 
 /// The images that return to a place in the opposite direction, but not in the same direction.
@@ -58,8 +59,9 @@ double OppositePlaces::medianError() const {
 }
 
 OppositePlaces judgeOpposite(const evaluation::Trajectory& truth,
-                             const std::vector<TurnedAnswer>& answers) {
-  const dataset::RevisitRule rule;
+                             const std::vector<TurnedAnswer>& answers, double height_m) {
+  dataset::RevisitRule rule;
+  rule.height_m = height_m;
   OppositePlaces places;
   for (const TurnedAnswer& answer : answers) places.claims.push_back(judged(truth, answer, rule));
   const std::vector<double> path = evaluation::distances(truth);

@@ -42,8 +42,8 @@ struct OppositePlaces {
   double medianError() const;
 };
 
-/// `truth` has a pose for each image.
+/// `truth` has a pose for each image; `height_m`: as RevisitRule::height_m.
 OppositePlaces judgeOpposite(const evaluation::Trajectory& truth,
-                             const std::vector<TurnedAnswer>& answers);
+                             const std::vector<TurnedAnswer>& answers, double height_m = 0);
 
 }  // namespace tolman::bench

@@ -77,8 +77,9 @@ Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file) {
                     pairs->rbegin()->first};
 }
 
-PlaceTruth truthOfPoses(const evaluation::Trajectory& truth) {
-  const dataset::RevisitRule rule;
+PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m) {
+  dataset::RevisitRule rule;
+  rule.height_m = height_m;
   auto findable = std::make_shared<std::set<std::int64_t>>();
   for (const dataset::Revisit& revisit : dataset::findRevisits(truth, rule)) {
     if (revisit.heading == dataset::Heading::Same) findable->insert(revisit.frame);
@@ -91,7 +92,7 @@ PlaceTruth truthOfPoses(const evaluation::Trajectory& truth) {
     if (between <= rule.path_m) return false;
     const auto& q = (*poses)[static_cast<std::size_t>(query)].T_world_camera;
     const auto& p = (*poses)[static_cast<std::size_t>(place)].T_world_camera;
-    return (q.translation() - p.translation()).norm() <= rule.distance_m &&
+    return dataset::isSamePlace(q, p, rule) &&
            dataset::headingBetween(q, p, rule) == dataset::Heading::Same;
   };
   return {isSame, [findable](std::int64_t query) { return findable->contains(query); }};

@@ -28,6 +28,7 @@ PlaceTruth truthByNumber(std::int64_t images_of_first_pass, std::int64_t toleran
 Result<PlaceTruth> truthOfPairs(const std::filesystem::path& file);
 
 /// Within 5 m, headings less than 45 degrees apart, more than 20 m of path in between.
-PlaceTruth truthOfPoses(const evaluation::Trajectory& truth);
+/// `height_m`: as RevisitRule::height_m.
+PlaceTruth truthOfPoses(const evaluation::Trajectory& truth, double height_m = 0);
 
 }  // namespace tolman::bench

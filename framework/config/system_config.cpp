@@ -101,6 +101,22 @@ class Parser {
     if (Node* map = tree_.find("evaluation")) segments = map->find("segments");
     if (segments != nullptr && segments->isSequence()) segments->key = "segment_lengths";
     config_.evaluation = section<EvaluationSettings>("evaluation");
+    refuseRepeatedLengths();
+  }
+
+  /// A length that is given twice would count twice in the mean drift.
+  void refuseRepeatedLengths() {
+    std::vector<double> lengths = config_.evaluation.segment_lengths;
+    std::ranges::sort(lengths);
+    const auto twice = std::ranges::adjacent_find(lengths);
+    if (twice == lengths.end()) return;
+    const Node* given = tree_.find("evaluation");
+    if (given != nullptr && given->find("segment_lengths") != nullptr) {
+      given = given->find("segment_lengths");
+    }
+    problems_.push_back({given == nullptr ? tree_.origin : given->origin,
+                         "evaluation.segment_lengths",
+                         "has " + writeReal(*twice) + " m twice; give each length once"});
   }
 
   void chainStage(Role role) {

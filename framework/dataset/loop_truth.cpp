@@ -25,8 +25,8 @@ class Nearest {
 
   void consider(std::size_t index) {
     const Eigen::Isometry3d& other = truth_[index].T_world_camera;
+    if (!isSamePlace(other, pose_, rule_)) return;
     const double distance = (other.translation() - pose_.translation()).norm();
-    if (!(distance <= rule_.distance_m)) return;
     const std::optional<Heading> heading = headingBetween(other, pose_, rule_);
     if (heading == Heading::Same) take(best_[0], Heading::Same, index, distance);
     if (heading == Heading::Opposite) take(best_[1], Heading::Opposite, index, distance);
@@ -62,6 +62,12 @@ std::optional<Heading> headingBetween(const Eigen::Isometry3d& a, const Eigen::I
   if (agreement > cosine(rule.same_below_deg)) return Heading::Same;
   if (agreement < cosine(rule.opposite_above_deg)) return Heading::Opposite;
   return std::nullopt;
+}
+
+bool isSamePlace(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const RevisitRule& rule) {
+  const Eigen::Vector3d apart = a.translation() - b.translation();
+  const bool same_height = !(rule.height_m > 0) || std::abs(apart.y()) <= rule.height_m;
+  return same_height && apart.norm() <= rule.distance_m;
 }
 
 std::vector<Revisit> findRevisits(const evaluation::Trajectory& truth, const RevisitRule& rule) {

@@ -25,11 +25,15 @@ struct RevisitRule {
   double path_m = 20;               ///< the path driven in between is longer than this
   double same_below_deg = 45;       ///< headings differ by less: same direction
   double opposite_above_deg = 135;  ///< headings differ by more: opposite direction
+  double height_m = 0;  ///< places that are further apart in height (camera's y) differ; 0: off
 };
 
 /// The relation of the headings alone, whatever the positions; none for neither direction.
 std::optional<Heading> headingBetween(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b,
                                       const RevisitRule& rule = {});
+
+/// Whether two positions are the same place, whatever the headings.
+bool isSamePlace(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const RevisitRule& rule);
 
 /// Frame `frame` is at the place of frame `earlier`.
 struct Revisit {

@@ -54,11 +54,17 @@ std::string fewSamplesNote(std::size_t sequences, std::size_t seeds) {
 std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {
   std::vector<std::string> notes;
   std::vector<std::string> lost;
+  std::vector<std::string> partial;
   double least = 1;
   double most = 0;
   for (const RunRow& row : rows) {
     const auto code = row.metrics.find("exit_code");
-    if (code != row.metrics.end() && code->second != 0) lost.push_back(row.name);
+    constexpr double kLost = 6;
+    if (code != row.metrics.end() && code->second != 0) {
+      (code->second == kLost ? lost : partial)
+          .push_back(code->second == kLost ? row.name
+                                           : fmt::format("{} ({:g})", row.name, code->second));
+    }
     const auto coverage = row.metrics.find("map.coverage");
     if (coverage == row.metrics.end()) continue;
     least = std::min(least, coverage->second);
@@ -68,6 +74,12 @@ std::vector<std::string> trackingNotes(const std::vector<RunRow>& rows) {
     notes.push_back(fmt::format(
         "{} of {} runs ended with exit code 6, odometry was not tracking at their end: {}.",
         lost.size(), rows.size(), config::listed(lost)));
+  }
+  if (!partial.empty()) {
+    notes.push_back(fmt::format(
+        "{} of {} runs were interrupted or failed (exit code in brackets), and their figures are "
+        "of the part that they drove: {}.",
+        partial.size(), rows.size(), config::listed(partial)));
   }
   if (most - least > kSameCoverage) {
     notes.push_back(fmt::format(

@@ -166,17 +166,19 @@ Status checkMotion(const Motion& motion, bool is_first) {
   return checkCovariance(motion.covariance, "covariance");
 }
 
-Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates) {
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates,
+                       std::int64_t most) {
   const std::int64_t id = observation.template_id;
   switch (observation.recognition) {
     case Recognition::None:
       if (id == -1) break;
       return failed("answered None with template {}; None has template_id -1", id);
     case Recognition::Novel:
-      if (id == templates || (templates < 0 && id >= 0)) break;
-      return failed("made template {}; ids are dense, the next one is {}", id, templates);
+      if (id == templates || (templates < 0 && id >= 0 && id <= most)) break;
+      return failed("made template {}; ids are dense, the next one is {}{}", id,
+                    templates < 0 ? "at most " : "", templates < 0 ? most : templates);
     case Recognition::Familiar:
-      if (id >= 0 && (id < templates || templates < 0)) break;
+      if (id >= 0 && id < (templates < 0 ? most : templates)) break;
       return failed("recognised template {}, which was never made", id);
   }
   return Status::ok();
@@ -187,8 +189,13 @@ Status checkPlace(const PlaceObservation& observation) {
   return Status::ok();
 }
 
-Status checkDecision(const Decision& decision, std::int64_t experiences, std::int64_t last) {
+Status checkDecision(const Decision& decision, std::int64_t experiences, std::int64_t last,
+                     std::int64_t templates) {
   Status status = checkExperience(decision, experiences, last);
+  if (status.isOk() && decision.template_id >= templates) {
+    status =
+        failed("decided by template {}, which place recognition never gave", decision.template_id);
+  }
   for (const EarlierLoop& loop : decision.earlier) {
     if (status.isOk()) status = checkEarlier(loop, decision.frame, experiences);
   }

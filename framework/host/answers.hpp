@@ -24,15 +24,17 @@ Status checkRevisions(const std::vector<MotionRevision>& revisions, std::int64_t
 Status checkMotion(const Motion& motion, bool is_first);
 
 /// Requires the next template id for a novel view, and an existing one for a familiar view.
-/// `templates`: number so far, -1 if not known.
-Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates);
+/// `templates`: number so far, -1 if not known; then there are at most `most`.
+Status checkTemplateId(const PlaceObservation& observation, std::int64_t templates,
+                       std::int64_t most = INT64_MAX);
 
 /// Checks the covariance of an observation with a relative pose.
 Status checkPlace(const PlaceObservation& observation);
 
 /// `experiences`: number before this decision. `last`: the experience of the decision before; below
-/// -1: not known.
-Status checkDecision(const Decision& decision, std::int64_t experiences, std::int64_t last);
+/// -1: not known. `templates`: ids below it were given by place recognition.
+Status checkDecision(const Decision& decision, std::int64_t experiences, std::int64_t last,
+                     std::int64_t templates = INT64_MAX);
 
 /// `last_version`: version of the previous update.
 Status checkUpdate(const MapUpdate& update, std::int64_t last_version);

@@ -68,6 +68,10 @@ Status SourceStage::check(const Frame& frame) {
   if (frame.stamp_ns < 0) {
     return Status::invalidInput(fmt::format("time is negative: {} ns", frame.stamp_ns));
   }
+  if (frame.has_truth && !info_.has_truth) {
+    return Status::failed(
+        "gave a true pose, and info() told that there are none; set has_truth in both, or in none");
+  }
   Status status = checkImages(frame, info_.rig);
   if (status.isOk()) status = checkValues(frame);
   return status.isOk() ? sensors_.checkShapes(frame.sensors) : status;
@@ -150,14 +154,15 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
   const Status answered = call("observe", frame.frame, [&](Place& place) {
     Status status = place.observe(frame, motion, observation);
     if (status.isOk()) status = checkAnswer(frame, observation);
-    if (status.isOk()) status = checkTemplateId(observation, templates_);
+    if (status.isOk()) status = checkTemplateId(observation, templates_, most_);
     if (status.isOk()) status = checkPlace(observation);
     return status;
   });
   if (!answered.isOk()) {
     templates_ = -1;  // it may have created a template
+    if (most_ < kUnlimited) ++most_;
   } else if (observation.recognition == Recognition::Novel) {
-    templates_ = observation.template_id + 1;
+    templates_ = most_ = observation.template_id + 1;
   }
   return answered;
 }
@@ -165,9 +170,10 @@ Status PlaceStage::observe(const Frame& frame, const Motion* motion,
 Status CellsStage::step(const Motion& motion, const PlaceObservation& observation,
                         Decision& decision) {
   const Status answered = call("step", motion.frame, [&](Cells& cells) {
+    templates_ = std::max(templates_, observation.template_id + 1);
     Status status = cells.step(motion, observation, decision);
     if (status.isOk()) status = checkAnswer(motion, decision);
-    if (status.isOk()) status = checkDecision(decision, experiences_, last_);
+    if (status.isOk()) status = checkDecision(decision, experiences_, last_, templates_);
     return status;
   });
   last_ = answered.isOk() ? decision.experience : kUnknown;

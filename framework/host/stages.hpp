@@ -19,6 +19,8 @@
 
 namespace tolman::host {
 
+inline constexpr std::int64_t kUnlimited = INT64_MAX;
+
 /// Owns the instance of a role.
 template <class RoleType>
 class Stage {
@@ -46,8 +48,8 @@ class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
   Status info(SourceInfo& info);
-  /// Checks that frames are dense from 0, stamps increase, images are those of the rig and arrays
-  /// keep their shapes.
+  /// Checks that frames are dense from 0, stamps increase, true poses were told, images are those
+  /// of the rig and arrays keep their shapes.
   Status next(Frame& frame);
   Status inspect(std::vector<Finding>& findings) {
     return call("inspect", -1, &Source::inspect, findings);
@@ -92,11 +94,15 @@ class PlaceStage : public Stage<Place> {
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
   Status finish() { return call("finish", -1, &Place::finish); }
   /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded.
-  /// If it is not known, the next novel answer determines it.
-  void resetChecks(std::int64_t templates = 0) { templates_ = templates; }
+  /// If it is not known, the next novel answer determines it; there are at most `most`.
+  void resetChecks(std::int64_t templates = 0, std::int64_t most = kUnlimited) {
+    templates_ = templates;
+    most_ = templates < 0 ? most : templates;
+  }
 
  private:
   std::int64_t templates_ = 0;
+  std::int64_t most_ = 0;  ///< `templates_`, where it is known
 };
 
 class CellsStage : public Stage<Cells> {
@@ -106,15 +112,18 @@ class CellsStage : public Stage<Cells> {
   Status step(const Motion& motion, const PlaceObservation& observation, Decision& decision);
   Status finish() { return call("finish", -1, &Cells::finish); }
   /// Sets the number of experiences: 0 after reset(), or that of a saved state that was loaded.
-  void resetChecks(std::int64_t experiences = 0) {
+  /// `templates`: ids below it may have been given before.
+  void resetChecks(std::int64_t experiences = 0, std::int64_t templates = kUnlimited) {
     experiences_ = experiences;
     last_ = experiences == 0 ? -1 : kUnknown;
+    templates_ = experiences == 0 ? 0 : templates;
   }
 
  private:
   static constexpr std::int64_t kUnknown = -2;
   std::int64_t experiences_ = 0;
-  std::int64_t last_ = -1;  ///< the experience of the last decision
+  std::int64_t templates_ = 0;  ///< one more than the largest id that was seen
+  std::int64_t last_ = -1;      ///< the experience of the last decision
 };
 
 class MapStage : public Stage<Map> {

@@ -9,12 +9,16 @@
 #include <system_error>
 #include <utility>
 
+#include "record/file_size_limit.hpp"
+
 namespace tolman::record {
 namespace {
 
 Status failure(const std::string& shown, const std::string& what) {
-  const std::string reason = std::generic_category().message(errno);
-  return Status::failed(shown + ": " + what + " (" + reason + ")");
+  const int code = errno;
+  const std::string reason = std::generic_category().message(code);
+  const std::string limit = code == EFBIG ? fileSizeLimit() : "";
+  return Status::failed(shown + ": " + what + " (" + reason + ")" + limit);
 }
 
 bool writeAll(int file, std::span<const std::byte> bytes) {

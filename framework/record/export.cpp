@@ -10,6 +10,7 @@
 #include "record/digest.hpp"
 #include "record/g2o_file.hpp"
 #include "record/pose_files.hpp"
+#include "record/row_sums.hpp"
 
 namespace tolman::record {
 namespace {
@@ -81,6 +82,11 @@ Status checkUnchanged(const RunReader& reader) {
                           "another folder");
   }
   return Status::ok();
+}
+
+Status checkRows(const RunReader& reader) {
+  return guarded((reader.directory() / "run.sqlite").string(),
+                 [&] { requireRowSums(reader.database()); });
 }
 
 Result<std::vector<std::filesystem::path>> exportRun(const RunReader& reader,

@@ -31,4 +31,8 @@ Result<std::vector<std::filesystem::path>> exportRun(const std::filesystem::path
 /// the listed file is still there: rows were changed after the run.
 Status checkUnchanged(const RunReader& reader);
 
+/// Fails with InvalidInput where the rows of the record are not those that the run wrote, which
+/// opening it compares for unfinished runs only.
+Status checkRows(const RunReader& reader);
+
 }  // namespace tolman::record

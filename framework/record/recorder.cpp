@@ -104,8 +104,11 @@ Result<std::unique_ptr<Recorder>> Recorder::reopen(const std::filesystem::path& 
   return answered(file.string(), [&] {
     Database database = openDatabase(file, Access::Write);
     requireOwnTables(database);
+    const bool has_sums = hasRowSums(database);
+    requireRowSums(database);
     database.exec(kJournal);
     std::unique_ptr<Recorder> recorder(new Recorder(file, std::move(database)));
+    recorder->rows_were_compared_ = has_sums;
     recorder->removeFrom(next_frame);
     return recorder;
   });
@@ -118,7 +121,10 @@ Recorder::Recorder(const std::filesystem::path& file, Database database)
       meta_(database_,
             "INSERT INTO \"run\" (\"key\", \"value\") VALUES (?, ?)"
             " ON CONFLICT (\"key\") DO UPDATE SET \"value\" = excluded.\"value\""),
-      committer_([this](const std::stop_token& stop) { commitRegularly(stop); }) {}
+      committer_([this](const std::stop_token& stop) { commitRegularly(stop); }) {
+  const std::lock_guard lock(mutex_);
+  followWrites(database_.getHandle(), sums_);
+}
 
 Recorder::~Recorder() { (void)close(); }
 
@@ -131,6 +137,7 @@ Status Recorder::write(Work&& work) {
   Status status = guarded(name_, [&] {
     if (!in_transaction_) database_.exec("BEGIN");
     in_transaction_ = true;
+    sums_before_ = sums_;
     database_.exec("SAVEPOINT one_call");
     try {
       work();
@@ -149,6 +156,7 @@ Status Recorder::write(Work&& work) {
 /// again.
 void Recorder::rollBackCall() {
   database_.exec("ROLLBACK TO one_call; RELEASE one_call");
+  sums_ = sums_before_;
   written_experiences_.clear();
   written_links_.clear();
   points_frame_ = -1;
@@ -157,6 +165,7 @@ void Recorder::rollBackCall() {
 Status Recorder::inheritable(const RunReader& earlier) {
   return guarded((earlier.directory() / "run.sqlite").string(), [&] {
     const auto read = [](const auto&) {};
+    requireRowSums(earlier.database());
     forEachInherited(earlier.database(), INT64_MAX, read, read);
     if (Statement(earlier.database(), "PRAGMA foreign_key_check").step()) {
       throw BadRow("rows are missing; the file is damaged");
@@ -190,6 +199,8 @@ void Recorder::removeFrom(std::int64_t next_frame) {
     const std::string rows = rowsFrom(*table, next, first);
     if (!rows.empty()) database_.exec("DELETE FROM \"" + table->name + "\" WHERE " + rows);
   }
+  sums_ = RowSums::of(database_);
+  setMeta(kRowSumsKey, sums_.text());
   database_.exec("COMMIT");
   points_frame_ = largest("points_frame", "motion");
 }
@@ -287,7 +298,10 @@ Status Recorder::meta(std::string_view key, std::string_view value) {
 /// The caller must hold the mutex.
 void Recorder::commitNow() {
   if (!in_transaction_ || !failure_.isOk()) return;
-  failure_ = guarded(name_, [&] { database_.exec("COMMIT"); });
+  failure_ = guarded(name_, [&] {
+    setMeta(kRowSumsKey, sums_.text());
+    database_.exec("COMMIT");
+  });
   in_transaction_ = false;
 }
 

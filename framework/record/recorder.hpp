@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "record/fingerprint.hpp"
+#include "record/row_sums.hpp"
 #include "record/rows.hpp"
 #include "record/run_reader.hpp"
 #include "record/store.hpp"
@@ -31,15 +32,19 @@ class Recorder {
   /// Creates run.sqlite, with the id of the run, in an existing directory that has none.
   static Result<std::unique_ptr<Recorder>> open(const std::filesystem::path& directory,
                                                 const std::string& run_id = "");
-  /// Opens run.sqlite of an interrupted or killed run. Removes the rows from frame `next_frame` on,
-  /// and the tables that a run writes once: begin(), graph() and finalPoses() write them again.
+  /// Opens run.sqlite of an interrupted or killed run, unless its rows have changed. Removes the
+  /// rows from frame `next_frame` on, and the tables that a run writes once: begin(), graph() and
+  /// finalPoses() write them again.
   static Result<std::unique_ptr<Recorder>> reopen(const std::filesystem::path& directory,
                                                   std::int64_t next_frame);
+  /// Of a record that was opened again: whether its rows could be compared with what its run wrote;
+  /// earlier versions kept no sums.
+  bool rowsWereCompared() const { return rows_were_compared_; }
   ~Recorder();  ///< closes, and ignores the status of close()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// Whether inherit() can read all of `earlier`.
+  /// Whether inherit() can read all of `earlier`, and its rows are those that its run wrote.
   static Status inheritable(const RunReader& earlier);
   /// Must be the first call when this run continues `earlier`. Copies its sessions and the frames
   /// below `frames`, but not its map: the map of this run already contains that.
@@ -88,6 +93,9 @@ class Recorder {
   std::vector<Fingerprint> written_experiences_;
   std::vector<Fingerprint> written_links_;
   std::int64_t points_frame_ = -1;
+  RowSums sums_;         // of the rows of the database
+  RowSums sums_before_;  // the same, before the present call
+  bool rows_were_compared_ = false;
   bool in_transaction_ = false;
   bool closed_ = false;
   Status failure_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
+#include "record/row_sums.hpp"
 #include "record/run_id.hpp"
 #include "record/schema_check.hpp"
 
@@ -38,6 +39,7 @@ RunReader::RunReader(std::filesystem::path directory, const std::filesystem::pat
     throw BadRow("has other numbers of rows than when the run ended: rows were removed or added");
   }
   requireRowsOfFrames(database_);
+  if (counts.empty()) requireRowSums(database_);  // digests of its files tell of a run that ended
 }
 
 void RunReader::checkVersion() const {

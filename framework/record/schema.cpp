@@ -46,8 +46,8 @@ Column announcedAt() {
 std::vector<Table> schema() {
   return {
       {"run",
-       "properties of the run: schema_version, name, the id that run.json has too, and, when "
-       "it has ended, how many rows the tables have",
+       "properties of the run: schema_version, name, the id that run.json has too, sums over the "
+       "rows at the last commit (row_sums), and, when it has ended, how many rows the tables have",
        {{"key", "TEXT", "", "name"}, {"value", "TEXT", "", "value"}},
        primaryKey("key")},
       table<RecordedSession>("the runs whose frames are recorded here, this one the last",

@@ -5,6 +5,8 @@
 
 #include <system_error>
 
+#include "record/file_size_limit.hpp"
+
 namespace tolman::record {
 namespace {
 
@@ -43,9 +45,10 @@ void rollBackJournal(const std::filesystem::path& file) {
 
 Status explained(const std::string& where, const SQLite::Exception& error) {
   const int code = error.getErrorCode();
+  const bool write_failed = code == SQLITE_FULL || code == SQLITE_IOERR || code == SQLITE_CANTOPEN;
   const bool damaged = code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
   return {damaged ? StatusCode::InvalidInput : StatusCode::Failed,
-          where + ": " + error.what() + remedy(code)};
+          where + ": " + error.what() + remedy(code) + (write_failed ? fileSizeLimit() : "")};
 }
 
 Database openDatabase(const std::filesystem::path& file, Access access) {

@@ -47,6 +47,14 @@ std::string settingRows(const std::vector<RunPage>& runs) {
   return text;
 }
 
+/// " (interrupted)" for a run that ended before its data, whose figures are of a part of them.
+std::string earlyEnd(const RunPage& run) {
+  if (run.killed) return " (killed)";
+  const auto status = run.provenance.is_object() ? run.provenance.value("status", Json()) : Json();
+  if (status != "interrupted" && status != "failed") return "";
+  return " (" + status.get<std::string>() + ")";
+}
+
 /// A counter of run.json; a dash for a killed run.
 TextOf counter(const char* name) {
   return [name](const RunPage& run) -> std::string {
@@ -106,7 +114,7 @@ std::string comparisonTable(const std::vector<RunPage>& runs) {
       "<h1>Comparison</h1>\n<div class=\"wide\"><table class=\"comparison\" style=\"--runs: " +
       std::to_string(runs.size()) + "\">\n<thead><tr><th></th>";
   for (const RunPage& run : runs) {
-    text += fmt::format("<th>{}{}</th>", escaped(run.directory), run.killed ? " (killed)" : "");
+    text += fmt::format("<th>{}{}</th>", escaped(run.directory), earlyEnd(run));
   }
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& [label, textOf] : metricRows()) {

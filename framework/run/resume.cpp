@@ -25,6 +25,19 @@ R recordOf(const std::vector<R>& records, std::int64_t frame, const fs::path& di
       directory.string(), frame));
 }
 
+/// How many templates place recognition can have at most after frame `last`: a call that failed,
+/// and is recorded as None, may have made one.
+std::int64_t mostTemplates(const std::vector<PlaceObservation>& recorded, std::int64_t last) {
+  std::int64_t given = 0;
+  std::int64_t none = 0;
+  for (const PlaceObservation& observation : recorded) {
+    if (observation.frame > last) continue;
+    given = std::max(given, observation.template_id + 1);
+    none += observation.recognition == Recognition::None ? 1 : 0;
+  }
+  return given + none;
+}
+
 /// The record holds a rotation as a quaternion, so the last bits may differ.
 bool isSameMotion(const Motion& a, const Motion& b) {
   constexpr double kRounding = 1e-9;  // m and rad
@@ -122,8 +135,10 @@ pipeline::ResumePoint resumeAt(Assembly& assembly, const fs::path& directory,
   point.map = recordOf(require(reader->records<MapUpdate>(), kKind), last, directory);
   MapGraph graph;
   require(assembly.map().graph(graph), kKind);
-  assembly.place().resetChecks(-1);
-  assembly.cells().resetChecks(static_cast<std::int64_t>(graph.experiences.size()));
+  const std::int64_t templates =
+      mostTemplates(require(reader->records<PlaceObservation>(), kKind), last);
+  assembly.place().resetChecks(-1, templates);
+  assembly.cells().resetChecks(static_cast<std::int64_t>(graph.experiences.size()), templates);
   const auto frames = require(reader->records<Frame>(), kKind);
   point.motion = RepeatedOdometry(assembly, motions, frames).repeat(last, cancellation);
   return point;

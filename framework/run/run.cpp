@@ -137,7 +137,8 @@ void Run::continueEarlierRun() {
   assembly_->source().startAt(first_frame_);
   assembly_->odometry().startAt(first_frame_);
   assembly_->place().resetChecks(before.templates);
-  assembly_->cells().resetChecks(before.experiences);
+  assembly_->cells().resetChecks(before.experiences,
+                                 before.templates < 0 ? host::kUnlimited : before.templates);
 }
 
 /// Brings the stages to the state of the last checkpoint of the run that `resume` names. If that
@@ -180,6 +181,11 @@ void Run::reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now
   require(directory_->writeRunFile(run_file_, record::RunState::Running), FailureKind::Record);
   recorder_ =
       require(record::Recorder::reopen(directory_->path(), next_frame), FailureKind::Record);
+  if (!recorder_->rowsWereCompared()) {
+    log_.write(LogLevel::Info, "resume",
+               "an earlier version recorded run.sqlite; whether its rows were changed since cannot "
+               "be told");
+  }
   if (config().record.replay) {
     answers_ = require(record::AnswersFile::reopen(directory_->path(), next_frame, runId()),
                        FailureKind::Continuation);
@@ -290,7 +296,7 @@ void Run::drive(Outcome& outcome) {
   for (const Status& status : assembly_->teardown()) {
     listener.onEvent({-1, LogLevel::Warning, "teardown", status.message()});
   }
-  warnOfOtherFrames(result, listener);
+  warnOfSource(result, listener);
   outcome.failure = failureOf(result.failure, listener);
   if (!outcome.failure) outcome.failure = unsaved;
   if (!outcome.failure && result.interrupted) outcome.failure = stop_.reason();
@@ -304,15 +310,22 @@ void Run::drive(Outcome& outcome) {
 }
 
 /// A source may know beforehand how many frames it has; fewer may mean damaged data, and more that
-/// what it tells of them is wrong.
-void Run::warnOfOtherFrames(const pipeline::DriveResult& result, RunListener& listener) {
+/// what it tells of them is wrong. Likewise what SourceNotes has seen.
+void Run::warnOfSource(const pipeline::DriveResult& result, RunListener& listener) {
+  const std::string source = assembly_->stageName(Role::Source);
+  if (!result.failure && !resume_) {  // a resumed run sees only the rest of the frames
+    for (const std::string& note :
+         listener.sourceNotes().atEnd(assembly_->sourceInfo().has_truth)) {
+      listener.onEvent({-1, LogLevel::Warning, source, note});
+    }
+  }
   const std::int64_t known = assembly_->sourceInfo().frames;
   const std::int64_t given = result.counters.frames + result.counters.dropped;
   if (result.failure || result.interrupted || known < 0 || given == known) return;
   const std::string text =
       given < known ? fmt::format("ended after {} of the {} frames that it had told", given, known)
                     : fmt::format("gave {} frames, and had told {}", given, known);
-  listener.onEvent({-1, LogLevel::Warning, assembly_->stageName(Role::Source), text});
+  listener.onEvent({-1, LogLevel::Warning, source, text});
 }
 
 WatchdogSettings Run::watchdogSettings(RunListener& listener) {

@@ -78,7 +78,7 @@ class Run {
   std::string runId() const;
 
   void drive(Outcome& outcome);
-  void warnOfOtherFrames(const pipeline::DriveResult& result, RunListener& listener);
+  void warnOfSource(const pipeline::DriveResult& result, RunListener& listener);
   WatchdogSettings watchdogSettings(RunListener& listener);
   std::optional<Failure> failureOf(const std::optional<pipeline::StageFailure>& stage,
                                    const RunListener& listener) const;

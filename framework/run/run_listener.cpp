@@ -98,6 +98,9 @@ Status RunListener::onFrame(const Snapshot& snapshot) {
   if (!record_status_.isOk()) return record_status_;
   record_status_ = record(snapshot);
   if (!record_status_.isOk()) return record_status_;
+  if (const auto note = source_notes_.add(*snapshot.frame)) {
+    onEvent({snapshot.frame->frame, LogLevel::Warning, assembly_.stageName(Role::Source), *note});
+  }
   const std::vector<RunEvent> events = takeEvents();
   Snapshot observed = snapshot;
   observed.events = &events;

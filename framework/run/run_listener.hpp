@@ -12,6 +12,7 @@
 #include "record/recorder.hpp"
 #include "record/run_directory.hpp"
 #include "run/assembly.hpp"
+#include "run/source_notes.hpp"
 
 namespace tolman::run {
 
@@ -40,6 +41,7 @@ class RunListener : public pipeline::Listener {
   std::int64_t nextFrame() const { return last_recorded_ + 1; }
   /// The first failure of the record itself, e.g. a full disk.
   const Status& recordStatus() const { return record_status_; }
+  const SourceNotes& sourceNotes() const { return source_notes_; }
   /// Name of the observer that stopped the run; empty when none did.
   const std::string& failedObserver() const { return failed_observer_; }
 
@@ -61,6 +63,7 @@ class RunListener : public pipeline::Listener {
   std::int64_t last_checkpoint_ns_;  ///< time at which the last one was due
   std::int64_t last_recorded_ = -1;  ///< frame
   Status record_status_;
+  SourceNotes source_notes_;
   pipeline::FailureTally failures_;  // by observer
   std::mutex events_mutex_;          // they come from any thread
   std::vector<RunEvent> events_;     ///< not yet passed to observers

@@ -48,6 +48,15 @@ TEST_CASE("the claimed pose is the measured one, or the template turned by the y
   CHECK(claimedPose(seen).isApprox(fromPlanar({2, 3, -3})));
 }
 
+TEST_CASE("a claim on another storey is wrong where a height is given") {
+  evaluation::Trajectory path = outAndBack();
+  for (int i = 61; i < 122; ++i) path[i].T_world_camera.translation().y() -= 2;
+  const std::vector<TurnedAnswer> claims = {beside(101, 20)};
+  CHECK(judgeOpposite(path, claims).claims[0].right);
+  CHECK_FALSE(judgeOpposite(path, claims, 1.5).claims[0].right);
+  CHECK(judgeOpposite(path, claims, 1.5).findable == 0);
+}
+
 TEST_CASE("a claim is right when the claimed position is near the true one, the other way") {
   const auto places = judgeOpposite(
       outAndBack(),

@@ -153,3 +153,16 @@ TEST_CASE("poses: within 5 m and 45 degrees, and findable only after more than 2
   for (int i = 0; i <= 31; ++i) CHECK_FALSE(truth.isFindable(i));  // the neighbours are too recent
   CHECK_FALSE(truthOfPoses({}).isFindable(0));
 }
+
+TEST_CASE("poses of another storey are another place where a height is given") {
+  evaluation::Trajectory path;
+  for (int i = 0; i <= 30; ++i) path.push_back(poseAt(i, 0, i, 0));
+  path.push_back(poseAt(31, 40, 30, 0));
+  path.push_back(poseAt(32, 0, 2, 0));
+  path.back().T_world_camera.translation().y() = -3;  // 3 m above frame 2
+  CHECK(truthOfPoses(path).isSame(32, 2));
+  CHECK(truthOfPoses(path).isFindable(32));
+  CHECK_FALSE(truthOfPoses(path, 1.5).isSame(32, 2));
+  CHECK_FALSE(truthOfPoses(path, 1.5).isFindable(32));
+  CHECK(truthOfPoses(path, 3.5).isSame(32, 2));
+}

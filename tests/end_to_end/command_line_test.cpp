@@ -108,3 +108,25 @@ TEST_CASE("a value given by an option and by --set is refused") {
     CHECK(contains(finished.err, std::string(option) + " excludes --set "));
   }
 }
+
+TEST_CASE("two values of one key are refused, the same value twice is not") {
+  const auto check = [](const std::string& first, const std::string& second) {
+    return tolman::test::tolman(
+        {"check", inSource("configs/demo.yaml"), "--set", first, "--set", second});
+  };
+  const Finished finished = check("seed=4", "seed=5");
+  CHECK(finished.exit_code == 2);
+  CHECK(contains(finished.err, "--set seed: is given twice, as '4' and as '5'; give it once"));
+  CHECK(check("seed=4", "seed=4").exit_code == 0);
+  CHECK(check("seed=4", "threads=1").exit_code == 0);
+}
+
+TEST_CASE("check tells that there is no map to continue") {
+  const TemporaryFolder folder;
+  for (const std::string& none : {std::string("/nope"), folder.path().string()}) {
+    const Finished finished =
+        tolman::test::tolman({"check", inSource("configs/demo.yaml"), "--set", "continue=" + none});
+    CHECK(finished.exit_code == 9);
+    CHECK(contains(finished.err, none + ": is no run directory"));
+  }
+}

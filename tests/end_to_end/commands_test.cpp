@@ -276,9 +276,12 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
                  fmt::format("0,1000 is {:.1f} m from experience {}, the nearest\n",
                              plan["to"]["away_m"].get<double>(), end["experience"].get<int>())));
   CHECK_FALSE(contains(read.out, "\n0 is "));
+  CHECK(contains(read.err, "warning: 0,1000 is "));
+  CHECK(contains(read.err, " m large; places are metres right and forward of the start"));
   const Finished here =
       tolman::test::tolman({"plan", out.string(), "--from", "here", "--to", "0,0,0", "--json"});
   REQUIRE(here.exit_code == 0);
+  CHECK(here.err.empty());
   const auto back = nlohmann::json::parse(here.out);
   CHECK(back["from"]["experience"] == end["experience"]);
   CHECK(back["to"]["experience"] == 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Killed and interrupted runs are resumed from their last checkpoint, and give the same bytes as
 // runs without interruption.
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -52,6 +54,13 @@ std::map<std::string, std::string> filesOf(const fs::path& folder) {
     files[entry.path().string()] = readText(entry.path());
   }
   return files;
+}
+
+void edited(const fs::path& run, const std::string& sql) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open((run / "run.sqlite").c_str(), &database) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+  sqlite3_close(database);
 }
 
 /// 60 frames at four times the speed of their stamps, none of them dropped.
@@ -280,6 +289,16 @@ TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it i
     std::ofstream(checkpoint) << text;
     CHECK(contains(refusal(), "checkpoint-900-place.bin"));
   }
+  SECTION("a record whose rows were edited") {
+    for (const char* edit : {"UPDATE motion SET covariance = zeroblob(288) WHERE frame = 2",
+                             "DELETE FROM timing WHERE frame = 1"}) {
+      edited(run.out, edit);
+      CHECK(contains(refusal(), "are not those that the run wrote"));
+      const Finished exported = tolman::test::tolman({"export", run.out.string()});
+      CHECK(exported.exit_code == 5);
+      CHECK(contains(exported.err, "are not those that the run wrote"));
+    }
+  }
   SECTION("a run that has finished") {
     REQUIRE(tolman::test::tolman(run.resume()).exit_code == 0);
     CHECK(contains(refusal(), "this run has finished, there is nothing to resume"));
@@ -291,8 +310,12 @@ TEST_CASE("--resume takes the configuration of the run and nothing beside it") {
   CHECK(tolman::test::tolman({"run", "a.yaml", "--resume", "x"}).exit_code == 2);
   CHECK(tolman::test::tolman({"run"}).exit_code == 2);
   const Finished missing = tolman::test::tolman({"run", "--resume", "/missing"});
-  CHECK(missing.exit_code == 3);
-  CHECK(contains(missing.err, "/missing/config.resolved.yaml"));
+  CHECK(missing.exit_code == 9);
+  CHECK(contains(missing.err, "/missing: there is no such run directory"));
+  const TemporaryFolder folder;
+  const Finished no_run = tolman::test::tolman({"run", "--resume", folder.path().string()});
+  CHECK(no_run.exit_code == 9);
+  CHECK(contains(no_run.err, "is no run directory, it holds no config.resolved.yaml"));
 }
 
 #ifdef TOLMAN_DISK_SPACE

@@ -99,6 +99,21 @@ TEST_CASE("a limit of file sizes ends a run with exit code 8") {
   INFO(finished.err);
   CHECK(finished.exit_code == 8);
   CHECK(readJson(tiny.out / "run.json")["status"] == "failed");
+  CHECK(
+      contains(finished.err, "files are limited to 40 KiB here, raise it (`ulimit -f unlimited`)"));
+}
+
+TEST_CASE("a limit of file sizes that stops the very first file is named") {
+  for (const char* limit : {"0", "8"}) {
+    const Tiny tiny;
+    // What it says goes through a pipe, which has no such limit.
+    const std::string before = std::string("said=$( (ulimit -f ") + limit + "; exec";
+    const Finished finished =
+        run(script(before, tiny.arguments(), ") 2>&1 ); code=$?; echo \"$said\"; exit $code"));
+    CAPTURE(limit, finished.out, finished.err);
+    CHECK(finished.exit_code == 8);
+    CHECK(contains(finished.out, std::string("files are limited to ") + limit + " KiB here"));
+  }
 }
 
 TEST_CASE("a closed terminal interrupts a run, even when it says so twice") {

@@ -218,4 +218,7 @@ TEST_CASE("a run that is made again gives the same bytes, or what has changed is
   CHECK(other.exit_code == 8);
   CHECK(contains(other.out, "trajectory.tum      differs\n"));
   CHECK(contains(other.out, "log has other contents"));
+  const Finished quiet = tolman::test::tolman({"-q", "rerun", run, "--verify", "--force"});
+  CHECK(quiet.exit_code == 8);
+  CHECK(contains(quiet.err, "run-again: its results are not those of "));
 }

@@ -109,6 +109,27 @@ TEST_CASE("template ids are dense from 0") {
   CHECK_FALSE(message(Recognition::Novel, -2, -1).empty());
 }
 
+TEST_CASE("where the number of templates is not known, there is a largest one") {
+  PlaceObservation seen;
+  seen.recognition = Recognition::Novel;
+  seen.template_id = 7;
+  CHECK(checkTemplateId(seen, -1, 7).isOk());
+  CHECK(checkTemplateId(seen, -1, 6).message() ==
+        "made template 7; ids are dense, the next one is at most 6");
+  seen.recognition = Recognition::Familiar;
+  CHECK(checkTemplateId(seen, -1, 8).isOk());
+  CHECK(checkTemplateId(seen, -1, 7).message() == "recognised template 7, which was never made");
+}
+
+TEST_CASE("a decision names a template that place recognition gave") {
+  Decision decision;
+  decision.experience = 4;
+  decision.template_id = 8;
+  CHECK(checkDecision(decision, 5, 4, 9).isOk());
+  CHECK(checkDecision(decision, 5, 4, 8).message() ==
+        "decided by template 8, which place recognition never gave");
+}
+
 TEST_CASE("Stay keeps the experience of the last decision") {
   Decision decision;
   decision.experience = 4;

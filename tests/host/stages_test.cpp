@@ -178,3 +178,95 @@ TEST_CASE("arrays are checked, with the call and the frame in the message") {
   CHECK(cells.stage.instance().arrays(7, seen).message() ==
         "cells (puppet), arrays, frame 7: array 'a' changed its shape");
 }
+
+namespace {
+
+/// Place recognition that says what the test tells it to, or fails.
+struct PlacePuppet : Place {
+  using Parameters = NoParameters;
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  PlaceInput input() const override { return PlaceInput::Frame; }
+  Status observe(const Frame& frame, const Motion*, PlaceObservation& answer) override {
+    if (fails) return Status::failed("fails");
+    answer = says;
+    answer.frame = frame.frame;
+    answer.stamp_ns = frame.stamp_ns;
+    return Status::ok();
+  }
+  static inline thread_local PlaceObservation says;
+  static inline thread_local bool fails = false;
+};
+
+struct SourcePuppet : Source {
+  using Parameters = NoParameters;
+  Status configure(const Context&) override { return Status::ok(); }
+  Status reset() override { return Status::ok(); }
+  Status info(SourceInfo& info) override {
+    info.has_truth = tells_truth;
+    return Status::ok();
+  }
+  Status next(Frame& frame) override {
+    frame = frameAt(0);
+    frame.has_truth = gives_truth;
+    return Status::ok();
+  }
+  Status inspect(std::vector<Finding>&) override { return Status::ok(); }
+  static inline thread_local bool tells_truth = false;
+  static inline thread_local bool gives_truth = false;
+};
+
+template <class Puppet>
+std::unique_ptr<Instance> puppetOf(Role role) {
+  static const PluginDescriptor descriptor = {0,
+                                              1,
+                                              "puppet",
+                                              role,
+                                              0,
+                                              &schemaOf<NoParameters>,
+                                              &detail::createPlugin<Puppet>,
+                                              [](Plugin* plugin) { delete plugin; }};
+  LoadedPlugin loaded;
+  loaded.manifest.id = "puppet";
+  loaded.descriptor = &descriptor;
+  return std::move(std::get<std::unique_ptr<Instance>>(Instance::create(loaded, "puppet")));
+}
+
+}  // namespace
+
+TEST_CASE("after a failure a template may be one more than were given, and no other") {
+  PlaceStage place(puppetOf<PlacePuppet>(Role::Place));
+  std::int64_t frame = 0;
+  const auto say = [&](Recognition recognition, std::int64_t id) {
+    PlacePuppet::says.recognition = recognition;
+    PlacePuppet::says.template_id = id;
+    PlaceObservation seen;
+    const std::string message = place.observe(frameAt(frame++), nullptr, seen).message();
+    return message.empty() ? message : message.substr(message.rfind(": ") + 2);
+  };
+  CHECK(say(Recognition::Novel, 0).empty());
+  PlacePuppet::fails = true;
+  CHECK(say(Recognition::Novel, 1) == "fails");
+  PlacePuppet::fails = false;
+  CHECK(say(Recognition::Familiar, 1).empty());
+  CHECK(say(Recognition::Familiar, 99) == "recognised template 99, which was never made");
+  CHECK(say(Recognition::Novel, 77) ==
+        "made template 77; ids are dense, the next one is at most 3");
+}
+
+TEST_CASE("a true pose that was not told is refused, one that is missing is not") {
+  const auto given = [](bool tells, bool gives) {
+    SourcePuppet::tells_truth = tells;
+    SourcePuppet::gives_truth = gives;
+    SourceStage source(puppetOf<SourcePuppet>(Role::Source));
+    SourceInfo info;
+    REQUIRE(source.info(info).isOk());
+    Frame frame;
+    return source.next(frame).message();
+  };
+  CHECK(given(true, true).empty());
+  CHECK(given(true, false).empty());  // the path may be known for a part of the way
+  CHECK(given(false, true) ==
+        "puppet (puppet), next, frame 0: gave a true pose, and info() told that there are none; "
+        "set has_truth in both, or in none");
+}

@@ -24,6 +24,30 @@ class Mine(tolman.Cells):
     {methods}
 '''
 
+SOURCE = '''import numpy as np
+import tolman
+class Mine(tolman.Source):
+    """A straight way, which is odd on request."""
+    tells: bool = tolman.parameter(False, doc="of truth")
+    gives: bool = tolman.parameter(False, doc="truth")
+    jump: float = tolman.parameter(0, range=(0, 1e7), unit="s", doc="before frame 10")
+    step: float = tolman.parameter(0.1, range=(1e-6, 1e5), unit="s", doc="between frames")
+    def start(self):
+        self.sent = 0
+    def info(self):
+        return tolman.SourceInfo("odd", frames=30, has_truth=self.tells)
+    def next(self):
+        if self.sent >= 30:
+            return None
+        k, self.sent = self.sent, self.sent + 1
+        truth = np.eye(4)
+        truth[2, 3] = 0.1 * k
+        sensors = {"motion.planar": np.array([0.1 if k else 0.0, 0, 0]), "place.candidate": np.zeros((0, 4)),
+                   "place.looked": np.zeros(1), "motion.drive": np.ones(1)}
+        stamp = k * self.step + (self.jump if k >= 10 else 0)
+        return tolman.Frame(k, round(stamp * 1e9), k, None, None, self.gives, truth, "", sensors)
+'''
+
 
 def program(imports="", members="", start="pass", step="pass", methods=""):
     def deeper(text, by):
@@ -206,6 +230,22 @@ class BrokenProgramsTest(Systems):
         time.sleep(0.5)
         listed = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
         self.assertFalse([line for line in listed.splitlines() if mark in line and "sleep" in line])
+
+    def test_sources_that_say_one_thing_and_give_another_are_told(self):
+        self.place(SOURCE)
+        source = "{plugin: python, file: mine.py, %s}"
+        refused = self.run_system(source=source % "gives: true")
+        self.assertEqual(refused.returncode, 5, refused.stderr)
+        self.assertIn("source (python), next, frame 0: gave a true pose, and info() told that there are none", refused.stderr)
+        for setting, expected in {"tells: true": "told that frames come with true poses, and none of 30 did",
+                                  "jump: 500000": "the stamp is 500000 s after that of the frame before",
+                                  "step: 100": "frames are 100 s apart (median)"}.items():
+            with self.subTest(setting=setting):
+                ran = self.run_system("--force", source=source % setting)
+                self.assertEqual(ran.returncode, 0, ran.stderr)
+                self.assertIn(expected, (self.folder / "run/log.txt").read_text())
+        self.assertEqual(self.run_system("--force", source=source % "tells: true, gives: true").returncode, 0)
+        self.assertEqual((self.folder / "run/log.txt").read_text(), "")
 
 
 if __name__ == "__main__":

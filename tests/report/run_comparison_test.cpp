@@ -63,6 +63,15 @@ TEST_CASE("the table has a column for each run, its metrics and the settings tha
   CHECK(comparisonTable({runs.pages[0]}).empty());
 }
 
+TEST_CASE("a run that ended before its data says so") {
+  ThreeRuns runs;
+  runs.pages[0].provenance["status"] = "interrupted";
+  runs.pages[1].provenance["status"] = "finished";
+  runs.pages[2].provenance["status"] = "failed";
+  CHECK(contains(comparisonTable(runs.pages),
+                 "<th>p (interrupted)</th><th>q</th><th>r (failed)</th>"));
+}
+
 TEST_CASE("more settings than a table can show are counted") {
   ThreeRuns runs;
   for (std::size_t i = 0; i < runs.pages.size(); ++i) {

@@ -127,6 +127,7 @@ std::int64_t chosen(const End& end, const MapGraph& graph, const LatestPose& pos
 }
 
 Json routeJson(const planning::PlannedRoute& route, const MapGraph& graph) {
+  const auto seconds = [&](double value) { return route.times_known ? Json(value) : Json(); };
   Json legs = Json::array();
   for (const planning::Leg& leg : route.legs) {
     const auto& experience = graph.experiences[static_cast<std::size_t>(leg.experience)];
@@ -135,10 +136,11 @@ Json routeJson(const planning::PlannedRoute& route, const MapGraph& graph) {
                     {"right_m", p.x()},
                     {"forward_m", p.y()},
                     {"up_m", p.z()},
-                    {"seconds", leg.seconds},
+                    {"seconds", seconds(leg.seconds)},
                     {"metres", leg.metres}});
   }
-  return {{"seconds", route.seconds()}, {"metres", route.metres()}, {"legs", std::move(legs)}};
+  return {
+      {"seconds", seconds(route.seconds())}, {"metres", route.metres()}, {"legs", std::move(legs)}};
 }
 
 }  // namespace

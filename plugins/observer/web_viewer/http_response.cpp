@@ -21,6 +21,15 @@ std::optional<std::int64_t> number(std::string_view text) {
   return value;
 }
 
+/// For a number in a request that is none.
+HttpResponse noNumber(const std::string& what, std::string_view given) {
+  constexpr std::size_t kShown = 40;
+  std::string shown(given.substr(0, kShown));
+  for (char& c : shown) c = c > ' ' && c <= '~' ? c : '?';
+  return {400, "text/plain; charset=utf-8",
+          "'" + shown + "' is no " + what + ": give a whole number from 0.\n"};
+}
+
 HttpResponse history(std::string_view query, const RunStore& store) {
   std::size_t from = 0;
   std::size_t count = kMaxRows;
@@ -31,7 +40,8 @@ HttpResponse history(std::string_view query, const RunStore& store) {
     if (equals == std::string_view::npos) return errorResponse(400);
     const auto value = number(part.substr(equals + 1));
     const std::string_view key = part.substr(0, equals);
-    if (!value || (key != "from" && key != "count")) return errorResponse(400);
+    if (key != "from" && key != "count") return errorResponse(400);
+    if (!value) return noNumber("value of " + std::string(key), part.substr(equals + 1));
     (key == "from" ? from : count) = static_cast<std::size_t>(*value);
   }
   const HistoryHeader header{static_cast<std::int64_t>(from),
@@ -43,7 +53,7 @@ HttpResponse history(std::string_view query, const RunStore& store) {
 
 HttpResponse storedFrame(std::string_view text, const RunStore& store) {
   const auto frame = number(text);
-  if (!frame) return errorResponse(400);
+  if (!frame) return noNumber("frame", text);
   const auto stored = store.frames().atOrBefore(*frame);
   if (!stored) return errorResponse(404);
   return {200, kBinary, *store.frames().at(*stored)};
@@ -51,7 +61,7 @@ HttpResponse storedFrame(std::string_view text, const RunStore& store) {
 
 HttpResponse templateImage(std::string_view text, const RunStore& store) {
   const auto id = number(text);
-  if (!id) return errorResponse(400);
+  if (!id) return noNumber("template", text);
   auto image = store.templateImages().at(*id);
   if (!image) return errorResponse(404);
   return {200, "image/jpeg", *std::move(image)};

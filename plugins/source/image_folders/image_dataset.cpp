@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 #include "camera_files.hpp"
 #include "image_listing.hpp"
@@ -83,6 +84,22 @@ void checkPrincipalPoint(const fs::path& file, const CameraRig& rig, Inspection&
   inspection.error(file, "principal point (" + fixed(K.cx, 1) + ", " + fixed(K.cy, 1) +
                              ") is outside of the " + pixels({rig.width, rig.height}) +
                              " image; give the calibration of these images");
+}
+
+void checkFieldOfView(const fs::path& file, const CameraRig& rig, Inspection& inspection) {
+  const Pinhole& K = rig.pinhole;
+  if (rig.width == 0 || !(K.fx > 0) || !(K.fy > 0)) return;
+  // Rectified images of wider lenses are cut, since their edges would be stretched threefold.
+  constexpr double kWidest = 115;   // degrees
+  constexpr double kNarrowest = 3;  // degrees
+  const double half = std::max(rig.width / K.fx, rig.height / K.fy) / 2;
+  const double degrees = 2 * std::atan(half) * 180 / std::numbers::pi;
+  if (degrees >= kNarrowest && degrees <= kWidest) return;
+  inspection.warning(file, "focal length (" + fixed(K.fx, 1) + ", " + fixed(K.fy, 1) +
+                               ") gives the " + pixels({rig.width, rig.height}) +
+                               " image a view of " + fixed(degrees, 0) +
+                               " degrees, which rectified cameras hardly have; is it that of these "
+                               "images, in pixels? Depths and ways are wrong by its error");
 }
 
 std::vector<std::ptrdiff_t> nearestTimes(const std::vector<std::int64_t>& times,

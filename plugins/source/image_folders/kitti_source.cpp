@@ -36,6 +36,7 @@ void readCalibration(const fs::path& file, int left, bool stereo, ImageDataset& 
   dataset.rig.baseline = calibration->baseline;
   t_left_camera0 = calibration->t_left_camera0;
   checkPrincipalPoint(file, dataset.rig, inspection);
+  checkFieldOfView(file, dataset.rig, inspection);
 }
 
 void readStamps(const KittiParameters& p, ImageDataset& dataset, Inspection& inspection) {

@@ -100,6 +100,8 @@ TEST_CASE("/api/plan leads from here, or from a place, to the experience nearest
   REQUIRE(home["legs"].size() == 3);  // the loop link from 2 to 0 is rejected
   CHECK(home["legs"][1]["experience"] == 1);
   CHECK(home["legs"][2]["forward_m"] == 0);
+  CHECK(home["seconds"].is_null());  // the links of this map have no duration
+  CHECK(home["legs"][2]["seconds"].is_null());
   CHECK(ask(watched, "/api/plan?to=0%2C11&from=0")["legs"].size() == 2);
   CHECK(ask(watched, "/api/plan?from=here&to=2")["legs"].size() == 1);
   CHECK(ask(watched, "/api/plan?to=0,11,5&from=0,0")["to"] == 1);

@@ -78,6 +78,10 @@ TEST_CASE("a frame's message is the last stored one up to it") {
     CAPTURE(bad);
     CHECK(statusOf(store, bad) == 400);
   }
+  CHECK(respond("GET", "/api/frame/-1", store).body ==
+        "'-1' is no frame: give a whole number from 0.\n");
+  CHECK(respond("GET", "/api/history?from=-1", store).body ==
+        "'-1' is no value of from: give a whole number from 0.\n");
   CHECK(statusOf(Filled(0).store, "/api/frame/5") == 404);
   CHECK(statusOf(store, "/api/template/0") == 200);
   CHECK(statusOf(store, "/api/template/999") == 404);

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/row_sums.hpp"
+
+#include <fmt/format.h>
+
+#define SQLITE_ENABLE_PREUPDATE_HOOK  // declares the hook, which Debian's library has
+#include <sqlite3.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+
+#include "record/fingerprint.hpp"
+#include "record/schema.hpp"
+
+namespace tolman::record {
+namespace {
+
+enum class Kind : std::uint8_t { Null, Number, Real, Text, Blob };
+
+/// 64 bits of the values of a row, from left to right.
+class RowHash {
+ public:
+  void add(sqlite3_value* value) {
+    switch (sqlite3_value_type(value)) {
+      case SQLITE_INTEGER:
+        return addInteger(sqlite3_value_int64(value));
+      case SQLITE_FLOAT:
+        return addReal(sqlite3_value_double(value));
+      case SQLITE_TEXT:
+        return addBytes(Kind::Text, sqlite3_value_text(value), sqlite3_value_bytes(value));
+      case SQLITE_BLOB:
+        return addBytes(Kind::Blob, sqlite3_value_blob(value), sqlite3_value_bytes(value));
+      default:
+        print_.add(Kind::Null);
+    }
+  }
+  std::uint64_t value() const { return print_.first ^ std::rotl(print_.second, 32); }
+
+ private:
+  void addInteger(std::int64_t value) {
+    print_.add(Kind::Number);
+    print_.add(value);
+  }
+  /// SQLite keeps whole REAL numbers as integers, and gives the hook either.
+  void addReal(double value) {
+    constexpr double kExact = 9e15;
+    if (std::abs(value) < kExact && value == std::trunc(value)) {
+      return addInteger(static_cast<std::int64_t>(value));
+    }
+    print_.add(Kind::Real);
+    print_.add(value);
+  }
+  void addBytes(Kind kind, const void* bytes, int size) {
+    print_.add(kind);
+    print_.add(size);
+    const char* next = static_cast<const char*>(bytes);
+    for (std::size_t left = static_cast<std::size_t>(size); left > 0;) {
+      std::uint64_t word = 0;
+      const std::size_t taken = std::min(left, sizeof(word));
+      std::memcpy(&word, next, taken);
+      print_.add(word);
+      next += taken;
+      left -= taken;
+    }
+  }
+
+  Fingerprint print_;
+};
+
+/// A query whose values can be given to RowHash, which SQLiteCpp does not allow.
+class RawStatement {
+ public:
+  RawStatement(sqlite3* database, const std::string& sql) : database_(database) {
+    require(sqlite3_prepare_v2(database, sql.c_str(), -1, &statement_, nullptr), SQLITE_OK);
+  }
+  ~RawStatement() { sqlite3_finalize(statement_); }
+  RawStatement(const RawStatement&) = delete;
+  RawStatement& operator=(const RawStatement&) = delete;
+  bool step() const {
+    const int code = sqlite3_step(statement_);
+    if (code != SQLITE_DONE) require(code, SQLITE_ROW);
+    return code == SQLITE_ROW;
+  }
+  sqlite3_stmt* get() const { return statement_; }
+
+ private:
+  void require(int code, int wanted) const {
+    if (code != wanted) throw SQLite::Exception(database_, code);
+  }
+  sqlite3* database_;
+  sqlite3_stmt* statement_ = nullptr;
+};
+
+using ValueOf = int (*)(sqlite3*, int, sqlite3_value**);
+
+std::uint64_t hashOf(sqlite3* database, ValueOf value_of) {
+  RowHash hash;
+  for (int i = 0; i < sqlite3_preupdate_count(database); ++i) {
+    sqlite3_value* value = nullptr;
+    if (value_of(database, i, &value) == SQLITE_OK) hash.add(value);
+  }
+  return hash.value();
+}
+
+void onWrite(void* sums, sqlite3* database, int operation, const char* /*schema*/,
+             const char* table, sqlite3_int64 /*old_key*/, sqlite3_int64 /*new_key*/) {
+  auto& kept = *static_cast<RowSums*>(sums);
+  if (std::string_view(table) == "run") return;
+  if (operation != SQLITE_INSERT) kept.remove(table, hashOf(database, sqlite3_preupdate_old));
+  if (operation != SQLITE_DELETE) kept.add(table, hashOf(database, sqlite3_preupdate_new));
+}
+
+/// The tables that have sums.
+const std::vector<std::string>& tables() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Table& table : schema()) {
+      if (table.name != "run") all.push_back(table.name);
+    }
+    return all;
+  }();
+  return names;
+}
+
+std::string storedSums(const Database& database) {
+  Statement row(database, "SELECT \"value\" FROM \"run\" WHERE \"key\" = ?");
+  row.bindNext(std::string(kRowSumsKey));
+  return row.step() ? row.next().getString() : "";
+}
+
+}  // namespace
+
+RowSums::RowSums() : sums_(tables().size()) {}
+
+RowSums RowSums::of(const Database& database) {
+  RowSums sums;
+  for (const std::string& table : tables()) {
+    const RawStatement rows(database.getHandle(), "SELECT * FROM \"" + table + "\"");
+    while (rows.step()) {
+      RowHash hash;
+      for (int i = 0; i < sqlite3_column_count(rows.get()); ++i) {
+        hash.add(sqlite3_column_value(rows.get(), i));
+      }
+      sums.add(table.c_str(), hash.value());
+    }
+  }
+  return sums;
+}
+
+std::uint64_t* RowSums::sumOf(const char* table) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    if (tables()[i] == table) return &sums_[i];
+  }
+  return nullptr;
+}
+
+void RowSums::add(const char* table, std::uint64_t row) {
+  if (std::uint64_t* sum = sumOf(table); sum != nullptr) *sum += row;
+}
+
+void RowSums::remove(const char* table, std::uint64_t row) {
+  if (std::uint64_t* sum = sumOf(table); sum != nullptr) *sum -= row;
+}
+
+std::string RowSums::text() const {
+  std::string text;
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    text += fmt::format("{}{}={:016x}", i == 0 ? "" : " ", tables()[i], sums_[i]);
+  }
+  return text;
+}
+
+void followWrites(sqlite3* database, RowSums& sums) {
+  sqlite3_preupdate_hook(database, onWrite, &sums);
+}
+
+bool hasRowSums(const Database& database) { return !storedSums(database).empty(); }
+
+void requireRowSums(const Database& database) {
+  const std::string stored = storedSums(database);
+  if (stored.empty()) return;
+  const std::string now = RowSums::of(database).text();
+  if (now == stored) return;
+  const auto differs = std::mismatch(now.begin(), now.end(), stored.begin(), stored.end()).first;
+  const auto at = static_cast<std::size_t>(differs - now.begin());
+  const std::size_t begin = at == 0 ? 0 : now.rfind(' ', at - 1) + 1;
+  const std::string table = now.substr(begin, now.find('=', begin) - begin);
+  throw BadRow("the rows of table '" + table +
+               "' are not those that the run wrote: they were changed, added or removed "
+               "afterwards; run it again, or take back the change");
+}
+
+}  // namespace tolman::record
