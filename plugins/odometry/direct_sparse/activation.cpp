@@ -10,8 +10,6 @@
 namespace tolman::direct_sparse {
 namespace {
 
-std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
-
 struct Landing {
   bool inside = false;
   float u = 0;
@@ -57,13 +55,13 @@ bool Occupancy::claim(float u, float v) {
   const int row = static_cast<int>(v / spacing_);
   for (int r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
     for (int c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
-      const Cell& cell = cells_[index(r * columns_ + c)];
+      const Cell& cell = cells_[indexOfSlot(r * columns_ + c)];
       const float du = cell.u - u;
       const float dv = cell.v - v;
       if (du * du + dv * dv < spacing_ * spacing_) return false;
     }
   }
-  cells_[index(row * columns_ + column)] = {u, v};
+  cells_[indexOfSlot(row * columns_ + column)] = {u, v};
   return true;
 }
 
@@ -93,8 +91,8 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
     PixelSums sums;
     for (const int target : window.order()) {
       if (target == host) continue;
-      const PairGeometry& pair = pairs[index(host * kSlots + target)];
-      ResidualState& state = point.temporal[index(target)];
+      const PairGeometry& pair = pairs[indexOfSlot(host * kSlots + target)];
+      ResidualState& state = point.temporal[indexOfSlot(target)];
       state = ResidualState::Absent;
       if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) continue;
       ++seen;
@@ -168,13 +166,13 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
   for (const int host : window.order()) {
     for (const int target : window.order()) {
       if (host == target) continue;
-      pairs_[index(host * kSlots + target)] =
+      pairs_[indexOfSlot(host * kSlots + target)] =
           pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(target));
     }
     if (host == newest) continue;
-    const PairGeometry& pair = pairs_[index(host * kSlots + newest)];
+    const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + newest)];
     for (Point& point : window.keyframe(host).points) {
-      point.temporal[index(newest)] = ResidualState::Good;
+      point.temporal[indexOfSlot(newest)] = ResidualState::Good;
       const Landing place =
           land(pair, window.newest().gradients, point.u, point.v, point.inverse_depth);
       if (place.inside) occupancy_.claim(place.u, place.v);
@@ -182,7 +180,8 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
   }
   chosen_.clear();
   for (const int host : window.order()) {
-    chooseFrom(host, window, host == newest ? nullptr : &pairs_[index(host * kSlots + newest)]);
+    chooseFrom(host, window,
+               host == newest ? nullptr : &pairs_[indexOfSlot(host * kSlots + newest)]);
   }
   refined_.assign(chosen_.size(), std::nullopt);
   tbb::parallel_for(std::size_t{0}, chosen_.size(), [&](std::size_t i) {

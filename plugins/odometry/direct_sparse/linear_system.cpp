@@ -15,8 +15,6 @@ namespace {
 constexpr int kChunk = 128;        // points; fixed, for the same sums with any number of threads
 constexpr std::size_t kAhead = 3;  // how many points ahead pixels are prefetched
 
-std::size_t index(int slot) { return static_cast<std::size_t>(slot); }
-
 using RelativeSum = Eigen::Matrix<double, 8, 10>;
 
 RelativeSum symmetric(const ChunkSystem::RelativeBlock& block) {
@@ -24,7 +22,8 @@ RelativeSum symmetric(const ChunkSystem::RelativeBlock& block) {
   for (int r = 0; r < 8; ++r) {
     for (int c = 0; c < 10; ++c) {
       const bool lower = c < r;
-      sum(r, c) = lower ? block[index(c)][index(r)] : block[index(r)][index(c)];
+      sum(r, c) =
+          lower ? block[indexOfSlot(c)][indexOfSlot(r)] : block[indexOfSlot(r)][indexOfSlot(c)];
     }
   }
   return sum;
@@ -58,7 +57,7 @@ int lastTarget(const Window& window, int host, const Point& point) {
   const std::vector<int>& order = window.order();
   for (auto slot = order.rbegin(); slot != order.rend(); ++slot) {
     if (*slot == host) continue;
-    const bool sees = point.temporal[index(*slot)] == ResidualState::Good;
+    const bool sees = point.temporal[indexOfSlot(*slot)] == ResidualState::Good;
     if (sees && window.keyframe(*slot).has_right) return *slot;
   }
   return -1;
@@ -91,12 +90,12 @@ void LinearSystem::prepare(const CameraRig& rig, const Window& window,
   stereos_.resize(kSlots);
   for (const int host : window.order()) {
     const Keyframe& keyframe = window.keyframe(host);
-    stereos_[index(host)] = {static_cast<float>(rig.pinhole.fx * rig.baseline),
-                             static_cast<float>(window.offset.value()), keyframe.right_gain,
-                             keyframe.right_offset};
+    stereos_[indexOfSlot(host)] = {static_cast<float>(rig.pinhole.fx * rig.baseline),
+                                   static_cast<float>(window.offset.value()), keyframe.right_gain,
+                                   keyframe.right_offset};
     for (const int target : window.order()) {
       if (host == target) continue;
-      pairs_[index(host * kSlots + target)] =
+      pairs_[indexOfSlot(host * kSlots + target)] =
           pairGeometry(rig.pinhole, keyframe, window.keyframe(target));
     }
   }
@@ -115,7 +114,7 @@ void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& set
   const Chunk& chunk = chunks_[i];
   ChunkSystem& system = systems_[i];
   system.clear(chunk.range.host);
-  const std::size_t count = index(chunk.range.end - chunk.range.begin);
+  const std::size_t count = indexOfSlot(chunk.range.end - chunk.range.begin);
   const std::span<PointTerms> terms(terms_.data() + chunk.first_term, count);
   std::fill(terms.begin(), terms.end(), PointTerms());
   // One target after the other: the pixels of neighbouring points are close in its image, too.
@@ -130,14 +129,14 @@ void LinearSystem::evaluateChunk(const CameraRig& rig, const SystemSettings& set
 void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& chunk, int target,
                              ChunkSystem& system, std::span<PointTerms> terms) const {
   const int host = chunk.range.host;
-  const PairGeometry& pair = pairs_[index(host * kSlots + target)];
+  const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
   const GradientImage& image = window.keyframe(target).gradients;
   Point* points = window.keyframe(host).points.data() + chunk.range.begin;
   PixelSums sums;
   for (std::size_t k = 0; k < terms.size(); ++k) {
     if (k + kAhead < terms.size()) prefetchTemporal(pair, image, points[k + kAhead]);
     Point& point = points[k];
-    ResidualState& state = point.temporal[index(target)];
+    ResidualState& state = point.temporal[indexOfSlot(target)];
     if (state == ResidualState::Absent) continue;
     if (!temporalSums(pair, image, point, sums)) {
       state = ResidualState::Outside;
@@ -154,7 +153,7 @@ void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& 
 void LinearSystem::addRight(const SystemSettings& settings, Window& window, const Chunk& chunk,
                             ChunkSystem& system, std::span<PointTerms> terms) const {
   Keyframe& keyframe = window.keyframe(chunk.range.host);
-  const StereoGeometry& stereo = stereos_[index(chunk.range.host)];
+  const StereoGeometry& stereo = stereos_[indexOfSlot(chunk.range.host)];
   PixelSums sums;
   Point* points = keyframe.points.data() + chunk.range.begin;
   for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -180,7 +179,7 @@ void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& sett
     const int target = lastTarget(window, host, points[k]);
     if (target < 0) continue;
     const Keyframe& keyframe = window.keyframe(target);
-    const PairGeometry& pair = pairs_[index(host * kSlots + target)];
+    const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
     const auto sighting = sight(rig.pinhole, pair, keyframe.gradients, points[k]);
     if (!sighting) continue;
     Point seen;
@@ -188,7 +187,7 @@ void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& sett
     seen.v = static_cast<float>(sighting->v);
     seen.inverse_depth = sighting->inverse_depth;
     seen.pattern = patternAt(keyframe.gradients, sighting->u, sighting->v);
-    const StereoGeometry& stereo = stereos_[index(target)];
+    const StereoGeometry& stereo = stereos_[indexOfSlot(target)];
     if (!stereoSums(stereo, keyframe.right.level(0), seen, sums)) continue;
     if (system.judge(sums, window.energy_threshold) != ResidualState::Good) continue;
     system.addSighting(target, pair, sums, *sighting, stereo.focal_baseline, settings.lambda,
@@ -207,13 +206,13 @@ void LinearSystem::sumUp(const Window& window) {
     const ChunkSystem& system = systems_[i];
     for (const int target : window.order()) {
       if (!system.hasTarget(target)) continue;
-      relative[index(system.host() * kSlots + target)] += symmetric(system.relative(target));
+      relative[indexOfSlot(system.host() * kSlots + target)] += symmetric(system.relative(target));
     }
     for (int r = 0; r < kVariables; ++r) {
       for (int c = r - r % kFrameVariables; c < kVariables; ++c) {
-        schur(r, c) += system.schur()[index(r)][index(c)];
+        schur(r, c) += system.schur()[indexOfSlot(r)][indexOfSlot(c)];
       }
-      b_[r] -= system.schurGradient(index(r));
+      b_[r] -= system.schurGradient(indexOfSlot(r));
     }
     H_(kOffsetIndex, kOffsetIndex) += system.offset_information;
     b_[kOffsetIndex] += system.offset_gradient;
@@ -222,7 +221,7 @@ void LinearSystem::sumUp(const Window& window) {
   }
   for (const int host : window.order()) {
     for (const int target : window.order()) {
-      const std::size_t pair = index(host * kSlots + target);
+      const std::size_t pair = indexOfSlot(host * kSlots + target);
       if (host == target || relative[pair].isZero(0)) continue;
       mapToAbsolute(host, target, pairs_[pair], relative[pair], H_, b_);
     }
@@ -237,8 +236,8 @@ double LinearSystem::applyToDepths(Window& window, const SystemVector& step) con
   for (const Chunk& chunk : chunks_) {
     Keyframe& keyframe = window.keyframe(chunk.range.host);
     for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
-      const PointTerms& terms = terms_[chunk.first_term + index(k - chunk.range.begin)];
-      Point& point = keyframe.points[index(k)];
+      const PointTerms& terms = terms_[chunk.first_term + indexOfSlot(k - chunk.range.begin)];
+      Point& point = keyframe.points[indexOfSlot(k)];
       float dot = terms.gradient + terms.coupling[kOffsetIndex] * x[kOffsetIndex];
       for (int slot = 0; slot < kSlots; ++slot) {
         if (((terms.slots >> static_cast<unsigned>(slot)) & 1U) == 0) continue;
@@ -259,8 +258,8 @@ void LinearSystem::storeInformation(Window& window) const {
   for (const Chunk& chunk : chunks_) {
     Keyframe& keyframe = window.keyframe(chunk.range.host);
     for (int k = chunk.range.begin; k < chunk.range.end; ++k) {
-      const PointTerms& terms = terms_[chunk.first_term + index(k - chunk.range.begin)];
-      Point& point = keyframe.points[index(k)];
+      const PointTerms& terms = terms_[chunk.first_term + indexOfSlot(k - chunk.range.begin)];
+      Point& point = keyframe.points[indexOfSlot(k)];
       point.information = terms.good > 0 ? terms.information : 0;
       point.seen_good += terms.good;
     }

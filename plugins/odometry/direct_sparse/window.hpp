@@ -35,6 +35,9 @@ struct DisparityOffset {
   double value() const { return first + change; }
 };
 
+/// Index in arrays that have an element for each slot.
+inline std::size_t indexOfSlot(int slot) { return static_cast<std::size_t>(slot); }
+
 class Window {
  public:
   /// First outlier threshold, squared grey levels summed over a pattern: 12 grey levels per pixel.
@@ -46,8 +49,8 @@ class Window {
   int size() const { return static_cast<int>(order_.size()); }
   /// Slots from the oldest keyframe to the newest.
   const std::vector<int>& order() const { return order_; }
-  Keyframe& keyframe(int slot) { return keyframes_[static_cast<std::size_t>(slot)]; }
-  const Keyframe& keyframe(int slot) const { return keyframes_[static_cast<std::size_t>(slot)]; }
+  Keyframe& keyframe(int slot) { return keyframes_[indexOfSlot(slot)]; }
+  const Keyframe& keyframe(int slot) const { return keyframes_[indexOfSlot(slot)]; }
   Keyframe& newest() { return keyframe(order_.back()); }
   const Keyframe& newest() const { return keyframe(order_.back()); }
   int newestSlot() const { return order_.back(); }

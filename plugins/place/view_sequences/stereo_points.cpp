@@ -11,15 +11,15 @@
 namespace tolman::view_sequences {
 namespace {
 
-// Chosen, not tuned. kWidth is half of KITTI's: at a quarter two thirds of the places were found
-// that half the size finds (docs/places.md, in a prototype).
-constexpr double kNearest = 3;     // m
-constexpr double kFarthest = 25;   // m
-constexpr float kWidest = 20;      // m to either side
-constexpr double kLargestUp = 40;  // m above or below the camera
-constexpr int kWidth = 640;        // px; wider images are matched at a reduced size
-constexpr int kBlockSize = 11;     // px
-constexpr int kKept = 24;          // of this number of matched pixels one becomes a point
+// Chosen, not tuned. kMatchedWidth is half of KITTI's: at a quarter two thirds of the places were
+// found that half the size finds (docs/places.md, in a prototype).
+constexpr double kNearest = 3;      // m
+constexpr double kFarthest = 25;    // m
+constexpr float kWidest = 20;       // m to either side
+constexpr double kLargestUp = 40;   // m above or below the camera
+constexpr int kMatchedWidth = 640;  // px; wider images are matched at a reduced size
+constexpr int kBlockSize = 11;      // px
+constexpr int kKept = 24;           // of this number of matched pixels one becomes a point
 
 cv::Mat reduced(const Image& image, double scale) {
   const cv::Mat gray = landmarks::grayOf(image);
@@ -39,7 +39,7 @@ CentimetrePoint inCentimetres(const Eigen::Vector3d& p) {
 StereoPoints::StereoPoints(const CameraRig& rig) {
   if (!rig.isStereo() || !rig.calibrated || rig.width <= 0) return;
   // Powers of 1/2, because means over whole blocks of pixels are fast.
-  while (scale_ * rig.width > kWidth) scale_ /= 2;
+  while (scale_ * rig.width > kMatchedWidth) scale_ /= 2;
   const Pinhole& K = rig.pinhole;
   pinhole_ = {K.fx * scale_, K.fy * scale_, (K.cx + 0.5) * scale_ - 0.5,
               (K.cy + 0.5) * scale_ - 0.5};

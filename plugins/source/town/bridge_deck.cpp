@@ -9,9 +9,9 @@ namespace {
 constexpr float kRoad = static_cast<float>(StreetPlan::kRoadHalfWidth);  ///< m, half
 constexpr float kEdge = kRoad + 1.4F;                                    ///< m, with the walkway
 constexpr auto kKerb = static_cast<float>(StreetPlan::kKerbHeight);
-constexpr float kSlab = 0.55F;     ///< m thick
-constexpr float kRailing = 1.05F;  ///< m above the walkway
-constexpr float kFoot = 1.5F;      ///< m that abutments reach below the ground
+constexpr float kDeckThickness = 0.55F;  ///< m thick
+constexpr float kRailing = 1.05F;        ///< m above the walkway
+constexpr float kFoot = 1.5F;            ///< m that abutments reach below the ground
 constexpr std::size_t kPostEvery = 2;
 
 struct DeckSurfaces {
@@ -36,7 +36,7 @@ struct Strip {
 
 void addSlice(Mesh& mesh, const Deck::Point& a, const Deck::Point& b, const DeckSurfaces& s) {
   const Strip strips[] = {{-kRoad, 0, kRoad, 0, s.road},
-                          {-kEdge, -kSlab, kEdge, -kSlab, s.concrete}};
+                          {-kEdge, -kDeckThickness, kEdge, -kDeckThickness, s.concrete}};
   for (const Strip& t : strips) {
     addQuad(mesh,
             {at(a, t.over0, t.up0), at(a, t.over1, t.up1), at(b, t.over1, t.up1),
@@ -46,7 +46,7 @@ void addSlice(Mesh& mesh, const Deck::Point& a, const Deck::Point& b, const Deck
   for (const float side : {-1.0F, 1.0F}) {
     const Strip sides[] = {{side * kRoad, 0, side * kRoad, kKerb, s.walkway},
                            {side * kRoad, kKerb, side * kEdge, kKerb, s.walkway},
-                           {side * kEdge, kKerb, side * kEdge, -kSlab, s.concrete}};
+                           {side * kEdge, kKerb, side * kEdge, -kDeckThickness, s.concrete}};
     for (const Strip& t : sides) {
       addQuad(mesh,
               {at(a, t.over0, t.up0), at(a, t.over1, t.up1), at(b, t.over1, t.up1),
@@ -80,7 +80,7 @@ void addAbutment(Mesh& mesh, const StreetPlan& plan, const Deck::Point& end,
   const auto wall = [&](const Vec3& a, const Vec3& b) {
     addQuad(mesh, {foot(a), foot(b), b, a}, concrete);
   };
-  wall(at(inside, -kEdge, -kSlab + 0.01F), at(inside, kEdge, -kSlab + 0.01F));
+  wall(at(inside, -kEdge, -kDeckThickness + 0.01F), at(inside, kEdge, -kDeckThickness + 0.01F));
   for (const float side : {-1.0F, 1.0F}) {
     wall(at(inside, side * kEdge, kKerb), at(end, side * kEdge, kKerb));
   }

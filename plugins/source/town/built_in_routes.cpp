@@ -177,7 +177,7 @@ void addFrame(CameraRoute& route, const Eigen::Isometry3d& T_town_camera, double
 CameraRoute carParkRoute(RouteOptions options) {
   constexpr double kFastest = 5;      // m/s
   constexpr double kPadBelow = 0.35;  // m, under the lowest floor
-  constexpr double kBeside = 3;       // m of level ground around the building
+  constexpr double kLevelGround = 3;  // m of level ground around the building
   options.speed = std::min(options.speed, kFastest);
   const CarParkDrive drive = carParkDrive();
   CameraRoute route;
@@ -187,9 +187,10 @@ CameraRoute carParkRoute(RouteOptions options) {
     addFrame(route, cameraPose(drive.path.at(s), height, slope), options.rate);
     route.raised.push_back(s > drive.inside_from && s < drive.inside_to);
   }
-  route.pads.push_back({{CarPark::kWest - kBeside, CarPark::kAisleY + CarPark::kSouth - kBeside},
-                        {CarPark::kEast + kBeside, CarPark::kAisleY + CarPark::kNorth + kBeside},
-                        -options.camera_height - kPadBelow});
+  route.pads.push_back(
+      {{CarPark::kWest - kLevelGround, CarPark::kAisleY + CarPark::kSouth - kLevelGround},
+       {CarPark::kEast + kLevelGround, CarPark::kAisleY + CarPark::kNorth + kLevelGround},
+       -options.camera_height - kPadBelow});
   return route;
 }
 

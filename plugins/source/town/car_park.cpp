@@ -10,11 +10,11 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kSlab = 0.3F;        ///< m thick
-constexpr float kParapet = 1.0F;     ///< m high
-constexpr float kRampHalf = 2.0F;    ///< m, half its width
-constexpr float kApron = 6.0F;       ///< m of floor before the entrance
-constexpr float kEntranceWest = -6;  ///< m, x
+constexpr float kFloorThickness = 0.3F;  ///< m thick
+constexpr float kParapet = 1.0F;         ///< m high
+constexpr float kRampHalf = 2.0F;        ///< m, half its width
+constexpr float kApron = 6.0F;           ///< m of floor before the entrance
+constexpr float kEntranceWest = -6;      ///< m, x
 constexpr float kEntranceEast = 3;
 constexpr double kBay = 2.6;  ///< m, width of a parking bay
 
@@ -100,7 +100,7 @@ class CarParkBuilder {
         if (is_open && c % 2 == 1 && r == 1) continue;
         const Rectangle part = {{x[c], y[r]}, {x[c + 1], y[r + 1]}};
         quad(part, z, asphalt_);
-        if (level > 0) quad(part, z - kSlab, concrete_);
+        if (level > 0) quad(part, z - kFloorThickness, concrete_);
       }
     }
     // The edge of the floor, and parapets beside the openings.
@@ -113,19 +113,20 @@ class CarParkBuilder {
       if (!is_open) break;
       for (const float side : {-1.0F, 1.0F}) {
         const float over = middle + side * (kRampHalf + 0.1F);
-        box({{over - 0.08F, kRampBegin}, {over + 0.08F, kRampEnd}}, z - kSlab, z + kParapet,
-            concrete_);
+        box({{over - 0.08F, kRampBegin}, {over + 0.08F, kRampEnd}}, z - kFloorThickness,
+            z + kParapet, concrete_);
       }
       // Cars drive on to the next ramp at the northern end, but on the uppermost floor.
       if (level + 1 < CarPark::kFloors) continue;
       box({{middle - kRampHalf, kRampEnd - 0.08F}, {middle + kRampHalf, kRampEnd + 0.08F}},
-          z - kSlab, z + kParapet, concrete_);
+          z - kFloorThickness, z + kParapet, concrete_);
     }
   }
 
   void edge(const Point& a, const Point& b, float z) {
     addQuad(world_.fixed,
-            {at(a.x, a.y, z - kSlab), at(b.x, b.y, z - kSlab), at(b.x, b.y, z), at(a.x, a.y, z)},
+            {at(a.x, a.y, z - kFloorThickness), at(b.x, b.y, z - kFloorThickness), at(b.x, b.y, z),
+             at(a.x, a.y, z)},
             concrete_);
   }
 
@@ -151,7 +152,7 @@ class CarParkBuilder {
     for (const float x : {-8.6F, 4.2F, 9.8F, 16.0F, 22.2F, 27.8F, 40.6F}) {
       for (const float y : {-3.5F, 9.0F, 17.7F, 26.3F, 35.0F, 47.5F}) {
         box({{x - kHalf, y - kHalf}, {x + kHalf, y + kHalf}}, z,
-            z + static_cast<float>(CarPark::kStorey) - kSlab, concrete_);
+            z + static_cast<float>(CarPark::kStorey) - kFloorThickness, concrete_);
       }
     }
   }
@@ -179,9 +180,9 @@ class CarParkBuilder {
               surface);
     };
     strip(middle - kRampHalf, 0, middle + kRampHalf, 0, asphalt_);
-    strip(middle - kRampHalf, -kSlab, middle + kRampHalf, -kSlab, concrete_);
+    strip(middle - kRampHalf, -kFloorThickness, middle + kRampHalf, -kFloorThickness, concrete_);
     for (const float side : {-kRampHalf, kRampHalf}) {
-      strip(middle + side, -kSlab, middle + side, 0.8F, concrete_);
+      strip(middle + side, -kFloorThickness, middle + side, 0.8F, concrete_);
     }
   }
 

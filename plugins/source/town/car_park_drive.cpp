@@ -7,10 +7,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kRadius = 6;       ///< m, of turns
-constexpr double kBlend = 5;        ///< m of changing slope at both ends of a ramp
-constexpr double kExitLane = -3.4;  ///< m, x
-constexpr double kApron = 4.2;      ///< m of floor before the entrance
+constexpr double kRadius = 6;           ///< m, of turns
+constexpr double kBlend = 5;            ///< m of changing slope at both ends of a ramp
+constexpr double kExitLane = -3.4;      ///< m, x
+constexpr double kEntranceFloor = 4.2;  ///< m of floor before the entrance
 constexpr double kSlope = CarPark::kStorey / (CarPark::kRampLength - kBlend);
 /// m from the end of a turn to the ramp.
 constexpr double kBeforeRamp = CarPark::kRampBegin - kRadius;
@@ -30,8 +30,8 @@ class Driver {
     }
     path().ahead(CarPark::kEastAisle - kExitLane).turnLeft(4);
     path().ahead(CarPark::kAisleY - 10);
-    drive_.inside_from = CarPark::kAisleY + CarPark::kSouth - kApron;
-    drive_.inside_to = path().length() - (CarPark::kAisleY - 10) - CarPark::kSouth + kApron;
+    drive_.inside_from = CarPark::kAisleY + CarPark::kSouth - kEntranceFloor;
+    drive_.inside_to = path().length() - (CarPark::kAisleY - 10) - CarPark::kSouth + kEntranceFloor;
     return std::move(drive_);
   }
 

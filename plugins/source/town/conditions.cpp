@@ -18,7 +18,6 @@ namespace tolman::town {
 namespace {
 
 constexpr double kSamePlace = 5;      ///< m between frames of two passes
-constexpr double kOtherPass = 30;     ///< m of driving between them
 constexpr double kShortMeeting = 15;  ///< m
 const double kSameDirection = std::cos(35 * std::numbers::pi / 180);
 

@@ -12,7 +12,6 @@ namespace tolman::town {
 namespace {
 
 constexpr double kMeets = 3;            ///< m between two passes that cross
-constexpr double kOtherPass = 30;       ///< m driven between them
 constexpr double kLargestCosine = 0.7;  ///< of the angle between their directions
 constexpr double kStopsBefore = 10;     ///< m from the middle of the car to the camera's path
 constexpr double kArm = 22;             ///< m of side street that must not be the camera's

@@ -13,7 +13,6 @@ namespace {
 constexpr double kSpacing = 1;             ///< m
 constexpr double kSmallestAdvance = 0.5;   ///< m, between poses that are used
 constexpr double kBeyondEnds = 50;         ///< m of street before the first and after the last pose
-constexpr double kOtherPass = 30;          ///< m of driving
 constexpr double kWayBack = 10;            ///< m of driving, in the opposite direction
 constexpr std::size_t kDirectionSpan = 2;  ///< points to either side
 const double kSameDirection = std::cos(35 * std::numbers::pi / 180);

@@ -21,6 +21,9 @@ struct PathPoint {
   bool raised = false;      ///< on a deck (CameraRoute::raised)
 };
 
+/// m driven between points of different passes over one street. Chosen, not tuned.
+inline constexpr double kOtherPass = 30;
+
 /// Samples the path without standstill and reversing. The street extends beyond the first and the
 /// last pose, unless the route passes there itself.
 std::vector<PathPoint> samplePath(const CameraRoute& route, double camera_height);

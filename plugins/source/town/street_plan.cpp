@@ -21,7 +21,6 @@ constexpr double kMargin = 2;            ///< m by which grids exceed kFarthest
 constexpr double kFarBlend = 150;  ///< m outside of the grids over which the height blends to hills
 constexpr double kKerbClearance = 1;  ///< m, camera to kerb
 constexpr double kCrossing = 8;       ///< m, between frames that meet
-constexpr double kOtherPass = 30;     ///< m of driving between them
 
 std::string fixed(double value, int digits) {
   std::array<char, 64> text{};

@@ -7,10 +7,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kJoins = 5;              ///< m between centrelines at which a known street begins
-constexpr double kLeaves = 7;             ///< m at which it ends: larger, so that it is not split
-constexpr std::size_t kShortest = 6;      ///< points; shorter streets and interruptions are ignored
-constexpr double kSmallestAdvance = 0.2;  ///< m; smaller advances are on the inside of a tight bend
+constexpr double kJoins = 5;           ///< m between centrelines at which a known street begins
+constexpr double kLeaves = 7;          ///< m at which it ends: larger, so that it is not split
+constexpr std::size_t kShortest = 6;   ///< points; shorter streets and interruptions are ignored
+constexpr double kSmallestStep = 0.2;  ///< m; smaller advances are on the inside of a tight bend
 
 /// Collects the parts of the path that were not driven before.
 class SectionFinder {
@@ -79,7 +79,7 @@ std::vector<StreetPoint> centreline(const std::vector<PathPoint>& path,
     double s = 0;
     if (!line.empty()) {
       const Eigen::Vector2d step = point.centre - line.back().position;
-      if (step.dot(point.direction) < kSmallestAdvance) continue;
+      if (step.dot(point.direction) < kSmallestStep) continue;
       s = line.back().s + step.norm();
     }
     line.push_back({point.centre, point.direction, s});

@@ -8,14 +8,14 @@
 namespace tolman::town {
 namespace {
 
-constexpr double kFinestCell = 1;   ///< m
-constexpr double kMaxCells = 4e6;   ///< of 4 bytes; five times as much during the computation
-constexpr double kSmoothing = 2.5;  ///< m, of driven heights
-constexpr double kReach = 16;       ///< m from the path up to which its heights are used
-constexpr double kLevelTo = 6.5;    ///< m from the centreline: level up to here
-constexpr double kFadedAt = 12;     ///< m
-constexpr double kSettles = 150;    ///< m over which the membrane approaches the hills
-constexpr int kSweeps = 12;         ///< per level; few, because coarser levels give the start
+constexpr double kFinestTerrainCell = 1;  ///< m
+constexpr double kMaxTerrainCells = 4e6;  ///< of 4 bytes; five times as much during the computation
+constexpr double kSmoothing = 2.5;        ///< m, of driven heights
+constexpr double kReach = 16;             ///< m from the path up to which its heights are used
+constexpr double kLevelTo = 6.5;          ///< m from the centreline: level up to here
+constexpr double kFadedAt = 12;           ///< m
+constexpr double kSettles = 150;          ///< m over which the membrane approaches the hills
+constexpr int kSweeps = 12;               ///< per level; few, because coarser levels give the start
 
 /// Normalised convolution of the values at path points with a Gaussian; 0 beyond kReach.
 GroundGrid spread(const std::vector<PathPoint>& path, const std::vector<double>& values,
@@ -205,7 +205,7 @@ GroundGrid heightGrid(const std::vector<PathPoint>& path, const std::vector<doub
                       const GroundGrid& distance, const GridExtent& extent, double mean,
                       const std::vector<GroundPad>& pads) {
   const Eigen::Vector2d size = extent.high - extent.low;
-  const double cell = std::max(kFinestCell, std::sqrt(size.prod() / kMaxCells));
+  const double cell = std::max(kFinestTerrainCell, std::sqrt(size.prod() / kMaxTerrainCells));
   Level level{streetHeights(path, heights, extent, cell),
               GroundGrid(extent.low, extent.high, cell, 0)};
   for (int r = 0; r < level.weight.rows(); ++r) {
