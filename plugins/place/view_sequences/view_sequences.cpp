@@ -176,7 +176,24 @@ Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::verifiedBy(
     best = VerifiedView{*view, std::move(pose).value()};
     if (candidate.probability >= kSure) break;
   }
-  return best;
+  return best ? measuredNearer(locate, *best) : best;
+}
+
+/// The same place, measured from the view with landmarks that is nearest to the measured pose:
+/// poses are more exact the nearer they are.
+Result<std::optional<ViewSequences::VerifiedView>> ViewSequences::measuredNearer(
+    Locate locate, const VerifiedView& place) {
+  const auto lengthOf = [](const landmarks::MeasuredPose& pose) {
+    return pose.T_template_current.translation().norm();
+  };
+  const double ahead = place.pose->T_template_current.translation().z();
+  const std::int64_t views = std::llround(ahead / parameters_.spacing);
+  const auto view = verifier_->viewNear(place.view + views);
+  if (!view || *view == place.view) return std::optional(place);
+  auto pose = ((*verifier_).*locate)(*view);
+  if (!pose.isOk()) return pose.status();
+  const bool nearer = pose.value() && lengthOf(*pose.value()) < lengthOf(*place.pose);
+  return std::optional(nearer ? VerifiedView{*view, std::move(pose).value()} : place);
 }
 
 /// Recognises a street that is driven in the opposite direction, once in `landmark_spacing` steps.

@@ -57,6 +57,7 @@ class ViewSequences final : public Place,
   Result<std::optional<VerifiedView>> verified(const std::vector<PlaceCandidate>& candidates);
   Result<std::optional<VerifiedView>> verifiedBy(Locate locate,
                                                  const std::vector<PlaceCandidate>& candidates);
+  Result<std::optional<VerifiedView>> measuredNearer(Locate locate, const VerifiedView& place);
   bool recogniseBackwards(PlaceObservation& observation);
   Status store(const PathStep& step, PlaceObservation& observation);
   void recognise(const VerifiedView& place, const ViewQuery& query, int image_width,
