@@ -16,7 +16,8 @@ using namespace tolman::test;
 
 namespace {
 
-/// Light as by night: a gamma, a lamp in front of the camera, less at the sides, and noise.
+/// As by night: a gamma, a lamp in front of the camera, a sixth of its light at the sides, and
+/// noise of two grey levels.
 Image byNight(const Image& day, std::uint64_t seed) {
   RandomStream random(seed);
   return gray(day.width(), day.height(), [&](int x, int y) {
