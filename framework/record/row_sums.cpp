@@ -112,16 +112,12 @@ void onWrite(void* sums, sqlite3* database, int operation, const char* /*schema*
   if (operation != SQLITE_DELETE) kept.add(table, hashOf(database, sqlite3_preupdate_new));
 }
 
-/// The tables that have sums.
-const std::vector<std::string>& tables() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const Table& table : schema()) {
-      if (table.name != "run") all.push_back(table.name);
-    }
-    return all;
-  }();
-  return names;
+std::vector<std::string> tablesWithSums() {
+  std::vector<std::string> tables;
+  for (const Table& table : schema()) {
+    if (table.name != "run") tables.push_back(table.name);
+  }
+  return tables;
 }
 
 std::string storedSums(const Database& database) {
@@ -132,11 +128,11 @@ std::string storedSums(const Database& database) {
 
 }  // namespace
 
-RowSums::RowSums() : sums_(tables().size()) {}
+RowSums::RowSums() : tables_(tablesWithSums()), sums_(tables_.size()) {}
 
 RowSums RowSums::of(const Database& database) {
   RowSums sums;
-  for (const std::string& table : tables()) {
+  for (const std::string& table : sums.tables_) {
     const RawStatement rows(database.getHandle(), "SELECT * FROM \"" + table + "\"");
     while (rows.step()) {
       RowHash hash;
@@ -151,7 +147,7 @@ RowSums RowSums::of(const Database& database) {
 
 std::uint64_t* RowSums::sumOf(const char* table) {
   for (std::size_t i = 0; i < sums_.size(); ++i) {
-    if (tables()[i] == table) return &sums_[i];
+    if (tables_[i] == table) return &sums_[i];
   }
   return nullptr;
 }
@@ -167,7 +163,7 @@ void RowSums::remove(const char* table, std::uint64_t row) {
 std::string RowSums::text() const {
   std::string text;
   for (std::size_t i = 0; i < sums_.size(); ++i) {
-    text += fmt::format("{}{}={:016x}", i == 0 ? "" : " ", tables()[i], sums_[i]);
+    text += fmt::format("{}{}={:016x}", i == 0 ? "" : " ", tables_[i], sums_[i]);
   }
   return text;
 }

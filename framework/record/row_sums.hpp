@@ -33,6 +33,9 @@ class RowSums {
 
  private:
   std::uint64_t* sumOf(const char* table);
+
+  // Not static: when a plugin calls exit(), statics are destroyed while rows are still written.
+  std::vector<std::string> tables_;
   std::vector<std::uint64_t> sums_;
 };
 

@@ -2,6 +2,7 @@
 #include "record/sha256.hpp"
 
 #include <fmt/format.h>
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include <array>
@@ -14,11 +15,17 @@ void check(int success) {
   if (success != 1) throw std::runtime_error("libcrypto cannot compute SHA-256");
 }
 
+/// Without a handler of exit(): when a plugin calls it, other threads still compute digests.
+evp_md_ctx_st* newContext() {
+  check(OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr));
+  return EVP_MD_CTX_new();
+}
+
 }  // namespace
 
 void Sha256::Free::operator()(evp_md_ctx_st* context) const { EVP_MD_CTX_free(context); }
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new()) {
+Sha256::Sha256() : context_(newContext()) {
   check(EVP_DigestInit_ex(context_.get(), EVP_sha256(), nullptr));
 }
 

@@ -35,7 +35,9 @@ bool isBlank(const cv::Mat& gray) {
     const std::uint8_t* row = gray.ptr<std::uint8_t>(y);
     const std::uint8_t* below = gray.ptr<std::uint8_t>(y + 1);
     for (int x = 1; x < gray.cols - 1; ++x) {
-      sum += std::hypot(row[x + 1] - row[x - 1], below[x] - above[x]);
+      const auto across = static_cast<float>(row[x + 1] - row[x - 1]);
+      const auto down = static_cast<float>(below[x] - above[x]);
+      sum += static_cast<double>(std::sqrt(across * across + down * down));
     }
   }
   return sum < kBlank * static_cast<double>(gray.total());

@@ -8,7 +8,7 @@ namespace tolman::view_sequences {
 void PlaceVerifier::beginFrame(const Frame& frame) {
   frame_ = &frame;
   corners_.reset();
-  edges_.reset();
+  has_edges_ = false;
 }
 
 const landmarks::Corners& PlaceVerifier::corners() {
@@ -19,8 +19,9 @@ const landmarks::Corners& PlaceVerifier::corners() {
 }
 
 const landmarks::EdgeMap& PlaceVerifier::edges() {
-  if (!edges_) edges_.emplace(landmarks::grayOf(frame_->left));
-  return *edges_;
+  if (!has_edges_) edges_.compute(landmarks::grayOf(frame_->left));
+  has_edges_ = true;
+  return edges_;
 }
 
 Status PlaceVerifier::store(std::int64_t view) {

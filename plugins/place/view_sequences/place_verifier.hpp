@@ -49,7 +49,8 @@ class PlaceVerifier {
   LandmarkStore store_;
   const Frame* frame_ = nullptr;
   std::optional<landmarks::Corners> corners_;  ///< of the frame, computed when needed
-  std::optional<landmarks::EdgeMap> edges_;    ///< as corners_
+  landmarks::EdgeMap edges_;                   ///< as corners_
+  bool has_edges_ = false;                     ///< whether edges_ are of the frame
 };
 
 }  // namespace tolman::view_sequences

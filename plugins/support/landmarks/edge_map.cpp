@@ -35,10 +35,13 @@ cv::Mat lightOf(const cv::Mat& gray, int factor) {
   return light;
 }
 
-/// Gradients of a row of pixels.
+/// Gradients of a row of pixels: first those of the left pixels of all cells, then of the right.
 struct RowOfEdges {
-  explicit RowOfEdges(int width)
-      : across(static_cast<std::size_t>(width)), down(across), strength(across), scale(across) {}
+  explicit RowOfEdges(int cells)
+      : across(2 * static_cast<std::size_t>(cells)),
+        down(across),
+        strength(across),
+        scale(across) {}
 
   std::vector<float> across;
   std::vector<float> down;
@@ -46,34 +49,46 @@ struct RowOfEdges {
   std::vector<float> scale;  ///< 4 / strength
 };
 
-TOLMAN_WIDE void gradientsOf(const float* above, const float* row, const float* below, int width,
-                             float* across, float* down, float* strength, float* scale) {
+/// The first and the last pixel have no gradient.
+TOLMAN_WIDE void gradientsOf(const float* above, const float* row, const float* below, int cells,
+                             float* across, float* down) {
+  for (int c = 1; c < cells; ++c) {
+    across[c] = row[2 * c + 1] - row[2 * c - 1];
+    down[c] = below[2 * c] - above[2 * c];
+  }
+  for (int c = 0; c + 1 < cells; ++c) {
+    across[cells + c] = row[2 * c + 2] - row[2 * c];
+    down[cells + c] = below[2 * c + 1] - above[2 * c + 1];
+  }
+}
+
+TOLMAN_WIDE void strengthsOf(const float* across, const float* down, int count, float* strength,
+                             float* scale) {
   constexpr float kLeast = 1e-6F;  // keeps the division finite
-  for (int x = 1; x < width - 1; ++x) {
-    across[x] = row[x + 1] - row[x - 1];
-    down[x] = below[x] - above[x];
-    strength[x] = std::sqrt(across[x] * across[x] + down[x] * down[x]) + kLeast;
-    scale[x] = 4 / strength[x];
+  for (int i = 0; i < count; ++i) {
+    strength[i] = std::sqrt(across[i] * across[i] + down[i] * down[i]) + kLeast;
+    scale[i] = 4 / strength[i];
   }
 }
 
 /// Adds to each cell its two pixels' edges along a direction (cosine, sine): all of the strength
 /// there, none at 30 degrees from it and beyond.
 TOLMAN_WIDE void addDirection(const float* across, const float* down, const float* strength,
-                              const float* scale, int width, float cosine, float sine, float* along,
-                              float* cells) {
-  for (int x = 0; x < width; ++x) {
-    const float part = across[x] * cosine + down[x] * sine;
-    const float value = part * part * scale[x] - 3 * strength[x];
-    along[x] = value > 0 ? value : 0;
+                              const float* scale, int cells, float cosine, float sine,
+                              float* sums) {
+  for (int c = 0; c < cells; ++c) {
+    const float left = across[c] * cosine + down[c] * sine;
+    const float right = across[cells + c] * cosine + down[cells + c] * sine;
+    const float of_left = left * left * scale[c] - 3 * strength[c];
+    const float of_right = right * right * scale[cells + c] - 3 * strength[cells + c];
+    sums[c] += (of_left > 0 ? of_left : 0) + (of_right > 0 ? of_right : 0);
   }
-  for (int c = 0; c < width / 2; ++c) cells[c] += along[2 * c] + along[2 * c + 1];
 }
 
 }  // namespace
 
-EdgeMap::EdgeMap(const cv::Mat& gray)
-    : factor_(std::max(1, static_cast<int>(std::lround(gray.cols / double{kWidth})))) {
+void EdgeMap::compute(const cv::Mat& gray) {
+  factor_ = std::max(1, static_cast<int>(std::lround(gray.cols / double{kWidth})));
   const cv::Mat light = lightOf(gray, factor_);
   columns_ = light.cols / 2;
   rows_ = light.rows / 2;
@@ -86,17 +101,17 @@ EdgeMap::EdgeMap(const cv::Mat& gray)
 }
 
 void EdgeMap::addEdges(const cv::Mat& light) {
-  const int width = 2 * columns_;
-  RowOfEdges edges(width);
-  std::vector<float> along(static_cast<std::size_t>(width));
+  RowOfEdges edges(columns_);
   for (int y = 1; y + 1 < light.rows && y < 2 * rows_; ++y) {
-    gradientsOf(light.ptr<float>(y - 1), light.ptr<float>(y), light.ptr<float>(y + 1), width,
-                edges.across.data(), edges.down.data(), edges.strength.data(), edges.scale.data());
+    gradientsOf(light.ptr<float>(y - 1), light.ptr<float>(y), light.ptr<float>(y + 1), columns_,
+                edges.across.data(), edges.down.data());
+    strengthsOf(edges.across.data(), edges.down.data(), 2 * columns_, edges.strength.data(),
+                edges.scale.data());
     for (int k = 0; k < kDirections; ++k) {
       const double angle = (k + 0.5) * std::numbers::pi / kDirections;
       addDirection(edges.across.data(), edges.down.data(), edges.strength.data(),
-                   edges.scale.data(), width, static_cast<float>(std::cos(angle)),
-                   static_cast<float>(std::sin(angle)), along.data(),
+                   edges.scale.data(), columns_, static_cast<float>(std::cos(angle)),
+                   static_cast<float>(std::sin(angle)),
                    planes_.data() + static_cast<std::size_t>(k) * plane_ + indexOf(y / 2, 0));
     }
   }

@@ -17,8 +17,12 @@ class EdgeMap {
   static constexpr int kMargin = 6;     ///< cells of strength 0 around the image
   static constexpr int kReadable = 16;  ///< values that may be read after the last one
 
-  /// Of a grey image, which is reduced to a width of about 620 px.
-  explicit EdgeMap(const cv::Mat& gray);
+  EdgeMap() = default;  ///< without cells
+  explicit EdgeMap(const cv::Mat& gray) { compute(gray); }
+
+  /// Of a grey image, which is reduced to a width of about 620 px. Uses its memory again: new
+  /// memory for each image takes as long as the computation.
+  void compute(const cv::Mat& gray);
 
   int columns() const { return columns_; }
   int rows() const { return rows_; }
