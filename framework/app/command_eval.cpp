@@ -23,7 +23,7 @@ struct EvalOptions {
 };
 
 void requireStamps(const std::string& file, const evaluation::Trajectory& trajectory) {
-  if (evaluation::hasStamps(trajectory)) return;
+  if (evaluation::hasStamps(trajectory) || trajectory.size() < 2) return;  // one may be at 0 s
   throw Ended{ExitCode::Usage,
               file +
                   ": has no times, as all KITTI files; leave out --max-difference, and poses "

@@ -16,14 +16,17 @@
 namespace tolman::app {
 namespace {
 
-/// What is exported of a record that was changed after its run is exported, but not silently.
-void warnOfEditedRows(const std::string& run) {
+/// What is exported of a record that was changed after its run, or of a run whose run.json is
+/// damaged, is exported, but not silently.
+void warnOfDamage(const std::string& run) {
   const auto reader = record::RunReader::open(run);
   const Status status = reader.isOk() ? record::checkRows(*reader.value()) : Status::ok();
   if (!status.isOk()) {
     std::cerr << "warning: " << config::printable(status.message())
               << "; what was exported is of the changed record\n";
   }
+  const Status file = record::RunDirectory::checkRunFile(run);
+  if (!file.isOk()) std::cerr << "warning: " << config::printable(file.message()) << "\n";
 }
 
 void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
@@ -42,7 +45,7 @@ void exportFiles(const std::string& run, const std::string& out, std::int64_t se
   const auto written = record::exportRun(run, folder, session);
   if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
   printFiles(valueOrEnd(written), invocation);
-  warnOfEditedRows(run);
+  warnOfDamage(run);
 }
 
 /// Lets the Python package `tolman` write run.nwb or run.npz (`kind`). It prints to the same

@@ -59,7 +59,8 @@ ExitCode init(const InitOptions& options, const Invocation& invocation) {
   std::error_code error;
   const fs::path recording = fs::canonical(options.recording, error);
   if (error) return printFailure(ExitCode::Dataset, options.recording + ": " + error.message());
-  if (!options.out.empty() && !options.replace && fs::exists(options.out, error)) {
+  if (!options.out.empty() && !options.replace &&
+      fs::exists(fs::symlink_status(options.out, error))) {
     return printFailure(ExitCode::Record,
                         options.out + " exists; choose another --out, or replace it by --force");
   }

@@ -125,6 +125,10 @@ int parse(CLI::App& app, std::vector<std::string> words) {
       const char* text = "the working directory no longer exists; change to one that does";
       return static_cast<int>(printFailure(ExitCode::Usage, text));
     }
+    if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+      const std::string text = of_file->path1().string() + ": " + error.code().message();
+      return static_cast<int>(printFailure(ExitCode::Dataset, text));
+    }
     return static_cast<int>(printFailure(ExitCode::Internal, systemErrorText(error)));
   } catch (const std::exception& error) {  // a defect of the host, not of its input data
     const std::string text = std::string("tolman: internal error: ") + error.what();

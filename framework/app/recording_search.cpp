@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "config/scalars.hpp"
+#include "record/regular_file.hpp"
 #include "run/checked_system.hpp"
 
 namespace tolman::app {
@@ -91,7 +92,7 @@ std::vector<std::string> cellsOf(const std::string& line) {
 
 /// A table whose first line has a column of times: its name, and the unit of the first values.
 std::optional<SourceValues> timesColumn(const fs::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = record::openRegular(file);
   std::array<std::string, 3> lines;
   for (std::string& line : lines) {
     if (!std::getline(stream, line)) return std::nullopt;
@@ -111,7 +112,7 @@ std::optional<SourceValues> timesColumn(const fs::path& file) {
 
 /// A file with one number a line, such as the times.txt of KITTI or of `tolman dataset import`.
 std::optional<SourceValues> timesList(const fs::path& file) {
-  std::ifstream stream(file);
+  std::ifstream stream = record::openRegular(file);
   double before = 0;
   double now = 0;
   std::string rest;

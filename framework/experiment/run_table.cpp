@@ -53,6 +53,10 @@ Result<RunRow> readRun(const fs::path& directory) {
   }
   flatten(metrics, "", row.metrics);
   const Json run = record::RunDirectory::readRunFile(directory);
+  std::error_code error;
+  if (!run.is_object() && fs::exists(directory / "run.json", error)) {
+    return record::RunDirectory::checkRunFile(directory);
+  }
   if (run.is_object()) {
     flatten(run.value("finish_s", Json()), "finish_s", row.metrics);
     flatten(run.value("exit_code", Json()), "exit_code", row.metrics);

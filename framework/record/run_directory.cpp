@@ -125,6 +125,14 @@ nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& pa
   return json.is_discarded() ? nullptr : json;
 }
 
+Status RunDirectory::checkRunFile(const std::filesystem::path& path) {
+  const auto json = readRunFile(path);
+  if (json.is_object() && json.contains("status")) return Status::ok();
+  return Status::invalidInput((path / "run.json").string() +
+                              ": is missing or damaged, so how the run ended, its health and its "
+                              "plugins are not known");
+}
+
 bool RunDirectory::wasKilled(const std::filesystem::path& path) {
   const auto json = readRunFile(path);
   const auto status = json.find("status");  // end() also if it is not an object

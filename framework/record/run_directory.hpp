@@ -45,6 +45,8 @@ class RunDirectory {
   static bool isBeingWritten(const std::filesystem::path& path);
   /// run.json of the run there; null where there is none, or none that is JSON.
   static nlohmann::ordered_json readRunFile(const std::filesystem::path& path);
+  /// Refuses a run whose run.json is missing or damaged.
+  static Status checkRunFile(const std::filesystem::path& path);
   /// Whether the run was killed: run.json says "running", and no process holds the lock.
   static bool wasKilled(const std::filesystem::path& path);
 

@@ -110,6 +110,11 @@ TEST_CASE("eval of a single pose tells no error of zero") {
   CHECK(finished.exit_code == 5);
   CHECK(contains(finished.err, "only one pose matches"));
   CHECK(eval(truth, one, {"--align", "none"}).exit_code == 0);
+  const auto at_zero = files.folder.path() / "zero.tum";  // a time, though it is 0
+  std::ofstream(at_zero) << "0.000000 0 0 0 0 0 0 1\n";
+  const Finished by_time = eval(truth, at_zero.string(), {"--max-difference", "0.04"});
+  CHECK(by_time.exit_code == 5);
+  CHECK_FALSE(contains(by_time.err, "KITTI"));
 }
 
 TEST_CASE("eval of two poses under a free scale tells no error of zero, of few poses warns") {

@@ -254,6 +254,10 @@ TEST_CASE("init takes what carries the camera, keeps a file, and prints without 
   CHECK(
       tolman::test::tolman({"init", recording, "--out", toy.file.string(), "--force"}).exit_code ==
       0);
+  const fs::path link = folder.path() / "link.yaml";
+  fs::create_symlink(folder.path() / "absent.yaml", link);
+  CHECK(tolman::test::tolman({"init", recording, "--out", link.string()}).exit_code == 8);
+  CHECK(fs::is_symlink(link));
   const Finished printed = tolman::test::tolman({"init", recording});
   CHECK(printed.out == readText(toy.file));
   CHECK(tolman::test::tolman({"init", recording, "--motion", "ship"}).exit_code == 2);

@@ -89,3 +89,44 @@ TEST_CASE("a pipe in place of a file is refused, not waited for") {
   INFO(log.out << log.err);
   CHECK(log.exit_code == 5);
 }
+
+TEST_CASE("init does not wait for pipes in the folder of a recording") {
+  const TemporaryFolder folder;
+  const fs::path sequence = folder.path() / "sequence";
+  writeTinyKitti(sequence, 3);
+  pipeAt(sequence / "extra.txt");
+  CHECK(bounded({"init", sequence.string()}).exit_code == 0);
+  fs::remove(sequence / "times.txt");
+  pipeAt(sequence / "times.txt");
+  CHECK(bounded({"init", sequence.string()}).exit_code != 124);
+}
+
+TEST_CASE("a path that cannot be followed is no internal error") {
+  const TemporaryFolder folder;
+  const fs::path loop = folder.path() / "loop";
+  fs::create_symlink(loop, loop);
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"compare"}, {"rerun"}, {"sweep", "collect"}}) {
+    std::vector<std::string> command = words;
+    command.push_back(loop.string());
+    const Finished finished = bounded(command);
+    CAPTURE(command, finished.err);
+    CHECK(finished.exit_code == 5);
+    CHECK(contains(finished.err, "Too many levels of symbolic links"));
+  }
+}
+
+TEST_CASE("a damaged run.json is told by report, export and compare") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const std::string run = (folder.path() / "run").string();
+  REQUIRE(bounded({"run", config.string(), "--out", run}).exit_code == 0);
+  std::ofstream(folder.path() / "run/run.json") << "x";
+  const std::string told = "run.json: is missing or damaged";
+  CHECK(contains(bounded({"report", run}).err, told));
+  CHECK(contains(bounded({"export", run}).err, told));
+  const Finished compared = bounded({"compare", run});
+  CHECK(compared.exit_code == 5);
+  CHECK(contains(compared.err, told));
+}

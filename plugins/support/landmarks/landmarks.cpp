@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "tolman/image_cv.hpp"
+#include "wide.hpp"
 
 namespace tolman::landmarks {
 namespace {
@@ -38,6 +40,20 @@ double uniquePeak(const std::vector<float>& value) {
 constexpr int kPatch = 2 * kHalfPatch + 1;
 constexpr int kLanes = 16;  // columns of a patch, padded: the last five have no weight
 
+/// Inner products of a patch with the `count` patches whose first columns follow each other;
+/// `width`: pixels of a row.
+TOLMAN_WIDE void products(const std::int16_t (*weights)[kLanes], const std::int16_t* pixels,
+                          int width, int count, std::int32_t* out) {
+  for (int x = 0; x < count; ++x) {
+    std::int32_t product = 0;
+    for (int y = 0; y < kPatch; ++y) {
+      const std::int16_t* row = pixels + y * width + x;
+      for (int i = 0; i < kLanes; ++i) product += weights[y][i] * row[i];
+    }
+    out[x] = product;
+  }
+}
+
 /// A patch of the left image, to be found in a strip of the right one.
 class PatchCorrelation {
  public:
@@ -55,6 +71,7 @@ class PatchCorrelation {
   /// Normalised cross-correlation at each column of the strip, which has the height of the patch.
   void along(const cv::Mat& right, const cv::Rect& strip, std::vector<float>& correlations) {
     const int width = strip.width + kLanes - kPatch;
+    const int count = strip.width - kPatch + 1;
     pixels_.assign(static_cast<std::size_t>(width * kPatch), 0);
     column_sums_.assign(static_cast<std::size_t>(strip.width), 0);
     column_squares_.assign(static_cast<std::size_t>(strip.width), 0);
@@ -68,22 +85,28 @@ class PatchCorrelation {
       }
     }
     correlations.clear();
-    for (int x = 0; x + kPatch <= strip.width; ++x) correlations.push_back(at(x, width));
+    if (count <= 0) return;
+    products_.resize(static_cast<std::size_t>(count));
+    products(weights_, pixels_.data(), width, count, products_.data());
+    correlate(correlations);
   }
 
  private:
-  float at(int x, int width) const {
-    std::int32_t product = 0;
-    for (int y = 0; y < kPatch; ++y) {
-      const std::int16_t* row = pixels_.data() + y * width + x;
-      for (int i = 0; i < kLanes; ++i) product += weights_[y][i] * row[i];
+  void correlate(std::vector<float>& correlations) const {
+    const auto firstOf = [](const std::vector<std::int32_t>& columns) {
+      return std::accumulate(columns.begin(), columns.begin() + kPatch, std::int32_t{0});
+    };
+    std::int32_t sum = firstOf(column_sums_);
+    std::int32_t squares = firstOf(column_squares_);
+    for (std::size_t x = 0; x < products_.size(); ++x) {
+      correlations.push_back(correlation(products_[x], sum, squares));
+      if (x + kPatch == column_sums_.size()) break;
+      sum += column_sums_[x + kPatch] - column_sums_[x];
+      squares += column_squares_[x + kPatch] - column_squares_[x];
     }
-    double sum = 0;
-    double squares = 0;
-    for (int i = x; i < x + kPatch; ++i) {
-      sum += column_sums_[static_cast<std::size_t>(i)];
-      squares += column_squares_[static_cast<std::size_t>(i)];
-    }
+  }
+
+  float correlation(double product, double sum, double squares) const {
     constexpr double kCount = kPatch * kPatch;
     const double covariance = kCount * product - sum_ * sum;
     const double variances = (kCount * squares_ - sum_ * sum_) * (kCount * squares - sum * sum);
@@ -96,6 +119,7 @@ class PatchCorrelation {
   std::vector<std::int16_t> pixels_;
   std::vector<std::int32_t> column_sums_;
   std::vector<std::int32_t> column_squares_;
+  std::vector<std::int32_t> products_;
 };
 
 }  // namespace
