@@ -6,6 +6,7 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "edge_map.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::view_sequences {
@@ -52,14 +53,13 @@ bool isBlank(const cv::Mat& gray) {
 
 /// Logarithm of an image, so that edges in the dark count as those in the light: without it 0.81 of
 /// the views of the town's 05 were ranked first on a second pass by night, with it 0.90. 8, 16 and
-/// 32 for kDark are equally good there and on campus walks.
+/// 32 for kDarkLevel are equally good there and on campus walks.
 cv::Mat lightOf(const cv::Mat& gray) {
-  constexpr float kDark = 8;      // grey levels; the logarithm is nearly linear below
   constexpr float kMiddle = 100;  // grey level where its slope is that of level / 255
   cv::Mat light;
-  gray.convertTo(light, CV_32F, 1, kDark);
+  gray.convertTo(light, CV_32F, 1, landmarks::kDarkLevel);
   cv::log(light, light);
-  return light * ((kMiddle + kDark) / 255);
+  return light * ((kMiddle + landmarks::kDarkLevel) / 255);
 }
 
 /// The two cells nearest to a pixel along one axis, and the weight of the second.

@@ -14,7 +14,6 @@ namespace {
 
 // Chosen on the town's route 06 with its second pass by night.
 constexpr int kWidth = 620;             // px of the reduced image, about
-constexpr float kDark = 8;              // grey levels; the logarithm is nearly linear below
 constexpr double kImageBlur = 0.8;      // px, standard deviation: against noise
 constexpr double kStrengthBlur = 1.25;  // cells, standard deviation
 
@@ -27,7 +26,7 @@ cv::Mat lightOf(const cv::Mat& gray, int factor) {
   }
   std::array<float, 256> logarithm;
   for (std::size_t v = 0; v < logarithm.size(); ++v) {
-    logarithm[v] = std::log(static_cast<float>(v) + kDark);
+    logarithm[v] = std::log(static_cast<float>(v) + kDarkLevel);
   }
   cv::Mat light;
   cv::LUT(reduced, cv::Mat(1, 256, CV_32F, logarithm.data()), light);

@@ -11,6 +11,10 @@
 
 namespace tolman::landmarks {
 
+/// Grey levels that are added before the logarithm of an image is taken, which is nearly linear
+/// below. Chosen on the town's 05 and 06 with their second passes by night.
+inline constexpr float kDarkLevel = 8;
+
 class EdgeMap {
  public:
   static constexpr int kDirections = 6;
