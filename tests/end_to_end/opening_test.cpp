@@ -121,7 +121,7 @@ TEST_CASE("a damaged run.json is told by report, export and compare") {
   writeTinyKitti(folder.path() / "sequence", 6);
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const std::string run = (folder.path() / "run").string();
-  REQUIRE(bounded({"run", config.string(), "--out", run}).exit_code == 0);
+  REQUIRE(tolman::test::tolman(tinyRun(config, run)).exit_code == 0);
   std::ofstream(folder.path() / "run/run.json") << "x";
   const std::string told = "run.json: is missing or damaged";
   CHECK(contains(bounded({"report", run}).err, told));
