@@ -158,7 +158,7 @@ struct PlaceFigure {
   }
   void write(const std::vector<bench::PlaceCurve>& curves) const {
     if (file.empty()) return;
-    run::require(record::writeAtomically(file, bench::placeCurvesFigure(curves)),
+    run::require(record::writeOutput(file, bench::placeCurvesFigure(curves)),
                  run::FailureKind::Record);
   }
 };

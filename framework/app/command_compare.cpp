@@ -79,7 +79,7 @@ std::string comparisonText(CompareCommand& command, const std::vector<experiment
   const auto kind = config::valueNamed<experiment::FigureKind>(command.kind);
   for (const std::string& file : command.figures) {
     const std::string svg = valueOrEnd(experiment::comparisonFigure(comparison, *kind));
-    requireOrEnd(record::writeAtomically(file, bytesOf(svg, file)));
+    requireOrEnd(record::writeOutput(file, bytesOf(svg, file)));
     written.emplace_back(file);
   }
   return textOf(comparison, command.format);
@@ -171,7 +171,7 @@ void compare(CompareCommand& command, const Invocation& invocation) {
     std::cout << table;
     return;
   }
-  requireOrEnd(record::writeAtomically(command.out, table));
+  requireOrEnd(record::writeOutput(command.out, table));
   written.emplace_back(command.out);
   printFiles(written, invocation);
 }

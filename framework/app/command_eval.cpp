@@ -52,6 +52,20 @@ void checkOrder(const EvalOptions& options, const evaluation::Trajectory& truth,
   }
 }
 
+/// Refuses matching by frame where one file has times, the other none, and their numbers of poses
+/// differ: which poses belong together cannot be told, and at another rate all errors are wrong.
+void refuseUnmatched(const EvalOptions& options, const evaluation::Trajectory& truth,
+                     const evaluation::Trajectory& estimate) {
+  const bool one_has_stamps = evaluation::hasStamps(truth) != evaluation::hasStamps(estimate);
+  if (!one_has_stamps || truth.size() == estimate.size()) return;
+  if (truth.size() < 2 || estimate.size() < 2) return;  // one pose may be at 0 s
+  throw Ended{ExitCode::Dataset,
+              fmt::format("{} has {} poses and {} has {}, and only one of them has times: which "
+                          "belong together is not known; give both with times (TUM) and "
+                          "--max-difference, or both as KITTI files that begin at the same frame",
+                          options.estimate, estimate.size(), options.truth, truth.size())};
+}
+
 void evaluate(const EvalOptions& options, const Invocation& invocation) {
   const auto truth = valueOrEnd(evaluation::readTrajectory(options.truth), ExitCode::Dataset);
   const auto estimate = valueOrEnd(evaluation::readTrajectory(options.estimate), ExitCode::Dataset);
@@ -61,6 +75,7 @@ void evaluate(const EvalOptions& options, const Invocation& invocation) {
   } else {
     checkOrder(options, truth, estimate, invocation);
   }
+  refuseUnmatched(options, truth, estimate);
   const auto difference_ns = static_cast<std::int64_t>(options.max_difference * 1e9);
   const auto metrics =
       evaluation::scoreTrajectory(truth, estimate, options.alignment, std::nullopt, difference_ns);

@@ -25,8 +25,7 @@ void warnOfDamage(const std::string& run) {
     std::cerr << "warning: " << config::printable(status.message())
               << "; what was exported is of the changed record\n";
   }
-  const Status file = record::RunDirectory::checkRunFile(run);
-  if (!file.isOk()) std::cerr << "warning: " << config::printable(file.message()) << "\n";
+  warnOfRunFile(run);
 }
 
 void exportFiles(const std::string& run, const std::string& out, std::int64_t session,

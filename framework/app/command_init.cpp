@@ -78,7 +78,7 @@ ExitCode init(const InitOptions& options, const Invocation& invocation) {
     std::cout << text;
     return ExitCode::Ok;
   }
-  requireOrEnd(record::writeAtomically(options.out, text));
+  requireOrEnd(record::writeOutput(options.out, text));
   printFiles({options.out}, invocation);
   return ExitCode::Ok;
 }

@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "app/program.hpp"
-#include "config/printable_text.hpp"
 #include "record/export.hpp"
 #include "record/run_directory.hpp"
 #include "run/report_files.hpp"
@@ -64,8 +63,7 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
       const auto reader = record::RunReader::open(run);
       const Status status = reader.isOk() ? record::checkUnchanged(*reader.value()) : Status::ok();
       if (!status.isOk()) std::cerr << "warning: " + status.message() + "\n";
-      const Status file = record::RunDirectory::checkRunFile(run);
-      if (!file.isOk()) std::cerr << "warning: " + config::printable(file.message()) + "\n";
+      warnOfRunFile(run);
     }
   });
 }

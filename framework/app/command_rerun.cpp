@@ -10,7 +10,7 @@
 #include <set>
 
 #include "app/exit_guard.hpp"
-#include "app/program.hpp"
+#include "app/summary.hpp"
 #include "app/terminal_output.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
@@ -81,6 +81,7 @@ void addPluginChanges(const Json& old, const Json& now, std::vector<std::string>
 
 /// Differences between two run.json that can change results, one line each.
 std::vector<std::string> changesIn(const Json& before, const Json& after) {
+  if (!before.is_object()) return {"not known: the earlier run.json is missing or damaged"};
   std::vector<std::string> changes;
   const auto part = [](const Json& json, const char* key) {
     return json.is_object() && json.contains(key) ? json[key] : Json();
@@ -174,6 +175,7 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
                 out.string() + ": is the run itself; give another folder with --out"};
   }
   if (command.verify) (void)expectedDigests(before);
+  warnOfRunFile(before.string());
   run::SystemOptions options{
       (before / "config.resolved.yaml").string(), {}, invocation.plugin_paths};
   options.quiet = invocation.quiet;
@@ -188,9 +190,9 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   run::Run run(log, clock, interrupts, run_options);
   const ExitGuard guard;
   const run::Outcome outcome = run.execute(std::move(checked));
-  if (outcome.failure) return printFailure(*outcome.failure);
   if (outcome.interrupted) return ExitCode::Interrupted;
-  return command.verify ? compare(before, out, invocation) : exitCode(outcome);
+  if (!command.verify || outcome.failure) return printOutcome(outcome, invocation);
+  return compare(before, out, invocation);
 }
 
 }  // namespace

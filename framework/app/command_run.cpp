@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman run: a whole run, recorded.
-#include <fmt/format.h>
-
-#include <iostream>
-
 #include "app/exit_guard.hpp"
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
-#include "app/terminal_output.hpp"
 #include "run/page_observer.hpp"
 
 namespace tolman::app {
@@ -20,21 +15,6 @@ struct RunCommand {
   bool view = false;
   std::string viewer;  ///< id of the observer that --view adds; empty: the first with a page
 };
-
-void print(const run::Outcome& outcome, const Invocation& invocation) {
-  if (invocation.json) {
-    nlohmann::ordered_json json = record::RunDirectory::readRunFile(outcome.directory);
-    json["directory"] = outcome.directory.string();
-    if (outcome.metrics) json["metrics"] = evaluation::toJson(*outcome.metrics);
-    std::cout << jsonText(json);
-  } else if (!invocation.quiet) {
-    std::cout << healthText(outcome)
-              << fmt::format("{:<10}{}\n", "run", outcome.directory.string());
-    if (!outcome.metrics) return;
-    std::cout << figuresText(*outcome.metrics)
-              << fmt::format("{:<10}{}\n", "report", (outcome.directory / "report.html").string());
-  }
-}
 
 ExitCode execute(const RunCommand& command, run::SystemOptions options,
                  const Invocation& invocation) {
@@ -51,11 +31,7 @@ ExitCode execute(const RunCommand& command, run::SystemOptions options,
                 [](const run::Outcome& outcome) { return static_cast<int>(exitCode(outcome)); }});
   const ExitGuard guard;
   const run::Outcome outcome = run.execute(std::move(checked));
-  if (!outcome.directory.empty()) print(outcome, invocation);
-  if (outcome.failure) return printFailure(*outcome.failure);
-  const ExitCode code = exitCode(outcome);
-  if (invocation.quiet && code == ExitCode::TrackingLost) std::cerr << healthText(outcome);
-  return code;
+  return printOutcome(outcome, invocation);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "app/sweep_display.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
+#include "config/paths.hpp"
 #include "experiment/job_files.hpp"
 #include "experiment/known_data.hpp"
 #include "experiment/point_run.hpp"
@@ -206,7 +207,10 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   fs::create_directories(out, error);
   if (error) throw Ended{ExitCode::Record, out.string() + ": " + error.message()};
   const record::FileDescriptor lock = record::lockFolder(out);
-  if (!lock.isOpen()) throw Ended{ExitCode::Record, out.string() + ": another sweep works here"};
+  if (!lock.isOpen()) {
+    throw Ended{ExitCode::Record,
+                out.string() + ": " + config::absence(out, "another sweep works here")};
+  }
   for (const PlannedRun& run : progress.todo) requireOrEnd(experiment::freeze(out, run));
   requireOrEnd(experiment::writePlanOrder(out, plan.runs));
   requireOrEnd(experiment::writeKnownData(out, plan.data));
@@ -254,7 +258,10 @@ void addStatus(CLI::App& sweep, Invocation& invocation) {
   command->add_option("sweep", *folder, "Folder of the sweep")->type_name("FOLDER")->required();
   command->callback([folder, &invocation] {
     const experiment::FrozenRuns runs = experiment::frozenRuns(*folder);
-    if (runs.empty()) throw Ended{ExitCode::Usage, *folder + ": holds no runs of a sweep"};
+    if (runs.empty()) {
+      throw Ended{ExitCode::Usage,
+                  *folder + ": " + config::absence(*folder, "holds no runs of a sweep")};
+    }
     std::map<PointState, int> counts;
     int lost = 0;
     auto list = nlohmann::ordered_json::array();
@@ -321,7 +328,7 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
     warnOfUnfinished(*folder);
     if (rows.empty()) throw Ended{ExitCode::Dataset, *folder + ": no run is done"};
     const fs::path file = out->empty() ? fs::path(*folder) / "results.csv" : fs::path(*out);
-    requireOrEnd(record::writeAtomically(file, experiment::csvOf(rows, *metrics)));
+    requireOrEnd(record::writeOutput(file, experiment::csvOf(rows, *metrics)));
     printFiles({file}, invocation);
   });
 }

@@ -20,7 +20,10 @@ std::string_view typeName(const ParameterInfo& info) {
 }
 
 std::string defaultText(const ParameterInfo& info) {
-  return info.required ? "required" : run::valueJson(info.default_value).dump();
+  return info.required
+             ? "required"
+             : run::valueJson(info.default_value)
+                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 /// The stage of a configuration that uses the plugin, with the parameters that have no default.

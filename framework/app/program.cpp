@@ -18,6 +18,10 @@
 #include "app/help_tree.hpp"
 #include "app/terminal_output.hpp"
 #include "config/nearest_name.hpp"
+#include "config/paths.hpp"
+#include "host/manifest.hpp"
+#include "record/atomic_file.hpp"
+#include "record/run_directory.hpp"
 #include "run/build_info.hpp"
 #include "run/terminal.hpp"
 
@@ -126,7 +130,8 @@ int parse(CLI::App& app, std::vector<std::string> words) {
       return static_cast<int>(printFailure(ExitCode::Usage, text));
     }
     if (const auto* of_file = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
-      const std::string text = of_file->path1().string() + ": " + error.code().message();
+      const std::string text = of_file->path1().string() + ": " +
+                               config::absence(of_file->path1(), error.code().message());
       return static_cast<int>(printFailure(ExitCode::Dataset, text));
     }
     return static_cast<int>(printFailure(ExitCode::Internal, systemErrorText(error)));
@@ -155,7 +160,7 @@ int runProgram(int argc, const char* const* argv) {
   app.add_option("--plugin-path", invocation.plugin_paths,
                  "Folder or library to search first for plugins (repeatable)")
       ->type_name("PATH")
-      ->check(existing)
+      ->check(pluginPlace)
       ->allow_extra_args(false);
   app.add_flag("--json", invocation.json, "Machine-readable output on stdout");
   app.add_flag("-q,--quiet", invocation.quiet, "Only errors");
@@ -189,7 +194,13 @@ void requireOrEnd(const Status& status) {
   if (!status.isOk()) throw Ended{exitCode(status), status.message()};
 }
 
+void warnOfRunFile(const std::string& run) {
+  const Status status = record::RunDirectory::checkRunFile(run);
+  if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
+}
+
 void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation) {
+  if (std::ranges::any_of(files, record::isStandardOutput)) return;  // it has the contents alone
   auto list = nlohmann::ordered_json::array();
   for (const auto& file : files) {
     list.push_back(file.string());
@@ -206,9 +217,15 @@ std::string notNegative(const std::string& value) {
   return finiteNumber(value).value_or(-1) >= 0 ? "" : "must be a number of at least 0";
 }
 
-std::string existing(const std::string& path) {
+std::string pluginPlace(const std::string& path) {
   std::error_code ignored;
-  return std::filesystem::exists(path, ignored) ? "" : "'" + path + "' does not exist";
+  if (!std::filesystem::exists(path, ignored)) {
+    return "'" + path + "' " + config::absence(path, "does not exist");
+  }
+  if (std::filesystem::is_directory(path, ignored)) return "";
+  const auto read = host::readManifests(path);
+  const auto* refusal = std::get_if<host::Refusal>(&read);
+  return refusal == nullptr ? "" : refusal->text();
 }
 
 std::string notEmpty(const std::string& value) { return value.empty() ? "must not be empty" : ""; }

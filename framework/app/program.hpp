@@ -46,8 +46,8 @@ ExitCode printFailure(ExitCode code, const std::string& message);
 
 /// A check of an option's value: without it `--out ""` would take the default.
 std::string notEmpty(const std::string& value);
-/// A check of an option's value: a path at which there is something.
-std::string existing(const std::string& path);
+/// A check of an option's value: a folder, or a library with plugins.
+std::string pluginPlace(const std::string& path);
 // Checks of numbers. Those of CLI11 accept NaN and print ranges with 300 digits.
 std::string positive(const std::string& value);
 std::string notNegative(const std::string& value);
@@ -60,6 +60,9 @@ struct Invocation {
   bool quiet = false;
   ExitCode exit_code = ExitCode::Ok;
 };
+
+/// Warns on stderr of a run whose run.json is missing or damaged: it is used, but not silently.
+void warnOfRunFile(const std::string& run);
 
 /// Names of the files that a command wrote: lines, with --json a list "files", with --quiet
 /// nothing.

@@ -53,7 +53,9 @@ void probeSource(const std::string& config, const Invocation& invocation) {
                                        {"baseline", info.rig.baseline},
                                        {"has_truth", info.has_truth},
                                        {"rate", seconds > 0 ? (frames - 1) / seconds : 0}};
-  std::cout << "\n" << json.dump() << "\n" << std::flush;
+  std::cout << "\n"
+            << json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n"
+            << std::flush;
 }
 
 std::string contentOf(int descriptor) {

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <iostream>
 #include <vector>
 
 #include "app/duration_text.hpp"
+#include "app/terminal_output.hpp"
+#include "record/run_directory.hpp"
 
 namespace tolman::app {
 namespace {
@@ -112,6 +115,26 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   text += fmt::format("{:<10}{}\n", "alignment", enumName(metrics.alignment));
   text += trajectoryText("odometry", metrics.odometry) + trajectoryText("map", metrics.map);
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
+}
+
+ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation) {
+  const std::filesystem::path& directory = outcome.directory;
+  if (invocation.json && !directory.empty()) {
+    nlohmann::ordered_json json = record::RunDirectory::readRunFile(directory);
+    json["directory"] = directory.string();
+    if (outcome.metrics) json["metrics"] = evaluation::toJson(*outcome.metrics);
+    std::cout << jsonText(json);
+  } else if (!invocation.quiet && !directory.empty()) {
+    std::cout << healthText(outcome) << fmt::format("{:<10}{}\n", "run", directory.string());
+    if (outcome.metrics) {
+      std::cout << figuresText(*outcome.metrics)
+                << fmt::format("{:<10}{}\n", "report", (directory / "report.html").string());
+    }
+  }
+  if (outcome.failure) return printFailure(*outcome.failure);
+  const ExitCode code = exitCode(outcome);
+  if (invocation.quiet && code == ExitCode::TrackingLost) std::cerr << healthText(outcome);
+  return code;
 }
 
 }  // namespace tolman::app

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/program.hpp"
 #include "evaluation/metrics.hpp"
 #include "run/run.hpp"
 
@@ -22,5 +23,8 @@ std::string cellsText(const evaluation::CellFigures& cells);
 
 /// The figures: alignment, coverage, ATE, drift, for odometry and map, cells, and time per stage.
 std::string figuresText(const evaluation::Metrics& metrics);
+
+/// Prints how a run ended, with --json as JSON, and returns the exit code.
+ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation);
 
 }  // namespace tolman::app

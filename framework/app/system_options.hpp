@@ -99,11 +99,12 @@ class SystemOptionsReader {
     std::error_code ignored;
     if (std::filesystem::is_regular_file(resume_ + "/config.resolved.yaml", ignored)) return;
     const bool exists = std::filesystem::exists(resume_, ignored);
+    const std::string missing =
+        exists ? "is no run directory, it holds no config.resolved.yaml; give the folder that a "
+                 "run has written"
+               : "there is no such run directory; give the folder that a run has written";
     throw Ended{ExitCode::Session,
-                resume_ +
-                    (exists ? ": is no run directory, it holds no config.resolved.yaml"
-                            : ": there is no such run directory") +
-                    "; give the folder that a run has written"};
+                resume_ + ": " + config::absence(resume_ + "/config.resolved.yaml", missing)};
   }
 
   /// A resumed run keeps its options, so --resume excludes them.

@@ -87,6 +87,8 @@ class ValueReader {
   std::optional<ParameterValue> readPath(const Node& node) {
     const Result<std::string> path = resolvePath(node.text, node.origin, folders_);
     if (!path.isOk()) return refuse(node, path.status().message());
+    const std::string denied = absence(path.value(), "");
+    if (!denied.empty()) return refuse(node, path.value() + ": " + denied);
     return path.value();
   }
 

@@ -19,14 +19,14 @@ constexpr int kMaxFiles = 64;  // a file that several others extend is read seve
 
 Result<std::string> readText(const fs::path& file) {
   std::error_code error;
-  if (!fs::exists(file, error)) return Status::invalidInput("no such file");
+  if (!fs::exists(file, error)) return Status::invalidInput(absence(file, "no such file"));
   if (!fs::is_regular_file(file, error)) return Status::invalidInput("not a regular file");
   if (fs::file_size(file, error) > kMaxBytes) {
     return Status::invalidInput("larger than 1 MiB; not a configuration?");
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) return Status::invalidInput("cannot be read; check its permissions");
+  if (!stream) return Status::invalidInput(absence(file, "cannot be read; check the disk"));
   return text;
 }
 

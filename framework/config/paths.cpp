@@ -2,6 +2,10 @@
 // Making paths absolute.
 #include "config/paths.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
+
 namespace tolman::config {
 
 Result<std::string> resolvePath(const std::string& path, const Origin& origin,
@@ -22,6 +26,13 @@ Result<std::string> resolvePath(const std::string& path, const Origin& origin,
   std::string normal = (base / absolute).lexically_normal().string();
   while (normal.size() > 1 && normal.ends_with('/')) normal.pop_back();
   return normal;
+}
+
+std::string absence(const std::filesystem::path& path, const std::string& missing) {
+  std::error_code ignored;
+  const int reading = R_OK | (std::filesystem::is_directory(path, ignored) ? X_OK : 0);
+  if (::access(path.c_str(), reading) == 0 || errno != EACCES) return missing;
+  return "permission denied; let this user read it, and enter the folders above it (`chmod u+rX`)";
 }
 
 }  // namespace tolman::config

@@ -100,6 +100,18 @@ void referToFirst(Matches& matches) {
   }
 }
 
+/// A warning of a truth that never moves: no alignment, drift or scale follows from it.
+std::string stillHint(const Trajectory& truth) {
+  constexpr double kStill = 1e-3;  // m; a standing camera's truth from any sensor wanders further
+  const auto moves = [&](const TrajectoryPose& pose) {
+    return (pose.T_world_camera.translation() - truth.front().T_world_camera.translation()).norm() >
+           kStill;
+  };
+  if (truth.size() < 2 || std::ranges::any_of(truth, moves)) return "";
+  return "the truth stands still: the figures say nothing about how well the path was followed; is "
+         "this the right file, and are its columns right?";
+}
+
 /// Why the plane of the first camera cannot be that of the drive; empty if it can.
 std::string planeProblem(const Trajectory& truth) {
   constexpr double kSteepest = 0.5;  // steeper than any road; ramps of car parks have 0.2
@@ -160,7 +172,10 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
     return metrics;
   }
   metrics.matched = matches.value().size();
-  metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
+  metrics.warning = stillHint(matches.value().truth);
+  if (metrics.warning.empty()) {
+    metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
+  }
   if (alignment != Alignment::None) referToFirst(matches.value());
   metrics.reason = whyNotAlignable(matches.value(), alignment);
   if (!metrics.reason.empty()) return metrics;

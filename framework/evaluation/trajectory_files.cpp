@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/trajectory_files.hpp"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace tolman::evaluation {
 namespace {
@@ -160,15 +168,56 @@ class CutLine {
   int lines_ = 0;
 };
 
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+
+/// The next bytes of a file or pipe, appended to `text`; EndOfStream at its end, which a pipe has
+/// where no program writes to it.
+Status readMore(int file, std::string& text) {
+  constexpr int kPatience_ms = 60'000;
+  std::array<char, 1 << 16> bytes;
+  const ssize_t count = ::read(file, bytes.data(), bytes.size());
+  if (count == 0) return Status::endOfStream();
+  if (count > 0) {
+    text.append(bytes.data(), static_cast<std::size_t>(count));
+    return text.size() <= kMaxBytes ? Status::ok() : Status::invalidInput("has more than 1 GiB");
+  }
+  if (errno != EAGAIN && errno != EINTR) {
+    return Status::invalidInput(std::generic_category().message(errno) + "; check the disk");
+  }
+  pollfd waiting{file, POLLIN, 0};
+  return ::poll(&waiting, 1, kPatience_ms) != 0
+             ? Status::ok()
+             : Status::invalidInput("nothing came through this pipe for 60 s; give a file");
+}
+
+/// All of a file, or of a pipe, whose end is waited for as long as something comes.
+Result<std::string> textOf(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (file < 0) {
+    return Status::invalidInput("cannot be read (" + std::generic_category().message(errno) +
+                                "); check path and permissions");
+  }
+  struct stat state {};
+  std::string text;
+  Status status;
+  if (::fstat(file, &state) != 0 || !(S_ISREG(state.st_mode) || S_ISFIFO(state.st_mode))) {
+    status = Status::invalidInput("is neither a file nor a pipe; check the path");
+  }
+  while (status.isOk()) status = readMore(file, text);
+  ::close(file);
+  if (status.code() != StatusCode::EndOfStream) return status;
+  if (text.empty() && S_ISFIFO(state.st_mode)) {
+    return Status::invalidInput("nothing came through this pipe; start the program that writes it");
+  }
+  return text;
+}
+
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
-  std::error_code ignored;  // a pipe would block until it is written
-  std::ifstream stream;
-  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file);
-  if (!stream.is_open()) {
-    return Status::invalidInput(file.string() + ": not a readable file; check the path");
-  }
+  Result<std::string> text = textOf(file);
+  if (!text.isOk()) return Status::invalidInput(file.string() + ": " + text.status().message());
+  std::istringstream stream(std::move(text).value());
   Trajectory trajectory;
   LineReader reader = nullptr;
   CutLine cut_line;

@@ -30,7 +30,9 @@ Status writeKnownData(const std::filesystem::path& sweep,
     json[path] = {
         {"files", one.files}, {"bytes", one.bytes}, {"stamp", one.stamp}, {"sha256", one.sha256}};
   }
-  return record::writeAtomically(sweep / "data.json", json.dump(1) + "\n");
+  return record::writeAtomically(
+      sweep / "data.json",
+      json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace tolman::experiment

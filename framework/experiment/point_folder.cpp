@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/named_value.hpp"
+#include "config/paths.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
@@ -131,8 +132,9 @@ Status freeze(const fs::path& sweep, const PlannedRun& run) {
   const Status written =
       record::writeAtomically(folder / "config.yaml", run.config, record::Sync::No);
   if (!written.isOk()) return written;
-  return record::writeAtomically(folder / "point.json", jsonOf(run).dump(1) + "\n",
-                                 record::Sync::No);
+  return record::writeAtomically(
+      folder / "point.json", jsonOf(run).dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
+      record::Sync::No);
 }
 
 Result<PlannedRun> readPoint(const fs::path& folder) {
@@ -145,8 +147,10 @@ Result<PlannedRun> readPoint(const fs::path& folder) {
     }
     return runOf(point, folder.filename().string());
   } catch (const Json::exception&) {
-    return Status::invalidInput((folder / "point.json").string() +
-                                ": is missing or damaged; is this the folder of a run of a sweep?");
+    const fs::path file = folder / "point.json";
+    return Status::invalidInput(
+        file.string() + ": " +
+        config::absence(file, "is missing or damaged; is this the folder of a run of a sweep?"));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <thread>
 #include <variant>
 
+#include "config/paths.hpp"
 #include "record/answers_file.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
@@ -120,9 +121,12 @@ PointOutcome runPoint(const fs::path& given, const PointRunOptions& options,
                       const Cancellation& cancellation) {
   const fs::path folder = fs::absolute(given).lexically_normal();
   std::error_code ignored;
-  if (!fs::exists(folder / "point.json", ignored)) {
+  const bool is_point = fs::exists(folder / "point.json", ignored);
+  const std::string problem =
+      config::absence(folder, is_point ? "" : "is no folder of a run of a sweep");
+  if (!problem.empty()) {
     return {PointState::Failed, options.failure_code({FailureKind::Configuration, ""}),
-            folder.string() + ": is no folder of a run of a sweep", 0, false};
+            folder.string() + ": " + problem, 0, false};
   }
   const record::FileDescriptor lock = lockWhenFree(folder, cancellation);
   if (!lock.isOpen()) return {PointState::Interrupted, 0, "", 0, false};

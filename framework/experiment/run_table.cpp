@@ -11,6 +11,7 @@
 
 #include "config/differences.hpp"
 #include "config/loader.hpp"
+#include "config/paths.hpp"
 #include "config/scalars.hpp"
 #include "experiment/point_folder.hpp"
 #include "experiment/text_table.hpp"
@@ -48,8 +49,9 @@ Result<RunRow> readRun(const fs::path& directory) {
   const Json metrics = Json::parse(stream, nullptr, false);
   if (!metrics.is_object()) {
     return Status::invalidInput(
-        (directory / "metrics.json").string() +
-        ": is missing or damaged; is this a run that has ended, or a sweep?");
+        (directory / "metrics.json").string() + ": " +
+        config::absence(directory / "metrics.json",
+                        "is missing or damaged; is this a run that has ended, or a sweep?"));
   }
   flatten(metrics, "", row.metrics);
   const Json run = record::RunDirectory::readRunFile(directory);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "config/nearest_name.hpp"
+#include "config/paths.hpp"
 #include "config/scalars.hpp"
 #include "config/yaml_reader.hpp"
 #include "experiment/samples.hpp"
@@ -342,7 +343,7 @@ SweepFile readSweep(const std::filesystem::path& file, const config::Environment
   const config::Origin origin = config::Origin::ofFile(file.string());
   std::ifstream stream = record::openRegular(file);
   if (!stream.is_open()) {
-    problems.push_back({origin, "", "no such file"});
+    problems.push_back({origin, "", config::absence(file, "no such file")});
     return sweep;
   }
   const std::string text(std::istreambuf_iterator<char>(stream), {});

@@ -88,4 +88,25 @@ Status writeAtomically(const std::filesystem::path& file, std::string_view text,
                            std::as_bytes(std::span(text.data(), text.size())), file.string(), sync);
 }
 
+bool isStandardOutput(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(file, "/proc/self/fd/1", ignored);
+}
+
+Status writeOutput(const std::filesystem::path& file, std::string_view text) {
+  std::error_code ignored;
+  const bool is_standard = isStandardOutput(file);
+  if (!is_standard && !std::filesystem::is_other(file, ignored)) return writeAtomically(file, text);
+  constexpr int kFlags =
+      O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;  // does not wait for a reader
+  const FileDescriptor stream(is_standard ? ::dup(STDOUT_FILENO) : ::open(file.c_str(), kFlags));
+  if (!stream.isOpen()) {
+    return failure(file.string(), errno == ENXIO ? "nobody reads this pipe; start its reader first"
+                                                 : "cannot be opened; check its permissions");
+  }
+  if (!is_standard) ::fcntl(stream.number(), F_SETFL, O_WRONLY);
+  if (writeAll(stream.number(), std::as_bytes(std::span(text.data(), text.size())))) return {};
+  return failure(file.string(), "cannot be written; look for a full disk or a closed pipe");
+}
+
 }  // namespace tolman::record

@@ -45,4 +45,11 @@ Status writeAtomicallyAt(const FileDescriptor& directory, const std::string& nam
 Status writeAtomically(const std::filesystem::path& file, std::string_view text,
                        Sync sync = Sync::Yes);
 
+/// Whether the path is what the program prints to, as /dev/stdout is.
+bool isStandardOutput(const std::filesystem::path& file);
+
+/// For a file that the user chose: a pipe, a device or the standard output is written to, not
+/// replaced; everything else as by writeAtomically(). A pipe that nobody reads is a failure.
+Status writeOutput(const std::filesystem::path& file, std::string_view text);
+
 }  // namespace tolman::record

@@ -11,6 +11,7 @@
 #include <ctime>
 #include <system_error>
 
+#include "config/paths.hpp"
 #include "record/export.hpp"
 #include "record/regular_file.hpp"
 
@@ -128,9 +129,9 @@ nlohmann::ordered_json RunDirectory::readRunFile(const std::filesystem::path& pa
 Status RunDirectory::checkRunFile(const std::filesystem::path& path) {
   const auto json = readRunFile(path);
   if (json.is_object() && json.contains("status")) return Status::ok();
-  return Status::invalidInput((path / "run.json").string() +
-                              ": is missing or damaged, so how the run ended, its health and its "
-                              "plugins are not known");
+  const std::string why = config::absence(path / "run.json", "is missing or damaged");
+  return Status::invalidInput((path / "run.json").string() + ": " + why +
+                              ", so how the run ended, its health and its plugins are not known");
 }
 
 bool RunDirectory::wasKilled(const std::filesystem::path& path) {

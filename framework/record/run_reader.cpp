@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "record/run_reader.hpp"
 
+#include "config/paths.hpp"
 #include "record/row_sums.hpp"
 #include "record/run_id.hpp"
 #include "record/schema_check.hpp"
@@ -11,9 +12,11 @@ Result<std::unique_ptr<RunReader>> RunReader::open(const std::filesystem::path& 
   const std::filesystem::path file = directory / "run.sqlite";
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
-    return Status::invalidInput(directory.string() +
-                                ": is no run directory, it holds no run.sqlite; give the folder "
-                                "that a run has written");
+    return Status::invalidInput(
+        directory.string() + ": " +
+        config::absence(file,
+                        "is no run directory, it holds no run.sqlite; give the folder that a run "
+                        "has written"));
   }
   std::unique_ptr<RunReader> reader;
   std::string id;

@@ -83,6 +83,8 @@ void ReplayServer::beginRun(const record::RunReader& reader, bool running) {
   const record::RunTotals totals = readable(reader.totals());
   const auto meta = readable(reader.meta());
   const auto name = meta.find("name");
+  const Status run_file = record::RunDirectory::checkRunFile(options_.run);
+  if (!run_file.isOk()) listener_.note(run_file.message());
   RunInfo info;
   info.name = name == meta.end() ? "run" : name->second;
   if (record::RunDirectory::wasKilled(options_.run)) {

@@ -20,8 +20,11 @@ Result<Results> writeResults(const std::filesystem::path& directory,
   auto run = report::readRun(reader, settings, seed);
   if (!run.isOk()) return run.status();
   const report::RunData& data = run.value();
-  status = record::writeAtomically(directory / "metrics.json",
-                                   evaluation::toJson(data.metrics).dump(2) + "\n");
+  status = record::writeAtomically(
+      directory / "metrics.json",
+      evaluation::toJson(data.metrics)
+              .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+          "\n");
   if (status.isOk()) {
     status = record::writeAtomically(directory / "map.svg",
                                      report::svgText(report::pictureOf(data, data.name)));

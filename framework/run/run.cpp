@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "config/paths.hpp"
 #include "config/resolved.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
@@ -125,6 +126,8 @@ void Run::continueEarlierRun() {
     refuseToContinue(directory + ": this run is still going; wait for its end, or interrupt it");
   }
   earlier_ = require(record::RunReader::open(directory), FailureKind::Continuation);
+  const Status run_file = record::RunDirectory::checkRunFile(directory);
+  if (!run_file.isOk()) log_.write(LogLevel::Warning, "continue", run_file.message());
   require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
   const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
   const SessionProgress before = loadState(*assembly_, directory);
@@ -147,7 +150,8 @@ void Run::resumeRun() {
   const std::filesystem::path& path = options_.resume;
   auto before = record::RunDirectory::readRunFile(path);
   if (!before.is_object()) {
-    refuseToContinue((path / "run.json").string() + ": is missing or damaged; run it again");
+    refuseToContinue((path / "run.json").string() + ": " +
+                     config::absence(path / "run.json", "is missing or damaged; run it again"));
   }
   if (before["status"] == enumName(record::RunState::Finished)) {
     refuseToContinue(path.string() +

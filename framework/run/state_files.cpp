@@ -148,7 +148,8 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
                                   {"bytes", state->second.size()},
                                   {"sha256", record::textDigest(state->second)}});
   }
-  return record::writeAtomically(file, contents.dump(2) + "\n");
+  return record::writeAtomically(
+      file, contents.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 Json readContents(const fs::path& file) {

@@ -144,3 +144,49 @@ TEST_CASE("eval reads files that begin with a byte order mark") {
     CHECK(eval(plain, marked.string()).exit_code == 0);
   }
 }
+
+TEST_CASE("eval refuses to guess which poses belong together") {
+  const Files files;
+  const std::string truth = files.write("truth.kitti", false);
+  const std::string half = files.write("half.tum", true, 0, 2);
+  const Finished finished = eval(truth, half);
+  CHECK(finished.exit_code == 5);
+  CHECK(finished.err ==
+        half + " has 30 poses and " + truth +
+            " has 60, and only one of them has times: which belong together is not known; give "
+            "both with times (TUM) and --max-difference, or both as KITTI files that begin at the "
+            "same frame\n");
+  CHECK(eval(truth, files.write("all.tum", true)).exit_code == 0);
+}
+
+TEST_CASE("eval warns of a truth that stands still") {
+  const Files files;
+  const std::string still = (files.folder.path() / "still.tum").string();
+  std::ofstream file(still);
+  for (int k = 0; k < 60; ++k) file << fmt::format("{:.3f} 1 2 3 0 0 0 1\n", 0.1 * k);
+  file.close();
+  const std::string drive = files.write("drive.tum", true);
+  CHECK(
+      contains(eval(still, drive).out, "WARNING the truth stands still: the figures say nothing"));
+  CHECK_FALSE(contains(eval(drive, still).out, "stands still"));
+}
+
+TEST_CASE("eval reads what comes through pipes") {
+  const Files files;
+  const std::string truth = files.write("truth.tum", true);
+  const std::string estimate = files.write("estimate.tum", true);
+  const auto shell = [&](const char* line) {
+    return run(
+        {"timeout", "60", "bash", "-c", line, "bash", tolmanProgram().string(), truth, estimate});
+  };
+  const Finished piped = shell("\"$1\" eval <(cat \"$2\") <(sleep 0.3; cat \"$3\")");
+  CHECK(piped.exit_code == 0);
+  CHECK(piped.out == eval(truth, estimate).out);
+  CHECK(shell("cat \"$3\" | \"$1\" eval \"$2\" /dev/stdin").out == piped.out);
+  const Finished none = shell("mkfifo \"$3.pipe\"; \"$1\" eval \"$2\" \"$3.pipe\"");
+  CHECK(none.exit_code == 5);
+  CHECK(contains(none.err, "nothing came through this pipe; start the program that writes it"));
+  const Finished zeros = shell("\"$1\" eval \"$2\" /dev/zero");
+  CHECK(zeros.exit_code == 5);
+  CHECK(contains(zeros.err, "/dev/zero: is neither a file nor a pipe; check the path"));
+}

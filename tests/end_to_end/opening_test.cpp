@@ -2,7 +2,9 @@
 // Files that Tolman opens for inspection: plugins that crash, hang or pretend success, and pipes in
 // place of files.
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <fstream>
@@ -116,17 +118,154 @@ TEST_CASE("a path that cannot be followed is no internal error") {
   }
 }
 
-TEST_CASE("a damaged run.json is told by report, export and compare") {
+TEST_CASE("a damaged or missing run.json is told by every command that can do without it") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 6);
   const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
   const std::string run = (folder.path() / "run").string();
   REQUIRE(tolman::test::tolman(tinyRun(config, run)).exit_code == 0);
-  std::ofstream(folder.path() / "run/run.json") << "x";
+  if (GENERATE(true, false)) {
+    std::ofstream(folder.path() / "run/run.json") << "x";
+  } else {
+    fs::remove(folder.path() / "run/run.json");
+  }
   const std::string told = "run.json: is missing or damaged";
-  CHECK(contains(bounded({"report", run}).err, told));
-  CHECK(contains(bounded({"export", run}).err, told));
+  const auto tells = [&](std::vector<std::string> words) {
+    const auto fixtures = tinyRun(config, folder.path() / "next");
+    if (words.front() == "rerun") {
+      words.insert(words.end(), std::find(fixtures.begin(), fixtures.end(), "--plugin-path"),
+                   std::find(fixtures.begin(), fixtures.end(), "--plugin-path") + 2);
+    }
+    const Finished finished = bounded(words);
+    CAPTURE(words, finished.out, finished.err);
+    CHECK(finished.exit_code == 0);
+    CHECK(contains(finished.err, told));
+    return finished.out;
+  };
+  tells({"report", run});
+  tells({"export", run});
+  tells({"plan", run, "--from", "0", "--to", "here"});
+  tells({"rerun", run});
+  CHECK(contains(tells({"rerun", run, "--force", "--verify"}),
+                 "not known: the earlier run.json is missing or damaged"));
+  auto next = tinyRun(config, folder.path() / "next");
+  next.insert(next.end(), {"--continue", run});
+  tells(next);
   const Finished compared = bounded({"compare", run});
-  CHECK(compared.exit_code == 5);
-  CHECK(contains(compared.err, told));
+  CHECK(compared.exit_code == (fs::exists(folder.path() / "run/run.json") ? 5 : 0));
+}
+
+TEST_CASE("rerun tells what it did, as run does") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const std::string run = (folder.path() / "run").string();
+  REQUIRE(tolman::test::tolman(tinyRun(config, run)).exit_code == 0);
+  const Finished again =
+      bounded({"rerun", run, "--plugin-path", kFixturePlugins + "steady", "--quiet"});
+  CHECK(again.exit_code == 0);
+  CHECK(again.out.empty());
+  const Finished told =
+      bounded({"rerun", run, "--force", "--plugin-path", kFixturePlugins + "steady"});
+  CAPTURE(told.out, told.err);
+  CHECK(contains(told.out, "5 of 6 frames, 1 initialising"));
+  CHECK(contains(told.out, "run-again/report.html"));
+}
+
+TEST_CASE("a folder that this user may not enter is denied, not missing") {
+  const TemporaryFolder folder;
+  const fs::path locked = folder.path() / "locked";
+  fs::create_directory(locked);
+  fs::permissions(locked, fs::perms::none);
+  std::vector<std::string> as_other;  // root may enter any folder
+  if (::geteuid() == 0) {
+    fs::permissions(folder.path(), fs::perms::all);
+    as_other = {"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"};
+    auto reachable = as_other;
+    reachable.insert(reachable.end(), {"test", "-x", tolmanProgram().string()});
+    if (run(reachable).exit_code != 0) return;  // the build lies in a folder of its owner
+  }
+  const auto denied = [&](const std::vector<std::string>& words, int exit_code) {
+    auto command = as_other;
+    command.insert(command.end(), {"timeout", "60", tolmanProgram().string()});
+    command.insert(command.end(), words.begin(), words.end());
+    const Finished finished = run(command);
+    CAPTURE(words, finished.out, finished.err);
+    CHECK(finished.exit_code == exit_code);
+    CHECK((contains(finished.err, "ermission denied") ||
+           contains(finished.out, "permission denied")));
+  };
+  const std::string inside = (locked / "x").string();
+  for (const char* command : {"report", "export", "compare", "rerun", "view"}) {
+    denied({command, inside}, 5);
+  }
+  denied({"plan", inside, "--from", "0", "--to", "1"}, 5);
+  denied({"eval", inside, inside}, 5);
+  denied({"init", inside}, 5);
+  denied({"run", "--resume", inside}, 9);
+  denied({"check", inside + ".yaml"}, 3);
+  denied({"check", "kitti", "--set", "source.path=" + inside}, 3);
+  denied({"dataset", "check", inside}, 3);
+  denied({"sweep", inside + ".yaml"}, 3);
+  denied({"sweep", "status", inside}, 2);
+  denied({"sweep", "point", locked.string()}, 3);
+  denied({"plugins", "list", "--plugin-path", inside}, 2);
+  fs::permissions(locked, fs::perms::owner_all);
+}
+
+TEST_CASE("the point of a sweep whose folder cannot be read ends, instead of waiting for it") {
+  if (::geteuid() != 0) return;  // the folder's owner could read it
+  const TemporaryFolder folder;
+  fs::permissions(folder.path(), fs::perms(0711));
+  std::ofstream(folder.path() / "point.json") << "{}";
+  const Finished finished =
+      run({"setpriv", "--reuid=65534", "--regid=65534", "--clear-groups", "timeout", "20",
+           tolmanProgram().string(), "sweep", "point", folder.path().string()});
+  CHECK(finished.exit_code != 124);
+}
+
+TEST_CASE("--plugin-path takes folders and libraries, nothing else") {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "notes.txt";
+  std::ofstream(file) << "x\n";
+  const Finished finished = bounded({"plugins", "list", "--plugin-path", file});
+  CHECK(finished.exit_code == 2);
+  CHECK(contains(finished.err, "notes.txt is not an ELF file"));
+  CHECK(contains(finished.err, "remedy:"));
+  const std::string steady = kFixturePlugins + "steady/tolman_odometry_steady.so";
+  CHECK(contains(bounded({"plugins", "list", "--plugin-path", steady}).out, "steady"));
+}
+
+TEST_CASE("an output that is a pipe or a device is written to, and stays what it is") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const std::string run_folder = (folder.path() / "run").string();
+  REQUIRE(tolman::test::tolman(tinyRun(config, run_folder)).exit_code == 0);
+  const std::string table = bounded({"compare", run_folder}).out;
+  REQUIRE(!table.empty());
+  const fs::path pipe = pipeAt(folder.path() / "pipe");
+  const Finished unread = bounded({"compare", run_folder, "--out", pipe.string()});
+  CHECK(unread.exit_code == 8);
+  CHECK(contains(unread.err, "pipe: nobody reads this pipe; start its reader first"));
+  CHECK(fs::is_fifo(pipe));
+  const auto shell = [&](const std::string& line) {
+    return run({"timeout", "60", "sh", "-c", line, "sh", tolmanProgram().string(), run_folder,
+                pipe.string()});
+  };
+  CHECK(shell("cat \"$3\" & sleep 0.2; \"$1\" -q compare \"$2\" --out \"$3\" && wait").out ==
+        table);
+  CHECK(fs::is_fifo(pipe));
+  // Through a link of this test: the program must not replace /dev/stdout if it is wrong.
+  fs::create_symlink("/proc/self/fd/1", folder.path() / "stdout");
+  fs::remove(pipe);
+  fs::create_symlink("/dev/null", pipe);
+  const std::string link = (folder.path() / "stdout").string();
+  CHECK(bounded({"compare", run_folder, "--out", link}).out == table);
+  CHECK(fs::is_symlink(link));
+  CHECK(bounded({"compare", run_folder, "--out", pipe.string()}).exit_code == 0);
+  CHECK(fs::is_symlink(pipe));
+  const Finished full =
+      shell("ln -s /dev/full \"$3.full\"; \"$1\" compare \"$2\" --out \"$3.full\"");
+  CHECK(full.exit_code == 8);
 }

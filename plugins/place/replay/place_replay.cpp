@@ -57,6 +57,7 @@ Status PlaceReplay::reset() {
   pending_.reset();
   run_end_ = -1;
   run_offset_ = 0;
+  warned_of_lost_ = false;
   return Status::ok();
 }
 
@@ -71,6 +72,7 @@ void PlaceReplay::removeViewsOfOtherDrive(const Frame& frame) {
     views_.clear();
     last_compared_.reset();
     pending_.reset();
+    warned_of_lost_ = true;  // by the line above
   }
   drive_ = here;
 }
@@ -125,6 +127,20 @@ bool PlaceReplay::recognise(const Frame& frame, PlaceObservation& observation) {
   return false;
 }
 
+void PlaceReplay::warnOfLost(const Frame& frame) {
+  const NamedArray* alike = sensor(frame, "place.candidate");
+  const auto is_known = [&](float index) { return views_.contains(std::llround(index)); };
+  if (warned_of_lost_ || alike == nullptr || alike->values.size() < 4) return;
+  for (std::size_t i = 0; i + 4 <= alike->values.size(); i += 4) {
+    if (is_known(alike->values[i])) return;  // `kept` leaves it out
+  }
+  warned_of_lost_ = true;
+  log_->warning("image " + std::to_string(frame.source_index) + " resembles image " +
+                std::to_string(std::llround(alike->values[0])) +
+                ", of which this run has no view (left out by the source's first or step, or "
+                "dropped): such candidates are lost, this is the first");
+}
+
 std::optional<PlaceReplay::ReplayedView> PlaceReplay::lookAlike(std::int64_t source_index) {
   if (source_index < run_end_) {
     const auto next = views_.find(source_index + run_offset_);
@@ -164,6 +180,7 @@ Status PlaceReplay::observe(const Frame& frame, const Motion* motion,
     pending_ = frame.source_index;
     return Status::ok();
   }
+  warnOfLost(frame);
   if (look) {
     pending_.reset();
     makeTemplate(frame.source_index, {}, observation);

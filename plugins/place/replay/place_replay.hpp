@@ -98,6 +98,8 @@ class PlaceReplay final : public Place, public StateKeeper {
   /// Whether the recorded detector compared this frame.
   bool isCompared(const Frame& frame);
   bool recognise(const Frame& frame, PlaceObservation& observation);
+  /// Warns once of a frame whose candidates all name frames without a view.
+  void warnOfLost(const Frame& frame);
   /// Reports a false match with an old view, or with the next one of a run of false matches.
   bool reportFalseMatch(const Frame& frame, PlaceObservation& observation);
   /// The view of a false match at this frame; empty for no false match.
@@ -112,6 +114,7 @@ class PlaceReplay final : public Place, public StateKeeper {
   Logger* log_ = nullptr;
   answers_file::AnswersReader reader_;  ///< of `record`
   RandomStream random_{0};
+  bool warned_of_lost_ = false;
   std::map<std::int64_t, ReplayedView> views_;  ///< by source index
   std::int64_t templates_ = 0;
   std::optional<float> drive_;                 ///< motion.drive of the views

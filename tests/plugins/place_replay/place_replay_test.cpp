@@ -96,6 +96,20 @@ TEST_CASE("candidates whose view is not known are passed over") {
   CHECK(replay.look({99, 0, 0, 0, 0, 0, 0, 0}).template_id == 0);
 }
 
+TEST_CASE("candidates that are lost because their view was left out are told once") {
+  Replay replay;
+  replay.look();
+  replay.next = 10;  // the source passed by the frames 1 to 9
+  replay.look({0, 0, 0, 0, 5, 0, 0, 0});
+  CHECK(replay.context.log.empty());  // one of two is enough
+  CHECK(replay.look({5, 0, 0, 0}).recognition == Recognition::Novel);
+  replay.look({6, 0, 0, 0});
+  CHECK(replay.context.log ==
+        std::vector<std::string>{
+            "image 11 resembles image 5, of which this run has no view (left out by the source's "
+            "first or step, or dropped): such candidates are lost, this is the first"});
+}
+
 TEST_CASE("the offset is kept back unless asked for") {
   Replay replay(ParameterValues{});
   replay.look();
