@@ -269,3 +269,33 @@ TEST_CASE("an output that is a pipe or a device is written to, and stays what it
       shell("ln -s /dev/full \"$3.full\"; \"$1\" compare \"$2\" --out \"$3.full\"");
   CHECK(full.exit_code == 8);
 }
+
+TEST_CASE("JSON is UTF-8 whatever the names of files are") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 6);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const std::string one = (folder.path() / "a\xff").string();
+  const std::string two = (folder.path() / "b\xfe").string();
+  for (const std::string& out : {one, two}) {
+    auto words = tinyRun(config, out);
+    words.insert(words.end(), {"--set", "record.replay=true", "--json"});
+    const Finished finished = bounded(words);
+    CAPTURE(finished.err);
+    CHECK(finished.exit_code == 0);
+    CHECK(contains(finished.out, "\xef\xbf\xbd"));
+    CHECK_FALSE(nlohmann::json::parse(finished.out, nullptr, false).is_discarded());
+  }
+  const auto valid = [&](std::vector<std::string> words) {
+    words.emplace_back("--json");
+    const Finished finished = bounded(words);
+    CAPTURE(words, finished.out, finished.err);
+    CHECK(finished.exit_code == 0);
+    CHECK_FALSE(nlohmann::json::parse(finished.out, nullptr, false).is_discarded());
+  };
+  valid({"compare", one, two, "--metric", "map.coverage"});
+  valid({"export", one});
+  // A stage that saves its state has a path among its parameters.
+  auto words = tinyRun(config, folder.path() / "next");
+  words.insert(words.end(), {"--set", "place.plugin=place_replay", "--set", "place.record=" + one});
+  valid(words);
+}

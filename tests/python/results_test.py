@@ -127,6 +127,13 @@ class RunTest(Systems):
         with self.assertRaisesRegex(ValueError, "run.sqlite: is of another run"):
             tolman.Run(run.path)
 
+    def test_damaged_files_are_named(self):
+        run = self.made()
+        for name, text in (("metrics.json", "{"), ("metrics.json", "[]"), ("run.json", "x")):
+            (run.path / name).write_text(text)
+            with self.assertRaisesRegex(ValueError, name + ": is damaged"):
+                tolman.Run(run.path).metrics
+
     def test_runs_from_python(self):
         config = self.config()
         run = tolman.run(config, set={"seed": 3, "cells": {"plugin": "bayesian_attractor"}}, out=self.folder / "a")

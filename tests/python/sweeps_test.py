@@ -65,6 +65,11 @@ class SweepsTest(Systems):
             self.assertEqual(len(made.table("odometry.ate.rmse_m")), 5)
         with self.assertWarnsRegex(UserWarning, "of 6 runs 1 failed"):
             tolman.compare(made, by="model", metric="odometry.ate.rmse_m")
+        others = [entry for entry in sorted(made.path.iterdir()) if entry.name.startswith("model=bayes")]
+        (others[0] / "outcome.json").write_text("{")
+        (others[1] / "point.json").write_text("[]")
+        with self.assertWarnsRegex(UserWarning, "3 runs failed or are not done"):
+            self.assertEqual(len(made.runs), 3)
 
     def test_failures_are_told(self):
         with self.assertRaises(FileNotFoundError):

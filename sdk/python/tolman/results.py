@@ -72,7 +72,15 @@ class Run:
 
     def _json(self, name):
         file = self.path / name
-        return json.loads(file.read_text()) if file.is_file() else {}
+        contents = {}
+        try:
+            if file.is_file():
+                contents = json.loads(file.read_text())
+        except ValueError as error:
+            raise ValueError(f"{file}: is damaged ({error}); put it back, or run it again") from error
+        if not isinstance(contents, dict):
+            raise ValueError(f"{file}: is damaged, it holds no names and values; put it back, or run it again")
+        return contents
 
     @property
     def info(self):

@@ -55,18 +55,26 @@ class Sweep:
 
 
 def _point(folder):
-    """Factors of a planned run, and whether it is done; {} for a folder that is missing or holds another run."""
-    file, outcome = folder / "point.json", folder / "outcome.json"
-    point = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
-    if not point or not folder.name.endswith("-" + point["key"][:10]):
+    """Factors of a planned run, and whether it is done; {} for a folder that is missing, damaged or holds another run."""
+    point = _object(folder / "point.json")
+    if not folder.name.endswith("-" + str(point.get("key"))[:10]) or not isinstance(point.get("factors"), dict):
         return {}, False
-    return point["factors"], outcome.is_file() and _is_done(json.loads(outcome.read_text(encoding="utf-8")), folder / "run")
+    return point["factors"], _is_done(_object(folder / "outcome.json"), folder / "run")
+
+
+def _object(file):
+    """The object in a JSON file; {} where it is missing or damaged: that run is left out, and told as left out."""
+    try:
+        contents = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    except ValueError:
+        return {}
+    return contents if isinstance(contents, dict) else {}
 
 
 def _is_done(outcome, run):
     """Whether the run ended well and its figures are those that it wrote; sweeps of earlier versions have no digests."""
     files = outcome.get("digests", {})
-    return outcome["state"] == "done" and all(
+    return outcome.get("state") == "done" and all(
         (run / name).is_file() and hashlib.sha256((run / name).read_bytes()).hexdigest() == digest for name, digest in files.items())
 
 
