@@ -8,6 +8,7 @@
 
 #include "edge_map.hpp"
 #include "tolman/image_cv.hpp"
+#include "wide.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -68,67 +69,125 @@ struct Shares {
   float second;
 };
 
-Shares sharesOf(int at) {
-  const float place = (static_cast<float>(at) + 0.5F) / kCell - 0.5F;
-  const float cell = std::floor(place);
-  return {static_cast<int>(cell), place - cell};
-}
+/// Of the pixels of one axis, and the sums of the weights of the cells.
+template <int kPixels>
+struct Axis {
+  std::array<Shares, kPixels> shares;
+  std::array<float, kPixels / kCell> weights{};
 
-class EdgeSums {
- public:
-  /// Distributes an edge over the nearest cells and directions (linear interpolation).
-  void add(Shares x, Shares y, float angle, float strength) {
-    const float place = angle * kDirections - 0.5F;
-    const float before = std::floor(place);
-    const int first = (static_cast<int>(before) + kDirections) % kDirections;
-    const int second = (first + 1) % kDirections;
-    const float share = place - before;
-    for (int i = 0; i < 4; ++i) {
-      const int column = x.cell + i % 2;
-      const int row = y.cell + i / 2;
-      if (column < 0 || column >= kColumns || row < 0 || row >= kRows) continue;
-      const float weight =
-          (i % 2 == 0 ? 1 - x.second : x.second) * (i / 2 == 0 ? 1 - y.second : y.second);
-      const auto cell = static_cast<std::size_t>(column * kRows + row);
-      weights_[cell] += weight;
-      sums_[cell * kDirections + static_cast<std::size_t>(first)] +=
-          weight * strength * (1 - share);
-      sums_[cell * kDirections + static_cast<std::size_t>(second)] += weight * strength * share;
+  Axis() {
+    constexpr int kCells = kPixels / kCell;
+    for (int at = 0; at < kPixels; ++at) {
+      const float place = (static_cast<float>(at) + 0.5F) / kCell - 0.5F;
+      const float cell = std::floor(place);
+      const Shares share{static_cast<int>(cell), place - cell};
+      shares[static_cast<std::size_t>(at)] = share;
+      if (at == 0 || at == kPixels - 1) continue;  // has no edge
+      if (share.cell >= 0) weights[static_cast<std::size_t>(share.cell)] += 1 - share.second;
+      if (share.cell + 1 < kCells)
+        weights[static_cast<std::size_t>(share.cell + 1)] += share.second;
     }
   }
-
-  /// Mean strength for each cell and direction.
-  EdgeValues means() const {
-    EdgeValues means;
-    for (std::size_t i = 0; i < means.size(); ++i) means[i] = sums_[i] / weights_[i / kDirections];
-    return means;
-  }
-
- private:
-  EdgeValues sums_{};
-  std::array<float, kColumns * kRows> weights_{};
 };
 
-EdgeValues edgesOf(const cv::Mat& image) {
-  EdgeSums sums;
-  for (int y = 1; y < kHeight - 1; ++y) {
-    const float* above = image.ptr<float>(y - 1);
-    const float* row = image.ptr<float>(y);
-    const float* below = image.ptr<float>(y + 1);
-    const Shares rows = sharesOf(y);
-    for (int x = 1; x < kWidth - 1; ++x) {
-      const float right = row[x + 1] - row[x - 1];
-      const float down = below[x] - above[x];
-      const float angle = std::atan2(down, right) / std::numbers::pi_v<float>;
-      sums.add(sharesOf(x), rows, angle < 0 ? angle + 1 : angle,
-               std::sqrt(right * right + down * down));
+/// Edges of a row of pixels: strength, and direction from 0 to kDirections, which is half a turn.
+struct RowOfEdges {
+  std::array<float, kWidth> strength{};
+  std::array<float, kWidth> direction{};
+};
+
+/// The first and the last pixel have no edge. The arctangent is that of Abramowitz and Stegun,
+/// equation 4.4.49, with an error below 2e-8 radians: the library's takes half of the time of the
+/// whole grid.
+TOLMAN_WIDE void edgesOfRow(const float* above, const float* row, const float* below,
+                            float* strength, float* direction) {
+  constexpr float kHalfTurn = std::numbers::pi_v<float>;
+  constexpr float kTerms[] = {0.0028662257F,  -0.0161657367F, 0.0429096138F,
+                              -0.0752896400F, 0.1065626393F,  -0.1420889944F,
+                              0.1999355085F,  -0.3333314528F, 1};
+  for (int x = 1; x < kWidth - 1; ++x) {
+    const float across = row[x + 1] - row[x - 1];
+    const float down = below[x] - above[x];
+    const float wide = std::abs(across);
+    const float high = std::abs(down);
+    const float larger = wide > high ? wide : high;
+    const float ratio = (wide > high ? high : wide) / (larger > 0 ? larger : 1);
+    const float square = ratio * ratio;
+    float series = 0;
+    for (const float term : kTerms) series = series * square + term;
+    const float acute = ratio * series;
+    const float upright = wide > high ? acute : kHalfTurn / 2 - acute;
+    const float angle = across * down < 0 ? kHalfTurn - upright : upright;
+    direction[x] = angle * (kDirections / kHalfTurn);
+    strength[x] = std::sqrt(across * across + down * down);
+  }
+}
+
+/// Sums of a row of pixels in each column of cells and direction; the first and the last column are
+/// outside the image.
+using RowSums = std::array<std::array<float, kDirections>, kColumns + 2>;
+
+/// Distributes each edge over the two nearest columns and directions (linear interpolation).
+RowSums sumsOf(const RowOfEdges& edges, const Axis<kWidth>& columns) {
+  RowSums sums{};
+  for (std::size_t x = 1; x < kWidth - 1; ++x) {
+    const float place = edges.direction[x] + (kDirections - 0.5F);
+    const int before = static_cast<int>(place);
+    const int first = before < kDirections ? before : before - kDirections;
+    const int second = first + 1 < kDirections ? first + 1 : 0;
+    const float to_second = (place - static_cast<float>(before)) * edges.strength[x];
+    const float to_first = edges.strength[x] - to_second;
+    const Shares& shares = columns.shares[x];
+    for (int i = 0; i < 2; ++i) {
+      auto& sum = sums[static_cast<std::size_t>(shares.cell + 1 + i)];
+      const float weight = i == 0 ? 1 - shares.second : shares.second;
+      sum[static_cast<std::size_t>(first)] += weight * to_first;
+      sum[static_cast<std::size_t>(second)] += weight * to_second;
     }
   }
-  return sums.means();
+  return sums;
+}
+
+std::size_t indexOf(int column, int row, int direction) {
+  return static_cast<std::size_t>((column * kRows + row) * kDirections + direction);
+}
+
+void addRow(const RowSums& row, int cell_row, float weight, EdgeValues& sums) {
+  if (cell_row < 0 || cell_row >= kRows) return;
+  for (int c = 0; c < kColumns; ++c) {
+    const auto& of_column = row[static_cast<std::size_t>(c + 1)];
+    float* sum = &sums[indexOf(c, cell_row, 0)];
+    for (const float of_direction : of_column) *sum++ += weight * of_direction;
+  }
+}
+
+/// Mean strength for each cell and direction.
+EdgeValues edgesOf(const cv::Mat& image) {
+  const Axis<kWidth> columns;
+  const Axis<kHeight> rows;
+  EdgeValues values{};
+  RowOfEdges edges;
+  for (int y = 1; y < kHeight - 1; ++y) {
+    edgesOfRow(image.ptr<float>(y - 1), image.ptr<float>(y), image.ptr<float>(y + 1),
+               edges.strength.data(), edges.direction.data());
+    const RowSums sums = sumsOf(edges, columns);
+    const Shares& shares = rows.shares[static_cast<std::size_t>(y)];
+    addRow(sums, shares.cell, 1 - shares.second, values);
+    addRow(sums, shares.cell + 1, shares.second, values);
+  }
+  for (std::size_t c = 0; c < kColumns; ++c) {
+    for (std::size_t r = 0; r < kRows; ++r) {
+      const float weight = columns.weights[c] * rows.weights[r];
+      for (std::size_t k = 0; k < kDirections; ++k) {
+        values[(c * kRows + r) * kDirections + k] /= weight;
+      }
+    }
+  }
+  return values;
 }
 
 float energyOf(const EdgeValues& edges, int column, int row) {
-  const float* cell = &edges[static_cast<std::size_t>((column * kRows + row) * kDirections)];
+  const float* cell = &edges[indexOf(column, row, 0)];
   float energy = 0;
   for (int k = 0; k < kDirections; ++k) energy += cell[k] * cell[k];
   return energy;
@@ -157,7 +216,7 @@ bool edgeGrid(const Image& image, EdgeValues& values) {
     for (int r = 0; r < kRows; ++r) {
       const float around = strengthAround(edges, c, r) + kNoise;
       for (int k = 0; k < kDirections; ++k) {
-        const auto i = static_cast<std::size_t>((c * kRows + r) * kDirections + k);
+        const std::size_t i = indexOf(c, r, k);
         values[i] = std::sqrt(edges[i] / around);  // the root amplifies weak edges near strong ones
       }
     }

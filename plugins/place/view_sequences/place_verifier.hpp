@@ -43,14 +43,17 @@ class PlaceVerifier {
  private:
   const landmarks::Corners& corners();
   const landmarks::EdgeMap& edges();
+  std::optional<landmarks::MeasuredPose> poseByEdges(const StoredLandmarks& stored,
+                                                     std::size_t step, int least, double share);
 
   CameraRig rig_;
   VerifierSettings settings_;
   LandmarkStore store_;
   const Frame* frame_ = nullptr;
-  std::optional<landmarks::Corners> corners_;  ///< of the frame, computed when needed
-  landmarks::EdgeMap edges_;                   ///< as corners_
-  bool has_edges_ = false;                     ///< whether edges_ are of the frame
+  std::optional<landmarks::Corners> corners_;         ///< of the frame, computed when needed
+  landmarks::EdgeMap edges_;                          ///< as corners_
+  bool has_edges_ = false;                            ///< whether edges_ are of the frame
+  std::optional<landmarks::EdgeSearch> edge_search_;  ///< as corners_
 };
 
 }  // namespace tolman::view_sequences

@@ -25,7 +25,8 @@ bool LandmarkMemory::hasEnough(std::int64_t id) const {
 
 std::optional<MeasuredPose> LandmarkMemory::locate(const Frame& frame, std::int64_t id) {
   const Landmarks& landmarks = templates_[static_cast<std::size_t>(id)];
-  return poseOf(findAgain(landmarks, cornersOf(frame)), rig_.pinhole, least_);
+  const Corners& corners = cornersOf(frame);
+  return poseOf(findAgain(landmarks, corners), rig_.pinhole, least_, corners.sigma);
 }
 
 void LandmarkMemory::save(StateWriter& writer) const {

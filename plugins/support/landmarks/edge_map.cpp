@@ -7,23 +7,18 @@
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 
+#include "reduced_image.hpp"
 #include "wide.hpp"
 
 namespace tolman::landmarks {
 namespace {
 
 // Chosen on the town's route 06 with its second pass by night.
-constexpr int kWidth = 620;             // px of the reduced image, about
 constexpr double kImageBlur = 0.8;      // px, standard deviation: against noise
 constexpr double kStrengthBlur = 1.25;  // cells, standard deviation
 
 /// Logarithm of the reduced image, without its noise.
-cv::Mat lightOf(const cv::Mat& gray, int factor) {
-  cv::Mat reduced = gray;
-  if (factor > 1) {
-    const cv::Size size(gray.cols / factor, gray.rows / factor);
-    cv::resize(gray, reduced, size, 0, 0, cv::INTER_AREA);
-  }
+cv::Mat lightOf(const cv::Mat& reduced) {
   std::array<float, 256> logarithm;
   for (std::size_t v = 0; v < logarithm.size(); ++v) {
     logarithm[v] = std::log(static_cast<float>(v) + kDarkLevel);
@@ -87,8 +82,8 @@ TOLMAN_WIDE void addDirection(const float* across, const float* down, const floa
 }  // namespace
 
 void EdgeMap::compute(const cv::Mat& gray) {
-  factor_ = std::max(1, static_cast<int>(std::lround(gray.cols / double{kWidth})));
-  const cv::Mat light = lightOf(gray, factor_);
+  factor_ = reductionOf(gray.cols);
+  const cv::Mat light = lightOf(reducedBy(factor_, gray));
   columns_ = light.cols / 2;
   rows_ = light.rows / 2;
   stride_ = columns_ + 2 * kMargin;

@@ -79,32 +79,13 @@ TOLMAN_WIDE void products(const float* first, const std::ptrdiff_t* offsets, con
   }
 }
 
-/// Lengths of the patches at all cells, as 1 / length; 0 for empty ones.
-class Lengths {
- public:
-  explicit Lengths(const EdgeMap& map) : columns_(map.columns()) {
-    for (int r = 0; r < map.rows(); ++r) {
-      for (int c = 0; c < columns_; ++c) {
-        const float energy = energyOf(map, {r, c});
-        inverse_.push_back(energy > 0 ? 1 / std::sqrt(energy) : 0);
-      }
-    }
+float energyOf(const EdgeMap& map, Cell cell) {
+  float energy = 0;
+  for (const int dy : kOffsets) {
+    for (const int dx : kOffsets) energy += map.energyAt(cell.row + dy, cell.column + dx);
   }
-  static float energyOf(const EdgeMap& map, Cell cell) {
-    float energy = 0;
-    for (const int dy : kOffsets) {
-      for (const int dx : kOffsets) energy += map.energyAt(cell.row + dy, cell.column + dx);
-    }
-    return energy;
-  }
-  float inverse(int row, int column) const {
-    return inverse_[static_cast<std::size_t>(row * columns_ + column)];
-  }
-
- private:
-  int columns_;
-  std::vector<float> inverse_;
-};
+  return energy;
+}
 
 /// Cosines between a patch and those of the cells of a window.
 class Window {
@@ -120,15 +101,17 @@ class Window {
 
   bool isUsable() const { return width_ > 2 && height_ > 2; }
 
-  void compare(const EdgeMap& map, const Offsets& offsets, const Lengths& lengths,
+  /// `lengths`: those of the patches at all cells, as 1 / length.
+  void compare(const EdgeMap& map, const Offsets& offsets, const std::vector<float>& lengths,
                const Values& patch) {
     const int blocks = (width_ + kLanes - 1) / kLanes;
     std::vector<float> row(static_cast<std::size_t>(blocks * kLanes));
     cosines_.clear();
     for (int y = 0; y < height_; ++y) {
       products(map.at(0, top_ + y, left_), offsets.data(), patch.data(), blocks, row.data());
+      const float* inverse = &lengths[static_cast<std::size_t>((top_ + y) * map.columns() + left_)];
       for (int x = 0; x < width_; ++x) {
-        cosines_.push_back(row[static_cast<std::size_t>(x)] * lengths.inverse(top_ + y, left_ + x));
+        cosines_.push_back(row[static_cast<std::size_t>(x)] * inverse[x]);
       }
     }
   }
@@ -185,7 +168,7 @@ EdgePatch patchAt(const EdgeMap& map, const cv::Point2f& pixel) {
   const Cell cell = nearestCell(map, pixel);
   const float* centre = map.at(0, cell.row, cell.column);
   const Offsets offsets = offsetsIn(map);
-  const float energy = Lengths::energyOf(map, cell);
+  const float energy = energyOf(map, cell);
   const float scale = energy > 0 ? kLevels / std::sqrt(energy) : 0;
   const auto level = [&](std::size_t v) {
     return static_cast<unsigned>(std::lround(std::min(15.0F, centre[offsets[v]] * scale)));
@@ -197,29 +180,37 @@ EdgePatch patchAt(const EdgeMap& map, const cv::Point2f& pixel) {
   return patch;
 }
 
-std::vector<LandmarkMatch> searchPatches(const EdgeMap& map, const std::vector<cv::Point3f>& points,
-                                         const std::vector<EdgePatch>& patches,
-                                         const Pinhole& pinhole) {
+EdgeSearch::EdgeSearch(const EdgeMap& map) : map_(map) {
+  for (int r = 0; r < map.rows(); ++r) {
+    for (int c = 0; c < map.columns(); ++c) {
+      const float energy = energyOf(map, {r, c});
+      lengths_.push_back(energy > 0 ? 1 / std::sqrt(energy) : 0);
+    }
+  }
+}
+
+std::vector<LandmarkMatch> EdgeSearch::find(const std::vector<cv::Point3f>& points,
+                                            const std::vector<EdgePatch>& patches,
+                                            const Pinhole& pinhole, std::size_t step) const {
   std::vector<LandmarkMatch> matches;
-  const Offsets offsets = offsetsIn(map);
-  const Lengths lengths(map);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  const Offsets offsets = offsetsIn(map_);
+  for (std::size_t i = 0; i < points.size(); i += step) {
     if (!(points[i].z > 0)) continue;
     const cv::Point2f pixel = pixelOf(points[i], pinhole);
-    const Cell cell = nearestCell(map, pixel);
-    Window window(map, cell);
+    const Cell cell = nearestCell(map_, pixel);
+    Window window(map_, cell);
     if (!window.isUsable()) continue;
-    window.compare(map, offsets, lengths, valuesOf(patches[i]));
+    window.compare(map_, offsets, lengths_, valuesOf(patches[i]));
     const auto found = window.unique();
     if (!found) continue;
     // The patch is that of the nearest cell, from which the landmark is a little away.
     const cv::Point2f centre =
-        map.pixelOf(cv::Point2f(static_cast<float>(cell.column), static_cast<float>(cell.row)));
-    matches.push_back({points[i], map.pixelOf(*found) + pixel - centre});
+        map_.pixelOf(cv::Point2f(static_cast<float>(cell.column), static_cast<float>(cell.row)));
+    matches.push_back({points[i], map_.pixelOf(*found) + pixel - centre});
   }
   return matches;
 }
 
-double patchSigma(const EdgeMap& map) { return kSigma * map.factor(); }
+double EdgeSearch::sigma() const { return kSigma * map_.factor(); }
 
 }  // namespace tolman::landmarks

@@ -2,6 +2,8 @@
 #include "landmark_pose.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/features2d.hpp>
 
@@ -13,9 +15,21 @@ using Jacobian = Eigen::Matrix<double, 2, 6>;
 
 cv::Matx33d matrixOf(const Pinhole& K) { return {K.fx, 0, K.cx, 0, K.fy, K.cy, 0, 0, 1}; }
 
+constexpr double kConfidence = 0.999;
+
+/// Samples of four matches, of which one has no wrong match at the confidence above, where only
+/// `least` of `count` matches are right (Fischler and Bolles 1981).
+int samplesFor(int least, std::size_t count) {
+  constexpr double kMost = 200;  // bounds the time; chosen, not tuned
+  const double all_right = std::pow(std::min(1.0, least / static_cast<double>(count)), 4);
+  if (all_right == 1) return 1;
+  return static_cast<int>(
+      std::ceil(std::min(kMost, std::log(1 - kConfidence) / std::log1p(-all_right))));
+}
+
 /// RANSAC over P3P. OpenCV uses a constant seed, so the result is reproducible.
 std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& matches,
-                                           const Pinhole& pinhole, double sigma) {
+                                           const Pinhole& pinhole, int least, double sigma) {
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> pixels;
   for (const LandmarkMatch& match : matches) {
@@ -24,10 +38,10 @@ std::optional<Eigen::Isometry3d> consensus(const std::vector<LandmarkMatch>& mat
   }
   cv::Vec3d rotation;
   cv::Vec3d translation;
-  // At most 200 samples (chosen, not tuned; bounds the time), and 99.9 % confidence.
-  const bool found = cv::solvePnPRansac(
-      points, pixels, matrixOf(pinhole), cv::noArray(), rotation, translation, false, 200,
-      static_cast<float>(kInlier * sigma), 0.999, cv::noArray(), cv::SOLVEPNP_AP3P);
+  const bool found = cv::solvePnPRansac(points, pixels, matrixOf(pinhole), cv::noArray(), rotation,
+                                        translation, false, samplesFor(least, points.size()),
+                                        static_cast<float>(kInlier * sigma), kConfidence,
+                                        cv::noArray(), cv::SOLVEPNP_AP3P);
   if (!found) return std::nullopt;
   Eigen::Isometry3d T_current_template = Eigen::Isometry3d::Identity();
   T_current_template.linear() = expSo3({rotation[0], rotation[1], rotation[2]});
@@ -87,7 +101,7 @@ std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& 
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
                                    const Pinhole& pinhole, int least, double sigma) {
   if (static_cast<int>(matches.size()) < least) return std::nullopt;
-  const std::optional<Eigen::Isometry3d> start = consensus(matches, pinhole, sigma);
+  const std::optional<Eigen::Isometry3d> start = consensus(matches, pinhole, least, sigma);
   if (!start) return std::nullopt;
   MeasuredPose measured;
   measured.T_template_current = *start;

@@ -27,11 +27,8 @@ struct MeasuredPose {
 /// Matches each landmark to the corner with the nearest descriptor; ambiguous matches are left out.
 std::vector<LandmarkMatch> findAgain(const Landmarks& landmarks, const Corners& corners);
 
-/// Standard deviation of a matched corner, px. Chosen, not tuned.
-inline constexpr double kCornerSigma = 1;
-
 /// Empty if fewer than `least` matches agree. `sigma`: standard deviation of a matched pixel, px.
 std::optional<MeasuredPose> poseOf(const std::vector<LandmarkMatch>& matches,
-                                   const Pinhole& pinhole, int least, double sigma = kCornerSigma);
+                                   const Pinhole& pinhole, int least, double sigma);
 
 }  // namespace tolman::landmarks

@@ -8,12 +8,14 @@
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "reduced_image.hpp"
 #include "tolman/image_cv.hpp"
 #include "wide.hpp"
 
 namespace tolman::landmarks {
 namespace {
 
+constexpr double kSigma = 1;         // px of the reduced image; chosen, not tuned
 constexpr double kNearest = 2;       // m; bounds the search; chosen, not tuned
 constexpr double kMinDisparity = 1;  // px; chosen, not tuned
 constexpr int kHalfPatch = 5;        // px; chosen, not tuned
@@ -54,6 +56,48 @@ TOLMAN_WIDE void products(const std::int16_t (*weights)[kLanes], const std::int1
   }
 }
 
+/// Adds a row of pixels and its squares to the sums of the columns, and copies it.
+TOLMAN_WIDE void addRow(const std::uint8_t* row, int count, std::int16_t* pixels,
+                        std::int32_t* sums, std::int32_t* squares) {
+  for (int x = 0; x < count; ++x) {
+    pixels[x] = row[x];
+    sums[x] += row[x];
+    squares[x] += row[x] * row[x];
+  }
+}
+
+/// Sums of the pixels of a patch, and of their squares.
+struct Moments {
+  double sum = 0;
+  double squares = 0;
+};
+
+/// Normalised cross-correlations of a patch with `count` others, of which the sums are given.
+TOLMAN_WIDE void correlate(Moments patch, const std::int32_t* products, const std::int32_t* sums,
+                           const std::int32_t* squares, int count, float* out) {
+  constexpr double kCount = kPatch * kPatch;
+  const double variance = kCount * patch.squares - patch.sum * patch.sum;
+  for (int x = 0; x < count; ++x) {
+    const double sum = sums[x];
+    const double covariance = kCount * products[x] - patch.sum * sum;
+    const double variances = variance * (kCount * squares[x] - sum * sum);
+    const double root = std::sqrt(variances > 0 ? variances : 1);
+    out[x] = static_cast<float>((variances > 0 ? covariance : 0) / root);
+  }
+}
+
+/// Replaces each value by the sum of it and the kPatch - 1 that follow.
+void sumOverPatches(std::vector<std::int32_t>& columns) {
+  if (columns.size() < kPatch) return;
+  std::int32_t sum = std::accumulate(columns.begin(), columns.begin() + kPatch, std::int32_t{0});
+  for (std::size_t x = 0; x + kPatch < columns.size(); ++x) {
+    const std::int32_t first = columns[x];
+    columns[x] = sum;
+    sum += columns[x + kPatch] - first;
+  }
+  columns[columns.size() - kPatch] = sum;
+}
+
 /// A patch of the left image, to be found in a strip of the right one.
 class PatchCorrelation {
  public:
@@ -62,8 +106,8 @@ class PatchCorrelation {
       const std::uint8_t* row = left.ptr<std::uint8_t>(patch.y + y) + patch.x;
       for (int x = 0; x < kPatch; ++x) {
         weights_[y][x] = row[x];
-        sum_ += row[x];
-        squares_ += row[x] * row[x];
+        moments_.sum += row[x];
+        moments_.squares += row[x] * row[x];
       }
     }
   }
@@ -71,54 +115,29 @@ class PatchCorrelation {
   /// Normalised cross-correlation at each column of the strip, which has the height of the patch.
   void along(const cv::Mat& right, const cv::Rect& strip, std::vector<float>& correlations) {
     const int width = strip.width + kLanes - kPatch;
-    const int count = strip.width - kPatch + 1;
+    const int count = std::max(0, strip.width - kPatch + 1);
     pixels_.assign(static_cast<std::size_t>(width * kPatch), 0);
-    column_sums_.assign(static_cast<std::size_t>(strip.width), 0);
-    column_squares_.assign(static_cast<std::size_t>(strip.width), 0);
+    sums_.assign(static_cast<std::size_t>(strip.width), 0);
+    squares_.assign(static_cast<std::size_t>(strip.width), 0);
     for (int y = 0; y < kPatch; ++y) {
-      const std::uint8_t* row = right.ptr<std::uint8_t>(strip.y + y) + strip.x;
-      for (int x = 0; x < strip.width; ++x) {
-        const auto column = static_cast<std::size_t>(x);
-        pixels_[static_cast<std::size_t>(y * width) + column] = row[x];
-        column_sums_[column] += row[x];
-        column_squares_[column] += row[x] * row[x];
-      }
+      addRow(right.ptr<std::uint8_t>(strip.y + y) + strip.x, strip.width,
+             pixels_.data() + y * width, sums_.data(), squares_.data());
     }
-    correlations.clear();
-    if (count <= 0) return;
+    sumOverPatches(sums_);
+    sumOverPatches(squares_);
     products_.resize(static_cast<std::size_t>(count));
+    correlations.resize(static_cast<std::size_t>(count));
     products(weights_, pixels_.data(), width, count, products_.data());
-    correlate(correlations);
+    correlate(moments_, products_.data(), sums_.data(), squares_.data(), count,
+              correlations.data());
   }
 
  private:
-  void correlate(std::vector<float>& correlations) const {
-    const auto firstOf = [](const std::vector<std::int32_t>& columns) {
-      return std::accumulate(columns.begin(), columns.begin() + kPatch, std::int32_t{0});
-    };
-    std::int32_t sum = firstOf(column_sums_);
-    std::int32_t squares = firstOf(column_squares_);
-    for (std::size_t x = 0; x < products_.size(); ++x) {
-      correlations.push_back(correlation(products_[x], sum, squares));
-      if (x + kPatch == column_sums_.size()) break;
-      sum += column_sums_[x + kPatch] - column_sums_[x];
-      squares += column_squares_[x + kPatch] - column_squares_[x];
-    }
-  }
-
-  float correlation(double product, double sum, double squares) const {
-    constexpr double kCount = kPatch * kPatch;
-    const double covariance = kCount * product - sum_ * sum;
-    const double variances = (kCount * squares_ - sum_ * sum_) * (kCount * squares - sum * sum);
-    return variances > 0 ? static_cast<float>(covariance / std::sqrt(variances)) : 0;
-  }
-
   std::int16_t weights_[kPatch][kLanes] = {};
-  double sum_ = 0;
-  double squares_ = 0;
+  Moments moments_;
   std::vector<std::int16_t> pixels_;
-  std::vector<std::int32_t> column_sums_;
-  std::vector<std::int32_t> column_squares_;
+  std::vector<std::int32_t> sums_;     ///< of columns, then of patches
+  std::vector<std::int32_t> squares_;  ///< as sums_
   std::vector<std::int32_t> products_;
 };
 
@@ -135,10 +154,12 @@ cv::Mat grayOf(const Image& image) {
 Corners findCorners(const cv::Mat& gray, int count) {
   // Factor between levels and their number: chosen, not tuned.
   const cv::Ptr<cv::ORB> orb = cv::ORB::create(count, 1.3F, 5);
+  const int reduction = reductionOf(gray.cols);
   std::vector<cv::KeyPoint> found;
   Corners corners;
-  orb->detectAndCompute(gray, cv::noArray(), found, corners.descriptions);
-  cv::KeyPoint::convert(found, corners.pixels);
+  corners.sigma = kSigma * reduction;
+  orb->detectAndCompute(reducedBy(reduction, gray), cv::noArray(), found, corners.descriptions);
+  for (const cv::KeyPoint& point : found) corners.pixels.push_back(wholeOf(point.pt, reduction));
   return corners;
 }
 

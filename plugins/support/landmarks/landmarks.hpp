@@ -15,6 +15,7 @@ namespace tolman::landmarks {
 struct Corners {
   std::vector<cv::Point2f> pixels;
   cv::Mat descriptions;  ///< CV_8U, a row of kDescriptionBytes for each
+  double sigma = 1;      ///< standard deviation of a corner that is found again, px
 };
 inline constexpr int kDescriptionBytes = 32;  // of ORB: 256 bits
 
@@ -27,7 +28,8 @@ struct Landmarks {
 /// Shares the pixels of a grey image; converts a colour one.
 cv::Mat grayOf(const Image& image);
 
-/// At most `count` corners of a grey image; deterministic.
+/// At most `count` corners of a grey image, found at reduced width (reduced_image.hpp);
+/// deterministic.
 Corners findCorners(const cv::Mat& gray, int count);
 
 /// The corners of the left image that have a match in the right one, with their positions.

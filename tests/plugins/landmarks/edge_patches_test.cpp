@@ -44,7 +44,8 @@ struct Template {
     }
   }
   std::vector<LandmarkMatch> searchedIn(const Image& image) const {
-    return searchPatches(EdgeMap(asMat(image)), landmarks.points, patches, rig.pinhole);
+    const EdgeMap map(asMat(image));
+    return EdgeSearch(map).find(landmarks.points, patches, rig.pinhole);
   }
 };
 
@@ -79,7 +80,8 @@ TEST_CASE("by night and from another place a pose is found") {
   const Image night = byNight(streetFrame(1, ahead).left, 3);
   const auto found = stored.searchedIn(night);
   CHECK(rightOnes(found, stored.rig.pinhole, ahead) > static_cast<int>(0.7 * double(found.size())));
-  const double sigma = patchSigma(EdgeMap(asMat(night)));
+  const EdgeMap map(asMat(night));
+  const double sigma = EdgeSearch(map).sigma();
   const auto pose = poseOf(found, stored.rig.pinhole, 40, sigma);
   REQUIRE(pose);
   const Vector6d error = logSe3(pose->T_template_current.inverse() * ahead);
@@ -92,8 +94,8 @@ TEST_CASE("where bright and dark are exchanged corners find no pose, edges do") 
   const Eigen::Isometry3d ahead(Eigen::Translation3d(0.1, 0, 0.5));
   const Image negative = changed(streetFrame(1, ahead).left, -0.8, 230);
   const auto corners = findAgain(stored.landmarks, findCorners(asMat(negative), 400));
-  CHECK_FALSE(poseOf(corners, stored.rig.pinhole, 20));
-  const auto pose = poseOf(stored.searchedIn(negative), stored.rig.pinhole, 40);
+  CHECK_FALSE(poseOf(corners, stored.rig.pinhole, 20, 1));
+  const auto pose = poseOf(stored.searchedIn(negative), stored.rig.pinhole, 40, 1);
   REQUIRE(pose);
   CHECK((pose->T_template_current.translation() - ahead.translation()).norm() < 0.15);
 }
@@ -116,5 +118,5 @@ TEST_CASE(
   const cv::Point3f beside(100, 0, 1);
   const EdgeMap map(asMat(streetFrame(0, Eigen::Isometry3d::Identity()).left));
   const EdgePatch patch = patchAt(map, {-1e6F, 1e6F});
-  CHECK(searchPatches(map, {beside}, {patch}, stored.rig.pinhole).size() <= 1);
+  CHECK(EdgeSearch(map).find({beside}, {patch}, stored.rig.pinhole).size() <= 1);
 }

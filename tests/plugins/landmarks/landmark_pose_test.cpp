@@ -53,7 +53,7 @@ TEST_CASE("the pose is that of the majority, and its covariance tells the errors
   constexpr int kTrials = 60;
   for (int trial = 0; trial < kTrials; ++trial) {
     const Eigen::Isometry3d truth = somewhere(random);
-    const auto measured = poseOf(matches(random, truth, 120, 0.7, 40), kPinhole, 20);
+    const auto measured = poseOf(matches(random, truth, 120, 0.7, 40), kPinhole, 20, 1);
     REQUIRE(measured);
     const Vector6d error = logSe3(measured->T_template_current.inverse() * truth);
     CHECK(error.head<3>().norm() < 0.15);
@@ -69,12 +69,12 @@ TEST_CASE("the pose is that of the majority, and its covariance tells the errors
 TEST_CASE("without noise the pose is exact; too few or contradicting matches give none") {
   RandomStream random(9);
   const Eigen::Isometry3d truth = somewhere(random);
-  const auto exact = poseOf(matches(random, truth, 50, 0, 0), kPinhole, 20);
+  const auto exact = poseOf(matches(random, truth, 50, 0, 0), kPinhole, 20, 1);
   REQUIRE(exact);
   CHECK(exact->T_template_current.isApprox(truth, 1e-4));
-  CHECK_FALSE(poseOf(matches(random, truth, 19, 0, 0), kPinhole, 20));
-  CHECK_FALSE(poseOf(matches(random, truth, 100, 0, 95), kPinhole, 20));
-  CHECK_FALSE(poseOf({}, kPinhole, 20));
+  CHECK_FALSE(poseOf(matches(random, truth, 19, 0, 0), kPinhole, 20, 1));
+  CHECK_FALSE(poseOf(matches(random, truth, 100, 0, 95), kPinhole, 20, 1));
+  CHECK_FALSE(poseOf({}, kPinhole, 20, 1));
 }
 
 TEST_CASE("landmarks are found again in the picture from another place, where they are seen") {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "support/gray_images.hpp"
 #include "support/street_scene.hpp"
@@ -68,6 +69,24 @@ TEST_CASE("corners are the same each time, and grey is the picture itself") {
   CHECK(a.pixels == b.pixels);
   CHECK(std::equal(a.descriptions.datastart, a.descriptions.dataend, b.descriptions.datastart));
   CHECK(grayOf(picture).data == picture.row(0));  // not a copy
+}
+
+TEST_CASE("corners of wide images are those of the reduced image") {
+  const Image picture = streetFrame(0, Eigen::Isometry3d::Identity()).left;
+  cv::Mat narrow;
+  cv::resize(asMat(picture), narrow, cv::Size(600, 200), 0, 0, cv::INTER_AREA);
+  cv::Mat wide;  // each pixel three times, and a column and a row that are left over
+  cv::resize(narrow, wide, cv::Size(1800, 600), 0, 0, cv::INTER_NEAREST);
+  cv::copyMakeBorder(wide, wide, 0, 1, 0, 1, cv::BORDER_REPLICATE);
+  const Corners of_narrow = findCorners(narrow, 200);
+  const Corners of_wide = findCorners(wide, 200);
+  REQUIRE(of_wide.pixels.size() == of_narrow.pixels.size());
+  for (std::size_t i = 0; i < of_wide.pixels.size(); ++i) {
+    const cv::Point2f centre = 3 * of_narrow.pixels[i] + cv::Point2f(1, 1);
+    CHECK(cv::norm(of_wide.pixels[i] - centre) < 1e-3);
+  }
+  CHECK(of_narrow.sigma == 1);
+  CHECK(of_wide.sigma == 3);
 }
 
 TEST_CASE("a picture without corners has no landmarks") {

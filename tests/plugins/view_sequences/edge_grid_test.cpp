@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "edge_map.hpp"
 #include "random_views.hpp"
 #include "support/gray_images.hpp"
 
@@ -86,6 +87,63 @@ int strongestDirection(const EdgeValues& grid) {
 }
 
 }  // namespace
+
+/// The definition, in double precision and pixel by pixel, of a picture that needs no reduction.
+std::vector<double> byDefinition(const Image& image) {
+  const auto light = [&](int x, int y) {
+    constexpr double kDark = landmarks::kDarkLevel;
+    return (100 + kDark) / 255 * std::log(image.row(y)[x] + kDark);
+  };
+  std::vector<double> sums(kValues);
+  std::vector<double> weights(kValues);
+  const auto overlap = [](double a, double b) { return std::max(0.0, 1 - std::abs(a - b)); };
+  for (int y = 1; y < image.height() - 1; ++y) {
+    for (int x = 1; x < image.width() - 1; ++x) {
+      const double across = light(x + 1, y) - light(x - 1, y);
+      const double down = light(x, y + 1) - light(x, y - 1);
+      const double direction = std::atan2(down, across) / std::numbers::pi * kDirections;
+      for (std::size_t i = 0; i < kValues; ++i) {
+        const auto at = static_cast<int>(i);
+        const double weight = overlap((x + 0.5) / 12 - 0.5, at / (kRows * kDirections)) *
+                              overlap((y + 0.5) / 12 - 0.5, at / kDirections % kRows);
+        weights[i] += weight;
+        const double middle = at % kDirections + 0.5;
+        for (const int turn : {-2, -1, 0, 1, 2}) {  // directions repeat after half a turn
+          sums[i] +=
+              weight * std::hypot(across, down) * overlap(direction + turn * kDirections, middle);
+        }
+      }
+    }
+  }
+  for (std::size_t i = 0; i < kValues; ++i) sums[i] /= weights[i];
+  return sums;
+}
+
+TEST_CASE("the grid is that of its definition") {
+  RandomStream random(8);
+  const Image image = noise(kColumns * 12, kRows * 12, random);
+  const EdgeValues grid = gridOf(image);
+  const std::vector<double> means = byDefinition(image);
+  for (int c = 0; c < kColumns; ++c) {
+    for (int r = 0; r < kRows; ++r) {
+      double energy = 0;
+      int cells = 0;
+      for (int i = std::max(0, c - 1); i <= std::min(kColumns - 1, c + 1); ++i) {
+        for (int j = std::max(0, r - 1); j <= std::min(kRows - 1, r + 1); ++j, ++cells) {
+          for (int k = 0; k < kDirections; ++k) {
+            energy +=
+                std::pow(means[static_cast<std::size_t>((i * kRows + j) * kDirections + k)], 2);
+          }
+        }
+      }
+      for (int k = 0; k < kDirections; ++k) {
+        const auto at = static_cast<std::size_t>((c * kRows + r) * kDirections + k);
+        const double value = std::sqrt(means[at] / (std::sqrt(energy / cells) + 0.01));
+        REQUIRE(grid[at] == Approx(value).epsilon(1e-4));
+      }
+    }
+  }
+}
 
 TEST_CASE("brightness, contrast and gamma hardly change the grid, another scene does") {
   const EdgeValues plain = gridOf(picture(1));
