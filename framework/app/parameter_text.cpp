@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/json_text.hpp"
 #include "run/value_json.hpp"
 
 namespace tolman::app {
@@ -20,10 +21,7 @@ std::string_view typeName(const ParameterInfo& info) {
 }
 
 std::string defaultText(const ParameterInfo& info) {
-  return info.required
-             ? "required"
-             : run::valueJson(info.default_value)
-                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return info.required ? "required" : config::jsonText(run::valueJson(info.default_value));
 }
 
 /// The stage of a configuration that uses the plugin, with the parameters that have no default.

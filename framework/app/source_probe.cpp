@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/terminal_output.hpp"
+#include "config/json_text.hpp"
 #include "isolation/child_process.hpp"
 #include "record/atomic_file.hpp"
 #include "run/assembly.hpp"
@@ -53,9 +54,7 @@ void probeSource(const std::string& config, const Invocation& invocation) {
                                        {"baseline", info.rig.baseline},
                                        {"has_truth", info.has_truth},
                                        {"rate", seconds > 0 ? (frames - 1) / seconds : 0}};
-  std::cout << "\n"
-            << json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << "\n"
-            << std::flush;
+  std::cout << "\n" << config::jsonText(json) << "\n" << std::flush;
 }
 
 std::string contentOf(int descriptor) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "config/json_text.hpp"
 #include "run/terminal.hpp"
 
 namespace tolman::app {
@@ -28,7 +29,7 @@ bool TerminalOutput::passOn() {
 }
 
 std::string jsonText(const nlohmann::ordered_json& json) {
-  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return config::jsonText(json, 2) + "\n";
 }
 
 }  // namespace tolman::app

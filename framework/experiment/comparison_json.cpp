@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.hpp"
+
 namespace tolman::experiment {
 namespace {
 
@@ -44,7 +46,7 @@ std::string jsonOf(const Comparison& comparison) {
                {"baseline", comparison.baseline}, {"alignment", comparison.alignment},
                {"levels", Json::array()},         {"notes", comparison.notes}};
   for (const Level& level : comparison.levels) json["levels"].push_back(levelOf(level));
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return config::jsonText(json, 1) + "\n";
 }
 
 std::string jsonOf(const TextTable& table) {
@@ -54,7 +56,7 @@ std::string jsonOf(const TextTable& table) {
     for (std::size_t k = 0; k < table.heading.size(); ++k) cells[table.heading[k]] = row[k];
     json["rows"].push_back(std::move(cells));
   }
-  return json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  return config::jsonText(json, 1) + "\n";
 }
 
 }  // namespace tolman::experiment

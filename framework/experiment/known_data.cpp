@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "config/json_text.hpp"
 #include "record/atomic_file.hpp"
 #include "record/regular_file.hpp"
 
@@ -30,9 +31,7 @@ Status writeKnownData(const std::filesystem::path& sweep,
     json[path] = {
         {"files", one.files}, {"bytes", one.bytes}, {"stamp", one.stamp}, {"sha256", one.sha256}};
   }
-  return record::writeAtomically(
-      sweep / "data.json",
-      json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  return record::writeAtomically(sweep / "data.json", config::jsonText(json, 1) + "\n");
 }
 
 }  // namespace tolman::experiment

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "config/json_text.hpp"
 #include "config/named_value.hpp"
 #include "config/paths.hpp"
 #include "record/atomic_file.hpp"
@@ -132,9 +133,8 @@ Status freeze(const fs::path& sweep, const PlannedRun& run) {
   const Status written =
       record::writeAtomically(folder / "config.yaml", run.config, record::Sync::No);
   if (!written.isOk()) return written;
-  return record::writeAtomically(
-      folder / "point.json", jsonOf(run).dump(1, ' ', false, Json::error_handler_t::replace) + "\n",
-      record::Sync::No);
+  return record::writeAtomically(folder / "point.json", config::jsonText(jsonOf(run), 1) + "\n",
+                                 record::Sync::No);
 }
 
 Result<PlannedRun> readPoint(const fs::path& folder) {
@@ -220,8 +220,7 @@ Status writeOutcome(const fs::path& folder, const PointOutcome& outcome) {
       {"state", enumName(outcome.state)}, {"exit_code", outcome.exit_code},
       {"message", outcome.message},       {"wall_s", outcome.wall_s},
       {"replayed", outcome.replayed},     {"digests", figureDigests(folder / "run")}};
-  return record::writeAtomically(folder / "outcome.json",
-                                 json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  return record::writeAtomically(folder / "outcome.json", config::jsonText(json, 1) + "\n");
 }
 
 }  // namespace tolman::experiment

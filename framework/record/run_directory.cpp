@@ -11,6 +11,7 @@
 #include <ctime>
 #include <system_error>
 
+#include "config/json_text.hpp"
 #include "config/paths.hpp"
 #include "record/export.hpp"
 #include "record/regular_file.hpp"
@@ -179,8 +180,7 @@ Status RunDirectory::removeDerived() const {
 
 Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState state) const {
   provenance["status"] = enumName(state);
-  const std::string text =
-      provenance.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  const std::string text = config::jsonText(provenance, 2);
   const fs::path held = "/proc/self/fd/" + std::to_string(lock_.number());
   return writeAtomically((stillInPlace().isOk() ? path_ : held) / "run.json", text + "\n");
 }

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <thread>
 
+#include "config/json_text.hpp"
 #include "record/data_digest.hpp"
 #include "record/digest.hpp"
 #include "run/build_info.hpp"
@@ -177,7 +178,7 @@ std::string newRunId(Json run_file, bool is_realtime) {
     for (const char* key : {"started", "command_line", "machine"}) run_file.erase(key);
   }
   constexpr std::size_t kDigits = 32;
-  const std::string text = run_file.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const std::string text = config::jsonText(run_file);
   return record::textDigest(text).substr(0, kDigits);
 }
 

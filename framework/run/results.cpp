@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "config/json_text.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/export.hpp"
@@ -20,11 +21,8 @@ Result<Results> writeResults(const std::filesystem::path& directory,
   auto run = report::readRun(reader, settings, seed);
   if (!run.isOk()) return run.status();
   const report::RunData& data = run.value();
-  status = record::writeAtomically(
-      directory / "metrics.json",
-      evaluation::toJson(data.metrics)
-              .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-          "\n");
+  status = record::writeAtomically(directory / "metrics.json",
+                                   config::jsonText(evaluation::toJson(data.metrics), 2) + "\n");
   if (status.isOk()) {
     status = record::writeAtomically(directory / "map.svg",
                                      report::svgText(report::pictureOf(data, data.name)));

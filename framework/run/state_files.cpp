@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "config/json_integer.hpp"
+#include "config/json_text.hpp"
 #include "record/atomic_file.hpp"
 #include "record/digest.hpp"
 #include "record/regular_file.hpp"
@@ -148,8 +149,7 @@ Status writeStates(Assembly& assembly, const fs::path& file, const std::string& 
                                   {"bytes", state->second.size()},
                                   {"sha256", record::textDigest(state->second)}});
   }
-  return record::writeAtomically(
-      file, contents.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return record::writeAtomically(file, config::jsonText(contents, 2) + "\n");
 }
 
 Json readContents(const fs::path& file) {
