@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facades with windows and doors, and roofs. u runs along the wall, v up from the ground.
+#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise.hpp"
 #include "pattern.hpp"
@@ -165,7 +166,8 @@ float windowGlass(const Surface& surface, const SurfaceHit& hit) {
   return cover(shrunk(opening.box, 0.09F), at);  // shutters are inside
 }
 
-float buildingAlbedo(const Surface& surface, const SurfaceHit& hit) {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float buildingAlbedo(const Surface& surface,
+                                                           const SurfaceHit& hit) {
   return surface.material == Material::Roof ? roof(surface, hit) : facade(surface, hit);
 }
 

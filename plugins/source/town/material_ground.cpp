@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Asphalt, kerbs, paint, pavement and grass. Patterns are functions of the town's X and Y.
+#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise.hpp"
 #include "pattern.hpp"
@@ -120,7 +121,9 @@ float land(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan
 
 }  // namespace
 
-float groundAlbedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan) {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float groundAlbedo(const Surface& surface,
+                                                         const SurfaceHit& hit,
+                                                         const StreetPlan& plan) {
   switch (surface.material) {
     case Material::Road:
       return road(surface, hit);

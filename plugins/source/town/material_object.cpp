@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cars, fences, posts and boards.
+#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise.hpp"
 #include "pattern.hpp"
@@ -69,7 +70,8 @@ float carGlass(const SurfaceHit& hit) {
   return glass * (1 - pillars);
 }
 
-float objectAlbedo(const Surface& surface, const SurfaceHit& hit) {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float objectAlbedo(const Surface& surface,
+                                                         const SurfaceHit& hit) {
   switch (surface.material) {
     case Material::Wood:
       return wood(surface, hit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Leaves and bark: noise in three dimensions, in axes of the plant.
+#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise.hpp"
 
@@ -26,7 +27,8 @@ float bark(const Surface& surface, const SurfaceHit& hit) {
 
 }  // namespace
 
-float plantAlbedo(const Surface& surface, const SurfaceHit& hit) {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float plantAlbedo(const Surface& surface,
+                                                        const SurfaceHit& hit) {
   return surface.material == Material::Leaves ? leaves(surface, hit) : bark(surface, hit);
 }
 

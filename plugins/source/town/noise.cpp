@@ -2,13 +2,7 @@
 // Four octaves, or four points, of noise at once: the inner loop of every texture.
 #include "noise.hpp"
 
-// The version is chosen when the library is loaded. Both give the same bytes, because AVX2 without
-// FMA fuses no operations. Not with sanitizers, which are not yet initialised then.
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define TOLMAN_TOWN_DISPATCH __attribute__((target_clones("avx2", "default")))
-#else
-#define TOLMAN_TOWN_DISPATCH
-#endif
+#include "dispatch.hpp"
 
 namespace tolman::town {
 namespace {

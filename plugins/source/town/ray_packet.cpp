@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dispatch.hpp"
 #include "material_weather.hpp"
 #include "noise.hpp"
 
@@ -38,7 +39,8 @@ struct RayPacket::Meeting {
   std::uint32_t instance = 0;
 };
 
-void RayPacket::trace(std::array<Meeting, kRaysPerPacket>& meetings) {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] void RayPacket::trace(
+    std::array<Meeting, kRaysPerPacket>& meetings) {
   alignas(32) std::array<int, kRaysPerPacket> valid{};
   RTCRayHit8 rays;
   for (int i = 0; i < kRaysPerPacket; ++i) {
@@ -76,7 +78,8 @@ void RayPacket::trace(std::array<Meeting, kRaysPerPacket>& meetings) {
   }
 }
 
-void RayPacket::castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] void RayPacket::castShadows(
+    std::array<Meeting, kRaysPerPacket>& meetings) const {
   const Vec3& to_sun = around_.light->to_sun;
   if (around_.light->sun <= 0) return;
   alignas(32) std::array<int, kRaysPerPacket> valid{};
@@ -132,7 +135,8 @@ SurfaceHit RayPacket::hitOf(const Meeting& meeting, const Vec3& direction) const
   return hit;
 }
 
-Shaded RayPacket::shadeOne(const Meeting& meeting, const Vec3& direction) const {
+TOLMAN_TOWN_DISPATCH [[gnu::flatten]] Shaded RayPacket::shadeOne(const Meeting& meeting,
+                                                                 const Vec3& direction) const {
   if (!meeting.hit) {
     return {around_.light->fromSky(direction, norm(around_.pixel_x)), 0, 0};
   }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "edges.hpp"
 #include "ray_packet.hpp"
 
 namespace tolman::town {
@@ -20,10 +21,6 @@ constexpr std::array<std::array<float, 2>, 8> kWithinPixel = {{{-0.25F, -0.33F},
                                                                {0.12F, -0.25F},
                                                                {-0.4F, -0.4F},
                                                                {0.4F, 0.4F}}};
-
-/// Contrast below the noise of the camera, which is not smoothed: relative, and absolute radiance.
-constexpr float kFaint = 0.04F;
-constexpr float kDim = 0.012F;
 
 Vec3 toVec3(const Eigen::Vector3d& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
@@ -113,29 +110,6 @@ void Renderer::firstPass(const Rays& rays, int first_row, int end_row, RenderedI
   }
 }
 
-bool Renderer::isEdge(const RenderedImage& picture, const Rays& rays, int column, int row) const {
-  const auto inverse = [&](std::size_t i) {
-    return picture.depth[i] > 0 ? 1 / picture.depth[i] : 0.0F;
-  };
-  const std::size_t here = rays.index(column, row);
-  // Inverse depth is linear over the image of a plane, so its second difference shows edges.
-  const auto differs = [&](std::size_t before, std::size_t after) {
-    const float here_radiance = picture.radiance[here];
-    const float contrast = std::max(std::abs(picture.radiance[before] - here_radiance),
-                                    std::abs(picture.radiance[after] - here_radiance));
-    if (contrast < std::max(kDim, kFaint * here_radiance)) return false;
-    if (seen_[before] != seen_[here] || seen_[after] != seen_[here]) return true;
-    if ((seen_[here] & kFoliage) != 0) return false;
-    const float bend = inverse(before) - 2 * inverse(here) + inverse(after);
-    return std::abs(bend) > 0.02F * inverse(here);
-  };
-  const auto clampedColumn = [&](int c) { return std::clamp(c, 0, rays.width - 1); };
-  const auto clampedRow = [&](int r) { return std::clamp(r, 0, rays.height - 1); };
-  return differs(rays.index(clampedColumn(column - 1), row),
-                 rays.index(clampedColumn(column + 1), row)) ||
-         differs(rays.index(column, clampedRow(row - 1)), rays.index(column, clampedRow(row + 1)));
-}
-
 /// Column by column within the strip, so that the rays of a packet follow upright edges.
 void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, RenderedImage& picture) {
   RayPacket packet(rays.around);
@@ -151,7 +125,7 @@ void Renderer::smoothEdges(const Rays& rays, int first_row, int end_row, Rendere
   for (int column = 0; column < rays.width; ++column) {
     for (int row = first_row; row < end_row; ++row) {
       const std::size_t at = rays.index(column, row);
-      if (!edges_[at]) continue;
+      if (edges_[at] == 0) continue;
       picture.radiance[at] *= share;
       for (int i = 0; i < edge_samples_; ++i) {
         const auto& [x, y] = kWithinPixel[static_cast<std::size_t>(i)];
@@ -181,10 +155,9 @@ void Renderer::render(const RenderCamera& view, RenderedImage& picture) {
   if (edge_samples_ == 0) return;
   edges_.resize(pixels);
   everyStrip([&](int first, int end) {  // for all strips before any pixel is changed
+    const FirstLook look = {picture.radiance, picture.depth, seen_, view.width, view.height};
     for (int row = first; row < end; ++row) {
-      for (int column = 0; column < view.width; ++column) {
-        edges_[rays.index(column, row)] = isEdge(picture, rays, column, row);
-      }
+      findEdges(look, row, edges_.data() + rays.index(0, row));
     }
   });
   everyStrip([&](int first, int end) { smoothEdges(rays, first, end, picture); });

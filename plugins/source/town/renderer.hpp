@@ -46,14 +46,13 @@ class Renderer {
   class Rays;
   void firstPass(const Rays& rays, int first_row, int end_row, RenderedImage& picture);
   void smoothEdges(const Rays& rays, int first_row, int end_row, RenderedImage& picture);
-  bool isEdge(const RenderedImage& picture, const Rays& rays, int column, int row) const;
 
   const Scene* scene_;
   const StreetPlan* plan_;
   Light light_;
   int edge_samples_;
-  std::vector<char> edges_;
-  std::vector<std::uint32_t> seen_;  ///< Shaded::seen of each pixel
+  std::vector<std::uint32_t> edges_;  ///< of each pixel: 1 where more rays are needed
+  std::vector<std::uint32_t> seen_;   ///< Shaded::seen of each pixel
 };
 
 }  // namespace tolman::town

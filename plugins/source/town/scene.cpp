@@ -10,9 +10,6 @@
 namespace tolman::town {
 namespace {
 
-/// Of the top scene the fixed mesh is geometry 0; instance i is geometry i + 1.
-constexpr std::uint32_t kFirstInstance = 1;
-
 /// Columns of a 3x4 matrix.
 std::array<float, 12> matrixOf(const Placement& p) {
   const float c = p.cosine * p.scale;
@@ -45,11 +42,13 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
     throw std::runtime_error("Embree does not know this processor");
   }
   if (!device_) throw std::bad_alloc();  // or no memory for its threads
-  scene_.reset(newScene(device_.get()));
+  fixed_.reset(newScene(device_.get()));
+  placed_.reset(newScene(device_.get()));
   surfaces_ = std::move(world.surfaces);
   fixed_surfaces_ = std::move(world.fixed.surfaces);
   lamps_ = StreetLamps(world.lamp_heads);
-  attachMesh(scene_.get(), world.fixed);
+  attachMesh(fixed_.get(), world.fixed);
+  rtcCommitScene(fixed_.get());
   for (Mesh& prototype : world.prototypes) {
     prototype_scenes_.emplace_back(newScene(device_.get()));
     attachMesh(prototype_scenes_.back().get(), prototype);
@@ -89,7 +88,7 @@ void Scene::attachInstance(const MeshInstance& instance) {
   rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
                           matrixOf(instance.placement).data());
   rtcCommitGeometry(geometry);
-  rtcAttachGeometry(scene_.get(), geometry);
+  rtcAttachGeometry(placed_.get(), geometry);
   rtcReleaseGeometry(geometry);
   instance_geometries_.push_back(geometry);
 }
@@ -114,7 +113,7 @@ void Scene::show(std::size_t index, bool shown) {
 }
 
 void Scene::commit() {
-  rtcCommitScene(scene_.get());
+  rtcCommitScene(placed_.get());
   check("building the town");
 }
 
@@ -122,19 +121,21 @@ void Scene::intersect(const int* valid, RTCRayHit8& rays) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect8(valid, scene_.get(), &context, &rays);
+  rtcIntersect8(valid, fixed_.get(), &context, &rays);
+  rtcIntersect8(valid, placed_.get(), &context, &rays);
 }
 
 void Scene::occlude(const int* valid, RTCRay8& rays) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded8(valid, scene_.get(), &context, &rays);
+  rtcOccluded8(valid, fixed_.get(), &context, &rays);
+  rtcOccluded8(valid, placed_.get(), &context, &rays);
 }
 
 Scene::Owner Scene::ownerOf(std::uint32_t instance, std::uint32_t primitive) const {
   if (instance == RTC_INVALID_GEOMETRY_ID) return {fixed_surfaces_[primitive], nullptr};
-  const MeshInstance& found = instances_[instance - kFirstInstance];
+  const MeshInstance& found = instances_[instance];
   return {prototype_surfaces_[found.prototype][primitive], &found};
 }
 

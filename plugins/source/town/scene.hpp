@@ -59,13 +59,16 @@ class Scene {
   void check(const char* what) const;
 
   Device device_;
-  SceneHandle scene_;
+  // Two scenes, because a commit builds the whole search structure of its scene anew: a car that
+  // moves must not rebuild that of all streets and houses.
+  SceneHandle fixed_;   // the fixed mesh
+  SceneHandle placed_;  // the instances; instance i is geometry i
   std::vector<SceneHandle> prototype_scenes_;
   SurfaceTable surfaces_;
   std::vector<std::uint32_t> fixed_surfaces_;
   std::vector<std::vector<std::uint32_t>> prototype_surfaces_;
   std::vector<MeshInstance> instances_;
-  std::vector<RTCGeometry> instance_geometries_;  // owned by scene_
+  std::vector<RTCGeometry> instance_geometries_;  // owned by placed_
   StreetLamps lamps_;
   std::size_t triangles_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dispatch.hpp"
 #include "noise.hpp"
 
 namespace tolman::town {
@@ -18,31 +19,55 @@ float normal(std::uint32_t a, std::uint32_t b) {
   return (static_cast<float>(sum) - 2 * 65535.0F) * kScale;
 }
 
+/// Constants of an exposure, in the units of its grey levels.
+struct Response {
+  float gain;
+  float read;  ///< variance
+  float shot;  ///< variance per grey level
+  float fall;  ///< loss of light per squared px from the middle of the image
+  std::uint32_t stream;
+};
+
+/// A plain loop, which is vectorised. `first` is the index of the row's first pixel in the image.
+TOLMAN_TOWN_DISPATCH
+void levelsOfRow(const Response& response, const float* radiance, std::uint32_t first, float dy,
+                 float cx, int width, float* levels) {
+  const Response r = response;
+  for (int column = 0; column < width; ++column) {
+    const float dx = static_cast<float>(column) - cx;
+    levels[column] = r.gain * radiance[column] * (1 - r.fall * (dx * dx + dy * dy));
+  }
+  if (r.read <= 0 && r.shot <= 0) return;
+  for (int column = 0; column < width; ++column) {
+    const std::uint32_t h = hash((first + static_cast<std::uint32_t>(column)) ^ r.stream);
+    const float level = levels[column];
+    levels[column] =
+        level + std::sqrt(r.read + r.shot * std::max(level, 0.0F)) * normal(h, hash(h + r.stream));
+  }
+}
+
 }  // namespace
 
 Image expose(const Sensor& sensor, const std::vector<float>& radiance, std::uint32_t exposure) {
-  const auto gain = static_cast<float>(sensor.gain);
-  const auto read = static_cast<float>(sensor.read_noise * sensor.read_noise);
-  const auto shot = static_cast<float>(sensor.shot_noise);
-  const bool noisy = read > 0 || shot > 0;
   const float cx = 0.5F * static_cast<float>(sensor.width - 1);
   const float cy = 0.5F * static_cast<float>(sensor.height - 1);
-  const float fall = static_cast<float>(sensor.vignetting) / (cx * cx + cy * cy);
+  const Response response = {static_cast<float>(sensor.gain),
+                             static_cast<float>(sensor.read_noise * sensor.read_noise),
+                             static_cast<float>(sensor.shot_noise),
+                             static_cast<float>(sensor.vignetting) / (cx * cx + cy * cy),
+                             hash(sensor.seed, exposure, 101)};
   const auto gamma = static_cast<float>(sensor.gamma);
-  const std::uint32_t stream = hash(sensor.seed, exposure, 101);
+  const auto width = static_cast<std::size_t>(sensor.width);
   const auto exposeRow = [&](int row, std::uint8_t* out) {
-    const float dy = static_cast<float>(row) - cy;
-    std::uint32_t index =
-        static_cast<std::uint32_t>(row) * static_cast<std::uint32_t>(sensor.width);
-    for (int column = 0; column < sensor.width; ++column, ++index) {
-      const float dx = static_cast<float>(column) - cx;
-      float level = gain * radiance[index] * (1 - fall * (dx * dx + dy * dy));
-      if (noisy) {
-        const std::uint32_t h = hash(index ^ stream);
-        level += std::sqrt(read + shot * std::max(level, 0.0F)) * normal(h, hash(h + stream));
-      }
-      if (gamma != 1) level = 255 * std::pow(std::clamp(level / 255, 0.0F, 1.0F), gamma);
-      out[column] = static_cast<std::uint8_t>(std::clamp(level + 0.5F, 0.0F, 255.0F));
+    std::vector<float> levels(width);
+    const std::size_t first = static_cast<std::size_t>(row) * width;
+    levelsOfRow(response, radiance.data() + first, static_cast<std::uint32_t>(first),
+                static_cast<float>(row) - cy, cx, sensor.width, levels.data());
+    for (std::size_t i = 0; gamma != 1 && i < width; ++i) {
+      levels[i] = 255 * std::pow(std::clamp(levels[i] / 255, 0.0F, 1.0F), gamma);
+    }
+    for (std::size_t i = 0; i < width; ++i) {
+      out[i] = static_cast<std::uint8_t>(std::clamp(levels[i] + 0.5F, 0.0F, 255.0F));
     }
   };
   return Image::create(sensor.width, sensor.height, PixelFormat::Gray8, [&](std::uint8_t* data) {

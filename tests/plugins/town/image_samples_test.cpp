@@ -25,8 +25,8 @@ TEST_CASE("bilinear interpolation is exact on planes, and constant outside") {
 
 TEST_CASE("box means are those of the pixels in the box, less at the border") {
   RandomStream random(5);
-  constexpr int kWidth = 13;
-  constexpr int kHeight = 9;
+  constexpr int kWidth = 37;  // whole groups of lines and single ones
+  constexpr int kHeight = 11;
   std::vector<float> image;
   for (int i = 0; i < kWidth * kHeight; ++i) {
     image.push_back(static_cast<float>(random.uniform(0, 10)));
