@@ -119,7 +119,10 @@ Status DirectSparse::checkFrame(const Frame& frame) const {
 
 bool DirectSparse::buildLeft(const Frame& frame) {
   if (frame.left.empty()) return false;
-  current_.build(frame.left);
+  // With a right image depths are measured in spite of noise, and smoothing costs accuracy.
+  const auto noise =
+      cameras_ == Cameras::Single ? ImagePyramid::Noise::Smooth : ImagePyramid::Noise::Keep;
+  current_.build(frame.left, ImagePyramid::kMaxLevels, noise);
   return grayStatistics(current_.level(0)).deviation >= kWeakestContrast;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "image_noise.hpp"
+
 namespace tolman::direct_sparse {
 namespace {
 
@@ -40,7 +42,7 @@ void GrayLevel::resize(int new_width, int new_height) {
   pixels.assign(size + kPadding, 0);
 }
 
-void ImagePyramid::build(const Image& image, int most) {
+void ImagePyramid::build(const Image& image, int most, Noise noise) {
   constexpr int kSmallestSide = 16;  // px; chosen, not tuned
   GrayLevel& base = images_[0];
   base.resize(image.width(), image.height());
@@ -51,6 +53,7 @@ void ImagePyramid::build(const Image& image, int most) {
       std::memcpy(base.row(v), image.row(v), static_cast<std::size_t>(base.width));
     }
   }
+  if (noise == Noise::Smooth) smooth(base, smoothedShare(imageNoise(base)), buffer_);
   levels_ = 1;
   while (levels_ < most) {
     const GrayLevel& fine = images_[levels_ - 1];

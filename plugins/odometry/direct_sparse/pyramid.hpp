@@ -54,8 +54,11 @@ class ImagePyramid {
  public:
   static constexpr int kMaxLevels = 6;  // as in DSO
 
+  /// Whether noisy images are smoothed first (image_noise.hpp).
+  enum class Noise : std::uint8_t { Keep, Smooth };
+
   /// Reuses its memory. Levels stop before a side falls below 16 px, or at `most`.
-  void build(const Image& image, int most = kMaxLevels);
+  void build(const Image& image, int most = kMaxLevels, Noise noise = Noise::Keep);
   /// Removes all levels; keeps the memory.
   void clear() { levels_ = 0; }
   int levels() const { return levels_; }
@@ -64,6 +67,7 @@ class ImagePyramid {
 
  private:
   GrayLevel images_[kMaxLevels];
+  std::vector<std::uint8_t> buffer_;
   int levels_ = 0;
 };
 
