@@ -190,8 +190,8 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   run::Run run(log, clock, interrupts, run_options);
   const ExitGuard guard;
   const run::Outcome outcome = run.execute(std::move(checked));
-  if (outcome.interrupted) return ExitCode::Interrupted;
-  if (!command.verify || outcome.failure) return printOutcome(outcome, invocation);
+  const bool is_whole = !outcome.interrupted && !outcome.failure;
+  if (!command.verify || !is_whole) return printOutcome(outcome, invocation);
   return compare(before, out, invocation);
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fcntl.h>
 #include <malloc.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <iostream>
 #include <optional>
+#include <vector>
 
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
@@ -51,10 +54,38 @@ bool hasStack() {
   return false;
 }
 
+void* waitFor(void* go) {
+  static_cast<std::atomic<bool>*>(go)->wait(false);
+  return nullptr;
+}
+
+/// Libraries that cannot start a thread end the process (TBB, GLib) instead of reporting it.
+bool hasThreads() {
+  constexpr std::size_t kFewest = 16;       // 12 were enough for a run with 8 threads
+  constexpr std::size_t kStack = 64 << 10;  // bytes; the usual 8 MiB would be a test of memory
+  std::atomic<bool> go = false;             // all of them exist at the same time
+  std::vector<pthread_t> threads;
+  pthread_attr_t small;
+  ::pthread_attr_init(&small);
+  ::pthread_attr_setstacksize(&small, kStack);
+  pthread_t thread;
+  while (threads.size() < kFewest && ::pthread_create(&thread, &small, waitFor, &go) == 0) {
+    threads.push_back(thread);
+  }
+  ::pthread_attr_destroy(&small);
+  go = true;
+  go.notify_all();
+  for (const pthread_t& each : threads) ::pthread_join(each, nullptr);
+  if (threads.size() == kFewest) return true;
+  std::cerr << "tolman: fewer than " << kFewest
+            << " threads can be started; raise the limit of processes (`ulimit -u`)\n";
+  return false;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (!hasStack()) return static_cast<int>(tolman::app::ExitCode::Internal);
+  if (!hasStack() || !hasThreads()) return static_cast<int>(tolman::app::ExitCode::Internal);
   limitFragmentation();
   repairInheritedState();
   std::optional<tolman::app::TerminalOutput> terminal;

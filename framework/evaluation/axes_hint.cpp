@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "evaluation/errors.hpp"
 
@@ -56,6 +57,21 @@ double directionsApart(const Matches& matches, const Steps& steps) {
   return meanAngle(steps.products.trace(), steps);
 }
 
+/// Median angle between true and estimated orientation, rad.
+double orientationsApart(const Matches& aligned) {
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < aligned.truth.size(); ++i) {
+    if (!aligned.estimate[i].tracked) continue;
+    const Eigen::Matrix3d turn = aligned.truth[i].T_world_camera.linear().transpose() *
+                                 aligned.estimate[i].T_world_camera.linear();
+    angles.push_back(Eigen::AngleAxisd(turn).angle());
+  }
+  if (angles.empty()) return 0;
+  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
+  std::ranges::nth_element(angles, middle);
+  return *middle;
+}
+
 }  // namespace
 
 std::string axesHint(const Matches& matches) {
@@ -82,8 +98,18 @@ std::string axesHint(const Matches& matches) {
 
 std::string rotationHint(const Matches& aligned) {
   constexpr double kAgree = 0.05;  // of the true path
+  constexpr double kReversed = 90 * kDegree;
   const double apart = directionsApart(aligned, stepsOf(aligned.truth, aligned.estimate));
-  if (apart < kApart || absoluteError(aligned).rmse > kAgree * pathLength(aligned.truth)) return "";
+  const double turned = orientationsApart(aligned);
+  if (absoluteError(aligned).rmse > kAgree * pathLength(aligned.truth)) return "";
+  if (apart < kApart && turned > kReversed) {
+    return fmt::format(
+        "the positions agree only where the alignment turns the estimate by {:.0f} degrees against "
+        "its own orientations: does an axis of the positions of one of the two have the wrong "
+        "sign? Position errors say nothing if so",
+        turned / kDegree);
+  }
+  if (apart < kApart) return "";
   return fmt::format(
       "the positions agree, but true and estimated motion, each in the axes of its camera, point "
       "in directions {:.0f} degrees apart: the rotations of one of the two are wrong. Are the "

@@ -17,7 +17,8 @@ namespace tolman::evaluation {
 std::string axesHint(const Matches& matches);
 
 /// A warning if the aligned positions agree within a twentieth of the true path, but the directions
-/// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean; else
+/// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean, or the
+/// aligned orientations by more than 90 degrees in the median, as for mirrored positions; else
 /// empty.
 std::string rotationHint(const Matches& aligned);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Too little memory: one clear message and the exit code of the table, never a signal.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -69,6 +71,21 @@ TEST_CASE("threads that find no room for their stacks are said to lack memory") 
     CHECK(finished.err.starts_with("tolman: out of memory"));
   }
   CHECK(told > 0);
+}
+
+TEST_CASE("too few threads are told before a library fails for want of one") {
+  if (::geteuid() != 0) return;  // limits count all processes of a user; root can be one without
+  const auto limited = [](const std::string& line) {
+    return run({"setpriv", "--reuid=54321", "--regid=54321", "--clear-groups", "bash", "-c",
+                line + tolmanProgram().string() + " version"});
+  };
+  if (limited("exec ").exit_code != 0) return;  // the build lies in a folder of its owner
+  for (const char* limit : {"2", "5", "9"}) {
+    const Finished finished = limited("ulimit -u " + std::string(limit) + "; exec ");
+    CAPTURE(limit, finished.out, finished.err);
+    CHECK(finished.exit_code == 70);
+    CHECK(contains(finished.err, "fewer than 16 threads can be started"));
+  }
 }
 
 TEST_CASE("libraries that find no room are refused as plugins, with the limits as the remedy") {

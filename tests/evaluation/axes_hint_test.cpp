@@ -78,6 +78,25 @@ TEST_CASE("scrambled rotations under right positions are told, of either path") 
   CHECK(rotationHint(test::paired(truth, test::wanderingPath(60, random))).empty());
 }
 
+TEST_CASE("mirrored positions, which an alignment turns upside down, are told") {
+  const auto at = [](int i, double side) {  // along a road with a slight bend
+    const double angle = 0.01 * i;
+    Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
+    T.linear() = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    T.translation() << side * 100 * (1 - std::cos(angle)), 0, 100 * std::sin(angle);
+    return T;
+  };
+  Trajectory truth;
+  Trajectory turned;  // as the alignment turns the mirrored one: about the road
+  const Eigen::Isometry3d about_road(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitZ()));
+  for (int i = 0; i < 30; ++i) {
+    truth.push_back({i, i, at(i, 1), true});
+    turned.push_back({i, i, about_road * at(i, -1), true});
+  }
+  CHECK(rotationHint(test::paired(truth, turned)).starts_with("the positions agree only where"));
+  CHECK(rotationHint(test::paired(truth, truth)).empty());
+}
+
 TEST_CASE("positions in millimetres are told, a poor scale is not") {
   const Trajectory estimate = drive();
   const auto scaled = [&](double factor) {
