@@ -112,7 +112,7 @@ void Watchdog::lookAtDisk() {
   settings_.stop(
       fmt::format("the disk is nearly full: {:.1f} MiB are left, and the run needs about {:.1f} "
                   "MiB to end well, so it stopped; free some space and go on with `tolman run "
-                  "--resume`",
+                  "--resume`, or run it again if it has no checkpoint yet",
                   mebibytes(*left), mebibytes(needed)));
 }
 

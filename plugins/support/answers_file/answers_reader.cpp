@@ -52,7 +52,9 @@ Status AnswersReader::open(const std::string& run) {
     block = {static_cast<std::int64_t>(words[0]), words[1], words[2], stream_.tellg()};
     if (!stream_ || block.size > kMaxBytes ||
         block.start + static_cast<std::streamoff>(block.size) > bytes) {
-      return damaged("the run has not ended; `tolman run --resume` goes on with it");
+      return damaged(
+          "the run has not ended, or the file was cut off: `tolman run --resume` goes on with "
+          "the run, if it has not ended; otherwise run it again");
     }
     stream_.seekg(static_cast<std::streamoff>(block.size), std::ios::cur);
     if (block.tag == kStart) {
