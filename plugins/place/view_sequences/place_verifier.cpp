@@ -62,7 +62,7 @@ Result<std::optional<landmarks::MeasuredPose>> PlaceVerifier::locateByEdges(std:
   constexpr double kShare = 0.65;
   constexpr double kInflation = 3.25;  // as above; chosen on 06 and 05 by night
   // Most candidates are wrong, which a quarter of their landmarks shows. Of 40 found ones a true
-  // share of 0.65 is below 0.45 by chance once in 250 times (binomial).
+  // share of 0.65 is below 0.45 by chance once in 330 times (binomial).
   constexpr std::size_t kSample = 4;
   constexpr double kShareOfSample = 0.45;
   const auto stored = store_.read(view);
