@@ -3,7 +3,9 @@
 #include "direct_sparse.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "feature_guess.hpp"
 #include "lost_motion.hpp"
@@ -32,6 +34,12 @@ Affine relative(const Affine& reference, const Affine& other) {
   return {a, other.b - std::exp(a) * reference.b};
 }
 
+std::string pixelText(double pixels) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", pixels);
+  return text.data();
+}
+
 template <class P>
 Status bind(const ParameterValues& values, Parameters& parameters) {
   const Result<P> bound = bindParameters<P>(values);
@@ -58,6 +66,7 @@ Status DirectSparse::configure(const Context& context) {
       static_cast<int>(std::clamp(disparity + 1, 8.0, static_cast<double>(kMaxDisparities)));
   settings.marginal_weight = parameters_.marginal_weight;
   settings.offset_sigma = parameters_.offset_sigma;
+  settings.row_sigma = cameras_ == Cameras::Stereo ? parameters_.row_sigma : 0;
   settings.adjustment.iterations = parameters_.iterations;
   settings.adjustment.system.lambda = static_cast<float>(parameters_.coupling);
   const bool scale_is_free = cameras_ == Cameras::Single || parameters_.coupling == 0;
@@ -68,6 +77,7 @@ Status DirectSparse::configure(const Context& context) {
 
 Status DirectSparse::reset() {
   mapper_.reset();
+  mapper_.rows().reset();
   tracker_.reset();
   history_.clear();
   brightness_ = Affine();
@@ -131,6 +141,7 @@ void DirectSparse::buildRight(const Frame& frame) {
   if (frame.right.empty() || cameras_ == Cameras::Single) return;
   right_.build(frame.right, 1);
   if (grayStatistics(right_.level(0)).deviation < kWeakestContrast) right_.clear();
+  if (!right_.empty()) mapper_.rows().correct(right_.level(0));
 }
 
 Status DirectSparse::track(const Frame& frame, Motion& motion) {
@@ -247,6 +258,10 @@ Eigen::Isometry3d DirectSparse::poseOf(const AlignmentResult& tracked) const {
 }
 
 Status DirectSparse::finish(std::vector<MotionRevision>& revisions) {
+  if (const RowAlignment& rows = mapper_.rows(); rows.isCorrecting()) {
+    log_->info("rows of the right images were off by " + pixelText(rows.field().rms()) +
+               " px (root mean square over the image) and have been corrected");
+  }
   std::vector<MotionRevision> owed = history_.finish();
   revisions.insert(revisions.end(), owed.begin(), owed.end());
   return Status::ok();

@@ -24,6 +24,7 @@ constexpr double kGreyVariance = 16;
 void Mapper::configure(const CameraRig& rig, const MapperSettings& settings) {
   rig_ = rig;
   settings_ = settings;
+  rows_.configure(rig.width, rig.height, settings.row_sigma);
   reset();
 }
 
@@ -108,6 +109,7 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
                               static_cast<int>(point.u), static_cast<int>(point.v), search);
   });
   balanceRight(keyframe, search);
+  if (rows_.isOn()) learnRows(keyframe, search.gain);
   const auto focal_baseline = static_cast<float>(rig_.pinhole.fx * rig_.baseline);
   const auto offset = static_cast<float>(window_.offset.value());
   std::size_t kept = 0;
@@ -154,6 +156,19 @@ void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) const 
   }
   keyframe.right_gain = static_cast<float>(gain);
   keyframe.right_offset = static_cast<float>(offset);
+}
+
+void Mapper::learnRows(const Keyframe& keyframe, float gain) {
+  constexpr std::size_t kMost = 400;  // bounds the time; chosen, not tuned
+  const std::size_t step = 1 + matches_.size() / kMost;
+  corners_.clear();
+  for (std::size_t i = 0; i < matches_.size(); i += step) {
+    if (!matches_[i]) continue;
+    const ImmaturePoint& point = keyframe.immature[i];
+    corners_.push_back(
+        {static_cast<int>(point.u), static_cast<int>(point.v), matches_[i]->disparity});
+  }
+  rows_.observe(keyframe.left.level(0), keyframe.right.level(0), corners_, gain);
 }
 
 void Mapper::shrink() {

@@ -8,6 +8,7 @@
 #include "activation.hpp"
 #include "bundle_adjustment.hpp"
 #include "point_selection.hpp"
+#include "row_alignment.hpp"
 #include "static_stereo.hpp"
 #include "stereo_check.hpp"
 #include "window.hpp"
@@ -22,13 +23,18 @@ struct MapperSettings {
   int max_disparity = 160;        ///< px
   double marginal_weight = 0.06;  ///< of marginalised points in the prior
   double offset_sigma = 0;        ///< px, 0: the disparity offset is not estimated
+  double row_sigma = 0;           ///< px, 0: errors of the rows are not estimated
   AdjustmentSettings adjustment;
 };
 
 class Mapper {
  public:
   void configure(const CameraRig& rig, const MapperSettings& settings);
+  /// Removes the window; what was learnt of the cameras stays.
   void reset();
+  /// Rows of right images, which rows().correct() must have corrected before they are given.
+  RowAlignment& rows() { return rows_; }
+  const RowAlignment& rows() const { return rows_; }
 
   Window& window() { return window_; }
   const Window& window() const { return window_; }
@@ -62,6 +68,7 @@ class Mapper {
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
   void balanceRight(Keyframe& keyframe, const StereoSearch& search) const;
+  void learnRows(const Keyframe& keyframe, float gain);
   /// More steps for a single camera whose window is not full yet: it is far from its optimum.
   AdjustmentSettings adjustmentFor(const Keyframe& keyframe) const;
   void shrink();
@@ -74,7 +81,9 @@ class Mapper {
   PointSelector selector_;
   Activator activator_;
   LinearSystem system_;
+  RowAlignment rows_;
   std::vector<std::optional<StereoMatch>> matches_;
+  std::vector<RowCorner> corners_;
   Keyframe observed_frame_;  ///< pose and brightness of the frame that is observed
 };
 

@@ -24,6 +24,7 @@ struct Parameters {
   double marginal_weight = 0.06;    // chosen, not tuned; 0 to 1 are alike on KITTI 01
   double largest_adjustment = 0.5;  // m; chosen, not tuned
   double offset_sigma = 1;          // px; as rigs are off (docs/odometry.md)
+  double row_sigma = 1;             // px; KITTI 06 and raw 0001 are off by 1.5 px in the corners
   double camera_height = 1.65;      // m; KITTI's car
 
   template <class P>
@@ -71,7 +72,13 @@ struct Parameters {
                 .range(0, 5)
                 .unit("px")
                 .doc("Standard deviation of an offset that all disparities share, which is "
-                     "estimated; 0: no offset.")));
+                     "estimated; 0: no offset."),
+            parameter<P, double>("row_sigma", &P::row_sigma)
+                .range(0, 5)
+                .unit("px")
+                .doc("Standard deviation of vertical errors of the rectification, by which right "
+                     "images are corrected; they are estimated as a smooth field over the image. "
+                     "0: no correction.")));
   }
 };
 

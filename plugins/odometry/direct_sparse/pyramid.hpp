@@ -63,6 +63,7 @@ class ImagePyramid {
   void clear() { levels_ = 0; }
   int levels() const { return levels_; }
   const GrayLevel& level(int l) const { return images_[l]; }
+  GrayLevel& level(int l) { return images_[l]; }
   bool empty() const { return levels_ == 0; }
 
  private:

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Estimates by how many rows the right image of a point lies below its left one (SmoothField) while
+// driving. Each keyframe gives the vertical errors of some hundred matched corners; the
+// coefficients are their least squares fit with a prior, kept in information form, so that what
+// images do not show stays at zero.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pyramid.hpp"
+#include "row_shift.hpp"
+#include "smooth_field.hpp"
+
+namespace tolman::direct_sparse {
+
+/// A corner of the left image at a whole pixel and its match in the right image.
+struct RowCorner {
+  int u = 0;
+  int v = 0;
+  float disparity = 0;  ///< px
+};
+
+class RowAlignment {
+ public:
+  /// `sigma`: px, standard deviation of the errors that are expected; 0: nothing is estimated.
+  void configure(int width, int height, double sigma);
+  /// Forgets what was estimated.
+  void reset();
+  bool isOn() const { return sigma_ > 0; }
+
+  /// Moves the rows of a right image such that they match those of the left one, by at least
+  /// 0.1 px somewhere, and where the field is known to be different from zero.
+  void correct(GrayLevel& right) { shift_.apply(right); }
+  /// Learns from the matches of a keyframe, whose right image was corrected last. `gain`: of grey
+  /// levels, right to left.
+  void observe(const GrayLevel& left, const GrayLevel& right, const std::vector<RowCorner>& corners,
+               float gain);
+
+  /// Whether images are corrected at present.
+  bool isCorrecting() const { return isOn() && isSignificant(); }
+  const SmoothField& field() const { return field_; }
+  /// Standard deviation of the field at a pixel, px.
+  double sigmaAt(double u, double v) const;
+
+ private:
+  using Information = Eigen::Matrix<double, SmoothField::kTerms, SmoothField::kTerms>;
+  struct Measurement {
+    double below = 0;  ///< px, without correction
+    SmoothField::Terms terms;
+  };
+  Information prior() const;
+  void learn(const std::vector<Measurement>& measurements);
+  bool isSignificant() const;
+
+  int width_ = 0;
+  int height_ = 0;
+  double sigma_ = 0;
+  SmoothField field_;
+  Information information_ = Information::Zero();
+  SmoothField::Terms information_vector_ = SmoothField::Terms::Zero();
+  RowShift shift_;
+  std::vector<std::optional<float>> errors_;
+};
+
+}  // namespace tolman::direct_sparse
