@@ -22,7 +22,7 @@
 namespace tolman::app {
 namespace {
 
-constexpr double kFarthest = 1e9;  // m; the limit for positions in trajectory files, too
+constexpr double kFarthest = 1e9;  // m; also the limit of positions in trajectory files
 
 struct RouteOptions {
   std::string run;
@@ -36,8 +36,8 @@ bool parse(std::string_view text, T& value) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-/// The experiences of the first part of the map. Coordinates of a place are in its world frame, in
-/// which the poses of other parts are unknown.
+/// The experiences of the first part of the map. Places are given in the world frame of this part;
+/// the poses of the other parts in this frame are unknown.
 MapGraph firstPart(MapGraph graph) {
   const record::GraphParts parts = record::partsOf(graph);
   std::erase_if(graph.experiences, [&](const Experience& experience) {
@@ -46,19 +46,19 @@ MapGraph firstPart(MapGraph graph) {
   return graph;
 }
 
-/// An end of the route as it was given, and the experience that was chosen for it.
+/// Start or goal of the route: the text of the option, and the experience chosen for it.
 struct End {
   std::string given;
   std::int64_t experience = -1;
-  std::optional<double> away_m;  ///< distance of a given place from the experience
+  std::optional<double> away_m;  ///< from a place to the experience; none for an experience
 };
 
 Eigen::Vector3d placeOf(std::int64_t experience, const MapGraph& graph) {
   return planning::placeOf(graph.experiences[static_cast<std::size_t>(experience)]);
 }
 
-/// Parses "12.5,-30" or "12.5,-30,6": metres right, forward and up; NaN without a height. None for
-/// any other text.
+/// Parses "12.5,-30" or "12.5,-30,6": metres right, forward and up. Without a height, up is NaN.
+/// Empty for any other text.
 std::optional<Eigen::Vector3d> parsePlace(std::string_view text) {
   Eigen::Vector3d place(0, 0, std::numeric_limits<double>::quiet_NaN());
   for (int i = 0; i < 3; ++i) {
@@ -70,15 +70,16 @@ std::optional<Eigen::Vector3d> parsePlace(std::string_view text) {
   return {};
 }
 
-/// Where the robot is, or was at the end of the run. A graph that is still growing may lack the
-/// newest experience.
+/// The experience at which the robot is, or was at the end of the run. During a run the recorded
+/// graph may not contain the newest experience yet; the last one in it is used then.
 End endHere(const record::RunReader& reader, const MapGraph& graph) {
   const auto newest = valueOrEnd(reader.newestExperience(), ExitCode::Dataset);
   const auto last = static_cast<std::int64_t>(graph.experiences.size()) - 1;
   return End{"here", std::min(newest, last), std::nullopt};
 }
 
-/// The end for "here", an experience ("17"), or a place: the experience nearest to it.
+/// Start or goal from the text of an option: "here", an experience ("17"), or a place, for which
+/// the nearest experience is taken.
 End endOf(const std::string& text, const record::RunReader& reader, const MapGraph& graph) {
   if (text == "here") return endHere(reader, graph);
   std::int64_t id = -1;
@@ -87,8 +88,8 @@ End endOf(const std::string& text, const record::RunReader& reader, const MapGra
   if (!place) {
     throw Ended{ExitCode::Usage,
                 "'" + text +
-                    "' is not a place: give an experience (17), `here`, or metres right and "
-                    "forward of the start and, if you like, up (12.5,-30,6), at most 1e9"};
+                    "' is not a place: give an experience (17), `here`, or metres right, forward "
+                    "and, optionally, up from the start (12.5,-30,6), each at most 1e9"};
   }
   id = planning::nearestExperience(firstPart(graph), *place);
   if (id < 0) return End{text, id, std::nullopt};  // the search reports that it is not in the map
@@ -102,7 +103,7 @@ struct RoutePlan {
   bool scale_known = true;  ///< false (a single camera): lengths are in arbitrary units
   planning::PlannedRoute route;
 
-  /// Null where times are not known.
+  /// Null if no link has a duration.
   nlohmann::ordered_json secondsOf(const planning::Leg& leg) const {
     return route.times_known ? nlohmann::ordered_json(leg.seconds) : nullptr;
   }
@@ -147,11 +148,12 @@ void print(const RoutePlan& plan, const MapGraph& graph) {
                            plan.route.legs.size() == 1 ? "" : "s", plan.route.metres(), unit,
                            plan.timeText(plan.route.legs.back(), 1));
   if (!plan.route.times_known) {
-    std::cout
-        << "times are not known: no link of this map has a duration; this is the shortest way\n";
+    std::cout << "times are not known, because no link of this map has a duration; this is the "
+                 "shortest route\n";
   }
   if (!plan.scale_known) {
-    std::cout << "lengths and places are in arbitrary units: one camera does not tell the scale\n";
+    std::cout << "lengths and places are in arbitrary units, because one camera cannot measure the "
+                 "scale\n";
   }
   for (const End& end : {plan.from, plan.to}) {
     if (end.away_m) {
@@ -161,7 +163,8 @@ void print(const RoutePlan& plan, const MapGraph& graph) {
   }
 }
 
-/// The nearest experience to a place that is much further away than the map is large says little.
+/// Warns of a place that is further from the map than the size of the map (and 100 m): the nearest
+/// experience is then probably not the one that was meant.
 void warnOfFarPlaces(const RoutePlan& plan, const MapGraph& graph) {
   Eigen::AlignedBox3d box;
   for (const Experience& e : firstPart(graph).experiences) box.extend(planning::placeOf(e));
@@ -204,10 +207,12 @@ void addPlanCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("run", options->run, "Run directory")->type_name("RUN")->required();
   command
       ->add_option("--from", options->from,
-                   "Experience (17), place in metres (12.5,-30), or `here`")
+                   "Start: an experience (17), a place in metres (12.5,-30), or `here`")
       ->type_name("PLACE")
       ->required();
-  command->add_option("--to", options->to, "The same")->type_name("PLACE")->required();
+  command->add_option("--to", options->to, "Goal, given like --from")
+      ->type_name("PLACE")
+      ->required();
   command->callback([options, &invocation] { run(*options, invocation); });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// tolman plugins: list (opens none), describe (opens the plugins that it describes), doctor (one
-// file, step by step). `new` and `validate` have files of their own.
+// tolman plugins: `list` (opens no plugin), `describe` (opens the plugins that it describes) and
+// `doctor` (opens one file, step by step). `new` and `validate` have source files of their own.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -62,7 +62,7 @@ void list(Invocation& invocation) {
   }
 }
 
-/// What `describe` was asked for.
+/// The arguments of `describe`.
 struct Description {
   std::vector<std::string> ids;
   bool markdown = false;
@@ -106,7 +106,7 @@ std::vector<host::LoadedPlugin> openUsable(const Invocation& invocation) {
   return opened;
 }
 
-/// One plugin as an object, several as a list.
+/// Prints one plugin as an object, several as a list.
 void describeJson(const std::vector<host::LoadedPlugin>& loaded) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const host::LoadedPlugin& plugin : loaded) json.push_back(parametersJson(plugin));
@@ -132,7 +132,8 @@ void describe(const Description& asked, Invocation& invocation) {
   }
 }
 
-/// Gate, open, construct: prints each step that succeeded; returns why one failed.
+/// Tests the gate, opens the library and constructs the plugin. Prints each step that succeeds;
+/// returns the reason if one fails.
 std::optional<Refusal> examine(const Manifest& manifest) {
   const std::string role =
       manifest.programs.empty() ? "role " + std::string(enumName(manifest.role)) : "any role";
@@ -187,14 +188,14 @@ void addPluginsCommand(CLI::App& app, Invocation& invocation) {
       ->type_name("PLUGIN");
   auto* markdown = one->add_flag("--markdown", asked->markdown, "As a reference page");
   one->add_flag("--json-schema", asked->json_schema,
-                "As JSON Schema of a stage; without ids of a whole configuration file")
+                "As a JSON Schema of one stage, or, without ids, of a whole configuration file")
       ->excludes(markdown);
   one->callback([asked, &invocation] { describe(*asked, invocation); });
 
   CLI::App* doctor_command =
-      command->add_subcommand("doctor", "Why does a plugin library (not) load?");
+      command->add_subcommand("doctor", "Test step by step whether a plugin library can be opened");
   auto file = std::make_shared<std::string>();
-  doctor_command->add_option("file", *file, "Library, *.so, or a program such as *.py")
+  doctor_command->add_option("file", *file, "Library (*.so), or program such as *.py")
       ->type_name("FILE")
       ->required();
   doctor_command->callback([file, &invocation] { doctor(*file, invocation); });

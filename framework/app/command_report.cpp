@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxUnits = 1'000'000;
 
-/// Counted from 1, as on the command line.
+/// The options of the units; rows, columns and units are counted from 1.
 struct UnitOptions {
   std::size_t head_direction = 1;
   std::vector<std::size_t> grid{1, 1};
@@ -27,11 +27,12 @@ std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
   auto units = std::make_shared<UnitOptions>();
   command
       .add_option("--hd-unit", units->head_direction,
-                  "Head direction unit whose firing rate is drawn, from 1 (default: 1)")
+                  "Head direction unit whose firing rate is drawn, counted from 1 (default: 1)")
       ->check(CLI::Range(std::size_t{1}, kMaxUnits));
   command
-      .add_option("--grid-unit", units->grid,
-                  "Row,column of the grid unit whose firing rate is drawn, from 1 (default: 1,1)")
+      .add_option(
+          "--grid-unit", units->grid,
+          "Row and column, from 1, of the grid unit whose firing rate is drawn (default: 1,1)")
       ->type_name("ROW,COLUMN")
       ->delimiter(',')
       ->expected(2)

@@ -34,8 +34,7 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
                                  metrics.in_metres ? "m" : "units of unknown scale", metrics.poses);
   if (!metrics.scores) return text + fmt::format("; no error figures: {}\n", metrics.reason);
   const evaluation::Scores& s = *metrics.scores;
-  text += fmt::format("; matched {}; {:.1f} % of the truth tracked\n", metrics.matched,
-                      100 * s.coverage);
+  text += fmt::format("; matched {}; coverage {:.1f} %\n", metrics.matched, 100 * s.coverage);
   text +=
       fmt::format("{:<10}ATE rmse {:.3f} m  (mean {:.3f}, median {:.3f}, min {:.3f}, max {:.3f})\n",
                   "", s.ate_m.rmse, s.ate_m.mean, s.ate_m.median, s.ate_m.min, s.ate_m.max);
@@ -50,7 +49,7 @@ std::string trajectoryText(std::string_view name, const evaluation::TrajectoryMe
     const std::string left_out =
         s.kitti.segments_in_gaps == 0
             ? ""
-            : fmt::format("; {} that end in gaps left out", s.kitti.segments_in_gaps);
+            : fmt::format("; {} that end in gaps are left out", s.kitti.segments_in_gaps);
     text += fmt::format("{:<10}drift {:.3f} %, {:.3f} deg/100 m  ({} segments, {} lengths{})\n", "",
                         s.kitti.t_rel_percent, s.kitti.r_rel_deg_per_100m, s.kitti.segments,
                         s.kitti.lengths.name, left_out);

@@ -12,7 +12,7 @@
 namespace tolman::host {
 namespace {
 
-/// An answer must have frame and stamp of its input, and finite values.
+/// An answer must have the frame number and the time stamp of its input, and finite values.
 template <Record Question, Record Answer>
 Status checkAnswer(const Question& question, const Answer& answer) {
   if (answer.frame != question.frame) {
@@ -27,8 +27,9 @@ Status checkAnswer(const Question& question, const Answer& answer) {
   return checkValues(answer);
 }
 
-/// Whether the pose of a frame agrees with that of the experience made at it. The tolerance allows
-/// a map to move the frame by a later loop, within the uncertainty of its links.
+/// Whether the pose of a frame agrees with the pose of the experience that was created at it. The
+/// tolerance allows for a later loop that moves the frame relative to the experience, within the
+/// uncertainty of its links.
 bool isAtExperience(const Eigen::Isometry3d& T_world_camera,
                     const Eigen::Isometry3d& T_world_experience) {
   constexpr double kApart = 0.1;        // m
@@ -49,7 +50,8 @@ Status SourceStage::info(SourceInfo& info) {
   const Status status = call("info", -1, [&](Source& source) {
     const Status answered = source.info(info);
     if (answered.isOk() && info.frames < -1) {
-      return Status::failed(fmt::format("told {} frames; -1 for an unknown number", info.frames));
+      return Status::failed(
+          fmt::format("gave {} frames; use -1 for an unknown number", info.frames));
     }
     return answered.isOk() ? checkValues(info.rig) : answered;
   });
@@ -70,7 +72,7 @@ Status SourceStage::check(const Frame& frame) {
   }
   if (frame.has_truth && !info_.has_truth) {
     return Status::failed(
-        "gave a true pose, and info() told that there are none; set has_truth in both, or in none");
+        "gave a true pose, but info() says that there are none; set has_truth in both, or in none");
   }
   Status status = checkImages(frame, info_.rig);
   if (status.isOk()) status = checkValues(frame);
@@ -78,7 +80,7 @@ Status SourceStage::check(const Frame& frame) {
 }
 
 Status SourceStage::next(Frame& frame) {
-  frame = Frame{};  // sources add to it, and callers use one object for many frames
+  frame = Frame{};  // a source may set only some fields, and callers use one object for many frames
   const Status status = call("next", first_frame_ + next_frame_, [&](Source& source) {
     const Status answered = source.next(frame);
     return answered.isOk() ? check(frame) : answered;
@@ -119,7 +121,7 @@ Status OdometryStage::check(const std::vector<MotionRevision>& revisions,
   return checkRevisions(revisions, first_frame_, newest);
 }
 
-/// Converts frame numbers to those of the plugin and back.
+/// Calls the plugin, whose frame numbers begin with 0 in each session, and converts the numbers.
 Status OdometryStage::track(Odometry& odometry, const Frame& frame, Motion& motion) const {
   if (first_frame_ == 0) return odometry.track(frame, motion);
   Frame own = frame;

@@ -7,12 +7,13 @@
 namespace tolman::imaging {
 namespace {
 
-// Measuring a pair takes 2 ms; one frame in five is measured, and every one while there is a fault.
+// Measuring a pair takes 2 ms, so only every fifth frame is measured; every frame during a fault.
 constexpr int kMeasuredEvery = 5;  // frames
-constexpr int kCertain = 12;       // matches
-constexpr int kSoundAgain = 5;     // measures without a fault after which it has ended
+constexpr int kCertain = 12;       // matches; with fewer, two measures must find the same fault
+constexpr int kSoundAgain = 5;     // measures without a fault, in succession, that end it
 
-/// Real cameras have noise, so two exposures never have the same pixels.
+/// Whether two images have the same pixels. Two exposures of a real camera never have, because of
+/// noise.
 bool samePixels(const Image& a, const Image& b) {
   if (a.empty() || a.width() != b.width() || a.height() != b.height() || a.format() != b.format()) {
     return false;
@@ -24,7 +25,8 @@ bool samePixels(const Image& a, const Image& b) {
   return true;
 }
 
-/// A covered or dark camera repeats uniform images. This is not a fault here: odometry detects it.
+/// Whether all pixels are equal. A covered camera or darkness gives such images again and again,
+/// which is not a fault here: odometry detects it.
 bool isUniform(const Image& image) {
   const std::size_t bytes = static_cast<std::size_t>(image.width() * bytesPerPixel(image.format()));
   for (int r = 0; r < image.height(); ++r) {
@@ -43,8 +45,8 @@ Image darkened(const Image& image) {
 
 }  // namespace
 
-/// A fault with few matches must be measured in two frames. It ends after kSoundAgain measures
-/// without a fault.
+/// The present fault of the pair. A fault that is measured with few matches counts only if two
+/// measures in succession find it. It ends after kSoundAgain measures without a fault.
 StereoFault FrameCheck::stereoFault(const Frame& frame) {
   if (frame.right.empty() || until_measured_-- > 0) return fault_;
   const StereoMeasure measure = measureStereo(grayHalf(frame.left), grayHalf(frame.right));

@@ -12,16 +12,16 @@
 
 namespace tolman::run {
 
-/// Writes report.html, figures/*.svg and figures/neurons.json into `folder`, each atomically; with
-/// several runs the figures go to figures/RUN. Each run is evaluated by the settings in its own
-/// resolved configuration. Returns the files, the page first. InvalidParameter if a run does not
-/// have the chosen units.
+/// Writes report.html, figures/*.svg and *.png, and figures/neurons.json into `folder`, each
+/// atomically; with several runs the figures go to figures/RUN. Each run is evaluated by the
+/// settings in its own resolved configuration. Returns the files, the page first. InvalidParameter
+/// if a run does not have the chosen units.
 Result<std::vector<std::filesystem::path>> writeReport(
     const std::vector<std::filesystem::path>& runs, const std::filesystem::path& folder,
     const report::UnitChoice& units = {});
 
-/// The same for one run whose record is read already. Writes into its own directory, without PNG
-/// files.
+/// The same for one run whose record has been read already: writes into the directory of the run,
+/// and no PNG files.
 Status writeReport(const record::RunReader& reader, report::RunData data);
 
 }  // namespace tolman::run

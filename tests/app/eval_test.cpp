@@ -72,7 +72,7 @@ TEST_CASE("eval by frame refuses stamps that say another order") {
   CHECK(finished.out.empty());
   const Finished timed = eval(truth, third, {"--max-difference", "0.05"});
   CHECK(timed.exit_code == 0);
-  CHECK(contains(timed.out, "matched 20; 33.3 % of the truth tracked"));
+  CHECK(contains(timed.out, "matched 20; coverage 33.3 %"));
   CHECK(contains(timed.out, "ATE rmse 0.000 m"));
 }
 

@@ -267,6 +267,6 @@ TEST_CASE("a true pose that was not told is refused, one that is missing is not"
   CHECK(given(true, true).empty());
   CHECK(given(true, false).empty());  // the path may be known for a part of the way
   CHECK(given(false, true) ==
-        "puppet (puppet), next, frame 0: gave a true pose, and info() told that there are none; "
+        "puppet (puppet), next, frame 0: gave a true pose, but info() says that there are none; "
         "set has_truth in both, or in none");
 }

@@ -236,7 +236,7 @@ class BrokenProgramsTest(Systems):
         source = "{plugin: python, file: mine.py, %s}"
         refused = self.run_system(source=source % "gives: true")
         self.assertEqual(refused.returncode, 5, refused.stderr)
-        self.assertIn("source (python), next, frame 0: gave a true pose, and info() told that there are none", refused.stderr)
+        self.assertIn("source (python), next, frame 0: gave a true pose, but info() says that there are none", refused.stderr)
         for setting, expected in {"tells: true": "told that frames come with true poses, and none of 30 did",
                                   "jump: 500000": "the stamp is 500000 s after that of the frame before",
                                   "step: 100": "frames are 100 s apart (median)"}.items():

@@ -9,21 +9,23 @@
 namespace tolman::direct_sparse {
 namespace {
 
-// Gives 30 inliers even if 94 % of the points are lost.
+// At most this many points are tracked; poseByConsensus() needs 30 inliers, 6 % of them.
 constexpr std::size_t kMaxFollowed = 500;
 
 cv::Mat asMat(const GrayLevel& image) {
   return {image.height, image.width, CV_8UC1, const_cast<std::uint8_t*>(image.row(0))};
 }
 
-/// Points by their position in the newest keyframe (m), and their pixels there and in the image.
+/// Points that are tracked from the newest keyframe to the image: positions in the camera frame of
+/// the keyframe (m), and pixels in both images.
 struct Followed {
   std::vector<cv::Point3f> points;
   std::vector<cv::Point2f> before;
   std::vector<cv::Point2f> after;
 };
 
-/// Points of all keyframes that the newest one sees. `after` is where they are expected.
+/// Points of all keyframes that lie in the image of the newest one. `after` are the pixels at which
+/// the motion `expected` predicts them.
 Followed pointsInView(const CameraRig& rig, const Window& window,
                       const Eigen::Isometry3d& expected) {
   constexpr double kNearest = 0.1;  // m; keeps the projection finite
@@ -43,7 +45,7 @@ Followed pointsInView(const CameraRig& rig, const Window& window,
   return followed;
 }
 
-/// Keeps the points whose flow forward and back ends where it started.
+/// Tracks the points forward and back, and keeps those that return to where they started.
 void follow(const cv::Mat& before, const cv::Mat& after, Followed& followed) {
   // Pyramidal Lucas-Kanade (Bouguet 2001) with OpenCV's default termination criteria. Four levels
   // with windows of 15 px follow about 60 px.
@@ -73,12 +75,12 @@ void follow(const cv::Mat& before, const cv::Mat& after, Followed& followed) {
 }
 
 std::optional<Eigen::Isometry3d> poseByConsensus(const CameraRig& rig, const Followed& followed) {
-  // The guess is only a start for the photometric alignment, which rejects a wrong one. Derived,
-  // not chosen on a clip: with 35 % inliers, 300 samples of four points contain one without
-  // outliers with 99 % confidence, (1 - 0.35^4)^300 = 0.01.
+  // The guess is only the initial value of the photometric alignment, which rejects a wrong one.
+  // The number of samples is derived, not tuned: with 35 % inliers, the probability that none of
+  // 300 samples of four points is free of outliers is (1 - 0.35^4)^300 = 0.01.
   constexpr int kMin = 30;        // chosen, not tuned
-  constexpr double kShare = 0.3;  // a little below the 35 %
-  constexpr double kNoise = 2;    // px, twice the largest error of the flow
+  constexpr double kShare = 0.3;  // of the points; a little below the 35 % above
+  constexpr double kNoise = 2;    // px, twice kConsistency of follow()
   constexpr int kSamples = 300;
   if (followed.points.size() < kMin) return std::nullopt;
   const cv::Matx33d K(rig.pinhole.fx, 0, rig.pinhole.cx, 0, rig.pinhole.fy, rig.pinhole.cy, 0, 0,

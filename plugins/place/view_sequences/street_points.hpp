@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Points of the last 30 m of path, joined by the motions of odometry.
+// 3D points seen on the last 30 m of path, put together with the motions of odometry.
 #pragma once
 
 #include <deque>
@@ -16,18 +16,18 @@ class StreetPoints {
  public:
   /// Adds the motion from the previous frame.
   void move(const Eigen::Isometry3d& T_previous_current);
-  /// Adds the points of the present frame; `path` in m.
+  /// Adds the points of the current frame, in its camera axes; `path`: m driven so far.
   void add(std::vector<CentimetrePoint> points, double path);
-  /// Whether points are to be added at `path`: at most once a metre.
+  /// Whether the points of the frame at `path` (m) are needed: once per metre.
   bool wantsPoints(double path) const;
-  /// Removes all points, because the pose is unknown.
+  /// Removes all points; to be called when the pose becomes unknown.
   void restart();
 
-  /// The grid around the present camera, with points turned about it by `yaw` (rad, positive to the
-  /// left). Empty before 15 m of path, or with too few points.
+  /// The grid of point counts around the camera, after a rotation of the points about its y axis
+  /// by `yaw` (rad, positive to the left). Empty before 15 m of path, or with too few points.
   std::optional<StructureLevels> levels(double yaw = 0) const;
 
-  /// Pose now, since restart().
+  /// Pose of the current camera relative to the camera at the start or the last restart().
   const Eigen::Isometry3d& pose() const { return T_start_camera_; }
 
   void save(StateWriter& writer) const;
@@ -35,6 +35,7 @@ class StreetPoints {
   bool load(StateReader& reader);
 
  private:
+  /// The points of one frame.
   struct Patch {
     double path = 0;
     Eigen::Isometry3d T_start_camera = Eigen::Isometry3d::Identity();

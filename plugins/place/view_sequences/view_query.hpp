@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The present view, prepared for the comparison with stored ones: its deviation from the mean of
-// this pass, at every tried shift.
+// The current view, prepared for the comparison with stored views: its deviation from the mean of
+// this pass, for every horizontal shift that is tried.
 #pragma once
 
 #include <array>
@@ -11,22 +11,22 @@
 
 namespace tolman::view_sequences {
 
-/// Largest shift to either side, cells: a quarter of the view. Chosen, not tuned; docs/places.md
-/// has the figures without shifts.
+/// Largest shift to either side, in cells of the edge grid: a quarter of its 13 columns. Chosen,
+/// not tuned; docs/places.md shows the effect of no shift.
 inline constexpr int kShift = 3;
 inline constexpr int kShifts = 2 * kShift + 1;
 
 struct ViewDistance {
-  float distance = 2;  ///< 1 - cosine between the deviations, of the best shift; 0 to 2
-  int shift = 0;       ///< cells that the scene moved to the left since the view was stored
+  float distance = 2;  ///< 1 - cosine between the deviations at the best shift; 0 to 2
+  int shift = 0;       ///< by how many cells the scene is further left than in the stored view
 };
 
 class ViewQuery {
  public:
-  /// Both in levels.
+  /// Both in levels, the units of stored values (unpack()).
   ViewQuery(const EdgeValues& view, const EdgeValues& mean_of_pass);
 
-  /// Inner products with the mean of a chunk, one for each shift.
+  /// Inner products of the deviation with the mean of a chunk of views, one for each shift.
   using ChunkProducts = std::array<float, kShifts>;
   ChunkProducts productsWith(const Chunk& chunk) const;
 
