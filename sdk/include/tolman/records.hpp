@@ -147,8 +147,7 @@ struct PlaceObservation {
   std::int64_t stamp_ns = 0;
   Recognition recognition = Recognition::None;
   std::int64_t template_id = -1;  ///< consecutive from 0 in order of creation; -1 only with None
-  double score =
-      0;  ///< distance to the best template, in the plugin's measure; smaller: more alike
+  double score = 0;  ///< distance to the best template, in the plugin's measure; small if alike
   double relative_yaw =
       0;  ///< rad, heading now minus heading at the template, positive to the left
   bool has_relative_pose = false;

@@ -117,7 +117,7 @@ class Odometry : public Plugin {
 
 /// The input of a place recogniser besides the frame.
 enum class PlaceInput : std::uint8_t {
-  Frame,           ///< no other: the plugin runs in parallel with odometry
+  Frame,           ///< none; the plugin runs in parallel with odometry
   FrameAndMotion,  ///< the motion of the same frame, with its points; it runs after odometry
 };
 
