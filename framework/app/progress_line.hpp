@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress of a command that reads frames without a pipeline, on stderr: one redrawn line on a
-// terminal, otherwise a line at each tenth or every five seconds.
+// Progress, on stderr, of a command that reads frames without a pipeline. On a terminal one line is
+// redrawn; elsewhere a line is added after each tenth of the frames, or after five seconds.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace tolman::app {
 
 /// Kind of stderr, and whether the user wants output there.
 struct Terminal {
-  bool interactive = false;  ///< a terminal, where a line can be redrawn
+  bool interactive = false;  ///< stderr is a terminal, on which a line can be redrawn
   bool quiet = false;        ///< show nothing
 };
 Terminal terminalOf(const Invocation& invocation);
@@ -23,7 +23,7 @@ Terminal terminalOf(const Invocation& invocation);
 struct FrameCount {
   std::int64_t done = 0;
   std::int64_t total = -1;  ///< -1: not known
-  double seconds = 0;
+  double seconds = 0;       ///< since the beginning
 };
 
 /// "[====>     ] 40 %  40/100  9.8 frames/s  6.1 s left", cut from the right to fit `width`.
@@ -43,7 +43,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// One more frame is done. Any thread.
+  /// One more frame is done. May be called from any thread.
   void step();
 
  private:

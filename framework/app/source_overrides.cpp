@@ -34,7 +34,7 @@ void refuseTwoValues(const std::vector<std::string>& overrides) {
   std::map<std::string, std::string> values;
   for (const std::string& one : overrides) {
     const std::size_t equals = one.find('=');
-    if (equals == std::string::npos) continue;  // refused with its place when it is read
+    if (equals == std::string::npos) continue;  // reported with its position when it is parsed
     const std::string key = one.substr(0, equals);
     const std::string value = one.substr(equals + 1);
     const auto [before, is_new] = values.emplace(key, value);

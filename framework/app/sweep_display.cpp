@@ -9,8 +9,8 @@
 namespace tolman::app {
 namespace {
 
-constexpr double kRedraw = 0.2;       // s
-constexpr std::size_t kColumns = 78;  // characters of a line
+constexpr double kRedraw = 0.2;       // s between two drawings
+constexpr std::size_t kColumns = 78;  // most characters of a run's name
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 namespace tolman::imaging {
 namespace {
 
-constexpr int kMinCutSide = 32;     // px of an image
+constexpr int kMinCutSide = 32;     // px, least width and height of an image
 constexpr int kCutRowsAtOnce = 16;  // rows per task
 
 Status cropProblem(const CameraRig& rig, const std::string& what) {
@@ -34,8 +34,8 @@ Status checkCrop(const CameraRig& rig, const std::vector<double>& crop) {
   return inside ? Status::ok() : cropProblem(rig, "is not inside of the images");
 }
 
-/// Adapts one axis of a pinhole to a crop from pixel `left`, then to scaling from `from` to `to`
-/// px. Pixel centres are at integers, so the border of an image is at -0.5.
+/// Adapts one axis of a pinhole to a crop that begins at pixel `left`, then to scaling from `from`
+/// to `to` px. Pixel centres are at integers, so the border of an image is at -0.5.
 void follow(double& focal, double& centre, int left, int from, int to) {
   const double scale = static_cast<double>(to) / from;
   focal *= scale;
@@ -87,7 +87,7 @@ PixelMeans::PixelMeans(int from, int to) {
       weights_.push_back(static_cast<std::uint32_t>(std::min(weight, left)));
       left -= weights_.back();
     }
-    // Rounded weights may not add up to 2^kBits: the largest one, in the middle, gets the rest.
+    // Rounded weights may not add up to 2^kBits; the one in the middle gets the rest.
     weights_[span.weights + static_cast<std::size_t>(span.count / 2)] +=
         static_cast<std::uint32_t>(left);
     spans_.push_back(span);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Database and statements of SQLite, by SQLiteCpp; values are bound and read from left to right.
-// Its exceptions become Status at the boundary of this folder, with a remedy.
+// Connections and statements of SQLite, on top of SQLiteCpp; values are bound and read from left to
+// right. Before exceptions leave this folder they are converted to a Status with a remedy.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -33,8 +33,8 @@ class Statement : public SQLite::Statement {
  public:
   using SQLite::Statement::Statement;
 
-  /// Binds the next parameter: NULL without a value, a text as std::string, a BLOB as pointer and
-  /// size.
+  /// Binds the next parameter. No argument binds NULL, a std::string a text, pointer and size a
+  /// BLOB.
   template <class... Value>
   void bindNext(const Value&... value) {
     bind(++parameter_, value...);
@@ -53,7 +53,7 @@ class Statement : public SQLite::Statement {
   int column_ = 0;
 };
 
-/// The message of SQLite with a remedy; InvalidInput for a damaged database.
+/// The message of SQLite with a remedy; InvalidInput if the database is damaged, otherwise Failed.
 Status explained(const std::string& where, const SQLite::Exception& error);
 
 /// Calls `work` and converts exceptions to a Status whose message begins with `where`.

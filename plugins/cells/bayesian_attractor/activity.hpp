@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Firing rates of single units, for recorder and viewers. The network itself needs none.
+// Firing rates of single units, for recorder and viewers. The network itself does not use them.
 //
 // A unit has a preferred phase. Its rate is the expected value of its tuning curve under the bumps
-// of the integrator and of the hypotheses, each weighted by its share of the energy; at most 1.
+// of the integrator and of the hypotheses, each weighted by its share (posterior probability); it
+// is at most 1.
 #pragma once
 
 #include <vector>
@@ -15,9 +16,11 @@ namespace tolman::bayesian_attractor {
 /// Appends
 /// - hd.activity: head direction units;
 /// - grid.activity, grid2.activity, ...: grid units of each module (rows y, columns x);
-/// - hypotheses: the integrator, then the calibration bumps, with their shares of the energy;
-/// - position.decoded: the integrator's position from the origin as all modules read it;
-/// - position.sigma: its standard deviations since the last calibration.
+/// - height.activity, height2.activity, ...: units of each vertical module, if there are any;
+/// - hypotheses: the integrator, then the calibration bumps; their component `energy` is the share;
+/// - position.decoded: the integrator's position (m, relative to the origin) and heading (rad);
+/// - position.sigma: their standard deviations since a bump was last accepted;
+/// - height.decoded, with vertical modules: height and its standard deviation, m.
 void appendArrays(const BumpNetwork& network, std::vector<NamedArray>& arrays);
 void describeArrays(const BumpNetwork& network, std::vector<ArrayInfo>& arrays);
 

@@ -16,7 +16,7 @@ namespace tolman::bayesian_attractor {
 /// What one view template was linked to: when it was made, or when it was seen on another storey.
 struct ViewLink {
   LearnedPattern learned;
-  double travel = 0;            ///< m, when it was learned
+  double travel = 0;            ///< m driven until it was learned
   std::int64_t experience = 0;  ///< the experience that the robot was at
   /// Pose of the template in the coordinates of that experience, by path integration.
   Eigen::Isometry3d T_experience_template = Eigen::Isometry3d::Identity();
@@ -29,7 +29,7 @@ struct AttractorState {
   /// By template id: one link for each storey, in the order of learning.
   std::map<std::int64_t, std::vector<ViewLink>> links = {};
   Upright upright = {};
-  bool initialising = true;  ///< odometry had no motion yet
+  bool initialising = true;  ///< the last motion was in state Initialising
 };
 
 }  // namespace tolman::bayesian_attractor

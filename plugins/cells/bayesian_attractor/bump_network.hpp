@@ -30,24 +30,25 @@ struct NetworkSettings {
   double drift_position = 0.06;   ///< m / sqrt(m)
   double drift_heading = 0.0012;  ///< rad / sqrt(m)
   double drift_height = 0.03;     ///< m / sqrt(m)
-  double tail = 4;                ///< degrees of freedom of Student's t of path integration's drift
+  double tail = 4;                ///< degrees of freedom of Student's t, of errors of odometry
   double prior = 0.05;            ///< share of familiar views that are right, before any was seen;
                         ///< also the probability that the robot is in the mapped area when
                         ///< its pose relative to it is unknown
-  double prior_views = 100;  ///< number of views that weighs as much as `prior`
+  double prior_views = 100;  ///< weight of `prior`, as a number of views
   double injection = 1;      ///< factor on a view's log-likelihood ratio
-  double agreement = 3;      ///< nats, maximum that a further view adds
+  double agreement = 3;      ///< nats, most energy that a further view adds
   double inhibition = 0.02;  ///< nats / m, decay of every calibration bump; does not depend on the
                              ///< other bumps
   double threshold = 0.98;   ///< share (posterior probability) above which a bump is accepted
   double view_spacing = 5;   ///< m of travel after which the next view counts in full
 };
 
-/// What a view was linked to when it was learned.
+/// What a view was linked to when it was learned. A stretch is the piece of the path between two
+/// accepted bumps.
 struct LearnedPattern {
   FiringPattern pattern;
   std::int64_t part = 0;     ///< number of the part of the path (see BumpNetwork::startPart)
-  std::int64_t stretch = 0;  ///< number of the piece of path between accepted bumps
+  std::int64_t stretch = 0;  ///< number of the stretch of the path
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< relative to its part's origin
   double height_variance = 0;                            ///< m^2, likewise
 };
@@ -59,7 +60,7 @@ struct CalibrationBump {
   double energy = 0;                 ///< nats
   std::int64_t part = 0;             ///< part of the path that the bump is in
   std::int64_t views = 0;            ///< views that were injected into it
-  double last_injection_travel = 0;  ///< m of travel, at the last injection
+  double last_injection_travel = 0;  ///< m driven until the last injection
 };
 
 /// Everything in the network that changes from frame to frame.
@@ -99,18 +100,19 @@ class BumpNetwork {
  public:
   explicit BumpNetwork(const NetworkSettings& settings);
 
-  /// `claimed`: covariance of the step as odometry reports it, in the robot's axes.
+  /// Path integration by one step. `claimed`: its covariance as odometry reports it, in the robot's
+  /// axes.
   void integrate(const PlanarPose& step, const Eigen::Matrix3d& claimed, const Climb& climb = {});
   /// From here on the pose relative to the earlier path is unknown (a kidnapped robot): a new part
   /// of the path begins. Patterns of different parts have no known displacement until a loop joins
   /// the parts.
   void startPart();
-  /// A familiar view that puts the robot at `offset` from where it was learned.
+  /// Injects a familiar view that puts the robot at `offset` from where the view was learned.
   Recalibration inject(const LearnedPattern& learned, const PlanarPose& offset,
                        const Eigen::Matrix3d& covariance, const Climb& climb = {});
   /// Squared difference of height, in variances, between path integration and the pose of a
-  /// familiar view that was learned at `learned` and is seen from `climb` above it. Infinite beyond
-  /// three standard deviations: another storey.
+  /// familiar view that was learned at `learned` and is seen from `climb` above it. It is infinite
+  /// beyond three standard deviations, which means another storey.
   double heightMisfit(const LearnedPattern& learned, const Climb& climb) const;
   /// Whether the heights of two patterns of the same part agree.
   bool onOneStorey(const LearnedPattern& a, const LearnedPattern& b) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Firing patterns of the conjunctive population (head direction by position, as in entorhinal
-// layers III and V), and Gaussian bumps over them.
+// Firing patterns of the conjunctive population, whose cells are tuned to head direction and
+// position (as in layers III and V of the entorhinal cortex), and Gaussian bumps over them.
 //
 // A pattern is a heading on the ring, a phase on the torus of each grid module, and a phase of each
 // vertical module. A bump is a Gaussian around a pattern, with covariance of (x m, y m, heading
@@ -46,18 +46,20 @@ class ConjunctiveCode {
   /// `pattern` after a step that is given in the robot's own axes, and a climb in m.
   FiringPattern displaced(const FiringPattern& pattern, const PlanarPose& step,
                           double climb = 0) const;
-  /// (x, y, heading) from one pattern to another in the axes of heading 0, as the modules read it.
+  /// The displacement (x, y, heading) from one pattern to another, in the axes of heading 0, as the
+  /// modules read it.
   Eigen::Vector3d difference(const FiringPattern& from, const FiringPattern& to) const;
   /// The pose of `to` in the axes of `from`.
   PlanarPose between(const FiringPattern& from, const FiringPattern& to) const;
-  /// m upwards from one pattern to another, as the vertical modules read it.
+  /// Climb in m from one pattern to another, as the vertical modules read it.
   double climb(const FiringPattern& from, const FiringPattern& to) const;
 
-  /// Path integration: moves the bump, propagates its error of heading to position, adds noise.
-  /// `noise`: covariance of the step in the robot's own axes.
+  /// Path integration: moves the bump, propagates its variance of heading to position, and adds
+  /// `noise`, the covariance of the step in the robot's own axes.
   void move(Bump& bump, const PlanarPose& step, const Eigen::Matrix3d& noise,
             const Climb& climb = {}) const;
-  /// Product of two Gaussians: precisions add (the paper's equation of injection, in matrices).
+  /// Multiplies the bump by a Gaussian: precisions add (the paper's equation of injection, with
+  /// matrices).
   void fuse(Bump& bump, const FiringPattern& seen, const Eigen::Matrix3d& covariance,
             double height_variance = 0) const;
 
@@ -66,9 +68,10 @@ class ConjunctiveCode {
   HeightCode height_;
 };
 
-/// `covariance` of (x, y, heading) seen from axes that are turned by -`angle`.
+/// `covariance` of (x, y, heading) after a rotation by `angle`.
 Eigen::Matrix3d turned(const Eigen::Matrix3d& covariance, double angle);
-/// Derivative of a pose (x, y, heading) after the displacement `way`, in m, by the pose before it.
+/// Derivative of the pose (x, y, heading) after the displacement `way` (m) with respect to the pose
+/// before it.
 Eigen::Matrix3d carried(const Eigen::Vector2d& way);
 /// d' S^-1 d, with the chord instead of the arc in heading, as in the von Mises distribution.
 double squaredMahalanobis(const Eigen::Vector3d& difference, const Eigen::Matrix3d& covariance);

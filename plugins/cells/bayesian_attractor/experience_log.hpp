@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which experience the robot is at, how far it has come since, and whether a new experience or a
-// loop link is due.
+// Keeps at which experience the robot is and how far it has moved since, and decides whether a new
+// experience or a loop link is due.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace tolman::bayesian_attractor {
 struct ExperienceSettings {
   double spacing = 5;               ///< m, largest distance between experiences
   double turn = 0.5;                ///< rad, largest turn between experiences
-  double novel_spacing = 1;         ///< m, at which a novel view makes a new experience
+  double novel_spacing = 1;         ///< m, distance from which a novel view makes a new one
   double loop_minimum_travel = 30;  ///< m, smallest travel since the experience was left
   double loop_spacing = 5;          ///< m, smallest travel between loop links
 };
@@ -32,8 +32,8 @@ class ExperienceLog {
   /// False for the current experience and within loop_minimum_travel and loop_spacing.
   bool allowsLoopTo(std::int64_t experience) const;
 
-  /// From here on the pose relative to the earlier path is unknown. Loops to all experiences are
-  /// allowed.
+  /// From here on the pose relative to the earlier path is unknown. Loops to all experiences so far
+  /// are allowed.
   void startPart();
 
   /// The robot is at the new experience. Returns its id.
@@ -63,9 +63,9 @@ class ExperienceLog {
   std::int64_t current_ = -1;
   Eigen::Isometry3d T_experience_current_ = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d T_made_current_ = Eigen::Isometry3d::Identity();  ///< from the newest one
-  double travel_ = 0;                     ///< m, and a gap at startPart()
-  double travel_at_loop_ = 0;             ///< m, when the last loop link was made
-  std::vector<double> travel_when_left_;  ///< m, of each experience
+  double travel_ = 0;                     ///< m driven; startPart() adds enough to allow loops
+  double travel_at_loop_ = 0;             ///< travel_ at the last loop link
+  std::vector<double> travel_when_left_;  ///< travel_ when each experience was left
   bool new_part_ = false;                 ///< a part began, and no experience was reached since
 };
 

@@ -2,7 +2,7 @@
 // Positions on the plane as phases of several grid modules.
 //
 // A grid module represents a position by its remainders along x and y: a point on a square torus
-// (arXiv:2003.03091). Both coordinates have the same residue code. Lengths are in m.
+// (arXiv:2003.03091). The residue codes of both coordinates are the same. Lengths are in m.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ using Phases = Eigen::Matrix<double, 2, Eigen::Dynamic, Eigen::ColMajor, 2, kMax
 
 class GridCode {
  public:
-  /// The modules along x and y; arguments as of ResidueCode, in m and periods.
+  /// The same modules along x and y. Arguments as for ResidueCode, in m and periods.
   GridCode(double period, int modules, double phase_sigma);
 
   int modules() const { return axis_.modules(); }

@@ -18,7 +18,7 @@ struct Climb {
 
 class HeightCode {
  public:
-  /// Arguments as of ResidueCode, in m and periods. Without modules all heights are the same.
+  /// Arguments as for ResidueCode, in m and periods. Without modules all heights are the same.
   HeightCode(double period, int modules, double phase_sigma)
       : code_(period, modules, phase_sigma) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions in space as steps on the plane and climbs.
+// Splits motions in space into a step on the horizontal plane and a climb.
 #pragma once
 
 #include "height_code.hpp"
@@ -17,9 +17,9 @@ struct LevelStep {
   Eigen::Vector3d up = kLevelUp;  ///< unit vector, in the axes of the camera after the step
 };
 
-/// Four degrees of freedom of a motion: step on the plane, turn, climb. The up direction is given
-/// in the axes of the start. Pitch and roll only turn `up`. `covariance` is in the tangent space of
-/// the end.
+/// Four degrees of freedom of a motion: step on the plane, turn, climb. `up_from` is the up
+/// direction in the axes of the start; pitch and roll of the motion change only LevelStep::up.
+/// `covariance` is in the tangent space of the end.
 LevelStep levelStep(const Eigen::Isometry3d& T_from_to, const Matrix6d& covariance,
                     const Eigen::Vector3d& up_from);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The up direction, estimated from the motion: a camera that is fixed to a vehicle moves along one
-// of its own axes and turns about another, however it is mounted.
+// Estimates the up direction from the motion: a camera that is fixed to a vehicle, however it is
+// mounted, moves along one direction of its own axes and turns about another.
 #pragma once
 
 #include "level_step.hpp"
@@ -17,10 +17,11 @@ struct Upright {
 
   void add(const Eigen::Isometry3d& T_previous_current);
 
-  /// Unit vector in the axes of the camera now. The vehicle is taken to be level at the first
-  /// frame. So is the camera, until it has moved 1 m in nearly one direction of its own, which is
-  /// then level, and has turned about one axis, which is then upright. A camera in a hand has no
-  /// such axes: for it the first image is taken to be level.
+  /// Unit vector in the axes of the present camera. It is assumed that the vehicle is level at the
+  /// first frame. At first the camera is assumed to be level there, too. When it has moved 1 m,
+  /// nearly all in one direction of its own axes, this direction is taken as horizontal; when it
+  /// has turned enough about one axis, this axis is taken as vertical. A hand-held camera has no
+  /// such axes, so its first image is assumed to be level.
   Eigen::Vector3d up() const { return R_first_camera.transpose() * upOfVehicle(); }
 
  private:

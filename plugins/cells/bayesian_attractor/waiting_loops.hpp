@@ -17,7 +17,7 @@ namespace tolman::bayesian_attractor {
 
 struct WaitingLoop {
   std::int64_t bump = -1;  ///< CalibrationBump::id
-  double travel = 0;       ///< m, at the view
+  double travel = 0;       ///< m driven until the view
   EarlierLoop loop;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// L D L' of a sparse symmetric positive definite matrix of small square blocks. The order of
-// elimination is found on blocks (approximate minimum degree) and kept for all factorisations.
-// The pattern of blocks is kSize^2 times smaller than that of numbers, and all arithmetic is
-// products of blocks. Sums are in a fixed order.
+// The factorisation L D L' of a sparse symmetric positive definite matrix of small square blocks.
+// The order of elimination is found on the pattern of blocks (approximate minimum degree), which is
+// kSize^2 times smaller than that of numbers, and kept for all factorisations. All arithmetic is
+// products of blocks, in a fixed order, so results are the same bit by bit.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ class BlockCholesky {
   BlockCholesky(std::size_t rows, const std::vector<Entry>& entries);
 
   void setZero();
-  /// The diagonal block of the row, for the caller to add to before factorise().
+  /// The diagonal block of the row; the caller adds to it before factorise().
   Block& diagonal(std::size_t row) { return diagonal_[step_of_[row]]; }
   /// Adds to the block of entry `k` of the constructor.
   void add(std::size_t k, const Block& block);

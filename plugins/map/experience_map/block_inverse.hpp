@@ -7,7 +7,8 @@
 
 namespace tolman::experience_map {
 
-/// Inverts in place by sweeps over the diagonal; a positive definite matrix needs no pivoting. Adds
+/// Inverts in place by Gauss-Jordan elimination without pivoting, which a positive definite matrix
+/// does not need. Adds
 /// the logarithm of the determinant to `log_determinant`. False when the matrix is not positive
 /// definite; it is then left in an unspecified state.
 template <int kSize>

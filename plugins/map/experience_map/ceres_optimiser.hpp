@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Minimises the energy of graph_optimiser with Ceres, as the paper does: parameter blocks on the
-// manifold of angles (in space: of unit quaternions), Ceres loss functions, sparse Cholesky.
+// Minimises the energy of graph_optimiser with Ceres, as in the paper: with a manifold for the
+// angle (in space: for the unit quaternion), Ceres' loss functions, and sparse Cholesky.
 #pragma once
 
 #include "graph_optimiser.hpp"

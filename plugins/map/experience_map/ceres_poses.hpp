@@ -16,7 +16,7 @@ struct CeresPose;
 template <int kRows, int kColumns>
 using RowMatrix = Eigen::Matrix<double, kRows, kColumns, Eigen::RowMajor>;
 
-/// (x m, y m, theta rad), theta kept in [-pi, pi) (paper, "s.t.").
+/// (x m, y m, theta rad). theta stays in [-pi, pi), the constraint of the paper's problem.
 template <>
 struct CeresPose<Plane> {
   static constexpr int kSize = 3;
@@ -24,9 +24,9 @@ struct CeresPose<Plane> {
 
   static PlanarPose poseOf(const double* block) { return {block[0], block[1], block[2]}; }
   static Block blockOf(const PlanarPose& pose) { return {pose.x, pose.y, pose.theta}; }
-  /// Derivative of the step by the block.
+  /// Derivative of the step with respect to the block.
   static RowMatrix<3, 3> stepByBlock(const double*) { return RowMatrix<3, 3>::Identity(); }
-  /// Derivative of the block by the step, at the zero step.
+  /// Derivative of the block with respect to the step, at the zero step.
   static RowMatrix<3, 3> blockByStep(const double*) { return RowMatrix<3, 3>::Identity(); }
   static Eigen::Vector3d between(const PlanarPose& from, const PlanarPose& to) {
     return {to.x - from.x, to.y - from.y, wrapAngle(to.theta - from.theta)};

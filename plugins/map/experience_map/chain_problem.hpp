@@ -31,9 +31,9 @@ inline Eigen::Isometry3d poseIn<Space>(const Eigen::Isometry3d& T_world_camera) 
 inline Eigen::Isometry3d lifted(const PlanarPose& pose) { return fromPlanar(pose); }
 inline Eigen::Isometry3d lifted(const Eigen::Isometry3d& pose) { return normalised(pose); }
 
-/// The pose and covariance of a link over a motion that starts at T_start_from. In the plane the
-/// motion is projected to the plane of the world, not to that of the tilted camera, so that dead
-/// reckoning has no residual.
+/// The pose and covariance of the link that stands for a motion from T_start_from. In the plane the
+/// motion is projected to the x-z plane of the first camera, not to that of the tilted camera at
+/// its beginning, so that the residuals of dead reckoning are zero.
 template <class G>
 PoseLink<G> linkOf(const Eigen::Isometry3d& T_start_from, const UncertainPose& motion);
 template <>

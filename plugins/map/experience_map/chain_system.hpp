@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The linear system of one Gauss-Newton step on a chain with loops. Most nodes are linked only to
 // their neighbours on the chain: they are eliminated one by one, in blocks of 3 x 3 (6 x 6 in
-// space), and a sparse Cholesky factorisation solves for the few nodes at which loops begin and end
-// (knots). Exact, and linear in the length of the chain.
+// space), and a sparse Cholesky factorisation solves for the few others, at which loops begin or
+// end: the knots. The solution is exact, and the time of the elimination is linear in the length of
+// the chain.
 #pragma once
 
 #include <cstddef>
@@ -37,13 +38,14 @@ class ChainSystem {
 
   /// Updates the covariances of the links; their ends must be the same as before.
   void takeCovariances(const std::vector<PoseLink<G>>& links);
-  /// Sets up the normal equations at `nodes`, the links with their weights. `curvatures`, if not
-  /// empty, adds that of the robust loss: the information W of a link with residual r becomes
-  /// W - curvature * W r r' W. `visit` is called with each link's number and derivatives.
+  /// Sets up the normal equations at `nodes`, with the weights of the links. `curvatures`, if not
+  /// empty, has the curvature of the robust loss for each link: the information W of a link with
+  /// residual r becomes W - curvature * W r r' W. `visit` is called with each link's number and
+  /// derivatives.
   void linearise(const std::vector<Pose>& nodes, const std::vector<PoseLink<G>>& links,
                  std::span<const double> curvatures = {}, const Visit& visit = {});
-  /// Eliminates and factorises. `damping`: the diagonal is multiplied by 1 + damping. False when
-  /// the system is not positive definite.
+  /// Eliminates and factorises, with the diagonal multiplied by 1 + damping. False when the system
+  /// is not positive definite.
   bool factorise(double damping);
   /// factorise(), then computes the step of each node; node 0 is fixed.
   bool solve(double damping, std::vector<Step>& step);

@@ -25,21 +25,22 @@ struct ReckonedFrame {
   std::int64_t stamp_ns = 0;
   Eigen::Isometry3d T_start_camera = Eigen::Isometry3d::Identity();  ///< dead reckoning
   std::int64_t anchor = 0;                                           ///< see ExperienceChain
-  bool initialising = false;                                         ///< odometry had no motion yet
-  bool gap = false;  ///< the motion to this frame is unknown
+  bool initialising = false;  ///< its motion is in state Initialising
+  bool gap = false;           ///< the motion to this frame is unknown
 };
 
 class DeadReckoning {
  public:
   explicit DeadReckoning(const Parameters& parameters = {}) : parameters_(parameters) {}
 
-  /// InvalidInput if `motion` cannot follow the motions appended so far.
+  /// InvalidInput if `motion` cannot come after the motions that were appended so far.
   Status check(const Motion& motion) const;
   /// A motion in state Initialising after one in another state is a gap: tracking restarted at an
   /// unknown pose.
   void append(const Motion& motion, std::int64_t anchor);
   /// Replaces motions; of several revisions of one frame the last is used. Returns the first slot
-  /// whose pose changed, size() for none. `unknown` counts revisions of frames never appended.
+  /// whose pose changed, size() if none did. `unknown` counts revisions of frames that were never
+  /// appended.
   std::size_t revise(std::span<const MotionRevision> revisions, std::size_t& unknown);
 
   std::optional<std::size_t> slotOf(std::int64_t frame) const;

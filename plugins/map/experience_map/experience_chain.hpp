@@ -76,8 +76,8 @@ class ExperienceChain {
   /// The same at an unknown offset: only its heading (rad) is known.
   void addVisit(const DeadReckoning& path, std::int64_t experience, double relative_yaw);
 
-  /// Adds a visit at an earlier slot, at a measured offset. The experience must be older than the
-  /// slot. Updates the anchors of the frames of `path`.
+  /// Adds a visit at an earlier slot, at a measured offset. The experience must have been created
+  /// before this slot. Updates the anchors of the frames of `path`.
   void insertVisit(DeadReckoning& path, std::size_t slot, std::int64_t experience,
                    const UncertainPose& measured);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Map `experience_map`: implements the role Map with the experience graph of arXiv 2003.03091,
-// section "Cognitive Map". Each update appends a motion, applies its revisions and the cells'
-// decision, and corrects the map after a loop was closed, at most once per `interval` frames.
+// section "Cognitive Map". Each update applies the revisions of a motion, the motion and the cells'
+// decision. If this changes a loop, or a motion within a loop, the map is corrected, but not before
+// `interval` frames, plus `interval_growth` per node, have passed since the last correction.
 // finish() corrects it a last time and rejects false loops.
 #pragma once
 

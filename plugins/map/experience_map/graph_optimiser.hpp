@@ -4,7 +4,8 @@
 //
 //   min over e of 1/2 sum_k rho(|f_k|^2),    f_k: residual of link k in standard deviations,
 //
-// with a robust loss rho, by iteratively reweighted Gauss-Newton steps.
+// with a robust loss rho, by iteratively reweighted Gauss-Newton steps. With the Geman-McClure loss
+// they include a part of the curvature of rho.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@
 
 namespace tolman::experience_map {
 
-/// Initial weight of a loop that is excluded: nearly none. Chosen, not tuned.
+/// Initial weight of a loop that is left out of the start. Chosen, not tuned.
 inline constexpr double kRejectedWeight = 1e-6;
 
 /// rho as a function of r, the length of a residual in standard deviations.
@@ -42,7 +43,7 @@ constexpr std::span<const std::string_view> enumNames(Solver) { return kSolverNa
 
 struct OptimiserOptions {
   Solver solver = Solver::Elimination;
-  int iterations = 100;  ///< at most; see kFinalIterations
+  int iterations = 100;  ///< largest number; see kFinalIterations
   Loss loss = Loss::Huber;
   double delta = 1;          ///< Huber: r up to which the loss is quadratic; Geman-McClure: c
   bool annealed = false;     ///< Geman-McClure: graduated non-convexity from weights of 1
@@ -74,7 +75,7 @@ Result<OptimiserOutcome> optimiseMultiStart(OptimiserOptions options,
                                             std::vector<PoseLink<G>>& links,
                                             ChainSystem<G>& system);
 
-/// Both with working memory of their own.
+/// The same two functions with working memory of their own.
 template <class G>
 Result<OptimiserOutcome> optimise(const OptimiserOptions& options,
                                   std::vector<typename G::Pose>& nodes,

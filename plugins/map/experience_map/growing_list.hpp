@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A list for data that is kept for the whole run and grows with every frame. It grows in blocks of
-// 64 KiB: a vector copies all elements when it grows, and the nodes of std::deque (512 bytes) each
-// keep the page that they lie in, between the buffers of images that come and go. That took twice
-// the memory of the data itself (docs/performance.md, Soak).
+// A list for data that is kept for the whole run and grows with every frame, in blocks of 64 KiB. A
+// vector would copy all elements when it grows. The nodes of std::deque (512 bytes) would lie
+// between the buffers of images, and keep those pages from being returned to the system when the
+// images are freed: twice the memory of the data itself (docs/performance.md, Soak).
 #pragma once
 
 #include <boost/container/deque.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The motions of all frames, by slot. The map needs the newest for links and revisions. It seldom
-// needs older ones: for loops to earlier frames, for the last revisions, and to save. So the newest
-// are kept in memory and older ones in a temporary file. If that cannot be written, for example on
-// a full disk, they are kept in memory as well.
+// The motions of all frames, by slot. The map needs the newest motions for links and revisions,
+// and older ones only for loops at earlier frames, for the last revisions and to save its state. So
+// the newest are kept in memory and older ones in a temporary file. If this file cannot be written,
+// for example on a full disk, all are kept in memory.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace tolman::experience_map {
 
-/// Not thread-safe, also not for reading. Throws std::runtime_error when the file cannot be read.
+/// Not thread-safe, not even for reading. Throws std::runtime_error when the file cannot be read.
 class MotionStore {
  public:
   void append(const UncertainPose& motion);

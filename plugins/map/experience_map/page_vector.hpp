@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vectors for working memory that a correction of the map needs for a moment: its size is that of
-// the map, and in the heap it would stay with the process between smaller blocks that live on.
-// Large ones get pages of their own, which the system has back when they are freed.
+// Vectors for the working memory of a correction of the map. It is large, as the map is, and needed
+// only for a short time. On the heap smaller blocks that remain in use could keep it from being
+// returned to the system. So large vectors get pages of their own, which are returned when they are
+// freed.
 #pragma once
 
 #include <sys/mman.h>
@@ -35,7 +36,7 @@ struct PageAllocator {
   friend bool operator==(const PageAllocator&, const PageAllocator&) { return true; }
 
  private:
-  /// Mapping pages costs more than it saves for less.
+  /// Less than 128 KiB: mapping pages costs more than it saves.
   static bool isSmall(std::size_t count) { return count < (std::size_t{1} << 17U) / sizeof(T); }
 };
 

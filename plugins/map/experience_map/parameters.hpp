@@ -14,7 +14,7 @@ enum class Geometry : std::uint8_t { Auto, Plane, Space };
 inline constexpr std::array<std::string_view, 3> kGeometryNames = {"auto", "plane", "space"};
 constexpr std::span<const std::string_view> enumNames(Geometry) { return kGeometryNames; }
 
-/// Where nothing else is said the default is chosen, not tuned.
+/// Unless a comment says otherwise, a default is chosen, not tuned.
 struct Parameters {
   bool optimise = true;
   Geometry space = Geometry::Auto;

@@ -13,12 +13,12 @@ namespace tolman::experience_map {
 ///   y_j - y_i - d sin(theta_i + heading)
 ///   theta_j - theta_i - facing            (wrapped)
 ///
-/// rotated by -theta_i into the axes of e_i, in which the covariance is given. For isotropic noise
-/// the rotation does not change its length. The link's pose is that of e_j relative to e_i: d and
-/// heading are its polar form, facing is its theta.
+/// rotated by -theta_i into the axes of e_i, in which the covariance is given. If the noise is
+/// isotropic, this rotation does not change the length of the residual. The link's pose is that of
+/// e_j relative to e_i: d and heading are its polar form, facing is its theta.
 Eigen::Vector3d residualOf(const PlanarLink& link, const PlanarPose& from, const PlanarPose& to);
 
-/// Its derivatives by (x, y, theta) of both ends.
+/// Its derivatives with respect to (x, y, theta) of both ends.
 LinkDerivatives<Plane> derivativesOf(const PlanarLink& link, const PlanarPose& from,
                                      const PlanarPose& to);
 

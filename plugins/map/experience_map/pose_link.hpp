@@ -44,7 +44,7 @@ struct PoseLink {
 using PlanarLink = PoseLink<Plane>;
 using SpatialLink = PoseLink<Space>;
 
-/// Weights of all links: what an optimisation changes of them.
+/// The weights of all links, the only values of links that an optimisation changes.
 template <class G>
 std::vector<double> weightsOf(const std::vector<PoseLink<G>>& links) {
   std::vector<double> weights;
@@ -57,7 +57,7 @@ void setWeights(std::vector<PoseLink<G>>& links, const std::vector<double>& weig
   for (std::size_t k = 0; k < links.size(); ++k) links[k].weight = weights[k];
 }
 
-/// A link's residual and its derivatives by the steps of its ends.
+/// A link's residual and its derivatives with respect to the steps of its ends.
 template <class G>
 struct LinkDerivatives {
   StepOf<G> residual;

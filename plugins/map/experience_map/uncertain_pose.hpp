@@ -9,7 +9,7 @@ namespace tolman::experience_map {
 
 struct UncertainPose {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  Matrix6d covariance = Matrix6d::Zero();  ///< m and rad, in the tangent space of the second frame
+  Matrix6d covariance = Matrix6d::Zero();  ///< m and rad, in the tangent space of its end
 };
 
 /// A motion over several frames.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Registers the plugin.
+// Registers the plugin `view_templates`.
 #include "tolman/plugin.hpp"
 
 #include "view_templates.hpp"

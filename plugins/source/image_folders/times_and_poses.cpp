@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Index of `column` in the header, which is the first line; removes this line.
+/// Index of `column` in the header, which is the first of `lines`; removes this line from them.
 std::optional<std::size_t> takeHeader(const fs::path& file, const std::string& column,
                                       std::vector<TextLine>& lines, Inspection& inspection) {
   if (lines.empty()) return std::nullopt;
@@ -37,7 +37,7 @@ std::string nameOf(TimeUnit unit) {
   return unit == TimeUnit::Seconds ? "seconds" : std::string(enumName(unit));
 }
 
-/// Whether the field is a whole number, as nanoseconds since 1970 are.
+/// Whether the field is a whole number of more than 12 digits, as ns and us since 1970 are.
 bool isWhole(std::string_view field) {
   return field.size() > 12 && field.find_first_not_of("0123456789") == std::string_view::npos;
 }
@@ -107,9 +107,9 @@ Eigen::Isometry3d parsePose(const fs::path& file, const TextLine& line, Inspecti
   return T;
 }
 
-/// Tells gaps of more than a day and a thousand usual steps, and detects times that are not in
-/// seconds by their median step: in milliseconds, cameras of 10 to 100 Hz would have steps of 100
-/// to 10 s. No odometry follows images that are so far apart.
+/// Warns of gaps of more than a day that are also longer than a thousand median steps. Detects
+/// times with a wrong unit by their median step: milliseconds read as seconds give cameras of 10 to
+/// 100 Hz steps of 100 to 10 s, and no odometry can follow images that are so far apart.
 void checkStep(const fs::path& file, const std::vector<std::int64_t>& times,
                Inspection& inspection) {
   constexpr std::int64_t kDay_ns = 86'400'000'000'000;

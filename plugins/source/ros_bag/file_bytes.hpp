@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random access to the bytes of a file of a bag. A file that is compressed as a whole is unpacked
-// in memory.
+// Random access to the bytes of one file of a ROS bag. A file that is compressed as a whole
+// (zstd) is unpacked in memory.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ class FileBytes {
   static Result<FileBytes> open(const std::filesystem::path& path);
 
   std::uint64_t size() const { return size_; }
-  /// Fills `bytes` from `at`; false if the file is too short.
+  /// Fills `bytes` from position `at` on; false if the file is too short.
   bool read(std::uint64_t at, std::span<std::uint8_t> bytes);
-  /// Whether the file was unpacked in memory, and its bytes then.
+  /// Whether the file was unpacked in memory; memory() then has all its bytes.
   bool inMemory() const { return in_memory_; }
   Bytes memory() const { return memory_; }
 

@@ -64,11 +64,11 @@ struct CameraRig {
 /// How a lens maps a point (x, y, z), in camera axes, to the pixel (fx a + cx, fy b + cy).
 enum class LensModel : std::uint8_t {
   Pinhole,  ///< (a, b) = (x/z, y/z)
-  /// (a, b) is (x/z, y/z) moved along and across its radius, with the coefficients k1 k2 p1 p2 k3
-  /// k4 k5 k6 in OpenCV's order (plumb_bob: the first 5; rational: all 8).
+  /// (a, b) is (x/z, y/z) after radial and tangential distortion, with the coefficients k1 k2 p1 p2
+  /// k3 k4 k5 k6 in OpenCV's order (plumb_bob: the first 5; rational: all 8).
   RadialTangential,
-  /// Fisheye (Kannala and Brandt): a radius of t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), where t
-  /// is the angle to the optical axis, rad.
+  /// Fisheye (Kannala and Brandt): (a, b) has the direction of (x, y) and the length
+  /// t (1 + k1 t^2 + k2 t^4 + k3 t^6 + k4 t^8), where t is the angle to the optical axis, rad.
   Equidistant,
   /// Unified omnidirectional (Mei): RadialTangential of (x, y) / (z + xi |(x, y, z)|).
   Omnidirectional,
@@ -90,7 +90,7 @@ struct RawCamera {
   /// Metres. The reference is any coordinate frame that the cameras of a rig share, such as that of
   /// a body or of the first camera.
   Eigen::Isometry3d T_reference_camera = Eigen::Isometry3d::Identity();
-  /// Rotation to the rectified camera; used where RawRig::has_rectified is set.
+  /// Rotation to the rectified camera; used only if RawRig::has_rectified is true.
   Eigen::Matrix3d R_rectified_camera = Eigen::Matrix3d::Identity();
 
   template <class Self, class Visit>
@@ -113,7 +113,7 @@ struct RawCamera {
 struct RawRig {
   static constexpr const char* kRecord = "raw_rig";
   std::vector<RawCamera> cameras;  ///< none: the images are rectified already
-  bool has_rectified = false;      ///< the calibration prescribes `rectified` and the rotations
+  bool has_rectified = false;      ///< `rectified` and R_rectified_camera are prescribed
   CameraRig rectified;
 
   template <class Self, class Visit>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Services that the host passes to a plugin, which therefore needs no globals: logger, random
-// stream, artefact writer, cancellation, clock and parameters.
+// What the host passes to a plugin, so that it needs no globals: parameters, logger, artefact
+// writer, cancellation, clock, cameras, and the seed of its random streams.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, 4> kLogLevelNames = {"debug", "inf
                                                                    "error"};
 constexpr std::span<const std::string_view> enumNames(LogLevel) { return kLogLevelNames; }
 
-/// Writes to the log of the run, marked with the plugin's name. Callable from any thread.
+/// Writes to the log of the run, under the name of the stage. Callable from any thread.
 class Logger {
  public:
   virtual ~Logger() = default;
@@ -98,7 +98,7 @@ class RandomStream {
     while (draw < limit) draw = bits();
     return draw % count;
   }
-  /// Standard normal (Box-Muller, one of the pair).
+  /// Standard normal (Box-Muller; only one number of each pair is used).
   double normal() {
     const double radius = std::sqrt(-2 * std::log(1 - uniform()));
     return radius * std::cos(2 * std::numbers::pi * uniform());

@@ -42,9 +42,9 @@ class RawRigSource {
   virtual Status rawRig(RawRig& rig) = 0;
 };
 
-/// A source of live images, such as those of a camera. It gives no image twice: after the first,
-/// reset() is Unsupported. `tolman plugins validate` skips the checks that need the same images
-/// again.
+/// A source of live images, such as those of a camera. It gives no image twice: after the first
+/// image, reset() is Unsupported. `tolman plugins validate` skips the checks that need the same
+/// images again.
 class LiveSource {
  public:
   virtual ~LiveSource() noexcept(false) {}
@@ -61,9 +61,9 @@ class PageServer {
   virtual std::string url() const = 0;
 };
 
-/// Saves and restores the complete state. After load() of what save() wrote, the instance
-/// answers further frames as the saved one would have. load() of foreign or damaged bytes fails
-/// with InvalidInput and leaves the instance as after reset().
+/// Saves and restores the complete state. After load() of what save() wrote, the instance answers
+/// further frames as the saved instance would have answered them. load() of foreign or damaged
+/// bytes fails with InvalidInput and leaves the instance as after reset().
 class StateKeeper {
  public:
   virtual ~StateKeeper() noexcept(false) {}

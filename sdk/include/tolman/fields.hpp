@@ -8,8 +8,8 @@
 //     TOLMAN_FIELD(stamp_ns, "ns", "data time of the exposure");
 //   }
 //
-// From that list come the tables of run.sqlite, JSON, the NaN check at the plugin boundary, the
-// channel of an isolated stage, the viewer's messages and the reference page. Members may be: bool,
+// From that list are derived the tables of run.sqlite, JSON, the NaN check at the plugin boundary,
+// the messages to isolated stages and viewers, and the reference page. Members may be: bool,
 // integers, float, double, enumerations with enumNames(), std::string, Eigen vectors and matrices
 // of float or double, Eigen::Isometry3d, Image, other records, and std::vector of records.
 #pragma once
@@ -105,7 +105,7 @@ struct ArrayAxis {
   double first = 0;                 ///< value of index 0: the phase of unit 0
   double step = 1;                  ///< from one index to the next
   double period = 0;                ///< length of a periodic axis; 0 if it is not periodic
-  std::vector<std::string> labels;  ///< one for each index, or none
+  std::vector<std::string> labels;  ///< one for each index, or no labels
 
   template <class Self, class Visit>
   static void fields(Self& self, Visit&& visit) {

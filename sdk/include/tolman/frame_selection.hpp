@@ -44,7 +44,7 @@ struct FrameSelection {
   std::int64_t passes = 2;  ///< pingpong only: 4 is forward, backward, forward, backward
 };
 
-/// Their declaration for a Parameters struct that derives from FrameSelection.
+/// Declares these parameters for a Parameters struct that derives from FrameSelection.
 template <std::derived_from<FrameSelection> P>
 constexpr auto selectionParameters() {
   return parameters(
@@ -149,7 +149,7 @@ class FrameSequence {
   }
 
   std::int64_t selected() const { return static_cast<std::int64_t>(stamps_ns_.size()); }
-  /// Number of the pass that frame k belongs to; a turn begins the next one.
+  /// Number of the pass that frame k belongs to; the frame at a turn belongs to the next pass.
   std::int64_t pass(std::int64_t k) const {
     return selection_.order == FrameOrder::Pingpong && selected() > 1 ? k / (selected() - 1) : 0;
   }

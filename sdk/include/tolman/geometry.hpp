@@ -5,8 +5,8 @@
 // counter-clockwise seen from above, in metres and radians. So x_plane = z, y_plane = -x, and a
 // turn to the left is positive.
 //
-// Functions that use much of Eigen are templates without a parameter, so that only files that call
-// them compile them: as plain inline functions they tripled the compile time of every plugin.
+// Functions that use much of Eigen are templates whose parameter is not used. So only files that
+// call them compile them; as plain inline functions they triple the compile time of every plugin.
 #pragma once
 
 #include <Eigen/Core>
@@ -139,7 +139,7 @@ PlanarPose toPlanar(const Eigen::Isometry3d& T_reference_camera) {
   return {t.z(), -t.x(), std::atan2(-axis.x(), axis.z())};
 }
 
-/// Lifts a planar pose to camera axes: no height, no pitch, no roll. toPlanar inverts it.
+/// The pose in camera axes of a planar pose: no height, no pitch, no roll. toPlanar is its inverse.
 template <class = void>
 Eigen::Isometry3d fromPlanar(const PlanarPose& pose) {
   Eigen::Isometry3d T = Eigen::Isometry3d::Identity();

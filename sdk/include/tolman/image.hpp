@@ -12,7 +12,7 @@ namespace tolman {
 
 enum class PixelFormat : std::uint8_t {
   Gray8,  ///< one byte a pixel
-  Bgr8,   ///< three bytes a pixel, blue first, as OpenCV has it
+  Bgr8,   ///< three bytes a pixel, blue first, as in OpenCV
 };
 
 constexpr int bytesPerPixel(PixelFormat format) { return format == PixelFormat::Gray8 ? 1 : 3; }

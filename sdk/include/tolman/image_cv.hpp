@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Optional: the same pixels as a cv::Mat, without a copy. The only SDK header that includes OpenCV;
-// a plugin that uses it passes OPENCV to tolman_add_plugin().
+// Optional: images as cv::Mat, without copying pixels. This is the only SDK header that includes
+// OpenCV; a plugin that uses it is declared by tolman_add_plugin(... OPENCV).
 #pragma once
 
 #include <memory>

@@ -14,9 +14,9 @@
 //   };
 //
 // The names `plugin`, `name`, `on_failure` and `isolation` are the host's. The member's initialiser
-// is the default. Member types: bool, int, std::int64_t, double,
-// std::string, std::vector<double>, and enumerations with enumNames(). From the declaration come
-// validation with line and column, `tolman plugins describe`, and the reference pages.
+// is the default. Member types: bool, int, std::int64_t, double, std::string, std::vector<double>,
+// and enumerations with enumNames(). From the declaration the host derives checks of configurations
+// (errors with line and column), `tolman plugins describe`, and the reference pages.
 #pragma once
 
 #include <bit>
@@ -37,7 +37,7 @@ namespace tolman {
 
 enum class ParameterType : std::uint8_t { Bool, Integer, Real, Text, Path, Choice, RealList };
 
-/// Integer for Integer, text for Text, Path and Choice.
+/// Text, Path and Choice are std::string; every other type has an alternative of its own.
 using ParameterValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 using ParameterValues = std::map<std::string, ParameterValue, std::less<>>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Registration: the one macro that makes a class a plugin. Include it in plugin.cpp only.
+// Registration: the macro that makes a class a plugin. Include this header in plugin.cpp only.
 //
 //   TOLMAN_PLUGIN(view_templates, ViewTemplates, "0.1.0", "Local view cells by template matching.")
 //
@@ -8,12 +8,12 @@
 // the ELF section "tolman_manifest", which the host reads without executing anything, and an entry
 // function `tolman_plugin_<id>`, the only symbol that the host looks up.
 //
-// An interpreter is a library that runs programs in another language as plugins. A stage names the
-// program by the key `file`, and always runs in a process of its own:
+// An interpreter is a library that runs programs in another language as plugins. The key `file` of
+// the stage names the program, and the stage always runs in a process of its own:
 //
 //   TOLMAN_INTERPRETER(lua, ".lua", "0.1.0", "Plugins in Lua.", &openProgram);
 //
-// A process opens one program. Its parameters, its role and its summary are known when it is open.
+// A process opens one program. Its parameters, role and summary are known only when it is open.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@
 
 namespace tolman {
 
-/// One plugin object, with the interfaces that it implements; the pointer of any other is null. All
+/// One plugin object, by pointers to the interfaces that it implements; the others are null. All
 /// pointers are to the same object.
 struct PluginObject {
   Plugin* plugin = nullptr;
@@ -66,12 +66,12 @@ struct Program {
   std::string version;
   std::string summary;
   Schema schema;  ///< without `file`
-  /// Files beside the program that decide what it does, such as its imports. Absolute paths.
+  /// Further files on which its results depend, such as its imports. Absolute paths.
   std::vector<std::string> files;
 };
 
-/// Opens the program of this absolute path, once in a process. A failure says where in the program
-/// the error is.
+/// Opens the program with this absolute path; called once in a process. The message of a failure
+/// names the place of the error in the program.
 using OpenProgram = Status (*)(const std::string& file, Program& program);
 
 namespace detail {

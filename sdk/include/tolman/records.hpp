@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The records that flow from stage to stage. Plain data, immutable once published.
+// The records that the stages exchange: plain data, immutable once published.
 //
-// Time is that of the data, in integer nanoseconds. Results do not depend on the wall clock, with
-// two exceptions: which frames `realtime` drops or leaves without place recognition, and calls that
-// exceed the deadline of an isolated stage. A source numbers its frames 0, 1, 2 ...; under
+// Times are those of the data, in integer nanoseconds. Results do not depend on the wall clock,
+// with two exceptions: which frames `realtime` drops or leaves without place recognition, and calls
+// that exceed the deadline of an isolated stage. A source numbers its frames 0, 1, 2 ...; under
 // `realtime` later stages may not get some of them, and in a continued run the numbers follow those
 // of the earlier run. A stage answers each frame that it is given exactly once; records of a frame
 // are joined by index, never by time. World coordinates are those of the left camera at frame 0
@@ -98,7 +98,7 @@ struct Motion {
   std::int64_t tracked = 0;  ///< number of measurements that the estimate is based on
   bool is_keyframe = false;
   std::int64_t points_frame = -1;  ///< the frame that `points` belong to; -1 for none
-  /// One column a point of frame points_frame: u, v (px), inverse depth (1/m), its variance.
+  /// A column for each point of frame points_frame: u, v (px), inverse depth (1/m), its variance.
   Eigen::Matrix<float, 4, Eigen::Dynamic> points;
   std::vector<MotionRevision> revisions;
 
@@ -147,7 +147,7 @@ struct PlaceObservation {
   std::int64_t stamp_ns = 0;
   Recognition recognition = Recognition::None;
   std::int64_t template_id = -1;  ///< consecutive from 0 in order of creation; -1 only with None
-  double score = 0;  ///< distance to the best template, in the plugin's measure; small: alike
+  double score = 0;  ///< distance to the best template, in the plugin's measure; small if alike
   double relative_yaw =
       0;  ///< rad, heading now minus heading at the template, positive to the left
   bool has_relative_pose = false;
@@ -249,7 +249,7 @@ struct Decision {
 struct Experience {
   static constexpr const char* kRecord = "experience";
   std::int64_t id = -1;     ///< consecutive from 0 in order of creation
-  std::int64_t frame = -1;  ///< at which it was created
+  std::int64_t frame = -1;  ///< the frame at which it was created
   std::int64_t template_id = -1;
   Eigen::Isometry3d T_world_experience = Eigen::Isometry3d::Identity();
 
@@ -273,7 +273,7 @@ struct Link {
   std::int64_t from = -1;  ///< id of an experience
   std::int64_t to = -1;    ///< id of an experience
   LinkKind kind = LinkKind::Odometry;
-  std::int64_t frame = -1;  ///< at which it was created
+  std::int64_t frame = -1;  ///< the frame at which it was created
   Eigen::Isometry3d T_from_to = Eigen::Isometry3d::Identity();
   Matrix6d covariance = Matrix6d::Zero();
   double duration = 0;  ///< s of data time between the two ends; 0 for a loop link
@@ -384,8 +384,8 @@ class MotionHistory {
   const Eigen::Isometry3d& lastPose() const { return entries_.back().T_world_camera; }
 
   /// Adds the newest frame, stored relative to the keyframe of frame index `keyframe`, whose
-  /// present pose is the inverse of T_keyframe_world. Returns the motion from the frame added
-  /// before, which counts as reported with this covariance.
+  /// present pose is the inverse of T_keyframe_world. Returns the motion from the frame that was
+  /// added before; this motion counts as reported, with `covariance`.
   Eigen::Isometry3d add(std::int64_t frame, const Eigen::Isometry3d& T_world_camera,
                         std::int64_t keyframe, const Eigen::Isometry3d& T_keyframe_world,
                         const Matrix6d& covariance) {
@@ -427,8 +427,8 @@ class MotionHistory {
     }
   }
 
-  /// Revisions of motions that changed by more than 1 mm or 0.01 mrad since they were reported:
-  /// smaller ones are left to removeOld() and finish(), which saves messages at each frame.
+  /// Revisions of motions that changed by more than 1 mm or 0.01 mrad since they were reported.
+  /// Smaller changes are left to removeOld() and finish(), so that each frame has few revisions.
   std::vector<MotionRevision> largeRevisions() { return collect(1e-3, 1e-5, entries_.size()); }
 
   /// Removes the oldest frames up to the first one whose keyframe is still in the window. Returns
@@ -449,14 +449,15 @@ class MotionHistory {
  private:
   struct Entry {
     std::int64_t frame = -1;
-    std::int64_t keyframe = -1;  ///< its frame index
+    std::int64_t keyframe = -1;  ///< frame index of the keyframe
     Matrix6d covariance;         ///< of `reported`
     Eigen::Isometry3d T_keyframe_camera;
     Eigen::Isometry3d T_world_camera;
     Eigen::Isometry3d reported = Eigen::Isometry3d::Identity();  ///< motion from the frame before
   };
 
-  /// Revisions of entries 1 to end - 1 that changed by more than these; they count as reported.
+  /// Revisions of the motions of entries 1 to end - 1 that changed by more than `metres` or
+  /// `radians`. They count as reported from then on.
   std::vector<MotionRevision> collect(double metres, double radians, std::size_t end) {
     constexpr double kRounding = 1e-9;  // m and rad: products of poses round to less
     std::vector<MotionRevision> revisions;
@@ -474,7 +475,7 @@ class MotionHistory {
     return revisions;
   }
 
-  std::deque<Entry> entries_;  ///< oldest first; the first one's motion is final
+  std::deque<Entry> entries_;  ///< oldest first; the motion of the first is final
 };
 
 }  // namespace tolman

@@ -48,7 +48,8 @@ class Plugin {
  public:
   /// noexcept(false): the host catches exceptions of a destructor, and the process continues.
   virtual ~Plugin() noexcept(false) {}
-  /// Takes parameters and services, once. May open files and allocate. A failure names the remedy.
+  /// Takes parameters and services; called once. May open files and allocate. The message of a
+  /// failure names the remedy.
   virtual Status configure(const Context& context) = 0;
   /// Back to the state right after configure().
   virtual Status reset() = 0;
@@ -116,8 +117,8 @@ class Odometry : public Plugin {
 
 /// The input of a place recogniser besides the frame.
 enum class PlaceInput : std::uint8_t {
-  Frame,           ///< nothing more: runs beside odometry
-  FrameAndMotion,  ///< the motion of the same frame, with its points: runs after odometry
+  Frame,           ///< none; the plugin runs in parallel with odometry
+  FrameAndMotion,  ///< the motion of the same frame, with its points; it runs after odometry
 };
 
 /// Visual place recognition.
@@ -187,7 +188,7 @@ struct Snapshot {
   /// The named arrays of the plugin in the role cells, such as its neural activity (ArraySource);
   /// empty if it has none.
   const std::vector<NamedArray>* cells = nullptr;
-  const MapGraph* graph = nullptr;  ///< null: unchanged, or a large graph that is given later
+  const MapGraph* graph = nullptr;  ///< null if unchanged, or if it is large and given later
   StageTimes stage_times_ns{};      ///< wall time, ns; 0 for the observers
   const std::vector<RunEvent>* events = nullptr;  ///< since the last snapshot; may be null
 };
@@ -211,9 +212,9 @@ struct RunInfo {
 
 /// Reads the records of a run. It cannot change them: the host uses only the returned Status.
 ///
-/// In a resumed run the recorded frames of the session follow begin(), so that the output of an
-/// observer is complete. They have no images, sensors and revisions, the arrays of the cells as
-/// often as they were recorded, and the graph, that of the checkpoint, with the last frame only.
+/// In a resumed run the observer first gets the recorded frames of the session, after begin(), so
+/// that its output is complete. They have no images, sensors and revisions; they have the arrays of
+/// the cells as often as these were recorded. Only the last of them has a graph: the checkpoint's.
 class Observer : public Plugin {
  public:
   virtual Status begin(const RunInfo& run) = 0;

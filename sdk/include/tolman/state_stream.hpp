@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For StateKeeper: the envelope of a saved state. Magic, version, size, checksum, and a payload of
-// plain numbers in the machine's byte order; the checksum is verified before any number is read.
+// For StateKeeper: a saved state as a header (magic number, version, size, checksum) and a payload
+// of plain numbers in the machine's byte order. The checksum is verified before any number is read.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +34,7 @@ inline std::uint64_t stateChecksum(std::string_view payload) {
 
 }  // namespace detail
 
-/// Collects numbers, then writes them in one envelope.
+/// Collects numbers, then writes them with a header.
 class StateWriter {
  public:
   template <class T>
@@ -59,8 +59,8 @@ class StateWriter {
   std::string payload_;
 };
 
-/// Reads one envelope. A get beyond its end gives zero and makes complete() false. A bool is one
-/// byte; any nonzero value is true.
+/// Reads one header and its payload. Reading beyond the end gives zero and makes complete() false.
+/// A bool is one byte; any nonzero value is true.
 class StateReader {
  public:
   static Result<StateReader> open(std::istream& stream, std::string_view magic,

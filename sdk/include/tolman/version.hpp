@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The SDK's version and the build fingerprint: what must agree before a plugin is opened.
+// The SDK's version and the build fingerprint, which the host compares before it opens a plugin.
 #pragma once
 
 #include <Eigen/Core>
