@@ -102,11 +102,12 @@ TEST_CASE("threads that a plugin's process lacks are told as a limit, not as the
   };
   if (limited(64, "version").exit_code != 0) return;  // the build lies in a folder of its owner
   int told = 0;
-  for (int limit = 17; limit <= 23; ++limit) {
+  for (const int limit : {17, 18, 19, 21}) {
     for (const std::string& words :
          {"check " + config.string() + " --plugin-path " + fs::path(library).parent_path().string(),
           "plugins doctor " + library, "plugins validate --level 1 --check load " + library,
           "init " + folder.path().string()}) {
+      if (words.starts_with("init") && limit != 18) continue;  // it starts many processes
       const Finished finished = limited(limit, words);
       CAPTURE(limit, words, finished.exit_code, finished.out, finished.err);
       const bool is_init = words.starts_with("init");  // no source reads the folder: 5
