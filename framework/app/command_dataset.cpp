@@ -74,6 +74,9 @@ void surveyPairs(pipeline::RectifiedSource& source, Findings& findings) {
   if (!source.cutText().empty()) {
     findings.push_back({Finding::Severity::Note, "images", source.cutText()});
   }
+  if (!source.doubt().empty()) {
+    findings.push_back({Finding::Severity::Warning, "cameras", source.doubt()});
+  }
   if (!info.rig.isStereo()) return;
   imaging::PairSurvey survey;
   Frame frame;

@@ -69,9 +69,12 @@ void exportByPython(const std::string& kind, const std::string& run, const std::
         printFailure(static_cast<ExitCode>(end.exit_code), "no run." + kind + " was written");
     return;
   }
+  const std::string why =
+      end.signal != 0
+          ? "; limits of memory and of files (`ulimit -a`) may be too low, or a package is damaged"
+          : std::string("; it needs ") + needs;
   invocation.exit_code =
-      printFailure(ExitCode::Record, "no run." + kind + " was written; it needs " + needs +
-                                         " (Python " + end.text() + ")");
+      printFailure(ExitCode::Record, "no run." + kind + " was written: Python " + end.text() + why);
 }
 
 }  // namespace

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman init: looks at a recording and writes a configuration for it.
+#include <linux/magic.h>
+#include <sys/vfs.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -44,6 +49,16 @@ std::string unreadText(const std::string& recording, const RecordingSearch& sear
   return text + "\nParameters are given by --set NAME=VALUE; see docs/your-camera.md";
 }
 
+/// Whether a file lies in a file system that the kernel makes up, such as /proc or /sys.
+bool isOfKernel(const fs::path& path) {
+  constexpr std::array<long, 7> kMadeUp = {PROC_SUPER_MAGIC,    SYSFS_MAGIC,   CGROUP_SUPER_MAGIC,
+                                           CGROUP2_SUPER_MAGIC, DEBUGFS_MAGIC, TRACEFS_MAGIC,
+                                           BPF_FS_MAGIC};
+  struct statfs system {};
+  return ::statfs(path.c_str(), &system) == 0 &&
+         std::ranges::find(kMadeUp, static_cast<long>(system.f_type)) != kMadeUp.end();
+}
+
 std::string shippedText(const std::string& name) {
   std::ifstream file(configFile("configs/init/" + name));
   std::ostringstream text;
@@ -59,6 +74,12 @@ ExitCode init(const InitOptions& options, const Invocation& invocation) {
   std::error_code error;
   const fs::path recording = fs::canonical(options.recording, error);
   if (error) return printFailure(ExitCode::Dataset, options.recording + ": " + error.message());
+  if (isOfKernel(recording)) {
+    return printFailure(ExitCode::Dataset,
+                        options.recording +
+                            ": lies in a file system of the kernel (such as /proc or /sys), which "
+                            "holds no recording; name the folder or file of a recording");
+  }
   if (!options.out.empty() && !options.replace &&
       fs::exists(fs::symlink_status(options.out, error))) {
     return printFailure(ExitCode::Record,

@@ -169,7 +169,7 @@ std::vector<Manifest> manifestsOf(const std::string& file, const Invocation& inv
 void doctor(const std::string& file, Invocation& invocation) {
   for (const Manifest& manifest : manifestsOf(file, invocation)) {
     const auto refusal = examine(manifest);
-    if (refusal) invocation.exit_code = printFailure(ExitCode::Plugin, refusal->text());
+    if (refusal) invocation.exit_code = printFailure({run::kindOf(*refusal), refusal->text()});
   }
 }
 

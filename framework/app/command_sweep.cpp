@@ -191,6 +191,17 @@ void refuseInsideData(const experiment::Plan& plan, const fs::path& out) {
   }
 }
 
+/// Refuses the folder of a run: a sweep has one of its own.
+void refuseRun(const fs::path& out) {
+  for (const char* file : {"run.json", "run.sqlite", "point.json"}) {
+    std::error_code ignored;
+    if (!fs::exists(out / file, ignored)) continue;
+    throw Ended{ExitCode::Record, fmt::format("{}: holds a run ({}), and no sweep; choose another "
+                                              "--out, a new folder or that of this sweep",
+                                              out.string(), file)};
+  }
+}
+
 ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (command.file.empty()) throw CLI::RequiredError("a sweep file");
   if (command.jobs == 0) command.jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -198,6 +209,7 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
       fs::absolute(command.out.empty() ? fs::path("sweeps") / fs::path(command.file).stem()
                                        : fs::path(command.out))
           .lexically_normal();
+  refuseRun(out);
   const experiment::Plan plan = planOf(command, out, invocation);
   refuseInsideData(plan, out);
   const SweepProgress progress = progressOf(plan, out, command.retry);

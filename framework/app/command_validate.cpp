@@ -82,6 +82,7 @@ void validate(KitOptions options, Invocation& invocation) {
   std::vector<ConformanceReport> reports;
   const auto found = wanted(options, invocation);
   if (const auto* refusal = std::get_if<host::Refusal>(&found)) {
+    if (refusal->id == host::kNoProcess) run::require(found);
     reports.push_back(refused(options, *refusal));
     print(reports.back().checks.back());
   } else {

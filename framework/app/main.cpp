@@ -5,14 +5,19 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
 #include <iostream>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "app/program.hpp"
 #include "app/terminal_output.hpp"
+#include "isolation/plugin_process.hpp"
+#include "isolation/process_mark.hpp"
 
 namespace {
 
@@ -60,7 +65,7 @@ void* waitFor(void* go) {
 }
 
 /// Libraries that cannot start a thread end the process (TBB, GLib) instead of reporting it.
-bool hasThreads() {
+bool hasThreads(bool quiet) {
   constexpr std::size_t kFewest = 16;       // 12 were enough for a run with 8 threads
   constexpr std::size_t kStack = 64 << 10;  // bytes; the usual 8 MiB would be a test of memory
   std::atomic<bool> go = false;             // all of them exist at the same time
@@ -77,15 +82,28 @@ bool hasThreads() {
   go.notify_all();
   for (const pthread_t& each : threads) ::pthread_join(each, nullptr);
   if (threads.size() == kFewest) return true;
+  if (quiet) return false;
   std::cerr << "tolman: fewer than " << kFewest
             << " threads can be started; raise the limit of processes (`ulimit -u`)\n";
   return false;
 }
 
+/// Whether another process of this program has started this one, and reports how it ends.
+bool isInternal(int argc, char** argv) {
+  constexpr std::array<std::string_view, 3> kInternal = {"run-stage", "run-check", "probe-source"};
+  if (tolman::isolation::ownMark().empty()) return false;
+  return std::any_of(argv, argv + argc, [&](const char* word) {
+    return std::ranges::find(kInternal, word) != kInternal.end();
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (!hasStack() || !hasThreads()) return static_cast<int>(tolman::app::ExitCode::Internal);
+  const bool internal = isInternal(argc, argv);
+  constexpr int kNoRoom = static_cast<int>(tolman::app::ExitCode::Internal);
+  if (!hasStack()) return kNoRoom;
+  if (!hasThreads(internal)) return internal ? tolman::isolation::kNoThreadsExit : kNoRoom;
   limitFragmentation();
   repairInheritedState();
   std::optional<tolman::app::TerminalOutput> terminal;

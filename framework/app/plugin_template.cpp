@@ -2,12 +2,15 @@
 #include "app/plugin_template.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "config/named_value.hpp"
 #include "config/nearest_name.hpp"
@@ -98,6 +101,26 @@ Status checkFree(const fs::path& folder) {
                         "it");
 }
 
+/// Makes the folder, and tells why it cannot be made or written, with the folder at fault.
+Status makeFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  fs::path at_fault = fs::absolute(folder);
+  if (error) {
+    std::error_code ignored;
+    do {
+      at_fault = at_fault.parent_path();
+    } while (at_fault.has_relative_path() && !fs::exists(at_fault, ignored));
+  } else if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    error.assign(errno, std::generic_category());
+  }
+  if (!error) return Status::ok();
+  return Status::failed(fmt::format(
+      "{}: the plugin's folder cannot be written: {} ({}); make that folder writable (`ls -ld {}` "
+      "shows its rights), or name another one: tolman plugins new ROLE NAME FOLDER",
+      folder.string(), at_fault.string(), error.message(), at_fault.string()));
+}
+
 }  // namespace
 
 std::optional<std::string> objectionTo(const std::string& name) {
@@ -176,6 +199,7 @@ Result<std::vector<fs::path>> writeNewPlugin(const fs::path& templates, const Ne
   const fs::path of_role = templates / enumName(plugin.role);
   const auto about = readFile(of_role / "about.md");
   if (!about.isOk()) return about.status();
+  if (Status status = makeFolder(plugin.folder); !status.isOk()) return status;
   const auto values = valuesOf(plugin, about.value());
   std::vector<fs::path> written;
   std::vector<fs::path> folders = {templates / "shared", of_role};

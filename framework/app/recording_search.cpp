@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxFiles = 40;  // files of a folder that are tried
+constexpr std::size_t kMaxFiles = 40;               // files of a folder that are tried
+constexpr std::chrono::seconds kLongestSearch{30};  // for pairs of folders
 constexpr const char* kAssumedRate = "10";
 constexpr std::array<const char*, 3> kBelow = {"", "/data", "/images"};  // in a camera's folder
 
@@ -34,6 +35,15 @@ std::vector<std::string> namesIn(const fs::path& folder, const std::vector<std::
   std::ranges::sort(names);
   if (names.size() > kMaxFiles) names.resize(kMaxFiles);
   return names;
+}
+
+bool hasFiles(const fs::path& folder) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored)) return true;
+  }
+  return false;
 }
 
 /// The folder of the right camera that belongs to one of the left; empty for none.
@@ -150,6 +160,7 @@ class Search {
     }
     if (!found_.best) tryPairs();
     found_.reasons = std::move(reasons);
+    if (!ended_.empty()) found_.reasons.push_back(ended_);
     if (found_.best && found_.best->width > 0 && !found_.best->calibrated) tryCalibrations();
     if (found_.best && !found_.rate_assumed) tryStamps();
     if (found_.best && !found_.rate_assumed) questionRate();
@@ -205,10 +216,12 @@ class Search {
   }
 
   void tryPairs() {
+    const auto end = std::chrono::steady_clock::now() + kLongestSearch;
     const std::vector<std::string> folders = namesIn(recording_, {});
     for (const std::string& left : pairsFirst(folders)) {
       const std::string right = rightOf(left, folders);
       for (const std::string below : kBelow) {
+        if (!hasFiles(recording_ / (left + below))) continue;
         SourceValues values = {{"left", config::writeText(left + below)}};
         if (!right.empty()) values.emplace_back("right", config::writeText(right + below));
         if (!found_.best) tryAll(values);
@@ -216,11 +229,20 @@ class Search {
         values.emplace_back("calibration", "");
         for (const std::string& file : calibrations()) {
           values.back().second = config::writeText(file);
-          if (!found_.best) tryAll(values);
+          if (found_.best) break;
+          if (std::chrono::steady_clock::now() > end) return endSearch(left + below);
+          tryAll(values);
         }
+        if (!found_.best && std::chrono::steady_clock::now() > end) return endSearch(left + below);
       }
     }
     if (found_.best) tellOtherFolders(folders);
+  }
+
+  void endSearch(const std::string& folder) {
+    ended_ = "search for folders of images: ended after " + std::to_string(kLongestSearch.count()) +
+             " s, at '" + folder +
+             "'; name the folder of one recording, or its images: --set left=FOLDER";
   }
 
   void tellOtherFolders(const std::vector<std::string>& folders) {
@@ -283,6 +305,7 @@ class Search {
   const Invocation& invocation_;
   std::chrono::seconds deadline_ = probeDeadline(recording_);
   RecordingSearch found_;
+  std::string ended_;  ///< why not all folders were tried
 };
 
 }  // namespace

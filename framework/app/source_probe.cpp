@@ -9,10 +9,12 @@
 #include <csignal>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "app/terminal_output.hpp"
 #include "config/json_text.hpp"
 #include "isolation/child_process.hpp"
+#include "isolation/plugin_process.hpp"
 #include "record/atomic_file.hpp"
 #include "run/assembly.hpp"
 
@@ -128,6 +130,9 @@ Result<Probe> probe(const std::string& plugin, const SourceValues& values,
     return Status::invalidInput("did not read the first frames within " +
                                 std::to_string(deadline.count()) +
                                 " s; if it should read them, name it in a file of your own");
+  }
+  if (end.exit_code == isolation::kNoThreadsExit) {
+    throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
   }
   const std::string printed = contentOf(output.number());
   // Messages of the source itself begin with "source (ID), configure: "; others are of the host.

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <system_error>
 
 #include "conformance/child.hpp"
 #include "conformance/protocol.hpp"
 #include "host/scratch_folder.hpp"
+#include "isolation/plugin_process.hpp"
 
 namespace tolman::conformance {
 namespace {
@@ -16,6 +18,11 @@ std::string lastLine(const std::string& output) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::string line = text.substr(text.rfind('\n') + 1);
   return line.empty() ? "" : "; last line of its output: " + line;
+}
+
+/// No finding about the plugin.
+std::system_error noThreads() {
+  return {std::make_error_code(std::errc::resource_unavailable_try_again), "a check"};
 }
 
 /// Runs one check in its own process.
@@ -66,6 +73,7 @@ class CheckProcess {
   }
 
   void reportEnd(const ChildEnd& end) {
+    if (end.process.exit_code == isolation::kNoThreadsExit) throw noThreads();
     timed_out_ = end.timed_out;
     const std::string how = end.process.text() + " " + lastCall() + lastLine(end.output);
     if (end.timed_out) {

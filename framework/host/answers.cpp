@@ -44,7 +44,8 @@ Status checkExperience(const Decision& decision, std::int64_t experiences, std::
   const bool stays = decision.action == Action::Stay;
   if (decision.action == Action::CreateExperience) {
     if (id == experiences) return Status::ok();
-    return failed("created experience {}; ids are dense, the next one is {}", id, experiences);
+    return failed("created experience {}; ids are 0, 1, 2, ... without gaps, the next one is {}",
+                  id, experiences);
   }
   if (id < (stays ? -1 : 0) || id >= experiences) {
     return failed("decided for experience {}, which does not exist", id);
@@ -58,7 +59,11 @@ bool isPast(std::int64_t frame, const KnownMap& known) {
 }
 
 Status checkExperience(const Experience& experience, std::int64_t id, const KnownMap& known) {
-  if (experience.id != id) return failed("experience ids are not dense from 0");
+  if (experience.id != id)
+    return failed(
+        "experience {} of the graph has the id {}; ids are 0, 1, 2, ... without gaps, in this "
+        "order",
+        id, experience.id);
   if (!isPast(experience.frame, known)) {
     return failed("experience {} was made at frame {}, which is not a past frame", id,
                   experience.frame);
@@ -175,7 +180,7 @@ Status checkTemplateId(const PlaceObservation& observation, std::int64_t templat
       return failed("answered None with template {}; None has template_id -1", id);
     case Recognition::Novel:
       if (id == templates || (templates < 0 && id >= 0 && id <= most)) break;
-      return failed("made template {}; ids are dense, the next one is {}{}", id,
+      return failed("made template {}; ids are 0, 1, 2, ... without gaps, the next one is {}{}", id,
                     templates < 0 ? "at most " : "", templates < 0 ? most : templates);
     case Recognition::Familiar:
       if (id >= 0 && id < (templates < 0 ? most : templates)) break;
@@ -230,7 +235,11 @@ Status checkGraph(const MapGraph& graph, const KnownMap& known) {
     if (Status status = checkExperience(experience, i, known); !status.isOk()) return status;
   }
   for (std::size_t i = 0; i < graph.links.size(); ++i) {
-    if (graph.links[i].id != static_cast<std::int64_t>(i)) return failed("link ids are not dense");
+    if (graph.links[i].id != static_cast<std::int64_t>(i)) {
+      return failed(
+          "link {} of the graph has the id {}; ids are 0, 1, 2, ... without gaps, in this order", i,
+          graph.links[i].id);
+    }
     if (Status status = checkLink(graph.links[i], count, known); !status.isOk()) return status;
   }
   return checkRejected(graph);

@@ -7,6 +7,9 @@
 
 namespace tolman::host {
 
+/// Id of a refusal for want of processes or threads, which says nothing about the plugin.
+inline constexpr const char* kNoProcess = "plugin/no-process";
+
 /// The ids are listed with their remedies in docs/errors.md.
 struct Refusal {
   std::string id;       ///< e.g. "plugin/fingerprint"

@@ -48,7 +48,7 @@ class SourceStage : public Stage<Source> {
  public:
   using Stage::Stage;
   Status info(SourceInfo& info);
-  /// Checks that frames are dense from 0, stamps increase, true poses were told, images are those
+  /// Checks that frames are 0, 1, 2, ..., stamps increase, true poses were told, images are those
   /// of the rig and arrays keep their shapes.
   Status next(Frame& frame);
   Status inspect(std::vector<Finding>& findings) {
@@ -90,7 +90,7 @@ class PlaceStage : public Stage<Place> {
   using Stage::Stage;
   /// Constant after configure(); if the plugin throws, PlaceInput::Frame.
   PlaceInput input();
-  /// Checks that new template ids are dense and that others exist.
+  /// Checks that new template ids have no gaps and that others exist.
   Status observe(const Frame& frame, const Motion* motion, PlaceObservation& observation);
   Status finish() { return call("finish", -1, &Place::finish); }
   /// Sets the number of templates: 0 after reset(), -1 (not known) after a saved state was loaded.

@@ -188,6 +188,7 @@ int exitCodeOfException() noexcept {
   } catch (const std::bad_alloc&) {
     return kNoMemoryExit;
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) return kNoThreadsExit;
     return error.code() == std::errc::not_enough_memory ? kNoMemoryExit : 70;
   } catch (...) {
     return 70;

@@ -15,6 +15,8 @@ namespace tolman::isolation {
 
 /// Exit code of a process that has too little memory to answer.
 inline constexpr int kNoMemoryExit = 71;
+/// Exit code of a process that cannot start the threads it needs.
+inline constexpr int kNoThreadsExit = 72;
 
 /// Services of the plugin's context that are implemented outside of this folder.
 struct ProcessServices {

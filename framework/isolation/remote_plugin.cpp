@@ -42,6 +42,12 @@ std::string hintAt(const LaunchOptions& limits) {
   return hint;
 }
 
+host::Refusal noProcess(const std::string& plugin, const std::string& why) {
+  return {host::kNoProcess, "no process for plugin '" + plugin + "': " + why,
+          "this is no defect of the plugin: raise the limits of processes, threads and open files "
+          "(`ulimit -u`, `ulimit -n`), or end other programs"};
+}
+
 }  // namespace
 
 host::OrRefusal<std::shared_ptr<RemotePlugin>> RemotePlugin::start(const host::Manifest& manifest,
@@ -55,9 +61,7 @@ std::optional<host::Refusal> RemotePlugin::load() {
   try {
     process_ = std::make_unique<ProcessHandle>(launch_);
   } catch (const std::exception& error) {
-    return host::Refusal{"plugin/no-process",
-                         "no process for plugin '" + manifest_.id + "': " + error.what(),
-                         "run without `isolation: process`, or end other programs"};
+    return noProcess(manifest_.id, error.what());
   }
   const LoadMessage message{manifest_.file.string(), manifest_.id, manifest_.program.string(),
                             launch_.memory_mib, launch_.threads};
@@ -70,8 +74,12 @@ std::optional<host::Refusal> RemotePlugin::load() {
         if (enumName(manifest_.role) == "invalid")
           throw MalformedMessage("a role that does not exist");
       });
-  const std::string no_memory = "exited with code " + std::to_string(kNoMemoryExit);
-  if (!status.isOk() && status.message().find(no_memory) != std::string::npos) {
+  const auto exited_with = [&](int code) {
+    return !status.isOk() &&
+           status.message().find(fmt::format("exited with code {}", code)) != std::string::npos;
+  };
+  if (exited_with(kNoThreadsExit)) return noProcess(manifest_.id, "its threads cannot be started");
+  if (exited_with(kNoMemoryExit)) {
     return host::Refusal{
         "plugin/load-failed",
         manifest_.file.string() + ": out of memory while the library was opened",

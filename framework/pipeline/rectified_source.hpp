@@ -9,6 +9,7 @@
 
 #include "config/settings.hpp"
 #include "host/stages.hpp"
+#include "imaging/baseline_check.hpp"
 #include "imaging/image_cut.hpp"
 #include "imaging/pixel_map.hpp"
 
@@ -38,6 +39,8 @@ class RectifiedSource : private host::SourceStage {
   const std::string& text() const { return text_; }
   /// How the images are cropped and scaled, for people; empty for whole images. After info().
   std::string cutText() const { return cut_.text(); }
+  /// Why the distance of the two cameras is doubted, for people; empty if it is not. After info().
+  std::string doubt() const { return imaging::baselineDoubt(rig_); }
   /// Time for rectifying, cropping and scaling the last frame, ns; 0 if nothing is done.
   std::int64_t rectifyingNs() const { return rectifying_ns_; }
 

@@ -81,7 +81,18 @@ Result<RunDirectory> RunDirectory::reopen(const fs::path& path) {
   std::error_code error;
   const fs::path directory = fs::canonical(path, error);
   if (error) return Status::failed(path.string() + ": " + error.message());
-  return lock(directory, "wait until it has ended");
+  Result<RunDirectory> locked = lock(directory, "wait until it has ended");
+  if (!locked.isOk()) return locked;
+  for (const fs::path& written : {directory, directory / "run.sqlite", directory / "log.txt"}) {
+    if (::access(written.c_str(), W_OK) == 0 || errno == ENOENT) continue;
+    return Status::failed(
+        written.string() + ": is read-only for this user (" +
+        std::generic_category().message(errno) +
+        "), and a run goes on in its own directory; make it writable, or resume a "
+        "copy: cp -r " +
+        path.string() + " COPY; tolman run --resume COPY");
+  }
+  return locked;
 }
 
 Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string& remedy) {

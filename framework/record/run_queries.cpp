@@ -10,9 +10,9 @@
 namespace tolman::record {
 namespace {
 
-/// BadRow where ids are not dense from 0.
+/// BadRow where ids are not 0, 1, 2, ... without gaps.
 template <Record R>
-std::vector<R> denseRows(const Database& database) {
+std::vector<R> rowsById(const Database& database) {
   std::vector<R> rows;
   forEachRow<R>(database, "", [&](const R& row) {
     if (row.id != static_cast<std::int64_t>(rows.size())) {
@@ -102,7 +102,7 @@ const Result<evaluation::Trajectory>& RunReader::odometry() const {
 const Result<evaluation::Trajectory>& RunReader::map() const {
   return once(map_, [&] {
     evaluation::Trajectory poses;
-    const auto experiences = denseRows<Experience>(database_);
+    const auto experiences = rowsById<Experience>(database_);
     const auto known = static_cast<std::int64_t>(experiences.size());
     std::unordered_map<std::int64_t, Eigen::Isometry3d> settled;
     const std::set<std::int64_t> untracked = untrackedFrames(database_);
@@ -164,9 +164,9 @@ Result<evaluation::Trajectory> RunReader::truth() const {
 const Result<MapGraph>& RunReader::graph() const {
   return once(graph_, [&] {
     MapGraph graph;
-    graph.experiences = denseRows<Experience>(database_);
+    graph.experiences = rowsById<Experience>(database_);
     const auto count = static_cast<std::int64_t>(graph.experiences.size());
-    for (const RecordedLink& link : denseRows<RecordedLink>(database_)) {
+    for (const RecordedLink& link : rowsById<RecordedLink>(database_)) {
       if (std::min(link.from, link.to) < 0 || std::max(link.from, link.to) >= count) {
         throw BadRow("link " + std::to_string(link.id) + " ends at no experience");
       }

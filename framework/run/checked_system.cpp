@@ -181,6 +181,7 @@ std::variant<CheckedSystem, Failure> checkSystem(const SystemOptions& options, S
     try {
       opened = open(catalogue, stage, checked.config, options);
     } catch (const Failed& refused) {
+      if (refused.failure.kind == FailureKind::Machine) return refused.failure;
       problems.push_back(
           {stage.pluginOrigin(), stage.path + ".plugin", refused.what(), Kind::Plugin});
       continue;

@@ -24,9 +24,10 @@ enum class FailureKind : std::uint8_t {
   Stage,          ///< a plugin failed during the run
   Record,         ///< the run directory or the record in it cannot be written
   Continuation,   ///< the map of an earlier run cannot be continued
+  Machine,        ///< no process or thread can be started
 };
-inline constexpr std::array<std::string_view, 6> kFailureKindNames = {
-    "configuration", "plugin", "dataset", "stage", "record", "continuation"};
+inline constexpr std::array<std::string_view, 7> kFailureKindNames = {
+    "configuration", "plugin", "dataset", "stage", "record", "continuation", "machine"};
 constexpr std::span<const std::string_view> enumNames(FailureKind) { return kFailureKindNames; }
 
 struct Failure {
@@ -40,6 +41,10 @@ struct Failed : std::runtime_error {
   explicit Failed(Failure f) : std::runtime_error(f.message), failure(std::move(f)) {}
   Failure failure;
 };
+
+inline FailureKind kindOf(const host::Refusal& refusal) {
+  return refusal.id == host::kNoProcess ? FailureKind::Machine : FailureKind::Plugin;
+}
 
 [[noreturn]] inline void refuseToContinue(const std::string& message) {
   throw Failed({FailureKind::Continuation, message});
@@ -62,7 +67,7 @@ T require(std::variant<T, Failure> answer) {
 template <class T>
 T require(host::OrRefusal<T> answer, const std::string& stage = {}) {
   const auto* refusal = std::get_if<host::Refusal>(&answer);
-  if (refusal != nullptr) throw Failed({FailureKind::Plugin, refusal->text(), stage});
+  if (refusal != nullptr) throw Failed({kindOf(*refusal), refusal->text(), stage});
   return std::get<T>(std::move(answer));
 }
 

@@ -17,6 +17,7 @@ TEST_CASE("every kind of failure has its exit code, as docs/errors.md lists them
   CHECK(code(FailureKind::Stage) == 7);
   CHECK(code(FailureKind::Record) == 8);
   CHECK(code(FailureKind::Continuation) == 9);
+  CHECK(code(FailureKind::Machine) == 70);
 }
 
 TEST_CASE("of an outcome a failure counts first, then an interruption, then lost tracking") {

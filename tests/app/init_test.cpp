@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
@@ -207,6 +208,25 @@ TEST_CASE("init says why no source reads a recording, and takes parameters", "[d
   INFO(skipped.finished.err);
   CHECK(skipped.finished.exit_code == 0);
   CHECK(contains(skipped.text, "left: /test/sensor_msgs/image\n  on_corrupt: skip\n"));
+}
+
+TEST_CASE("init searches neither a file system of the kernel nor many folders for minutes") {
+  const auto begin = std::chrono::steady_clock::now();
+  const Finished of_kernel = tolman::test::tolman({"init", "/proc/self"});
+  CHECK(of_kernel.exit_code == 5);
+  CHECK(of_kernel.err.starts_with("/proc/self: lies in a file system of the kernel"));
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(10));
+  const TemporaryFolder folder;  // 40 x 40 x sources are 10 minutes
+  for (int i = 0; i < 40; ++i) {
+    const std::string name = fmt::format("{:02d}", i);
+    fs::create_directories(folder.path() / name);
+    std::ofstream(folder.path() / name / "notes.txt") << "no image\n";
+    std::ofstream(folder.path() / (name + ".yaml")) << "a: 1\n";
+  }
+  const Finished many = tolman::test::tolman({"init", folder.path().string()});
+  CHECK(many.exit_code == 5);
+  CHECK(contains(many.err, "search for folders of images: ended after 30 s"));
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(120));
 }
 
 TEST_CASE("init names the folders of images that it leaves out, and takes a pair first") {

@@ -119,6 +119,25 @@ TEST_CASE("an empty folder may be filled, a file or a full folder may not") {
   CHECK(textOf(folder.path() / "file") == "mine");
 }
 
+TEST_CASE("a folder that cannot be made or written is named, with the reason and the remedy") {
+  const tolman::test::TemporaryFolder folder;
+  const fs::path templates = folder.path() / "template";
+  writeTemplates(templates);
+  std::ofstream(folder.path() / "file") << "mine";
+  const auto below =
+      writeNewPlugin(templates, {tolman::Role::Cells, "c", folder.path() / "file/a/c"});
+  REQUIRE_FALSE(below.isOk());
+  const std::string text = below.status().message();
+  CAPTURE(text);
+  CHECK(text.find("cannot be written: " + (folder.path() / "file").string() +
+                  " (Not a directory)") != std::string::npos);
+  CHECK(text.find("or name another one") != std::string::npos);
+  const auto of_kernel = writeNewPlugin(templates, {tolman::Role::Cells, "c", "/proc/c"});
+  REQUIRE_FALSE(of_kernel.isOk());
+  CHECK(of_kernel.status().message().starts_with(
+      "/proc/c: the plugin's folder cannot be written: /proc ("));
+}
+
 TEST_CASE("templates that are not installed are missed by name") {
   const tolman::test::TemporaryFolder folder;
   const fs::path program = folder.path() / "bin/tolman";

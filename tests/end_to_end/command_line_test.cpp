@@ -2,6 +2,8 @@
 // Random command lines of existing words, wrong values and misplaced options. All end with an exit
 // code of the table, and with a message unless they succeed.
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "end_to_end/tiny_kitti.hpp"
@@ -129,4 +131,53 @@ TEST_CASE("check tells that there is no map to continue") {
     CHECK(finished.exit_code == 9);
     CHECK(contains(finished.err, none + ": is no run directory"));
   }
+}
+
+TEST_CASE("a baseline of a wrong unit is told before and during the run, with the remedy") {
+  const TemporaryFolder folder;
+  const fs::path sequence = folder.path() / "sequence";
+  writeTinyKitti(sequence, 6);
+  const fs::path config = writeTinyConfig(folder.path(), sequence);
+  const auto told = [&](const std::string& text) {
+    return contains(text, "the two cameras are") && contains(text, "in metres, not mm");
+  };
+  std::ofstream(sequence / "calib.txt") << "P0: 100 0 80 0 0 100 30 0 0 0 1 0\n"
+                                        << "P1: 100 0 80 -0.12 0 100 30 0 0 0 1 0\n";
+  const Finished near = tolman::test::tolman({"dataset", "check", sequence.string()});
+  CAPTURE(near.out, near.err);
+  CHECK(told(near.out));
+  CHECK(contains(near.out, "0.0012 m apart"));
+  const fs::path out = folder.path() / "run";
+  const Finished ran = tolman::test::tolman(tinyRun(config, out));
+  CAPTURE(ran.exit_code, ran.err);
+  CHECK(told(readText(out / "log.txt")));
+  std::ofstream(sequence / "calib.txt") << "P0: 100 0 80 0 0 100 30 0 0 0 1 0\n"
+                                        << "P1: 100 0 80 -50 0 100 30 0 0 0 1 0\n";
+  CHECK_FALSE(told(tolman::test::tolman({"dataset", "check", sequence.string()}).out));
+}
+
+TEST_CASE("the folder of a run is no folder of a sweep") {
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 4);
+  const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const fs::path out = folder.path() / "run";
+  auto words = tinyRun(config, out);
+  REQUIRE(tolman::test::tolman(words).exit_code == 0);
+  const fs::path sweep = folder.path() / "sweep.yaml";
+  std::ofstream(sweep) << "base: tiny.yaml\nseeds: [1, 2]\n";
+  const auto count = [&] {
+    return std::distance(fs::recursive_directory_iterator(out), fs::recursive_directory_iterator());
+  };
+  const auto before = count();
+  words = {"sweep", sweep.string(), "--out", out.string()};
+  for (const bool only_record : {false, true}) {
+    if (only_record) fs::remove(out / "run.json");
+    const Finished finished = tolman::test::tolman(words);
+    CAPTURE(finished.out, finished.err);
+    CHECK(finished.exit_code == 8);
+    CHECK(contains(finished.err,
+                   only_record ? "holds a run (run.sqlite)" : "holds a run (run.json)"));
+    CHECK(contains(finished.err, "choose another --out"));
+  }
+  CHECK(count() == before - 1);
 }

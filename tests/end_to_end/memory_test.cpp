@@ -88,6 +88,40 @@ TEST_CASE("too few threads are told before a library fails for want of one") {
   }
 }
 
+TEST_CASE("threads that a plugin's process lacks are told as a limit, not as the plugin's defect") {
+  if (::geteuid() != 0) return;  // as above
+  const TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 2);
+  const fs::path config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  fs::permissions(folder.path(), fs::perms::all);
+  const std::string library = inBuild("tests/fixtures/plugins/steady/tolman_odometry_steady.so");
+  const auto limited = [&](int limit, const std::string& words) {
+    return run({"setpriv", "--reuid=54322", "--regid=54322", "--clear-groups", "bash", "-c",
+                "ulimit -u " + std::to_string(limit) + "; exec " + tolmanProgram().string() + " " +
+                    words});
+  };
+  if (limited(64, "version").exit_code != 0) return;  // the build lies in a folder of its owner
+  int told = 0;
+  for (const int limit : {17, 18, 19, 21}) {
+    for (const std::string& words :
+         {"check " + config.string() + " --plugin-path " + fs::path(library).parent_path().string(),
+          "plugins doctor " + library, "plugins validate --level 1 --check load " + library,
+          "init " + folder.path().string()}) {
+      if (words.starts_with("init") && limit != 18) continue;  // it starts many processes
+      const Finished finished = limited(limit, words);
+      CAPTURE(limit, words, finished.exit_code, finished.out, finished.err);
+      const bool is_init = words.starts_with("init");  // no source reads the folder: 5
+      CHECK((finished.exit_code == (is_init ? 5 : 0) || finished.exit_code == 70));
+      CHECK_FALSE(contains(finished.err + finished.out, "plugin/died"));
+      CHECK_FALSE(contains(finished.out, "never call exit()"));
+      if (finished.exit_code != 70) continue;
+      CHECK(contains(finished.err, "ulimit -u"));
+      told += contains(finished.err, "plugin/no-process") ? 1 : 0;
+    }
+  }
+  CHECK(told > 0);
+}
+
 TEST_CASE("libraries that find no room are refused as plugins, with the limits as the remedy") {
   const TemporaryFolder folder;
   writeTinyKitti(folder.path() / "sequence", 2);

@@ -2,6 +2,7 @@
 // Killed and interrupted runs are resumed from their last checkpoint, and give the same bytes as
 // runs without interruption.
 #include <sqlite3.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -373,4 +374,26 @@ TEST_CASE("real images and real motion: resumed runs have the bytes of uninterru
         "SELECT count(*), sum(rowid * announced_at) FROM motion_revision"}) {
     CHECK(recordRows(out, query) == recordRows(whole, query));
   }
+}
+
+TEST_CASE("a run that this user may not write is not resumed, and told as read-only") {
+  if (::geteuid() != 0) return;  // the owner could be root alone
+  const TinyRun tiny;
+  (void)signalled(tiny.words, tiny.out, SIGKILL, 10);
+  const auto before = filesOf(tiny.out);
+  fs::permissions(tiny.folder.path(), fs::perms(0755));
+  Words words = {"setpriv", "--reuid=54324", "--regid=54324", "--clear-groups"};
+  if (run(joined(words, {"test", "-x", tolmanProgram().string()})).exit_code != 0) return;
+  words = joined(words, {tolmanProgram().string(), "run", "--resume", tiny.out.string()});
+  const Finished finished = run(joined(words, tiny.plugins));
+  CAPTURE(finished.err);
+  CHECK(finished.exit_code == 9);
+  CHECK(contains(finished.err, "run: is read-only for this user (Permission denied)"));
+  CHECK(contains(finished.err, "make it writable, or resume a copy: cp -r"));
+  CHECK(filesOf(tiny.out) == before);
+  const std::string copy = (tiny.folder.path() / "copy").string();  // the remedy
+  fs::copy(tiny.out, copy, fs::copy_options::recursive);
+  const Finished resumed = tolman::test::tolman(joined({"run", "--resume", copy}, tiny.plugins));
+  CAPTURE(resumed.err);
+  CHECK(resumed.exit_code == 0);
 }

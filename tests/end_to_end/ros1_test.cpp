@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Live ROS 1 with a roscore on the loopback interface: ROS 1's Python modules publish a clip and
 // receive the poses.
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -155,6 +160,39 @@ TEST_CASE("no roscore, no publisher, a wrong topic: one clear error each", "[dat
                  "nobody publishes /rear; topics with images are: /front/image_rect/compressed"));
   CHECK(contains(error(ros, "{plugin: ros1, left: /front/camera_info}"),
                  "topic /front/camera_info is of type sensor_msgs/CameraInfo"));
+}
+
+TEST_CASE("what is no roscore, or never answers, is told instead of waited for") {
+  if (!ros1LiveOrSkip()) return;
+  Desk desk(false);
+  const auto address = [](int port) { return "http://127.0.0.1:" + std::to_string(port); };
+  const auto error = [&](int port) {
+    auto command = desk.runCommand("{plugin: ros1, master: '" + address(port) + "'}", "failed");
+    command.insert(command.begin(), {"timeout", "40"});
+    const Finished finished = run(command);
+    CHECK(finished.exit_code == 5);
+    return finished.err;
+  };
+  const int mute = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);  // nobody accepts
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t size = sizeof place;
+  REQUIRE(::bind(mute, reinterpret_cast<sockaddr*>(&place), size) == 0);
+  REQUIRE(::listen(mute, 5) == 0);
+  REQUIRE(::getsockname(mute, reinterpret_cast<sockaddr*>(&place), &size) == 0);
+  const int port = ntohs(place.sin_port);
+  CHECK(contains(error(port), "a program listens at " + address(port) +
+                                  " and did not answer within 5 s; the roscore hangs"));
+  ::close(mute);
+  Process other(
+      {"/usr/bin/python3", "-m", "http.server", "--bind", "127.0.0.1", std::to_string(port)},
+      desk.folder());
+  std::string told;
+  for (int i = 0; i < 50 && !contains(told, "is no roscore"); ++i) told = error(port);
+  other.signal(SIGKILL);
+  (void)other.wait();
+  CHECK(contains(told, "what answers at " + address(port) + " is no roscore; start it"));
 }
 
 TEST_CASE("a camera that ends, one that hangs, a roscore that is gone: what came is kept",

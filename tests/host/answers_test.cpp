@@ -91,7 +91,7 @@ TEST_CASE("revisions are of past frames") {
   CHECK(checkRevisions(revisions, 0, 9).message() == "'revisions.covariance' is not symmetric");
 }
 
-TEST_CASE("template ids are dense from 0") {
+TEST_CASE("template ids are 0, 1, 2, ... without gaps") {
   const auto message = [&](Recognition recognition, std::int64_t id, std::int64_t templates) {
     PlaceObservation seen;
     seen.recognition = recognition;
@@ -102,7 +102,8 @@ TEST_CASE("template ids are dense from 0") {
   CHECK(message(Recognition::Familiar, 0, 0) == "recognised template 0, which was never made");
   CHECK(message(Recognition::Novel, 0, 0).empty());
   CHECK(message(Recognition::Familiar, 0, 1).empty());
-  CHECK(message(Recognition::Novel, 2, 1) == "made template 2; ids are dense, the next one is 1");
+  CHECK(message(Recognition::Novel, 2, 1) ==
+        "made template 2; ids are 0, 1, 2, ... without gaps, the next one is 1");
   CHECK(message(Recognition::None, 0, 1) ==
         "answered None with template 0; None has template_id -1");
   CHECK(message(Recognition::Novel, 7, -1).empty());
@@ -115,7 +116,7 @@ TEST_CASE("where the number of templates is not known, there is a largest one") 
   seen.template_id = 7;
   CHECK(checkTemplateId(seen, -1, 7).isOk());
   CHECK(checkTemplateId(seen, -1, 6).message() ==
-        "made template 7; ids are dense, the next one is at most 6");
+        "made template 7; ids are 0, 1, 2, ... without gaps, the next one is at most 6");
   seen.recognition = Recognition::Familiar;
   CHECK(checkTemplateId(seen, -1, 8).isOk());
   CHECK(checkTemplateId(seen, -1, 7).message() == "recognised template 7, which was never made");
@@ -186,12 +187,14 @@ TEST_CASE("an update is attached to a known experience, its version does not dec
   CHECK(checkUpdate(update, 3).message() == "2 loops of 1 links");
 }
 
-TEST_CASE("a graph is dense and of past frames") {
+TEST_CASE("the ids of a graph have no gaps, and its frames are past") {
   MapGraph graph;
   graph.experiences.resize(2);
   graph.links.resize(1);
   const auto message = [&] { return checkGraph(graph, {.newest_frame = 7}).message(); };
-  CHECK(message() == "experience ids are not dense from 0");
+  CHECK(
+      message() ==
+      "experience 0 of the graph has the id -1; ids are 0, 1, 2, ... without gaps, in this order");
   for (std::int64_t i : {0, 1}) {
     auto& experience = graph.experiences[static_cast<std::size_t>(i)];
     experience.id = i;
@@ -199,7 +202,8 @@ TEST_CASE("a graph is dense and of past frames") {
   }
   CHECK(message() == "experience 1 was made at frame 8, which is not a past frame");
   graph.experiences[1].frame = 7;
-  CHECK(message() == "link ids are not dense");
+  CHECK(message() ==
+        "link 0 of the graph has the id -1; ids are 0, 1, 2, ... without gaps, in this order");
   Link& link = graph.links[0];
   link.id = link.from = 0;
   link.to = 2;

@@ -144,7 +144,7 @@ TEST_CASE("decisions of cells are checked before the map sees them") {
   CHECK(cells.say(Action::Stay, -1).empty());
   CHECK(cells.say(Action::CloseLoop, 0) == "decided for experience 0, which does not exist");
   CHECK(cells.say(Action::CreateExperience, 1) ==
-        "created experience 1; ids are dense, the next one is 0");
+        "created experience 1; ids are 0, 1, 2, ... without gaps, the next one is 0");
   CHECK(cells.say(Action::CreateExperience, 0).empty());
   CHECK(cells.say(Action::CloseLoop, 0).empty());
   CHECK(cells.say(Action::Stay, 1) == "decided for experience 1, which does not exist");
@@ -251,7 +251,7 @@ TEST_CASE("after a failure a template may be one more than were given, and no ot
   CHECK(say(Recognition::Familiar, 1).empty());
   CHECK(say(Recognition::Familiar, 99) == "recognised template 99, which was never made");
   CHECK(say(Recognition::Novel, 77) ==
-        "made template 77; ids are dense, the next one is at most 3");
+        "made template 77; ids are 0, 1, 2, ... without gaps, the next one is at most 3");
 }
 
 TEST_CASE("a true pose that was not told is refused, one that is missing is not") {

@@ -169,6 +169,21 @@ class FileTest(Systems):
         for name in ("units/spike_times", "processing/behavior/Position/position/data", "identifier"):
             self.assertTrue(np.array_equal(file[name][()], again[name][()]), name)
 
+    def test_a_file_that_is_too_large_is_told_as_such(self):
+        import subprocess
+
+        from support import BUILD
+
+        self.exported()
+        for kind in ("nwb", "npz"):
+            line = f"ulimit -f 20; exec '{BUILD}/bin/tolman' export '{self.folder}/run' --{kind} --out '{self.folder}/{kind}'"
+            done = subprocess.run(["bash", "-c", line], capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 8, done.stderr)
+            self.assertRegex(done.stderr, rf"run\.{kind}: cannot be written \(File too large\); look for .*ulimit -f")
+            self.assertNotIn("it needs", done.stderr)
+            self.assertNotIn("Traceback", done.stderr)
+            self.assertEqual([file.name for file in (self.folder / kind).iterdir() if file.name.startswith("run.")], [])
+
 
 if __name__ == "__main__":
     unittest.main()

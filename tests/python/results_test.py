@@ -142,6 +142,23 @@ class RunTest(Systems):
             tolman.run(config, set={"cells.plugin": "bayesian_atractor"}, out=self.folder / "b")
         self.assertEqual(failed.exception.code, 4)
 
+    def test_values_of_a_run_are_written_as_yaml_or_refused(self):
+        from tolman.program import _text
+
+        self.assertEqual(_text({"a": [None, True, np.float64(0.5), np.int64(3), np.bool_(False)], "b": np.arange(2)}),
+                         "{a: [null, true, 0.5, 3, false], b: [0, 1]}")
+        config = self.config()
+        for value in ({1, 2}, b"x", 3j, object(), [{"a"}]):
+            with self.assertRaisesRegex(TypeError, "set: 'seed': .*of type"):
+                tolman.run(config, set={"seed": value})
+        for value in (math.nan, np.float32("inf"), [1, -math.inf]):
+            with self.assertRaisesRegex(ValueError, "set: 'seed': .*finite"):
+                tolman.run(config, set={"seed": value})
+        with self.assertRaisesRegex(TypeError, "not list"):
+            tolman.run(config, set=["seed=3"])
+        with self.assertRaisesRegex(tolman.RunFailed, "name=null: name: expects a text, not nothing"):
+            tolman.run(config, set={"name": None}, out=self.folder / "c")
+
     def test_structured_arrays_without_pandas(self):
         import sys
 

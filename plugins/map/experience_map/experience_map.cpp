@@ -56,7 +56,7 @@ Status ExperienceMap::check(const Motion& motion, const Decision& decision) cons
   }
   if (decision.action == Action::CreateExperience && decision.experience != known) {
     return Status::invalidInput("the decision creates experience " + id + ", but the next is " +
-                                std::to_string(known) + "; ids must be dense from 0");
+                                std::to_string(known) + "; ids are 0, 1, 2, ... without gaps");
   }
   const std::int64_t least = decision.action == Action::CloseLoop ? 0 : -1;
   const bool unknown = decision.experience < least || decision.experience >= known;

@@ -42,6 +42,9 @@ void useOneClock(BagTopic& topic) {
   std::erase_if(topic.index, [](const BagMessage& message) { return !message.has_stamp; });
 }
 
+/// Leaves the visit of a file.
+struct Interruption {};
+
 }  // namespace
 
 Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& cancellation) {
@@ -50,9 +53,12 @@ Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& can
   Bag bag;
   bag.paths_ = std::move(found).value();
   for (std::size_t file = 0; file < bag.paths_.size(); ++file) {
-    if (cancellation.requested()) return Status(StatusCode::Cancelled, "reading was cancelled");
     if (Status status = bag.openFile(bag.paths_[file]); !status.isOk()) return status;
-    bag.visit(file);
+    try {
+      bag.visit(file, cancellation);
+    } catch (const Interruption&) {
+      return Status(StatusCode::Cancelled, "reading was cancelled");
+    }
   }
   std::int64_t messages = 0;
   for (const auto& [name, topic] : bag.topics_) messages += topic.messages;
@@ -89,11 +95,12 @@ Status Bag::openFile(const std::filesystem::path& path) {
                               ": is no bag of ROS (.mcap, .db3 or .bag); check the path");
 }
 
-void Bag::visit(std::size_t file) {
+void Bag::visit(std::size_t file, const Cancellation& cancellation) {
   constexpr std::size_t kMaxProblems = 20;
   std::vector<std::string> problems;
   files_[file]->visit(
       [&](const Topic& topic, std::int64_t log_ns, const MessagePlace& place, Bytes bytes) {
+        if (cancellation.requested()) throw Interruption();  // a bag may take many minutes
         add(topic, log_ns, {log_ns, file, place}, bytes);
       },
       problems);

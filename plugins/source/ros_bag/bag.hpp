@@ -54,7 +54,7 @@ class Bag {
 
  private:
   Status openFile(const std::filesystem::path& path);
-  void visit(std::size_t file);
+  void visit(std::size_t file, const Cancellation& cancellation);
   void add(const Topic& topic, std::int64_t log_ns, const BagMessage& message, Bytes bytes);
 
   std::vector<std::filesystem::path> paths_;

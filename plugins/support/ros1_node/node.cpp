@@ -5,13 +5,17 @@
 #include <ros/init.h>
 #include <ros/master.h>
 #include <ros/network.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
+#include <chrono>
 #include <cstdlib>
+
+#include "master_probe.hpp"
 
 namespace tolman::ros1_node {
 namespace {
 
-constexpr const char* kRemedy = "; start it (`roscore`), or set master to where it is";
+constexpr std::chrono::seconds kLongestAnswer{5};
 
 std::string uriOf(const std::string& master) {
   if (!master.empty()) return master;
@@ -45,20 +49,27 @@ Status initialise(const std::string& master) {
 Result<std::unique_ptr<Node>> Node::start(const std::string& master) {
   std::unique_ptr<Node> node(new Node(uriOf(master)));
   if (Status status = initialise(node->master_); !status.isOk()) return status;
-  if (!node->masterAnswers()) {
-    return Status::invalidInput("no roscore answers at " + node->master_ + kRemedy);
-  }
+  if (Status status = node->askMaster(); !status.isOk()) return status;
   node->handle_ = std::make_unique<ros::NodeHandle>();
   node->handle_->setCallbackQueue(&node->queue_);
   return node;
 }
 
-bool Node::masterAnswers() const { return ros::master::check(); }
+Status Node::askMaster() const {
+  std::string host;
+  std::uint32_t port = 0;
+  ros::network::splitURI(master_, host, port);
+  return probeMaster(master_, host, port, kLongestAnswer);
+}
 
 std::map<std::string, std::string> Node::topics() const {
   ros::master::V_TopicInfo found;
   std::map<std::string, std::string> types;
-  if (!masterAnswers() || !ros::master::getTopics(found)) return types;
+  try {
+    if (!masterAnswers() || !ros::master::getTopics(found)) return types;
+  } catch (const XmlRpc::XmlRpcException&) {  // an answer of other types
+    return types;
+  }
   for (const ros::master::TopicInfo& topic : found) types[topic.name] = topic.datatype;
   return types;
 }

@@ -24,13 +24,15 @@ class Node {
   ros::NodeHandle& handle() { return *handle_; }
   ros::CallbackQueue& queue() { return queue_; }
   const std::string& master() const { return master_; }
-  /// Whether the roscore answers now.
-  bool masterAnswers() const;
+  /// Whether the roscore answers now, within 5 s.
+  bool masterAnswers() const { return askMaster().isOk(); }
   /// Published topics with their types ("sensor_msgs/Image"); empty if the roscore does not answer.
   std::map<std::string, std::string> topics() const;
 
  private:
   explicit Node(std::string master) : master_(std::move(master)) {}
+  Status askMaster() const;
+
   std::string master_;
   ros::CallbackQueue queue_;
   std::unique_ptr<ros::NodeHandle> handle_;

@@ -18,7 +18,7 @@ import sys
 
 import numpy as np
 
-from tolman._files import exit_code_of, replacing
+from tolman._files import exit_code_of, replacing, written
 from tolman.results import Run, unit_of
 
 _TABLES = ("frame", "motion", "place", "decision", "map_update", "experience", "link", "event", "timing", "session")
@@ -90,7 +90,7 @@ def write(run_directory, file=None):
             if not name.startswith(of_truth):
                 out.units[name] = {"m": "units", "m/s": "units/s"}.get(unit, unit)
     file = pathlib.Path(file) if file else run.path / "run.npz"
-    with replacing(file) as temporary, open(temporary, "wb") as stream:
+    with written(file), replacing(file) as temporary, open(temporary, "wb") as stream:
         np.savez_compressed(stream, units=json.dumps(out.units), **out.arrays)
     return file
 

@@ -9,6 +9,7 @@ population is `peak_hz`. Spikes are Poisson, seeded by the run's seed and the nu
 between two frames, in steps of 0.1 ms.
 """
 import argparse
+import io
 import json
 import pathlib
 import sys
@@ -16,7 +17,7 @@ import sys
 import numpy as np
 
 from tolman import cells
-from tolman._files import exit_code_of, replacing
+from tolman._files import exit_code_of, replacing, written
 from tolman.results import Run, rows_where
 
 SPIKE_RESOLUTION_S = 1e-4
@@ -214,13 +215,16 @@ def export(run, out=None, peak_hz=PEAK_HZ):
     seconds = 1e-9 * (np.asarray(poses["stamp_ns"]) - origin_ns)
     started = run.info.get("started", "1980-01-01T00:00:00Z").replace("Z", "+00:00")
     of = "true poses" if frames["has_truth"].max() else "poses of the finished map"
-    with replacing(out) as unfinished, \
-            h5py.File(unfinished, "w", libver=("v108", "v110"), track_order=False) as file:
+    # In memory, for HDF5 crashes where a write to a file fails.
+    memory = io.BytesIO()
+    with h5py.File(memory, "w", libver=("v108", "v110"), track_order=False) as file:
         writer = _hdf5.Writer(file, f"{run.info.get('name')} {started} {json.dumps(run.info.get('plugins'))}")
         _write_head(writer, run, started)
         _write_behavior(writer, poses, seconds, of, frames["has_truth"].max() or run.scale_known)
         _write_units(writer, run, origin_ns, peak_hz)
         _write_intervals(writer, run, poses, seconds, origin_ns)
+    with written(out), replacing(out) as unfinished:
+        unfinished.write_bytes(memory.getbuffer())
     return out
 
 

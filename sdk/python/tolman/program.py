@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the program `tolman`: TOLMAN_PROGRAM, that of the build tree that this package lies in, or the one on the path."""
+import math
 import os
 import pathlib
 import shutil
@@ -26,14 +27,38 @@ def program():
 
 
 def _text(value):
-    """As a configuration writes it."""
+    """As a configuration writes it. Raises TypeError or ValueError where it cannot write such a value."""
+    if hasattr(value, "tolist"):  # numbers and arrays of NumPy
+        value = value.tolist()
+    if value is None:
+        return "null"
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, dict):
         return "{" + ", ".join(f"{key}: {_text(item)}" for key, item in value.items()) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(_text(item) for item in value) + "]"
+    if isinstance(value, float) and not math.isfinite(value):
+        raise ValueError(f"{value} is no number that a configuration takes; give a finite one")
+    if not isinstance(value, (str, int, float, os.PathLike)):
+        raise TypeError(f"{value!r} of type {type(value).__name__} cannot be written into a configuration; give a text, a "
+                        "number, a bool, None, a path, or a list or dict of them")
     return str(value)
+
+
+def _settings(given):
+    """The words of --set. Raises TypeError and ValueError, with the key."""
+    if not isinstance(given or {}, dict):
+        raise TypeError(f"'set' is a dict of values by their keys, such as {{'cells.spacing': 3}}, not {type(given).__name__}")
+    words = []
+    for key, value in (given or {}).items():
+        if not isinstance(key, str):
+            raise TypeError(f"set: the key {key!r} is no text")
+        try:
+            words += ["--set", f"{key}={_text(value)}"]
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"set: '{key}': {error}") from None
+    return words
 
 
 def call(*arguments):
@@ -54,10 +79,9 @@ def _word(argument):
 
 
 def run(config, set=None, out=None, plugin_path=()):  # noqa: A002: the word of the command line
-    """Runs a configuration, with values in other words: run("demo", set={"cells.spacing": 3}). Gives its Run."""
-    words = ["run", config]
-    for key, value in (set or {}).items():
-        words += ["--set", f"{key}={_text(value)}"]
+    """Runs a configuration, with values in other words: run("demo", set={"cells.spacing": 3}). Gives its Run.
+    None is YAML's null; a type that a configuration cannot hold raises TypeError, and NaN ValueError."""
+    words = ["run", config, *_settings(set)]
     for folder in plugin_path:
         words += ["--plugin-path", folder]
     if out is not None:

@@ -99,7 +99,7 @@ TEST_CASE("decisions that make no sense are refused and change nothing") {
     return status.message();
   };
   CHECK(message(Action::CreateExperience, 5) ==
-        "the decision creates experience 5, but the next is 2; ids must be dense from 0");
+        "the decision creates experience 5, but the next is 2; ids are 0, 1, 2, ... without gaps");
   CHECK(message(Action::CloseLoop, 2) ==
         "the decision (close_loop) names experience 2, but there are only 2");
   CHECK(message(Action::CloseLoop, -1) ==

@@ -37,6 +37,23 @@ TEST_CASE("a pair from either format, in every order") {
   }
 }
 
+TEST_CASE("reading a bag is cancelled within its file, not at its end") {
+  struct Third : Cancellation {
+    bool requested() const override { return ++asked >= 3; }
+    mutable int asked = 0;
+  };
+  const test::TemporaryFolder folder;
+  test::writeDb3(folder.path() / "a.db3", pairMessages(5));
+  test::writeBytes(folder.path() / "a.mcap", test::mcapBytes(pairMessages(5), {"zstd"}));
+  for (const char* name : {"a.db3", "a.mcap"}) {
+    const Third cancellation;
+    const Result<Bag> bag = Bag::open(folder.path() / name, cancellation);
+    REQUIRE_FALSE(bag.isOk());
+    CHECK(bag.status().code() == StatusCode::Cancelled);
+    CHECK(cancellation.asked == 3);
+  }
+}
+
 TEST_CASE("images without a time in their header are not mixed with those that have one") {
   const test::TemporaryFolder folder;
   std::vector<test::RosMessage> messages = pairMessages(6);
