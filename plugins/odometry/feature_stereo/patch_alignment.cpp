@@ -26,6 +26,13 @@ TOLMAN_INLINE Shorts loadWidened(const uchar* p) {
   return __builtin_convertvector(bytes, Shorts);
 }
 
+TOLMAN_INLINE Shorts loadShorts(const std::int16_t* p) {
+  Shorts values;
+  std::memcpy(&values, p, sizeof values);
+  return values;
+}
+TOLMAN_INLINE void store(Shorts values, std::int16_t* p) { std::memcpy(p, &values, sizeof values); }
+
 /// Between a pixel and the next one of its row, times kRightOne.
 TOLMAN_INLINE Shorts betweenColumns(const uchar* p, std::int16_t right) {
   const Shorts here = loadWidened(p);
@@ -51,33 +58,33 @@ void interpolateLanes(const uchar* p, std::ptrdiff_t step, int rows, std::int16_
     const Shorts next = betweenColumns(p, right);
     const Shorts half = (above >> 1) + upperHalf(next - above, below);
     const Shorts value = (half + std::int16_t(4)) >> 3;  // from kRightOne / 2 to kGrayOne
-    std::memcpy(gray, &value, sizeof value);
+    store(value, gray);
     gray += gray_step;
     above = next;
   }
 }
 
 /// Derivatives across and down, smoothed along the other axis by 3, 10, 3 (Scharr). `gray` has
-/// two rows and `lanes` - `columns` columns more than the result.
+/// two rows and at least two columns more than the result, all numbers of columns are multiples of
+/// kLanes. `sums` and `steps` have room for kLanes more than a row.
 TOLMAN_WIDE_LANES
-void derivatives(const std::int16_t* gray, int lanes, int side, int columns, std::int16_t* smooth,
-                 std::int16_t* by_x, std::int16_t* by_y) {
-  for (int y = 0; y < side; ++y) {
-    const std::int16_t* above = gray + y * lanes;
-    const std::int16_t* here = above + lanes;
-    const std::int16_t* below = here + lanes;
-    for (int x = 0; x < lanes; ++x) {
-      smooth[x] = static_cast<std::int16_t>(3 * (above[x] + below[x]) + 10 * here[x]);
+void derivatives(const std::int16_t* gray, int lanes, int side, int columns, std::int16_t* sums,
+                 std::int16_t* steps, std::int16_t* by_x, std::int16_t* by_y) {
+  for (int y = 0; y < side; ++y, gray += lanes, by_x += columns, by_y += columns) {
+    for (int x = 0; x < lanes; x += kLanes) {
+      const Shorts above = loadShorts(gray + x);
+      const Shorts here = loadShorts(gray + lanes + x);
+      const Shorts below = loadShorts(gray + 2 * lanes + x);
+      const Shorts sum = 3 * (above + below) + 10 * here;  // at most 16 * 8 * 255, below 2^15
+      store(sum, sums + x);
+      store(below - above, steps + x);
     }
-    for (int x = 0; x < columns; ++x) {
-      by_x[y * columns + x] = static_cast<std::int16_t>((smooth[x + 2] - smooth[x]) >> 5);
+    for (int x = 0; x < columns; x += kLanes) {
+      store((loadShorts(sums + x + 2) - loadShorts(sums + x)) >> 5, by_x + x);
+      const Shorts beside = loadShorts(steps + x) + loadShorts(steps + x + 2);
+      store((3 * beside + 10 * loadShorts(steps + x + 1)) >> 5, by_y + x);
     }
-    for (int x = 0; x < lanes; ++x) smooth[x] = static_cast<std::int16_t>(below[x] - above[x]);
-    for (int x = 0; x < columns; ++x) {
-      by_y[y * columns + x] =
-          static_cast<std::int16_t>((3 * (smooth[x] + smooth[x + 2]) + 10 * smooth[x + 1]) >> 5);
-    }
-    for (int x = side; x < columns; ++x) by_x[y * columns + x] = by_y[y * columns + x] = 0;
+    for (int x = side; x < columns; ++x) by_x[x] = by_y[x] = 0;
   }
 }
 
@@ -153,7 +160,8 @@ Patch::Patch(int side)
       by_x_(gray_.size()),
       by_y_(gray_.size()),
       buffer_(static_cast<std::size_t>((side + 2) * toLanes(side + 2))),
-      smooth_(static_cast<std::size_t>(toLanes(side + 2) + kLanes)) {}
+      sums_(static_cast<std::size_t>(toLanes(side + 2) + kLanes)),
+      steps_(sums_.size()) {}
 
 bool Patch::take(const PaddedImage& image, const cv::Point2f& centre) {
   if (!isReadable(image, centre)) return false;
@@ -165,7 +173,8 @@ bool Patch::take(const PaddedImage& image, const cv::Point2f& centre) {
     std::memcpy(gray_.data() + y * columns_, buffer_.data() + (y + 1) * lanes + 1,
                 sizeof(std::int16_t) * static_cast<std::size_t>(std::min(columns_, lanes - 1)));
   }
-  derivatives(buffer_.data(), lanes, side_, columns_, smooth_.data(), by_x_.data(), by_y_.data());
+  derivatives(buffer_.data(), lanes, side_, columns_, sums_.data(), steps_.data(), by_x_.data(),
+              by_y_.data());
   const int count = side_ * columns_;
   TwoSums across;
   TwoSums down;

@@ -37,7 +37,8 @@ class Patch {
   std::vector<std::int16_t> by_x_;  ///< kGrayOne for a grey level per px
   std::vector<std::int16_t> by_y_;
   std::vector<std::int16_t> buffer_;
-  std::vector<std::int16_t> smooth_;
+  std::vector<std::int16_t> sums_;
+  std::vector<std::int16_t> steps_;
   double inverse_[3] = {0, 0, 0};  ///< xx, xy, yy of the inverse structure tensor
 };
 
