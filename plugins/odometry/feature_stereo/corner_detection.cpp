@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+
+#include "corner_response.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::feature_stereo {
 namespace {
@@ -26,37 +28,78 @@ cv::Mat occupiedCells(const cv::Size& grid, int cell, const std::vector<cv::Poin
   return taken;
 }
 
+/// The strongest responses of one row of cells, for each column of pixels.
+struct Band {
+  std::vector<std::int32_t> best;
+  std::vector<std::int32_t> row;  ///< of the image, where it is
+
+  explicit Band(int width)
+      : best(static_cast<std::size_t>(width)), row(static_cast<std::size_t>(width)) {}
+};
+
+TOLMAN_WIDE_LANES
+void keepStrongest(const std::int32_t* __restrict response, int row, int first, int end,
+                   std::int32_t* __restrict best, std::int32_t* __restrict rows) {
+  for (int x = first; x < end; ++x) {
+    const bool stronger = response[x] > best[x];
+    best[x] = stronger ? response[x] : best[x];
+    rows[x] = stronger ? row : rows[x];
+  }
+}
+
+struct Corner {
+  std::int32_t response = 0;
+  cv::Point place;
+};
+
+/// The strongest corner of columns [first, end); of equal ones the uppermost, then the leftmost.
+Corner strongestOf(const Band& band, int first, int end) {
+  Corner corner;
+  for (int x = first; x < end; ++x) {
+    const auto i = static_cast<std::size_t>(x);
+    if (band.best[i] > corner.response ||
+        (band.best[i] == corner.response && band.row[i] < corner.place.y)) {
+      corner = {band.best[i], {x, band.row[i]}};
+    }
+  }
+  return corner;
+}
+
 }  // namespace
 
 std::vector<cv::Point2f> detectCorners(const cv::Mat& gray,
                                        const std::vector<cv::Point2f>& occupied,
                                        const CornerSettings& settings) {
-  std::vector<cv::Point2f> corners;
-  const int border = settings.border;
-  if (gray.cols <= 2 * border || gray.rows <= 2 * border) return corners;
-  cv::Mat response;
-  cv::cornerMinEigenVal(gray, response, 5);  // px, side of the block; chosen, not tuned
-  const cv::Rect inside(border, border, gray.cols - 2 * border, gray.rows - 2 * border);
-  double strongest = 0;
-  cv::minMaxLoc(response(inside), nullptr, &strongest);
-  const double weakest = std::max(settings.quality * strongest, 1e-6);  // nothing in blank images
-
+  const int border = std::max(settings.border, CornerResponse::kReach);
+  if (gray.cols <= 2 * border || gray.rows <= 2 * border) return {};
   const int cell = cellSize(gray.size(), settings.count);
   const cv::Size grid((gray.cols + cell - 1) / cell, (gray.rows + cell - 1) / cell);
   const cv::Mat taken = occupiedCells(grid, cell, occupied);
+  CornerResponse responses(gray, border);
+  std::vector<Corner> corners;
+  std::int32_t strongest = 0;
+  Band band(gray.cols);
   for (int row = 0; row < grid.height; ++row) {
+    std::fill(band.best.begin(), band.best.end(), 0);
+    const int end = std::min((row + 1) * cell, gray.rows - border);
+    for (int y = std::max(row * cell, border); y < end; ++y) {
+      keepStrongest(responses.next(), y, border, gray.cols - border, band.best.data(),
+                    band.row.data());
+    }
     for (int column = 0; column < grid.width; ++column) {
-      const cv::Rect area = cv::Rect(column * cell, row * cell, cell, cell) & inside;
-      if (area.empty() || taken.at<uchar>(row, column) != 0) continue;
-      double best = 0;
-      cv::Point place;
-      cv::minMaxLoc(response(area), nullptr, &best, nullptr, &place);
-      if (best < weakest) continue;
-      corners.emplace_back(static_cast<float>(area.x + place.x),
-                           static_cast<float>(area.y + place.y));
+      const Corner corner = strongestOf(band, std::max(column * cell, border),
+                                        std::min((column + 1) * cell, gray.cols - border));
+      strongest = std::max(strongest, corner.response);
+      if (taken.at<uchar>(row, column) == 0) corners.push_back(corner);
     }
   }
-  return corners;
+  constexpr double kWeakest = 26;  // nothing in blank images
+  const double weakest = std::max(settings.quality * strongest, kWeakest);
+  std::vector<cv::Point2f> places;
+  for (const Corner& corner : corners) {
+    if (corner.response >= weakest) places.emplace_back(corner.place);
+  }
+  return places;
 }
 
 }  // namespace tolman::feature_stereo

@@ -105,28 +105,28 @@ Status FeatureStereo::track(const Frame& frame, Motion& motion) {
   last_stamp_ns_ = frame.stamp_ns;
   const cv::Mat left = usableGray(frame.left);
   const cv::Mat right = usableGray(frame.right);
-  std::optional<StereoPyramids> images;
-  if (!left.empty() && !right.empty()) {
-    images =
-        StereoPyramids{FlowPyramid(left, track_settings_), FlowPyramid(right, track_settings_)};
+  const bool usable = !left.empty() && !right.empty();
+  if (usable) {
+    images_.left.build(left, track_settings_.window, track_settings_.levels);
+    images_.right.build(right, track_settings_.window, stereo_settings_.track.levels);
   }
-  answer(images, motion);
+  answer(usable ? &images_ : nullptr, motion);
   setPlanarVelocity(motion, motion.dt);
   return Status::ok();
 }
 
-void FeatureStereo::answer(const std::optional<StereoPyramids>& images, Motion& motion) {
+void FeatureStereo::answer(const StereoPyramids* images, Motion& motion) {
   const bool started = !history_.empty();
   // Frames; afterwards the last tracked view is not searched for. Chosen, not tuned.
   constexpr int kLongestGap = 100;
-  if (started && images && lost_frames_ <= kLongestGap) {
+  if (started && images != nullptr && lost_frames_ <= kLongestGap) {
     if (auto tracked = trackAny(*images, predictPose(motion.dt))) {
       answerMeasured(*images, std::move(*tracked), motion);
       return;
     }
   }
   if (started) answerPredicted(motion);
-  if (images) restart(*images, motion);
+  if (images != nullptr) restart(*images, motion);
   if (!started) {
     motion.state = TrackingState::Initialising;
     if (motion.dt > 0) motion.covariance = predictionCovariance(motion.T_previous_current, 100);
@@ -276,12 +276,16 @@ void FeatureStereo::answerMeasured(const StereoPyramids& images, Tracked&& track
   motion.covariance = tracked.pose.covariance;
   motion.T_previous_current = remember(T_world_camera, window_.keyframes().back(), motion);
   if (motion.dt > 0) velocity_ = logSe3(motion.T_previous_current) / motion.dt;
-  reference_ = images.left;
-  T_world_reference_ = T_world_camera;
+  keepImage(T_world_camera);
   if (first_lost_ >= 0) log_->info("tracking again");
   first_lost_ = -1;
   lost_frames_ = 0;
   lost_s_ = 0;
+}
+
+void FeatureStereo::keepImage(const Eigen::Isometry3d& T_world_camera) {
+  std::swap(reference_, images_.left);
+  T_world_reference_ = T_world_camera;
 }
 
 void FeatureStereo::answerPredicted(Motion& motion) {
@@ -312,8 +316,7 @@ void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
   motion.revisions = history_.removeOld(findKeyframe());
   motion.is_keyframe = true;
   publishPoints(motion);
-  reference_ = images.left;
-  T_world_reference_ = keyframe.T_world_camera;
+  keepImage(keyframe.T_world_camera);
   first_lost_ = -1;
   lost_frames_ = 0;
   lost_s_ = 0;

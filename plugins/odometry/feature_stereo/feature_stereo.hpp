@@ -80,11 +80,14 @@ class FeatureStereo final : public Odometry {
   Eigen::Isometry3d remember(const Eigen::Isometry3d& T_world_camera, const Keyframe& keyframe,
                              const Motion& motion);
 
-  void answer(const std::optional<StereoPyramids>& images, Motion& motion);
+  /// `images`: null when they show nothing.
+  void answer(const StereoPyramids* images, Motion& motion);
   void answerMeasured(const StereoPyramids& images, Tracked&& tracked, Motion& motion);
   void answerPredicted(Motion& motion);
   /// Starts a new window at the predicted pose.
   void restart(const StereoPyramids& images, Motion& motion);
+  /// The current left image becomes that which the next frame is tracked from.
+  void keepImage(const Eigen::Isometry3d& T_world_camera);
 
   Parameters parameters_;
   TrackSettings track_settings_;
@@ -100,6 +103,7 @@ class FeatureStereo final : public Odometry {
   RandomStream random_{0};
   Window window_;
   MotionHistory<> history_;
+  StereoPyramids images_;      ///< of the current frame
   FlowPyramid reference_;      ///< left image of the last frame that was tracked
   std::vector<Track> tracks_;  ///< in that image
   Eigen::Isometry3d T_world_reference_ = Eigen::Isometry3d::Identity();

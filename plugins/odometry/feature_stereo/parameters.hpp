@@ -13,8 +13,8 @@ namespace tolman::feature_stereo {
 struct Parameters {
   int corners = 500;
   double corner_quality = 0.003;
-  int track_window = 17;
-  int track_levels = 4;
+  int track_window = 15;
+  int track_levels = 3;
   double track_consistency = 0.7;
   double stereo_consistency = 0.7;
   double nearest = 2.5;  // m; bounds the search

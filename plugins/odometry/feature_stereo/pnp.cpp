@@ -6,98 +6,33 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <opencv2/calib3d.hpp>
+
+#include "pose_lanes.hpp"
 
 namespace tolman::feature_stereo {
 namespace {
 
-constexpr double kGate = 11.34;         // chi square, 3 degrees of freedom, 99 %
-constexpr double kNoInformation = 1e9;  // px^2, variance of a disparity that was not measured
+constexpr double kGate = 11.34;  // chi square, 3 degrees of freedom, 99 %
 
 struct Hypothesis {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   double cost = 0;  ///< sum of truncated squares
 };
 
-/// Poses and weights of one call.
-class PoseProblem {
- public:
-  PoseProblem(const CameraRig& rig, const std::vector<PointMatch>& matches,
-              const PnpSettings& settings)
-      : rig_(rig), matches_(matches), settings_(settings), weights_(matches.size()) {}
-
-  /// Weights each match by the inverse of its covariance at this pose: the pixel noise plus the
-  /// uncertainty of the point. So far and new points have less weight.
-  void weigh(const Eigen::Isometry3d& T_world_camera) {
-    for (std::size_t i = 0; i < matches_.size(); ++i) {
-      const PointMatch& s = matches_[i];
-      ProjectionJacobians J;
-      const auto predicted = project(rig_, T_world_camera, s.point, &J);
-      Eigen::Vector3d variances =
-          settings_.noise.sigma(predicted ? predicted->z() : s.pixel.z()).cwiseAbs2();
-      if (!s.has_disparity) variances.z() = kNoInformation;
-      Eigen::Matrix3d covariance = variances.asDiagonal();
-      if (predicted) covariance += J.point * s.point_covariance * J.point.transpose();
-      weights_[i] = covariance.inverse();
-    }
-  }
-
-  /// Squared Mahalanobis distance; infinite for a point behind the camera.
-  double distance(std::size_t i, const Eigen::Isometry3d& T_world_camera) const {
-    const auto predicted = project(rig_, T_world_camera, matches_[i].point);
-    if (!predicted) return std::numeric_limits<double>::infinity();
-    const StereoPixel error = residual(i, *predicted);
-    return error.dot(weights_[i] * error);
-  }
-
-  double cost(const Eigen::Isometry3d& T_world_camera) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < matches_.size(); ++i) {
-      sum += std::min(distance(i, T_world_camera), kGate);
-    }
-    return sum;
-  }
-
-  /// One Gauss-Newton step with Cauchy weights; false when the normal equations are singular.
-  bool step(Eigen::Isometry3d& T_world_camera, Matrix6d& information) const {
-    information.setZero();
-    Vector6d gradient = Vector6d::Zero();
-    for (std::size_t i = 0; i < matches_.size(); ++i) {
-      ProjectionJacobians J;
-      const auto predicted = project(rig_, T_world_camera, matches_[i].point, &J);
-      if (!predicted) continue;
-      const StereoPixel error = residual(i, *predicted);
-      const double squared = error.dot(weights_[i] * error);
-      if (squared > kGate) continue;
-      const double robust = 1 / (1 + squared / kCauchy);
-      const Eigen::Matrix<double, 6, 3> weighted = robust * J.pose.transpose() * weights_[i];
-      information += weighted * J.pose;
-      gradient += weighted * error;
-    }
-    const Eigen::LDLT<Matrix6d> factor(information);
-    // Singular up to rounding.
-    if (factor.info() != Eigen::Success || factor.rcond() < 1e-14) return false;
-    const Vector6d update = factor.solve(gradient);
-    if (!update.allFinite()) return false;
-    T_world_camera = normalised(T_world_camera * expSe3(update));
-    return true;
-  }
-
- private:
-  static constexpr double kCauchy = 5.7;  // (2.385)^2: 95 % efficient for normal errors
-
-  StereoPixel residual(std::size_t i, const StereoPixel& predicted) const {
-    StereoPixel error = matches_[i].pixel - predicted;
-    if (!matches_[i].has_disparity) error.z() = 0;
-    return error;
-  }
-
-  const CameraRig& rig_;
-  const std::vector<PointMatch>& matches_;
-  const PnpSettings& settings_;
-  std::vector<Eigen::Matrix3d> weights_;
-};
+/// One Gauss-Newton step with Cauchy weights; empty when the normal equations are
+/// singular.
+std::optional<Vector6d> stepOf(const PoseLanes& problem, const Eigen::Isometry3d& T_world_camera,
+                               Matrix6d& information) {
+  Vector6d gradient;
+  problem.linearise(T_world_camera, kGate, information, gradient);
+  const Eigen::LDLT<Matrix6d> factor(information);
+  // Singular up to rounding.
+  if (factor.info() != Eigen::Success || factor.rcond() < 1e-14) return std::nullopt;
+  const Vector6d update = factor.solve(gradient);
+  if (!update.allFinite()) return std::nullopt;
+  return update;
+}
 
 /// Matches whose depth is accurate enough for P3P.
 std::vector<std::size_t> triangulated(const std::vector<PointMatch>& matches) {
@@ -146,9 +81,9 @@ double samplesNeeded(double cost, std::size_t count) {
 }
 
 Hypothesis bestSample(const CameraRig& rig, const std::vector<PointMatch>& matches,
-                      const PoseProblem& problem, const Eigen::Isometry3d& guess, int iterations,
+                      const PoseLanes& problem, const Eigen::Isometry3d& guess, int iterations,
                       RandomStream& random) {
-  Hypothesis best{guess, problem.cost(guess)};
+  Hypothesis best{guess, problem.cost(guess, kGate)};
   const std::vector<std::size_t> known = triangulated(matches);
   if (known.size() < 3) return best;
   for (int k = 0; k < iterations && k < samplesNeeded(best.cost, matches.size()); ++k) {
@@ -159,7 +94,7 @@ Hypothesis bestSample(const CameraRig& rig, const std::vector<PointMatch>& match
     const std::array<const PointMatch*, 3> three = {&matches[known[a]], &matches[known[b]],
                                                     &matches[known[c]]};
     for (const Eigen::Isometry3d& pose : solveThree(rig, three, guess)) {
-      const double cost = problem.cost(pose);
+      const double cost = problem.cost(pose, kGate);
       if (cost < best.cost) best = {pose, cost};
     }
   }
@@ -173,7 +108,7 @@ std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
                                          const Eigen::Isometry3d& guess,
                                          const PnpSettings& settings, RandomStream& random) {
   if (static_cast<int>(matches.size()) < settings.min_inliers) return std::nullopt;
-  PoseProblem problem(rig, matches, settings);
+  PoseLanes problem(rig, matches, settings.noise);
   problem.weigh(guess);
   PoseEstimate estimate;
   estimate.T_world_camera =
@@ -183,11 +118,12 @@ std::optional<PoseEstimate> estimatePose(const CameraRig& rig,
   Matrix6d information = Matrix6d::Zero();
   for (int k = 0; k < kSteps; ++k) {
     problem.weigh(estimate.T_world_camera);
-    if (!problem.step(estimate.T_world_camera, information)) return std::nullopt;
+    const auto step = stepOf(problem, estimate.T_world_camera, information);
+    if (!step) return std::nullopt;
+    estimate.T_world_camera = normalised(estimate.T_world_camera * expSe3(*step));
   }
   double squares = 0;
-  for (std::size_t i = 0; i < matches.size(); ++i) {
-    const double squared = problem.distance(i, estimate.T_world_camera);
+  for (const double squared : problem.distances(estimate.T_world_camera)) {
     estimate.inlier.push_back(squared < kGate);
     if (!estimate.inlier.back()) continue;
     ++estimate.inliers;

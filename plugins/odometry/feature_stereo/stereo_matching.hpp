@@ -28,8 +28,4 @@ std::vector<float> matchStereo(const FlowPyramid& left, const FlowPyramid& right
                                const std::vector<cv::Point2f>& corners,
                                const std::vector<float>& guesses, const StereoSettings& settings);
 
-/// The best whole-pixel disparity by sums of absolute differences, with the patches' means removed;
-/// kNoDisparity if the best is not clearly better than the second best.
-float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int max_disparity);
-
 }  // namespace tolman::feature_stereo

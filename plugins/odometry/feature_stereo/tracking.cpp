@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lucas-Kanade through OpenCV, forward and backward.
+// Lucas-Kanade from coarse to fine, and back on the finest level.
 #include "tracking.hpp"
 
-#include <opencv2/video/tracking.hpp>
+#include <algorithm>
+
+#include "patch_alignment.hpp"
 
 namespace tolman::feature_stereo {
 namespace {
 
-std::vector<uchar> flow(const FlowPyramid& from_image, const FlowPyramid& to_image,
-                        const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
-                        const TrackSettings& settings) {
-  std::vector<uchar> found;
-  std::vector<float> error;
-  // OpenCV's defaults: steps, px, and smallest eigenvalue.
-  const cv::TermCriteria stop(cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 30, 0.01);
-  constexpr double kWeakestTexture = 1e-4;
-  cv::calcOpticalFlowPyrLK(from_image.images(), to_image.images(), from, to, found, error,
-                           {settings.window, settings.window}, settings.levels - 1, stop,
-                           cv::OPTFLOW_USE_INITIAL_FLOW, kWeakestTexture);
-  return found;
-}
+// px, of the last step; chosen, not tuned.
+constexpr float kTolerance = 0.01F;
+constexpr float kCoarseTolerance = 0.05F;
 
-bool inside(const cv::Point2f& point, const cv::Size& size) {
+bool insideImage(const cv::Point2f& point, const cv::Size& size) {
   // px of the centre from the border; the patch may exceed it. Chosen, not tuned.
   constexpr float kMargin = 3;
   return point.x >= kMargin && point.y >= kMargin &&
@@ -29,25 +21,39 @@ bool inside(const cv::Point2f& point, const cv::Size& size) {
          point.y < static_cast<float>(size.height) - kMargin;
 }
 
-}  // namespace
-
-FlowPyramid::FlowPyramid(const cv::Mat& gray, const TrackSettings& settings) {
-  cv::buildOpticalFlowPyramid(gray, images_, {settings.window, settings.window},
-                              settings.levels - 1, true, cv::BORDER_REFLECT_101,
-                              cv::BORDER_CONSTANT, false);
+/// Moves `to` level by level. Where a coarse level has no texture, the next one starts from the
+/// same place.
+bool follow(const FlowPyramid& from_image, const FlowPyramid& to_image, const cv::Point2f& from,
+            cv::Point2f& to, int levels, Patch& patch) {
+  for (int level = levels - 1; level >= 0; --level) {
+    const float scale = 1.0F / static_cast<float>(1 << level);
+    cv::Point2f place = scale * to;
+    const bool found =
+        patch.take(from_image.padded(level), scale * from) &&
+        patch.align(to_image.padded(level), place, level == 0 ? kTolerance : kCoarseTolerance);
+    if (found) to = place / scale;
+    if (!found && level == 0) return false;
+  }
+  return true;
 }
+
+}  // namespace
 
 std::vector<bool> trackCorners(const FlowPyramid& from_image, const FlowPyramid& to_image,
                                const std::vector<cv::Point2f>& from, std::vector<cv::Point2f>& to,
                                const TrackSettings& settings) {
   std::vector<bool> good(from.size(), false);
   if (from.empty()) return good;
-  const std::vector<uchar> found = flow(from_image, to_image, from, to, settings);
-  std::vector<cv::Point2f> back = from;
-  const std::vector<uchar> returned = flow(to_image, from_image, to, back, settings);
+  const int levels = std::min({settings.levels, from_image.levels(), to_image.levels()});
+  Patch patch(settings.window);
   for (std::size_t i = 0; i < from.size(); ++i) {
-    good[i] = found[i] != 0 && returned[i] != 0 && inside(to[i], to_image.size()) &&
-              cv::norm(back[i] - from[i]) <= settings.consistency;
+    if (!follow(from_image, to_image, from[i], to[i], levels, patch)) continue;
+    if (!insideImage(to[i], to_image.size())) continue;
+    // A track that went astray seldom comes back to where it started, even if it starts there. From
+    // coarse to fine the check would find a few more, at a tenth more time and without a gain.
+    cv::Point2f back = from[i];
+    if (!follow(to_image, from_image, to[i], back, 1, patch)) continue;
+    good[i] = cv::norm(back - from[i]) <= settings.consistency;
   }
   return good;
 }

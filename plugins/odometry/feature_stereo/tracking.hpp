@@ -6,30 +6,14 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "flow_pyramid.hpp"
+
 namespace tolman::feature_stereo {
 
 struct TrackSettings {
-  int window = 17;           ///< px, side of the patch
-  int levels = 4;            ///< of the pyramid
+  int window = 15;           ///< px, side of the patch
+  int levels = 3;            ///< of the pyramid
   double consistency = 0.7;  ///< px, largest forward-backward error
-};
-
-/// Image pyramid with derivatives, computed once per image.
-class FlowPyramid {
- public:
-  FlowPyramid() = default;
-  /// `gray` is CV_8UC1; it is copied.
-  FlowPyramid(const cv::Mat& gray, const TrackSettings& settings);
-
-  bool empty() const { return images_.empty(); }
-  cv::Size size() const { return images_.front().size(); }
-  /// Level 0 is the image itself.
-  const cv::Mat& level(int index) const { return images_[static_cast<std::size_t>(2 * index)]; }
-  int levels() const { return static_cast<int>(images_.size()) / 2; }
-  const std::vector<cv::Mat>& images() const { return images_; }  ///< in the form of OpenCV
-
- private:
-  std::vector<cv::Mat> images_;  ///< image and derivatives alternately
 };
 
 /// Tracks the corners `from` of one image to another. `to` contains guesses and is overwritten.

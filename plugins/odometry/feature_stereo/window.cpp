@@ -33,4 +33,10 @@ Landmark* Window::find(std::int64_t id) {
   return found == landmarks_.end() ? nullptr : &found->second;
 }
 
+std::size_t Window::indexOf(std::int64_t frame) const {
+  std::size_t index = 0;
+  while (keyframes_[index].frame != frame) ++index;
+  return index;
+}
+
 }  // namespace tolman::feature_stereo

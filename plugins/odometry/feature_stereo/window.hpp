@@ -42,6 +42,8 @@ class Window {
   /// A new landmark, seen by the latest keyframe; returns its id.
   std::int64_t addLandmark(const Landmark& landmark);
   Landmark* find(std::int64_t id);
+  /// Place among keyframes() of the keyframe of this frame, which must be one of them.
+  std::size_t indexOf(std::int64_t frame) const;
 
   std::deque<Keyframe>& keyframes() { return keyframes_; }
   const std::deque<Keyframe>& keyframes() const { return keyframes_; }

@@ -1,110 +1,105 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The least squares problem of the window, its solution, and the removal of outliers.
+// Levenberg-Marquardt over the window, and the removal of outliers.
 #include "window_refinement.hpp"
 
-#include <ceres/ceres.h>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
-#include <memory>
+#include "window_lanes.hpp"
 
 namespace tolman::feature_stereo {
 namespace {
 
-using CeresJacobian = Eigen::Matrix<double, 3, 7, Eigen::RowMajor>;
-constexpr double kHuber = 2.0;   // sigmas; chosen, not tuned
 constexpr double kGate = 11.34;  // chi square, 3 degrees of freedom, 99 %
 
-/// 1 / sigma; 0 for a disparity that was not measured.
-Eigen::Vector3d weightsOf(const Observation& seen, const RefinementSettings& settings) {
-  Eigen::Vector3d weights = settings.noise.sigma(seen.pixel.z()).cwiseInverse();
-  if (!seen.has_disparity) weights.z() = 0;
-  return weights;
-}
+/// Prior of the disparity offset: near zero and near its last value. While the camera stands, no
+/// observation distinguishes the offset from a change of scale.
+class OffsetPrior {
+ public:
+  OffsetPrior(double before, const RefinementSettings& settings)
+      : before_(before), sigma_(settings.offset_sigma), drift_(settings.offset_drift) {}
 
-/// Copies of poses and points in two arrays. Ceres sorts blocks by address within a group, so
-/// their order in memory must be the order of keyframes and ids.
-struct Blocks {
-  std::vector<PoseBlock> poses;
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Landmark*> landmarks;  ///< of the points
-  double offset;                     ///< of the disparities
-
-  explicit Blocks(Window& window) : offset(window.disparityOffset()) {
-    for (const Keyframe& keyframe : window.keyframes()) {
-      poses.push_back(toBlock(keyframe.T_world_camera));
-    }
-    for (auto& [id, landmark] : window.landmarks()) {
-      if (landmark.observations.size() < 2) continue;  // does not constrain poses
-      landmarks.push_back(&landmark);
-      points.push_back(landmark.point.coordinates);
-    }
+  bool isFixed() const { return sigma_ <= 0; }
+  double cost(double offset) const {
+    if (isFixed()) return 0;
+    return offset * offset / (sigma_ * sigma_) +
+           (offset - before_) * (offset - before_) / (drift_ * drift_);
   }
+  /// Adds the prior to the last unknown of the system, or holds it.
+  void addTo(WindowSystem& system, double offset) const {
+    const Eigen::Index last = system.gradient.size() - 1;
+    if (isFixed()) {
+      system.information.row(last).setZero();
+      system.information.col(last).setZero();
+      system.information(last, last) = 1;
+      system.gradient[last] = 0;
+      return;
+    }
+    system.information(last, last) += 1 / (sigma_ * sigma_) + 1 / (drift_ * drift_);
+    system.gradient[last] += offset / (sigma_ * sigma_) + (offset - before_) / (drift_ * drift_);
+  }
+
+ private:
+  double before_;
+  double sigma_;
+  double drift_;
 };
 
-std::size_t indexOf(const Window& window, std::int64_t keyframe) {
-  std::size_t index = 0;
-  while (window.keyframes()[index].frame != keyframe) ++index;
-  return index;
+WindowState moved(const WindowState& state, const Eigen::VectorXd& step) {
+  WindowState next = state;
+  for (std::size_t k = 1; k < state.poses.size(); ++k) {
+    const Vector6d twist = step.segment<6>(static_cast<Eigen::Index>(6 * (k - 1)));
+    next.poses[k] = normalised(state.poses[k] * expSe3(twist));
+  }
+  next.offset += step[step.size() - 1];
+  return next;
 }
 
-void solve(const CameraRig& rig, const RefinementSettings& settings, const Window& window,
-           Blocks& blocks) {
-  PoseManifold manifold;
-  ceres::HuberLoss loss(kHuber);
-  ceres::Problem::Options ownership;
-  ownership.manifold_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(ownership);
-  auto ordering = std::make_shared<ceres::ParameterBlockOrdering>();
-  for (PoseBlock& pose : blocks.poses) {
-    problem.AddParameterBlock(pose.data(), 7, &manifold);
-    ordering->AddElementToGroup(pose.data(), 1);
-  }
-  problem.SetParameterBlockConstant(blocks.poses.front().data());
-  problem.AddParameterBlock(&blocks.offset, 1);
-  ordering->AddElementToGroup(&blocks.offset, 2);
-  if (settings.offset_sigma > 0) {
-    problem.AddResidualBlock(new OffsetPrior(blocks.offset, settings), nullptr, &blocks.offset);
-  } else {
-    problem.SetParameterBlockConstant(&blocks.offset);
-  }
-  for (std::size_t i = 0; i < blocks.points.size(); ++i) {
-    const Landmark& landmark = *blocks.landmarks[i];
-    for (const Observation& seen : landmark.observations) {
-      problem.AddResidualBlock(
-          new StereoReprojection(rig, landmark.point.T_world_reference, seen, settings), &loss,
-          blocks.poses[indexOf(window, seen.keyframe)].data(), blocks.points[i].data(),
-          &blocks.offset);
+/// The damped step; not finite when the system is singular.
+Eigen::VectorXd solved(WindowSystem& system, double damping) {
+  constexpr double kRegular = 1e-6;  // for a keyframe that nothing was seen from
+  system.information.diagonal() *= 1 + damping;
+  system.information.diagonal().array() += kRegular;
+  return -system.information.llt().solve(system.gradient);
+}
+
+void minimise(const RefinementSettings& settings, WindowLanes& problem, WindowState& state) {
+  constexpr double kTolerance = 1e-5;  // relative, of the cost; chosen, not tuned
+  const OffsetPrior prior(state.offset, settings);
+  double damping = 1e-4;
+  WindowSystem system;
+  double cost = problem.linearise(state, damping, system) + prior.cost(state.offset);
+  for (int k = 0; k < settings.iterations; ++k) {
+    prior.addTo(system, state.offset);
+    const Eigen::VectorXd step = solved(system, damping);
+    if (!step.allFinite()) return;
+    const WindowState next = moved(state, step);
+    problem.move(step);
+    const bool last = k + 1 == settings.iterations;
+    const double next_damping = damping / 3;
+    const double next_cost =
+        (last ? problem.cost(next) : problem.linearise(next, next_damping, system)) +
+        prior.cost(next.offset);
+    if (!(next_cost <= cost)) {  // also where it is not a number
+      problem.moveBack();
+      damping *= 10;
+      if (!last) problem.linearise(state, damping, system);
+      continue;
     }
-    ordering->AddElementToGroup(blocks.points[i].data(), 0);
+    state = next;
+    const bool converged = cost - next_cost < kTolerance * cost;
+    cost = next_cost;
+    damping = next_damping;
+    if (converged) return;
   }
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_SCHUR;
-  options.linear_solver_ordering = ordering;
-  options.num_threads = 1;
-  options.max_num_iterations = settings.iterations;
-  options.function_tolerance = 1e-5;  // relative; chosen, not tuned
-  options.logging_type = ceres::SILENT;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
 }
 
-/// Removes outlying observations and computes the covariance from the others.
-void removeOutliers(const CameraRig& rig, const RefinementSettings& settings, const Window& window,
-                    Landmark& landmark) {
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+/// Removes outlying observations and takes the covariance from the others.
+void removeOutliers(const Window& window, const WindowLanes::Fit& fit, Landmark& landmark) {
   std::erase_if(landmark.observations, [&](const Observation& seen) {
-    ProjectionJacobians J;
-    const Keyframe& keyframe = window.keyframes()[indexOf(window, seen.keyframe)];
-    const auto predicted = project(rig, keyframe.T_world_camera, landmark.point, &J);
-    if (!predicted) return true;
-    const Eigen::Vector3d weights = weightsOf(seen, settings);
-    const StereoPixel pixel = seen.pixel - StereoPixel(0, 0, window.disparityOffset());
-    if (weights.cwiseProduct(pixel - *predicted).squaredNorm() > kGate) return true;
-    const Eigen::Matrix3d whitened = weights.asDiagonal() * J.point;
-    information += whitened.transpose() * whitened;
-    return false;
+    return (fit.keyframes >> window.indexOf(seen.keyframe) & 1U) == 0;
   });
-  const Eigen::Matrix3d covariance = information.inverse();
+  const Eigen::Matrix3d covariance = fit.information.inverse();
   const bool determined = covariance.allFinite() && covariance.diagonal().minCoeff() > 0;
   if (determined) {
     landmark.covariance = covariance;
@@ -115,98 +110,29 @@ void removeOutliers(const CameraRig& rig, const RefinementSettings& settings, co
 
 }  // namespace
 
-StereoReprojection::StereoReprojection(const CameraRig& rig,
-                                       const Eigen::Isometry3d& T_world_reference,
-                                       const Observation& observation,
-                                       const RefinementSettings& settings)
-    : rig_(rig),
-      T_world_reference_(T_world_reference),
-      pixel_(observation.pixel),
-      weights_(weightsOf(observation, settings)) {}
-
-bool StereoReprojection::Evaluate(double const* const* parameters, double* residuals,
-                                  double** jacobians) const {
-  const InverseDepthPoint point{T_world_reference_,
-                                Eigen::Map<const Eigen::Vector3d>(parameters[1])};
-  ProjectionJacobians J;
-  const auto predicted =
-      project(rig_, fromBlock(parameters[0]), point, jacobians == nullptr ? nullptr : &J);
-  if (!predicted) return false;  // Ceres takes a smaller step
-  const StereoPixel offset(0, 0, parameters[2][0]);
-  Eigen::Map<Eigen::Vector3d>(residuals, 3) = weights_.cwiseProduct(*predicted + offset - pixel_);
-  if (jacobians == nullptr) return true;
-  if (jacobians[0] != nullptr) {
-    Eigen::Map<CeresJacobian> by_pose(jacobians[0]);
-    by_pose.leftCols<6>() = weights_.asDiagonal() * J.pose;
-    by_pose.col(6).setZero();
-  }
-  if (jacobians[1] != nullptr) {
-    Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> by_point(jacobians[1]);
-    by_point = weights_.asDiagonal() * J.point;
-  }
-  if (jacobians[2] != nullptr) {
-    Eigen::Map<Eigen::Vector3d>(jacobians[2], 3) = Eigen::Vector3d(0, 0, weights_.z());
-  }
-  return true;
-}
-
-bool OffsetPrior::Evaluate(double const* const* parameters, double* residuals,
-                           double** jacobians) const {
-  residuals[0] = parameters[0][0] / sigma_;
-  residuals[1] = (parameters[0][0] - before_) / drift_;
-  if (jacobians != nullptr && jacobians[0] != nullptr) {
-    jacobians[0][0] = 1 / sigma_;
-    jacobians[0][1] = 1 / drift_;
-  }
-  return true;
-}
-
-bool PoseManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
-  const Vector6d twist = Eigen::Map<const Vector6d>(delta);
-  Eigen::Map<PoseBlock>(x_plus_delta, 7) = toBlock(fromBlock(x) * expSe3(twist));
-  return true;
-}
-
-bool PoseManifold::PlusJacobian(const double* /*x*/, double* jacobian) const {
-  Eigen::Map<Eigen::Matrix<double, 7, 6, Eigen::RowMajor>>(jacobian, 7, 6).setIdentity();
-  return true;
-}
-
-bool PoseManifold::Minus(const double* y, const double* x, double* y_minus_x) const {
-  Eigen::Map<Vector6d>(y_minus_x, 6) = logSe3(fromBlock(x).inverse() * fromBlock(y));
-  return true;
-}
-
-bool PoseManifold::MinusJacobian(const double* /*x*/, double* jacobian) const {
-  Eigen::Map<Eigen::Matrix<double, 6, 7, Eigen::RowMajor>>(jacobian, 6, 7).setIdentity();
-  return true;
-}
-
-PoseBlock toBlock(const Eigen::Isometry3d& T) {
-  PoseBlock block;
-  block << T.translation(), Eigen::Quaterniond(T.linear()).normalized().coeffs();
-  return block;
-}
-
-Eigen::Isometry3d fromBlock(const double* block) {
-  Eigen::Isometry3d T = Eigen::Isometry3d::Identity();
-  T.translation() = Eigen::Map<const Eigen::Vector3d>(block);
-  T.linear() = Eigen::Map<const Eigen::Quaterniond>(block + 3).normalized().toRotationMatrix();
-  return T;
-}
-
 void refineWindow(const CameraRig& rig, const RefinementSettings& settings, Window& window) {
   if (window.keyframes().size() < 2 || settings.iterations == 0) return;
-  Blocks blocks(window);
-  if (blocks.points.empty()) return;
-  solve(rig, settings, window, blocks);
-  window.setDisparityOffset(blocks.offset);
-  for (std::size_t i = 0; i < blocks.poses.size(); ++i) {
-    window.keyframes()[i].T_world_camera = fromBlock(blocks.poses[i].data());
+  std::vector<Landmark*> landmarks;
+  for (auto& [id, landmark] : window.landmarks()) {
+    // One observation does not constrain poses.
+    if (landmark.observations.size() >= 2) landmarks.push_back(&landmark);
   }
-  for (std::size_t i = 0; i < blocks.points.size(); ++i) {
-    blocks.landmarks[i]->point.coordinates = blocks.points[i];
-    removeOutliers(rig, settings, window, *blocks.landmarks[i]);
+  if (landmarks.empty()) return;
+  WindowState state;
+  for (const Keyframe& keyframe : window.keyframes()) {
+    state.poses.push_back(keyframe.T_world_camera);
+  }
+  state.offset = window.disparityOffset();
+  WindowLanes problem(rig, settings.noise, window, landmarks);
+  minimise(settings, problem, state);
+  window.setDisparityOffset(state.offset);
+  for (std::size_t k = 1; k < state.poses.size(); ++k) {
+    window.keyframes()[k].T_world_camera = state.poses[k];
+  }
+  const std::vector<WindowLanes::Fit> fits = problem.fits(state, kGate);
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    landmarks[i]->point.coordinates = problem.coordinatesOf(i);
+    removeOutliers(window, fits[i], *landmarks[i]);
   }
   window.dropUnseen();
 }

@@ -5,7 +5,6 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "plugins/feature_stereo/catch_check.hpp"
 #include "support/long_gap.hpp"
 #include "support/odometry_host.hpp"
 #include "support/street_scene.hpp"

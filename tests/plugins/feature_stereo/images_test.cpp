@@ -7,6 +7,7 @@
 #include <set>
 
 #include "corner_detection.hpp"
+#include "row_search.hpp"
 #include "stereo_matching.hpp"
 #include "support/street_scene.hpp"
 #include "tolman/image_cv.hpp"
@@ -29,6 +30,12 @@ double trueDisparity(const cv::Point2f& pixel) {
   if (ray.x() < 0) depth = std::min(depth, -5 / ray.x());
   if (ray.x() > 0) depth = std::min(depth, 6 / ray.x());
   return rig.pinhole.fx * rig.baseline / depth;
+}
+
+float searchRow(const cv::Mat& left, const cv::Mat& right, cv::Point corner, int max_disparity) {
+  const FlowPyramid a(left, 15, 1);
+  const FlowPyramid b(right, 15, 1);
+  return RowSearch(a.padded(0), b.padded(0), max_disparity).find(corner);
 }
 
 }  // namespace
@@ -66,7 +73,8 @@ TEST_CASE(
   const auto from = detectCorners(gray, {}, {150, 0.01, 12});
   auto to = from;
   const auto good =
-      trackCorners(FlowPyramid(gray, settings), FlowPyramid(moved, settings), from, to, settings);
+      trackCorners(FlowPyramid(gray, settings.window, settings.levels),
+                   FlowPyramid(moved, settings.window, settings.levels), from, to, settings);
   int followed = 0;
   int exact = 0;
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -86,8 +94,8 @@ TEST_CASE(
 TEST_CASE("stereo matching finds the disparity of the street, without guesses") {
   const Frame frame = streetAt(0);
   const TrackSettings track;
-  const FlowPyramid left(asMat(frame.left), track);
-  const FlowPyramid right(asMat(frame.right), track);
+  const FlowPyramid left(asMat(frame.left), track.window, track.levels);
+  const FlowPyramid right(asMat(frame.right), track.window, 2);
   StereoSettings settings;
   settings.track.levels = 2;
   settings.max_disparity = 60;
