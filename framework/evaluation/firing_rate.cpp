@@ -5,13 +5,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace tolman::evaluation {
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 double wrapped(double angle) {
   const double rest = std::fmod(angle, kTurn);

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 
+#include "evaluation/firing_rate.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::evaluation {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// A population vector shorter than this share of all activity is a rounding error.
 constexpr double kMinLength = 1e-6;
 

@@ -12,7 +12,6 @@
 namespace tolman::feature_stereo {
 namespace {
 
-constexpr double kGate = 11.34;         // chi square, 3 degrees of freedom, 99 %
 constexpr double kNoInformation = 1e9;  // px^2, variance of a disparity that was not measured
 
 struct Hypothesis {

@@ -10,8 +10,7 @@ namespace tolman::feature_stereo {
 namespace {
 
 using CeresJacobian = Eigen::Matrix<double, 3, 7, Eigen::RowMajor>;
-constexpr double kHuber = 2.0;   // sigmas; chosen, not tuned
-constexpr double kGate = 11.34;  // chi square, 3 degrees of freedom, 99 %
+constexpr double kHuber = 2.0;  // sigmas; chosen, not tuned
 
 /// 1 / sigma; 0 for a disparity that was not measured.
 Eigen::Vector3d weightsOf(const Observation& seen, const RefinementSettings& settings) {
