@@ -10,7 +10,7 @@
 
 namespace tolman::evaluation {
 
-inline constexpr double kTurn = 2 * std::numbers::pi;       ///< rad
+inline constexpr double kFullTurn = 2 * std::numbers::pi;   ///< rad
 inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< degrees per radian
 
 /// Position, heading and rate of a unit at one frame.
