@@ -12,8 +12,8 @@ namespace tolman::evaluation {
 namespace {
 
 double wrapped(double angle) {
-  const double rest = std::fmod(angle, kFullTurn);
-  return rest < 0 ? rest + kFullTurn : rest;
+  const double rest = std::fmod(angle, kRadiansOfTurn);
+  return rest < 0 ? rest + kRadiansOfTurn : rest;
 }
 
 /// Removes the connected field around bin (r, c) from `fires` and returns its centre.
@@ -77,7 +77,7 @@ std::optional<double> halfWidth(const TuningCurve& curve, const std::vector<doub
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(rate) - rate.begin());
   if (!(rate[peak] > 0)) return std::nullopt;
   const double bins = 0.5 * (binsToHalf(rate, peak, 1) + binsToHalf(rate, peak, size - 1));
-  return bins * kFullTurn / static_cast<double>(size);
+  return bins * kRadiansOfTurn / static_cast<double>(size);
 }
 
 }  // namespace
@@ -118,8 +118,8 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
   curve.rate.assign(size, 0);
   std::vector<double> visits(size, 0);
   for (const Sample& sample : samples) {
-    const auto bin =
-        std::min(static_cast<std::size_t>(wrapped(sample.heading) / kFullTurn * bins), size - 1);
+    const auto bin = std::min(
+        static_cast<std::size_t>(wrapped(sample.heading) / kRadiansOfTurn * bins), size - 1);
     curve.rate[bin] += sample.rate;
     visits[bin] += 1;
   }
@@ -127,7 +127,7 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
   double total = 0;
   for (std::size_t i = 0; i < size; ++i) {
     if (visits[i] > 0) curve.rate[i] /= visits[i];
-    const double centre = (static_cast<double>(i) + 0.5) / bins * kFullTurn;
+    const double centre = (static_cast<double>(i) + 0.5) / bins * kRadiansOfTurn;
     sum += std::polar(1.0, centre) * curve.rate[i];
     total += curve.rate[i];
   }

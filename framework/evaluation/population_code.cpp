@@ -67,11 +67,11 @@ std::optional<double> populationVector(std::span<const double> rates, const Arra
   double total = 0;
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const double value = axis.first + axis.step * static_cast<double>(i);
-    sum += std::polar(1.0, kFullTurn * value / axis.period) * rates[i];
+    sum += std::polar(1.0, kRadiansOfTurn * value / axis.period) * rates[i];
     total += std::abs(rates[i]);
   }
   if (!(std::abs(sum) > kMinLength * total)) return std::nullopt;
-  return wrapPeriod(std::arg(sum) / kFullTurn * axis.period, axis.period);
+  return wrapPeriod(std::arg(sum) / kRadiansOfTurn * axis.period, axis.period);
 }
 
 std::string noPositionReason(const ArrayInfo& sheet) {
