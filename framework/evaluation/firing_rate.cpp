@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "evaluation/firing_rate.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 namespace tolman::evaluation {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-
 double wrapped(double angle) {
-  const double rest = std::fmod(angle, kTurn);
-  return rest < 0 ? rest + kTurn : rest;
+  const double rest = std::fmod(angle, kRadiansOfTurn);
+  return rest < 0 ? rest + kRadiansOfTurn : rest;
 }
 
 /// Removes the connected field around bin (r, c) from `fires` and returns its centre.
@@ -79,7 +77,7 @@ std::optional<double> halfWidth(const TuningCurve& curve, const std::vector<doub
   const auto peak = static_cast<std::size_t>(std::ranges::max_element(rate) - rate.begin());
   if (!(rate[peak] > 0)) return std::nullopt;
   const double bins = 0.5 * (binsToHalf(rate, peak, 1) + binsToHalf(rate, peak, size - 1));
-  return bins * kTurn / static_cast<double>(size);
+  return bins * kRadiansOfTurn / static_cast<double>(size);
 }
 
 }  // namespace
@@ -120,8 +118,8 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
   curve.rate.assign(size, 0);
   std::vector<double> visits(size, 0);
   for (const Sample& sample : samples) {
-    const auto bin =
-        std::min(static_cast<std::size_t>(wrapped(sample.heading) / kTurn * bins), size - 1);
+    const auto bin = std::min(
+        static_cast<std::size_t>(wrapped(sample.heading) / kRadiansOfTurn * bins), size - 1);
     curve.rate[bin] += sample.rate;
     visits[bin] += 1;
   }
@@ -129,7 +127,7 @@ TuningCurve tuningCurve(const std::vector<Sample>& samples, int bins) {
   double total = 0;
   for (std::size_t i = 0; i < size; ++i) {
     if (visits[i] > 0) curve.rate[i] /= visits[i];
-    const double centre = (static_cast<double>(i) + 0.5) / bins * kTurn;
+    const double centre = (static_cast<double>(i) + 0.5) / bins * kRadiansOfTurn;
     sum += std::polar(1.0, centre) * curve.rate[i];
     total += curve.rate[i];
   }

@@ -10,7 +10,8 @@
 
 namespace tolman::evaluation {
 
-inline constexpr double kDegrees = 180 / std::numbers::pi;  ///< degrees per radian
+inline constexpr double kRadiansOfTurn = 2 * std::numbers::pi;  ///< rad
+inline constexpr double kDegrees = 180 / std::numbers::pi;      ///< degrees per radian
 
 /// Position, heading and rate of a unit at one frame.
 struct Sample {

@@ -5,14 +5,13 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numbers>
 
+#include "evaluation/firing_rate.hpp"
 #include "tolman/geometry.hpp"
 
 namespace tolman::evaluation {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 /// A population vector shorter than this share of all activity is a rounding error.
 constexpr double kMinLength = 1e-6;
 
@@ -68,11 +67,11 @@ std::optional<double> populationVector(std::span<const double> rates, const Arra
   double total = 0;
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const double value = axis.first + axis.step * static_cast<double>(i);
-    sum += std::polar(1.0, kTurn * value / axis.period) * rates[i];
+    sum += std::polar(1.0, kRadiansOfTurn * value / axis.period) * rates[i];
     total += std::abs(rates[i]);
   }
   if (!(std::abs(sum) > kMinLength * total)) return std::nullopt;
-  return wrapPeriod(std::arg(sum) / kTurn * axis.period, axis.period);
+  return wrapPeriod(std::arg(sum) / kRadiansOfTurn * axis.period, axis.period);
 }
 
 std::string noPositionReason(const ArrayInfo& sheet) {

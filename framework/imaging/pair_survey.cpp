@@ -27,13 +27,6 @@ GrayHalf mirrorImage(GrayHalf image) {
 
 int countOf(double share, int all) { return static_cast<int>(std::lround(share * all)); }
 
-double shareOf(std::vector<double> values, double share) {
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
-
 }  // namespace
 
 void PairSurvey::add(const Frame& frame) {
@@ -68,10 +61,10 @@ std::vector<Finding> PairSurvey::findings() const {
                          "times, or is the calibration of other cameras?",
                          matches, pairs_)}};
   }
-  const double low = shareOf(rows_, 0.5);
+  const double low = percentile(rows_, 0.5);
   std::vector<double> apart = rows_;
   for (double& row : apart) row = std::abs(row);
-  const double most = shareOf(apart, 0.9);
+  const double most = percentile(apart, 0.9);
   std::vector<Finding> found = {
       {Severity::Note, "pairs",
        fmt::format("{} corners matched in {} pairs: the right image is {:.1f} px {} (median); 90 % "

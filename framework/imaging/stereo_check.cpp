@@ -151,14 +151,14 @@ std::optional<RowMatch> findMatch(const Patch& patch, const Corner& corner, cons
   return RowMatch{best_down + rest, static_cast<double>(corner.x - best_x)};
 }
 
+}  // namespace
+
 double percentile(std::vector<double> values, double share) {
   const auto nth =
       values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }
-
-}  // namespace
 
 StereoMeasure measureStereo(const GrayHalf& left, const GrayHalf& right) {
   StereoMeasure measure;

@@ -29,6 +29,9 @@ enum class StereoFault { None, RowsApart, Exchanged, OtherTime };
 /// None also if too few corners are matched.
 StereoFault faultOf(const StereoMeasure& measure);
 
+/// The value that `share` of the values do not exceed; there must be one.
+double percentile(std::vector<double> values, double share);
+
 /// "the right image is 3.0 px low; are the images rectified?"
 std::string faultText(StereoFault fault, const StereoMeasure& measure);
 

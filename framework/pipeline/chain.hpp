@@ -64,7 +64,6 @@ class Chain {
   void finish();
 
   /// Whether place, cells and map can all save their state.
-  bool canSave() const { return can_save_; }
   /// Passes the state after the last processed frame to the listener. No frame may be in the
   /// stages.
   void saveNow();

@@ -11,7 +11,7 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr float kMargin = 2;  // px, for the central differences
+constexpr float kReferenceMargin = 2;  // px, for the central differences
 
 struct Offset {
   float u;
@@ -76,7 +76,7 @@ void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& imag
     for (const Offset& offset : offsets) {
       const float u = toLevel(point.u, l) + offset.u;
       const float v = toLevel(point.v, l) + offset.v;
-      if (!image.contains(u, v, kMargin)) continue;
+      if (!image.contains(u, v, kReferenceMargin)) continue;
       const auto pixel = static_cast<std::size_t>(static_cast<int>(v + 0.5F) * image.width +
                                                   static_cast<int>(u + 0.5F));
       if (taken[pixel] != 0) continue;

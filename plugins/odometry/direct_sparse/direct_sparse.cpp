@@ -18,7 +18,7 @@ namespace {
 constexpr float kWeakestContrast = 3;
 
 /// Brightness of a frame that is seen through `relative` from a frame of brightness `reference`.
-Affine absolute(const Affine& reference, const Affine& relative) {
+Affine composed(const Affine& reference, const Affine& relative) {
   return {reference.a + relative.a, relative.b + std::exp(relative.a) * reference.b};
 }
 
@@ -238,7 +238,7 @@ std::optional<AlignmentResult> DirectSparse::trackDraft(Expectation expectation)
     const std::vector<ImmaturePoint> before = candidates;
     const Eigen::Isometry3d T_world_camera = poseOf(*tracked);
     const Affine& brightness = tracked->state.brightness;
-    mapper_.observe(T_world_camera, absolute(mapper_.window().newest().affine(), brightness),
+    mapper_.observe(T_world_camera, composed(mapper_.window().newest().affine(), brightness),
                     current_);
     const bool enough = tracker_.setReference(rig_, mapper_.window());
     candidates = before;  // the frame is observed again when its pose is final
@@ -296,7 +296,7 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   const Keyframe& reference = mapper_.window().newest();
   const Eigen::Isometry3d T_world_camera = poseOf(tracked);
   if (first_lost_ >= 0) history_.interpolate(first_lost_, T_world_camera);
-  brightness_ = absolute(reference.affine(), tracked.state.brightness);
+  brightness_ = composed(reference.affine(), tracked.state.brightness);
   const Eigen::Isometry3d T_previous_current =
       normalised(history_.lastPose().inverse() * T_world_camera);
   motion.covariance = motionCovariance(tracked, T_previous_current);

@@ -11,7 +11,7 @@ namespace tolman::direct_sparse {
 namespace {
 
 constexpr std::size_t kMaxCompared = 300;  // bounds the time
-constexpr double kNearest = 0.1;           // m; keeps the projection finite
+constexpr double kNearestPoint = 0.1;      // m; keeps the projection finite
 
 /// A point of the window in the new frame: pixel and disparity, px.
 struct Expected {
@@ -22,7 +22,7 @@ struct Expected {
 
 /// Empty for a point that static stereo cannot measure: behind the camera or at the border.
 std::optional<Expected> expectedAt(const CameraRig& rig, const Eigen::Vector3d& position) {
-  if (position.z() < kNearest) return std::nullopt;
+  if (position.z() < kNearestPoint) return std::nullopt;
   const Eigen::Vector2d pixel = rig.pinhole.project(position);
   const auto inside = [](double x, int size) {
     return x >= kStereoBorder && x < size - kStereoBorder - 1;

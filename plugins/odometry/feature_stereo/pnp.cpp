@@ -13,8 +13,6 @@
 namespace tolman::feature_stereo {
 namespace {
 
-constexpr double kGate = 11.34;  // chi square, 3 degrees of freedom, 99 %
-
 struct Hypothesis {
   Eigen::Isometry3d T_world_camera = Eigen::Isometry3d::Identity();
   double cost = 0;  ///< sum of truncated squares

@@ -17,6 +17,9 @@ namespace tolman::feature_stereo {
 /// independent, those of (u_left, v, u_right) are not.
 using StereoPixel = Eigen::Vector3d;
 
+/// Square of the largest error of an inlier, in sigmas: chi square, 3 degrees of freedom, 99 %.
+inline constexpr double kGate = 11.34;
+
 /// Accuracy of a StereoPixel. The appearance of near points changes more between images than that
 /// of far ones, so their errors grow with the disparity d: sigma(d) = sigma(0) sqrt(1 +
 /// (d/doubling)^2). On road scenes (KITTI) one `doubling` fits tracks and disparities; with a

@@ -10,8 +10,6 @@
 namespace tolman::feature_stereo {
 namespace {
 
-constexpr double kGate = 11.34;  // chi square, 3 degrees of freedom, 99 %
-
 /// Prior of the disparity offset: near zero and near its last value. While the camera stands, no
 /// observation distinguishes the offset from a change of scale.
 class OffsetPrior {

@@ -17,7 +17,7 @@ constexpr double kClearance = 2.5;  ///< m between the roads; with less there is
 constexpr double kReach = 22;       ///< m from the lower centreline to the embankments
 constexpr double kBeside = 30;      ///< m of driving within which two passes of one street meet
 constexpr double kNear = 5;         ///< m, between passes along one street
-const double kLargestCosine = std::cos(35 * std::numbers::pi / 180);
+const double kLargestBridgeCosine = std::cos(35 * std::numbers::pi / 180);
 
 class BridgeFinder {
  public:
@@ -41,7 +41,7 @@ class BridgeFinder {
     const PathPoint& upper = path_[i];
     const PathPoint& lower = path_[j];
     return upper.height - lower.height > kClearance && isOtherPass(upper, lower) &&
-           std::abs(upper.direction.dot(lower.direction)) < kLargestCosine &&
+           std::abs(upper.direction.dot(lower.direction)) < kLargestBridgeCosine &&
            (upper.centre - lower.centre).norm() < kCrosses && !isOneStreet(i, j);
   }
 

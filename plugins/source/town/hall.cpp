@@ -12,10 +12,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr auto kWest = static_cast<float>(Hall::kWest);
-constexpr auto kEast = static_cast<float>(Hall::kEast);
-constexpr auto kSouth = static_cast<float>(Hall::kSouth);
-constexpr auto kNorth = static_cast<float>(Hall::kNorth);
+constexpr auto kWestWall = static_cast<float>(Hall::kWest);
+constexpr auto kEastWall = static_cast<float>(Hall::kEast);
+constexpr auto kSouthWall = static_cast<float>(Hall::kSouth);
+constexpr auto kNorthWall = static_cast<float>(Hall::kNorth);
 
 class HallBuilder {
  public:
@@ -26,14 +26,15 @@ class HallBuilder {
     const auto top = static_cast<float>(Hall::kCeiling);
     plate(floor_, {Material::Road, 0.3F});
     plate(top, {Material::Kerb, 0.5F});
-    wall({kWest, kSouth}, {kEast, kSouth});
-    wall({kEast, kSouth}, {kEast, kNorth});
-    wall({kEast, kNorth}, {kWest, kNorth});
-    wall({kWest, kNorth}, {kWest, kSouth});
+    wall({kWestWall, kSouthWall}, {kEastWall, kSouthWall});
+    wall({kEastWall, kSouthWall}, {kEastWall, kNorthWall});
+    wall({kEastWall, kNorthWall}, {kWestWall, kNorthWall});
+    wall({kWestWall, kNorthWall}, {kWestWall, kSouthWall});
     tables();
     shelves();
     chests();
-    for (const auto& [x, y] : {Corner{-3, -1.9F}, {-3, 1.9F}, {kWest + 0.6F, kSouth + 0.6F}}) {
+    for (const auto& [x, y] :
+         {Corner{-3, -1.9F}, {-3, 1.9F}, {kWestWall + 0.6F, kSouthWall + 0.6F}}) {
       box({x - 0.2F, y - 0.2F}, {x + 0.2F, y + 0.2F}, floor_, top, {Material::Wood, 0.35F});
     }
   }
@@ -62,7 +63,10 @@ class HallBuilder {
   }
   void plate(float z, const Finish& finish) {
     addQuad(world_.fixed,
-            {Vec3{kWest, kSouth, z}, {kEast, kSouth, z}, {kEast, kNorth, z}, {kWest, kNorth, z}},
+            {Vec3{kWestWall, kSouthWall, z},
+             {kEastWall, kSouthWall, z},
+             {kEastWall, kNorthWall, z},
+             {kWestWall, kNorthWall, z}},
             surface(finish));
   }
   void box(const Corner& low, const Corner& high, float bottom, float top, const Finish& finish) {
@@ -119,8 +123,8 @@ class HallBuilder {
 
   /// Shelves along the western and the eastern wall, with boxes on their boards.
   void shelves() {
-    for (const float x : {kWest + 0.05F, kEast - 0.45F}) {
-      for (float y = kSouth + 1.2F; y < kNorth - 2.6F; y += random(2.3F, 3.2F)) {
+    for (const float x : {kWestWall + 0.05F, kEastWall - 0.45F}) {
+      for (float y = kSouthWall + 1.2F; y < kNorthWall - 2.6F; y += random(2.3F, 3.2F)) {
         shelf({x, y}, random(1.2F, 1.9F));
       }
     }
@@ -140,10 +144,10 @@ class HallBuilder {
 
   /// Chests on the floor, beside the path.
   void chests() {
-    constexpr std::array<Corner, 7> kPlaces = {Corner{-6.9F, kSouth + 0.3F}, {-4.4F, kSouth + 0.2F},
-                                               {-1.5F, kSouth + 0.4F},       {0.6F, kNorth - 1.0F},
-                                               {-2.6F, kNorth - 1.1F},       {-5.4F, kNorth - 1.0F},
-                                               {-7.6F, kNorth - 1.2F}};
+    constexpr std::array<Corner, 7> kPlaces = {
+        Corner{-6.9F, kSouthWall + 0.3F}, {-4.4F, kSouthWall + 0.2F}, {-1.5F, kSouthWall + 0.4F},
+        {0.6F, kNorthWall - 1.0F},        {-2.6F, kNorthWall - 1.1F}, {-5.4F, kNorthWall - 1.0F},
+        {-7.6F, kNorthWall - 1.2F}};
     for (const Corner& place : kPlaces) {
       const Corner end = {place.x + random(0.5F, 1.0F), place.y + random(0.4F, 0.8F)};
       box(place, end, floor_, floor_ + random(0.4F, 1.2F), {Material::Wood, random(0.15F, 0.7F)});

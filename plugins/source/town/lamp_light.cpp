@@ -10,8 +10,8 @@ namespace tolman::town {
 namespace {
 
 // All chosen, not tuned.
-constexpr float kReach = 30;     ///< m; also the size of the cells of the grid; bounds the time
-constexpr float kIntensity = 9;  ///< m^2: 0.25 on the road 6 m below
+constexpr float kLampReach = 30;  ///< m; also the size of the cells of the grid; bounds the time
+constexpr float kIntensity = 9;   ///< m^2: 0.25 on the road 6 m below
 constexpr float kHeadRadius = 0.55F;  ///< m about the middle of a lamp's head
 constexpr float kBeam = 50;           ///< m^2, straight ahead
 constexpr float kBeamWidth = 0.4F;    ///< rad to either side
@@ -20,7 +20,7 @@ constexpr float kBeamDepth = 0.08F;   ///< rad below the horizon
 std::int64_t cellKey(std::int64_t column, std::int64_t row) { return column * 1'000'003 + row; }
 
 std::int64_t cellOf(float coordinate) {
-  return static_cast<std::int64_t>(std::floor(coordinate / kReach));
+  return static_cast<std::int64_t>(std::floor(coordinate / kLampReach));
 }
 
 }  // namespace
@@ -47,11 +47,11 @@ float StreetLamps::onto(const Vec3& point, const Vec3& n) const {
   for (const std::uint32_t i : *lamps) {
     const Vec3 to_lamp = heads_[i] - point;
     const float squared = std::max(dot(to_lamp, to_lamp), 0.25F);
-    if (squared > kReach * kReach) continue;
+    if (squared > kLampReach * kLampReach) continue;
     const float distance = std::sqrt(squared);
     const float facing = std::max(0.0F, dot(n, to_lamp) / distance);
     const float downwards = smoothstep(-0.05F, 0.35F, to_lamp.z / distance);
-    const float fade = 1 - smoothstep(0.6F * kReach, kReach, distance);
+    const float fade = 1 - smoothstep(0.6F * kLampReach, kLampReach, distance);
     sum += kIntensity * facing * downwards * fade / squared;
   }
   return sum;

@@ -13,9 +13,9 @@ namespace {
 // Chosen on the town's route 06 with its second pass by night.
 constexpr std::array<int, 4> kOffsets = {-5, -2, 1, 4};  // cells, of the samples of a patch
 constexpr float kLevels = 32;                            // of a value of one, in four bits
-constexpr float kRival = 0.9F;    // ratio of the distances of the two best positions
-constexpr int kSamePosition = 4;  // cells: nearer positions are the same one
-constexpr double kSigma = 1.1;    // px of the reduced image
+constexpr float kRival = 0.9F;      // ratio of the distances of the two best positions
+constexpr int kSamePosition = 4;    // cells: nearer positions are the same one
+constexpr double kEdgeSigma = 1.1;  // px of the reduced image
 
 using Values = std::array<float, 2 * kPatchBytes>;
 
@@ -46,8 +46,8 @@ Values valuesOf(const EdgePatch& patch) {
   return values;
 }
 
-constexpr int kLanes = 16;  // positions that are computed together
-static_assert(kLanes <= EdgeMap::kReadable);
+constexpr int kEdgeLanes = 16;  // positions that are computed together
+static_assert(kEdgeLanes <= EdgeMap::kReadable);
 static_assert(2 * kPatchBytes == 16 * EdgeMap::kDirections);
 
 /// Where the values of a patch are, relative to that of its first direction at its centre.
@@ -66,16 +66,16 @@ Offsets offsetsIn(const EdgeMap& map) {
   return offsets;
 }
 
-/// Inner products of a patch with those of `blocks` times kLanes positions that follow `first`.
+/// Inner products of a patch with those of `blocks` times kEdgeLanes positions that follow `first`.
 TOLMAN_WIDE void products(const float* first, const std::ptrdiff_t* offsets, const float* patch,
                           int blocks, float* out) {
-  for (int b = 0; b < blocks; ++b, first += kLanes, out += kLanes) {
-    float sums[kLanes] = {};
+  for (int b = 0; b < blocks; ++b, first += kEdgeLanes, out += kEdgeLanes) {
+    float sums[kEdgeLanes] = {};
     for (int i = 0; i < 2 * kPatchBytes; ++i) {
       const float* strengths = first + offsets[i];
-      for (int lane = 0; lane < kLanes; ++lane) sums[lane] += patch[i] * strengths[lane];
+      for (int lane = 0; lane < kEdgeLanes; ++lane) sums[lane] += patch[i] * strengths[lane];
     }
-    for (int lane = 0; lane < kLanes; ++lane) out[lane] = sums[lane];
+    for (int lane = 0; lane < kEdgeLanes; ++lane) out[lane] = sums[lane];
   }
 }
 
@@ -104,8 +104,8 @@ class Window {
   /// `lengths`: those of the patches at all cells, as 1 / length.
   void compare(const EdgeMap& map, const Offsets& offsets, const std::vector<float>& lengths,
                const Values& patch) {
-    const int blocks = (width_ + kLanes - 1) / kLanes;
-    std::vector<float> row(static_cast<std::size_t>(blocks * kLanes));
+    const int blocks = (width_ + kEdgeLanes - 1) / kEdgeLanes;
+    std::vector<float> row(static_cast<std::size_t>(blocks * kEdgeLanes));
     cosines_.clear();
     for (int y = 0; y < height_; ++y) {
       products(map.at(0, top_ + y, left_), offsets.data(), patch.data(), blocks, row.data());
@@ -211,6 +211,6 @@ std::vector<LandmarkMatch> EdgeSearch::find(const std::vector<cv::Point3f>& poin
   return matches;
 }
 
-double EdgeSearch::sigma() const { return kSigma * map_.factor(); }
+double EdgeSearch::sigma() const { return kEdgeSigma * map_.factor(); }
 
 }  // namespace tolman::landmarks

@@ -15,7 +15,7 @@ namespace {
 constexpr int kCopy = -1;  // no conversion of colours
 
 /// How pixels of an encoding are stored, and which conversions of OpenCV make them grey and BGR.
-struct Encoding {
+struct PixelLayout {
   std::string_view name;
   int channels;
   int bytes;  ///< of one channel
@@ -25,22 +25,22 @@ struct Encoding {
 
 // OpenCV names Bayer patterns by the second row, columns two and three.
 constexpr std::array kEncodings = {
-    Encoding{"mono8", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
-    Encoding{"8UC1", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
-    Encoding{"mono16", 1, 2, kCopy, cv::COLOR_GRAY2BGR},
-    Encoding{"bgr8", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
-    Encoding{"8UC3", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
-    Encoding{"rgb8", 3, 1, cv::COLOR_RGB2GRAY, cv::COLOR_RGB2BGR},
-    Encoding{"bgra8", 4, 1, cv::COLOR_BGRA2GRAY, cv::COLOR_BGRA2BGR},
-    Encoding{"rgba8", 4, 1, cv::COLOR_RGBA2GRAY, cv::COLOR_RGBA2BGR},
-    Encoding{"bayer_rggb8", 1, 1, cv::COLOR_BayerBG2GRAY, cv::COLOR_BayerBG2BGR},
-    Encoding{"bayer_bggr8", 1, 1, cv::COLOR_BayerRG2GRAY, cv::COLOR_BayerRG2BGR},
-    Encoding{"bayer_gbrg8", 1, 1, cv::COLOR_BayerGR2GRAY, cv::COLOR_BayerGR2BGR},
-    Encoding{"bayer_grbg8", 1, 1, cv::COLOR_BayerGB2GRAY, cv::COLOR_BayerGB2BGR},
-    Encoding{"yuv422", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
-    Encoding{"uyvy", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
-    Encoding{"yuv422_yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
-    Encoding{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2}};
+    PixelLayout{"mono8", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
+    PixelLayout{"8UC1", 1, 1, kCopy, cv::COLOR_GRAY2BGR},
+    PixelLayout{"mono16", 1, 2, kCopy, cv::COLOR_GRAY2BGR},
+    PixelLayout{"bgr8", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
+    PixelLayout{"8UC3", 3, 1, cv::COLOR_BGR2GRAY, kCopy},
+    PixelLayout{"rgb8", 3, 1, cv::COLOR_RGB2GRAY, cv::COLOR_RGB2BGR},
+    PixelLayout{"bgra8", 4, 1, cv::COLOR_BGRA2GRAY, cv::COLOR_BGRA2BGR},
+    PixelLayout{"rgba8", 4, 1, cv::COLOR_RGBA2GRAY, cv::COLOR_RGBA2BGR},
+    PixelLayout{"bayer_rggb8", 1, 1, cv::COLOR_BayerBG2GRAY, cv::COLOR_BayerBG2BGR},
+    PixelLayout{"bayer_bggr8", 1, 1, cv::COLOR_BayerRG2GRAY, cv::COLOR_BayerRG2BGR},
+    PixelLayout{"bayer_gbrg8", 1, 1, cv::COLOR_BayerGR2GRAY, cv::COLOR_BayerGR2BGR},
+    PixelLayout{"bayer_grbg8", 1, 1, cv::COLOR_BayerGB2GRAY, cv::COLOR_BayerGB2BGR},
+    PixelLayout{"yuv422", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
+    PixelLayout{"uyvy", 2, 1, cv::COLOR_YUV2GRAY_UYVY, cv::COLOR_YUV2BGR_UYVY},
+    PixelLayout{"yuv422_yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
+    PixelLayout{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2}};
 
 Status damaged() { return Status::invalidInput("is no complete message"); }
 
@@ -72,8 +72,9 @@ cv::Mat upperBytes(const ImageMessage& image, ImageSize size) {
 }
 
 Result<Image> convertRaw(const ImageMessage& image, bool colour) {
-  const auto encoding = std::find_if(kEncodings.begin(), kEncodings.end(),
-                                     [&](const Encoding& e) { return e.name == image.encoding; });
+  const auto encoding =
+      std::find_if(kEncodings.begin(), kEncodings.end(),
+                   [&](const PixelLayout& e) { return e.name == image.encoding; });
   if (encoding == kEncodings.end()) {
     return Status::unsupported("has the encoding '" + std::string(image.encoding.substr(0, 40)) +
                                "', which cannot be converted");
