@@ -2,6 +2,7 @@
 #include "scene.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -28,6 +29,27 @@ std::array<float, 12> matrixOf(const Placement& p) {
           p.position.z};
 }
 
+// Both are rows of one number of each ray.
+constexpr std::size_t kRow8 = 8 * sizeof(float);
+constexpr std::size_t kRows = sizeof(RTCRayHit8) / kRow8;
+static_assert(sizeof(RTCRayHit16) == 2 * kRows * kRow8);
+
+void copyHalf(const RTCRayHit16& from, std::size_t half, RTCRayHit8& to) {
+  const auto* source = reinterpret_cast<const std::byte*>(&from) + half * kRow8;
+  auto* target = reinterpret_cast<std::byte*>(&to);
+  for (std::size_t i = 0; i < kRows; ++i) {
+    std::memcpy(target + i * kRow8, source + 2 * i * kRow8, kRow8);
+  }
+}
+
+void copyHalf(const RTCRayHit8& from, std::size_t half, RTCRayHit16& to) {
+  const auto* source = reinterpret_cast<const std::byte*>(&from);
+  auto* target = reinterpret_cast<std::byte*>(&to) + half * kRow8;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    std::memcpy(target + 2 * i * kRow8, source + i * kRow8, kRow8);
+  }
+}
+
 RTCScene newScene(RTCDevice device) {
   RTCScene scene = rtcNewScene(device);
   // Watertight, so that a ray hits the same triangle with any search structure.
@@ -42,6 +64,8 @@ Scene::Scene(World world) : device_(rtcNewDevice(nullptr)) {
     throw std::runtime_error("Embree does not know this processor");
   }
   if (!device_) throw std::bad_alloc();  // or no memory for its threads
+  has_packets_of_16_ =
+      rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_NATIVE_RAY16_SUPPORTED) != 0;
   fixed_.reset(newScene(device_.get()));
   placed_.reset(newScene(device_.get()));
   surfaces_ = std::move(world.surfaces);
@@ -115,6 +139,23 @@ void Scene::show(std::size_t index, bool shown) {
 void Scene::commit() {
   rtcCommitScene(placed_.get());
   check("building the town");
+}
+
+void Scene::intersect(const int* valid, RTCRayHit16& rays) const {
+  if (has_packets_of_16_) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcIntersect16(valid, fixed_.get(), &context, &rays);
+    rtcIntersect16(valid, placed_.get(), &context, &rays);
+    return;
+  }
+  for (std::size_t half = 0; half < 2; ++half) {
+    RTCRayHit8 rays8;
+    copyHalf(rays, half, rays8);
+    intersect(valid + 8 * half, rays8);
+    copyHalf(rays8, half, rays);
+  }
 }
 
 void Scene::intersect(const int* valid, RTCRayHit8& rays) const {

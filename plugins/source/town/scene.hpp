@@ -15,7 +15,7 @@
 namespace tolman::town {
 
 /// Rays are traced in packets of this many.
-inline constexpr int kRaysPerPacket = 8;
+inline constexpr int kRaysPerPacket = 16;
 
 class Scene {
  public:
@@ -24,8 +24,10 @@ class Scene {
   explicit Scene(World world);
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
+  void intersect(const int* valid, RTCRayHit16& rays) const;
   void intersect(const int* valid, RTCRayHit8& rays) const;
-  /// Sets tfar of blocked rays to -infinity.
+  /// Sets tfar of blocked rays to -infinity. By eight, because rtcOccluded16 of Embree 3.13.5 does
+  /// not return for some coherent rays.
   void occlude(const int* valid, RTCRay8& rays) const;
 
   struct Owner {
@@ -71,6 +73,7 @@ class Scene {
   std::vector<RTCGeometry> instance_geometries_;  // owned by placed_
   StreetLamps lamps_;
   std::size_t triangles_ = 0;
+  bool has_packets_of_16_ = false;  ///< the processor has instructions for them
 };
 
 }  // namespace tolman::town
