@@ -116,9 +116,15 @@ void RayPacket::castShadows(Meetings& m) const {
   const Vec3s to_sun = vec3s(around_.light->to_sun);
   const EightInts merged = m.foliage & (m.t > kClumpsMerged);
   const EightInts faces = m.hit & (dot(m.normal, to_sun) > 0) & ~merged;
-  if (!any(faces)) return;
-  RTCRay8 rays;
+  m.lit = select(faces, 1.0F, 0.0F);
   const Vec3s from = m.point + m.normal * (2e-3F + 1e-4F * m.t);
+  EightInts by_fixed;
+  EightInts by_placed;
+  around_.scene->shadows().look(from, by_fixed, by_placed);
+  by_fixed &= faces;
+  by_placed &= faces;
+  if (!any(by_fixed | by_placed)) return;
+  RTCRay8 rays;
   store(from.x, rays.org_x);
   store(from.y, rays.org_y);
   store(from.z, rays.org_z);
@@ -132,9 +138,10 @@ void RayPacket::castShadows(Meetings& m) const {
     rays.mask[i] = ~0U;
     rays.flags[i] = 0;
   }
-  alignas(32) std::array<int, kLanes> valid;
-  std::memcpy(valid.data(), &faces, sizeof faces);
-  around_.scene->occlude(valid.data(), rays);
+  alignas(32) std::array<std::array<int, kLanes>, 2> valid;
+  std::memcpy(valid[0].data(), &by_fixed, sizeof by_fixed);
+  std::memcpy(valid[1].data(), &by_placed, sizeof by_placed);
+  around_.scene->occlude(valid[0].data(), valid[1].data(), rays);
   m.lit = select(faces & (loadEight(rays.tfar) >= 0), 1.0F, 0.0F);
 }
 
