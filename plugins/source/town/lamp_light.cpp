@@ -81,14 +81,14 @@ float headlightsOnto(const Headlights& beams, const Vec3& point, const Vec3& n) 
   return kBeam * across * (0.03F + 0.97F * below) * facing / (distance * distance);
 }
 
-float carLamps(const SurfaceHit& hit) {
+float carLamps(const Vec3& point, const Vec3& normal) {
   constexpr float kFront = 25;  // radiance; chosen, not tuned
   constexpr float kRear = 1;    // chosen, not tuned
-  const float aside = std::abs(hit.point.y);
+  const float aside = std::abs(point.y);
   const bool at_lamp =
-      hit.point.z > 0.52F && hit.point.z < 0.7F && aside > 0.42F && std::abs(hit.normal.x) > 0.3F;
+      point.z > 0.52F && point.z < 0.7F && aside > 0.42F && std::abs(normal.x) > 0.3F;
   if (!at_lamp) return 0;
-  return hit.point.x > 0 ? kFront : kRear;
+  return point.x > 0 ? kFront : kRear;
 }
 
 }  // namespace tolman::town

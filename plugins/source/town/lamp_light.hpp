@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "light.hpp"
-#include "material.hpp"
 #include "vec3.hpp"
 
 namespace tolman::town {
@@ -30,7 +29,7 @@ class StreetLamps {
 };
 
 /// Radiance of the lamps of a car at a point of its bodywork, in axes of the car.
-float carLamps(const SurfaceHit& hit);
+float carLamps(const Vec3& point, const Vec3& normal);
 
 /// Low beams: bright below the horizon straight ahead.
 float headlightsOnto(const Headlights& beams, const Vec3& point, const Vec3& n);

@@ -22,6 +22,14 @@ std::uint32_t stretchSeed(const WorldOptions& options, std::uint32_t section, st
   return hash(options.seed, 5000 + hash(own, 72) % 2);
 }
 
+/// With the shadows of what stands at its border.
+GroundArea areaOf(const StreetPlan& plan) {
+  constexpr double kBeside = 40;  // m
+  const Eigen::Vector2f low = (plan.lowCorner().array() - kBeside).cast<float>();
+  const Eigen::Vector2f high = (plan.highCorner().array() + kBeside).cast<float>();
+  return {{low.x(), low.y(), 0}, {high.x(), high.y(), 0}};
+}
+
 }  // namespace
 
 void layOut(World& world, const StreetPlan& plan, const Prototypes& prototypes,
@@ -55,6 +63,8 @@ World buildWorld(const StreetPlan& plan, const WorldOptions& options) {
   const GroundSurfaces ground = {add(Material::Road, 0.2F), add(Material::Kerb, 0.33F),
                                  add(Material::Land, 0.2F)};
   world.fixed = buildGround(plan, ground);
+  world.ground_triangles = world.fixed.triangles.size();
+  world.area = areaOf(plan);
   addLaneMarkings(world, plan, hash(options.seed, 61));
   if (options.guard_rails) addGuardRails(world, plan);
   addHorizon(world, plan, hash(options.seed, 62));

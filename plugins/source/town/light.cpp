@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "noise.hpp"
+#include "light_lanes.hpp"
 
 namespace tolman::town {
 namespace {
@@ -32,34 +32,16 @@ Vec3 sunAt(double hour) {
 
 }  // namespace
 
-/// The shares of reflected light (0.2 of sky, 0.25 of sun, halves of a quarter) are chosen, not
-/// tuned.
 float Light::onto(const Vec3& n, float lit) const {
-  const float direct = lit * sun * std::max(0.0F, dot(n, to_sun));
-  const float from_above = sky * (0.5F + 0.5F * n.z);
-  const float from_ground = 0.25F * (0.2F * sky + 0.25F * sun) * (0.5F - 0.5F * n.z);
-  // For walls of a street houses cover half of the sky.
-  const float facing = 1 - 0.25F * (1 - std::abs(n.z));
-  return direct + from_above * facing + from_ground;
+  return lightOnto(*this, vec3s(n), eight(lit))[0];
 }
 
-/// Height of the clouds, their wavelength and contrast are chosen, not tuned.
 float Light::fromSky(const Vec3& d, float spread) const {
-  const float up = std::max(0.0F, d.z / norm(d));
-  float radiance = horizon + (zenith - horizon) * std::sqrt(up);
-  if (clouds > 0 && up > 0.01F) {
-    const float height = 1 / (up + 0.12F);  // a flat layer of clouds, lower at the horizon
-    const float n = fractal2(d.x / norm(d) * height, d.y / norm(d) * height, 1.6F, 4,
-                             spread * height * height, seed);
-    radiance *= 1 + clouds * smoothstep(-0.1F, 0.6F, n);
-  }
-  return radiance;
+  return lightFromSky(*this, vec3s(d), spread)[0];
 }
 
 float Light::through(float of, float distance) const {
-  if (haze <= 0) return of;
-  const float clear = std::exp(-haze * distance);
-  return horizon + (of - horizon) * clear;
+  return lightThrough(*this, eight(of), eight(distance))[0];
 }
 
 /// Radiances are in units of Light and chosen, not tuned; docs/town.md compares images of a clear

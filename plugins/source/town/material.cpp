@@ -3,32 +3,33 @@
 
 namespace tolman::town {
 
-float albedo(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan) {
+void albedos(const Surface& surface, const SurfaceHits& hits, const StreetPlan& plan,
+             Eight& result) {
   switch (surface.material) {
     case Material::Road:
     case Material::Kerb:
     case Material::Land:
     case Material::Paint:
-      return groundAlbedo(surface, hit, plan);
+      return groundAlbedos(surface, hits, plan, result);
     case Material::Facade:
     case Material::Roof:
-      return buildingAlbedo(surface, hit);
+      return buildingAlbedos(surface, hits, result);
     case Material::Leaves:
     case Material::Bark:
-      return plantAlbedo(surface, hit);
+      return plantAlbedos(surface, hits, result);
     case Material::Plain:
     case Material::Wood:
     case Material::Body:
     case Material::Board:
     case Material::Cloth:
-      return objectAlbedo(surface, hit);
+      return objectAlbedos(surface, hits, result);
   }
-  return surface.tone;
 }
 
-float glassShare(const Surface& surface, const SurfaceHit& hit) {
-  if (surface.material == Material::Facade) return windowGlass(surface, hit);
-  return surface.material == Material::Body ? carGlass(hit) : 0;
+void glassShares(const Surface& surface, const SurfaceHits& hits, Eight& result) {
+  if (surface.material == Material::Facade) return windowGlass(surface, hits, result);
+  if (surface.material == Material::Body) return carGlass(hits, result);
+  result = Eight{};
 }
 
 }  // namespace tolman::town

@@ -2,7 +2,7 @@
 // Facades with windows and doors, and roofs. u runs along the wall, v up from the ground.
 #include "dispatch.hpp"
 #include "material.hpp"
-#include "noise.hpp"
+#include "noise_lanes.hpp"
 #include "pattern.hpp"
 
 namespace tolman::town {
@@ -10,165 +10,194 @@ namespace {
 
 constexpr float kStorey = 2.9F;  // m
 
-/// A point of the wall with the extents of the pixel, m.
-struct WallPoint {
-  float u;
-  float v;
-  float eu;
-  float ev;
+/// Points of the wall with the extents of their pixels, m.
+struct WallPoints {
+  Eight u;
+  Eight v;
+  Eight eu;
+  Eight ev;
 };
 
-struct Box {
-  float left;
-  float right;
-  float low;
-  float high;
+struct Boxes {
+  Eight left;
+  Eight right;
+  Eight low;
+  Eight high;
 };
 
-float cover(const Box& box, const WallPoint& at) {
+TOLMAN_TOWN_INLINE Eight cover(const Boxes& box, const WallPoints& at) {
   return filteredPulse(box.left, box.right, at.u, at.eu) *
          filteredPulse(box.low, box.high, at.v, at.ev);
 }
 
-Box shrunk(const Box& box, float by) {
+TOLMAN_TOWN_INLINE Boxes shrunk(const Boxes& box, float by) {
   return {box.left + by, box.right - by, box.low + by, box.high - by};
 }
 
-float bricks(const WallPoint& at, std::uint32_t seed, float footprint) {
+TOLMAN_TOWN_INLINE Eight bricks(const WallPoints& at, std::uint32_t seed, Eight footprint) {
   constexpr float kLength = 0.25F;
   constexpr float kHeight = 0.075F;
   constexpr float kJoint = 0.012F;
-  const float visible = survives(0.16F, footprint);
-  // Every other row is shifted by half a brick.
-  const float tone = filteredCells(kHeight, at.v, at.ev, [&](int row) {
-    const float u = at.u + (row % 2 == 0 ? 0 : kLength / 2);
-    const float single = visible * filteredCells(kLength, u, at.eu, [&](int column) {
-                           return between(hash(static_cast<std::uint32_t>(column),
-                                               static_cast<std::uint32_t>(row), seed),
-                                          -0.3F, 0.3F);
-                         });
-    return std::max(single, 0.5F * filteredStripes(kLength, kJoint, u, at.eu));
-  });
-  return std::max(tone, 0.5F * filteredStripes(kHeight, kJoint, at.v, at.ev));
+  const Eight visible = survives(0.16F, footprint);
+  const auto row_tone = [&](EightInts row) TOLMAN_TOWN_INLINE_LAMBDA {
+    // Every other row is shifted by half a brick.
+    const Eight u = at.u + select((row & 1) == 0, 0, kLength / 2);
+    const EightWords in_row = hash(words(row), seed);
+    const auto tone = [&](EightInts column) TOLMAN_TOWN_INLINE_LAMBDA {
+      return between(hash(words(column), in_row), -0.3F, 0.3F);
+    };
+    return larger(visible * filteredCells(kLength, u, at.eu, tone),
+                  0.5F * filteredStripes(kLength, kJoint, u, at.eu));
+  };
+  const Eight tone = filteredCells(kHeight, at.v, at.ev, row_tone);
+  return larger(tone, 0.5F * filteredStripes(kHeight, kJoint, at.v, at.ev));
+}
+
+/// What is behind the panes: a dark room, a curtain, or a shutter before either.
+TOLMAN_TOWN_INLINE Eight behindPanes(const Boxes& glass, const WallPoints& at, EightWords h) {
+  Eight inside = between(hash(h, 3), 0.02F, 0.1F);
+  const EightInts curtain = unit(hash(h, 4)) < 0.35F;
+  if (any(curtain)) {  // brighter, with folds
+    inside = select(curtain, 0.22F + 0.1F * filteredStripes(0.16F, 0.08F, at.u, at.eu), inside);
+  }
+  const EightInts shutter = unit(hash(h, 5)) < 0.3F;
+  if (any(shutter)) {
+    const Eight down = between(hash(h, 6), 0.25F, 1.0F) * (glass.high - glass.low);
+    const Eight slats = 0.5F - 0.2F * filteredStripes(0.06F, 0.02F, at.v, at.ev);
+    const Eight share = filteredStep(glass.high - down, at.v, at.ev);
+    inside += select(shutter, (slats - inside) * share, Eight{});
+  }
+  return inside;
 }
 
 /// Albedo of a window with frame and panes, some with curtain or shutter.
-float window(const Box& opening, const WallPoint& at, float wall, std::uint32_t h) {
-  const Box glass = shrunk(opening, 0.09F);
-  const float in_opening = cover(opening, at);
-  const float in_glass = cover(glass, at);
-  const float middle = 0.5F * (opening.left + opening.right);
-  const float bar = cover({middle - 0.04F, middle + 0.04F, glass.low, glass.high}, at);
-  const float frame_tone = unit(hash(h, 7)) < 0.75F ? 0.72F : 0.16F;
-  float pane = between(hash(h, 3), 0.02F, 0.1F);
-  if (unit(hash(h, 4)) < 0.35F) {  // curtain: brighter, with folds
-    pane = 0.22F + 0.1F * filteredStripes(0.16F, 0.08F, at.u, at.eu);
-  }
-  float inside = pane;
-  if (unit(hash(h, 5)) < 0.3F) {  // shutter
-    const float down = between(hash(h, 6), 0.25F, 1.0F) * (glass.high - glass.low);
-    const float slats = 0.5F - 0.2F * filteredStripes(0.06F, 0.02F, at.v, at.ev);
-    inside += (slats - pane) * filteredStep(glass.high - down, at.v, at.ev);
-  }
-  float tone = wall + in_opening * (frame_tone - wall);
+TOLMAN_TOWN_INLINE Eight window(const Boxes& opening, const WallPoints& at, Eight wall,
+                                EightWords h) {
+  const Boxes sill = {opening.left - 0.1F, opening.right + 0.1F, opening.low - 0.1F, opening.low};
+  const Eight in_opening = cover(opening, at);
+  const Eight in_sill = cover(sill, at);
+  if (!any((in_opening > 0) | (in_sill > 0))) return wall;  // bare wall between windows
+  const Boxes glass = shrunk(opening, 0.09F);
+  const Eight in_glass = cover(glass, at);
+  const Eight middle = 0.5F * (opening.left + opening.right);
+  const Eight bar = cover({middle - 0.04F, middle + 0.04F, glass.low, glass.high}, at);
+  const Eight frame_tone = select(unit(hash(h, 7)) < 0.75F, 0.72F, 0.16F);
+  const Eight inside = behindPanes(glass, at, h);
+  Eight tone = wall + in_opening * (frame_tone - wall);
   tone += in_glass * (inside - frame_tone) + bar * (frame_tone - inside) * 0.9F;
-  const Box sill = {opening.left - 0.1F, opening.right + 0.1F, opening.low - 0.1F, opening.low};
-  return tone + cover(sill, at) * (0.5F - wall);
+  return tone + in_sill * (0.5F - wall);
 }
 
-float door(const Box& opening, const WallPoint& at, float wall, std::uint32_t h) {
-  const float leaf = between(h, 0.08F, 0.5F);
-  const Box panel = shrunk(opening, 0.25F);
+TOLMAN_TOWN_INLINE Eight door(const Boxes& opening, const WallPoints& at, Eight wall,
+                              EightWords h) {
+  const Eight leaf = between(h, 0.08F, 0.5F);
+  const Boxes panel = shrunk(opening, 0.25F);
   return wall + cover(opening, at) * (leaf - wall) + cover(panel, at) * (0.6F * leaf - leaf);
 }
 
-/// The window or door nearest to a point. Openings are in columns, in bays of equal width.
-struct Opening {
-  enum class Kind { None, Door, Window } kind = Kind::None;
-  Box box = {};
-  std::uint32_t seed = 0;
+/// The windows or doors nearest to the points, in columns, in bays of equal width.
+struct Openings {
+  EightInts is_door;
+  EightInts is_window;
+  Boxes box;
+  EightWords seed;
 };
 
-Opening openingAt(const Surface& surface, const WallPoint& at, std::uint32_t seed) {
+TOLMAN_TOWN_INLINE Openings openingsAt(const Surface& surface, const WallPoints& at,
+                                       std::uint32_t seed) {
   const float wanted = between(hash(seed, 11), 2.0F, 3.6F);
   const float bays = std::max(1.0F, floorOf(surface.width / wanted));
   const float bay = surface.width / bays;
-  const float column = std::clamp(floorOf(at.u / bay), 0.0F, bays - 1);
+  const Eight column = clamped(floorOf(at.u / bay), 0, bays - 1);
   const float storeys = std::max(1.0F, floorOf(surface.height / kStorey));
-  const float storey = std::clamp(floorOf(at.v / kStorey), 0.0F, storeys - 1);
-  const std::uint32_t h =
-      hash(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(storey), seed);
-  if (unit(h) < 0.1F) return {};  // a bay without opening
+  const Eight storey = clamped(floorOf(at.v / kStorey), 0, storeys - 1);
+  const EightWords h = hash(words(truncated(column)), words(truncated(storey)), seed);
   const float half = 0.5F * std::min(between(hash(seed, 12), 0.9F, 1.7F), 0.7F * bay);
-  const float centre = (column + 0.5F) * bay;
-  const float floor = storey * kStorey;
-  if (storey < 0.5F && unit(hash(h, 1)) < 1.2F / bays) {
-    return {Opening::Kind::Door, {centre - 0.55F, centre + 0.55F, 0.05F, 2.15F}, hash(h, 2)};
-  }
+  const Eight centre = (column + 0.5F) * bay;
+  const Eight floor = storey * kStorey;
   const float sill = between(hash(seed, 13), 0.75F, 1.05F);
-  return {Opening::Kind::Window, {centre - half, centre + half, floor + sill, floor + 2.4F}, h};
+  const EightInts some = unit(h) >= 0.1F;  // other bays have no opening
+  const EightInts door = some & (storey < 0.5F) & (unit(hash(h, 1)) < 1.2F / bays);
+  Openings result = {
+      door, some & ~door, {centre - half, centre + half, floor + sill, floor + 2.4F}, h};
+  if (any(door)) {
+    const Boxes leaf = {centre - 0.55F, centre + 0.55F, eight(0.05F), eight(2.15F)};
+    result.box = {select(door, leaf.left, result.box.left),
+                  select(door, leaf.right, result.box.right),
+                  select(door, leaf.low, result.box.low), select(door, leaf.high, result.box.high)};
+    result.seed = door ? hash(h, 2) : h;
+  }
+  return result;
 }
 
-float openings(const Surface& surface, const WallPoint& at, float wall, std::uint32_t seed) {
-  const Opening opening = openingAt(surface, at, seed);
-  if (opening.kind == Opening::Kind::None) return wall;
-  return opening.kind == Opening::Kind::Door ? door(opening.box, at, wall, opening.seed)
-                                             : window(opening.box, at, wall, opening.seed);
+TOLMAN_TOWN_INLINE Eight openings(const Surface& surface, const WallPoints& at, Eight wall,
+                                  std::uint32_t seed) {
+  const Openings nearest = openingsAt(surface, at, seed);
+  Eight tone = wall;
+  if (any(nearest.is_window)) {
+    tone = select(nearest.is_window, window(nearest.box, at, wall, nearest.seed), tone);
+  }
+  if (any(nearest.is_door)) {
+    tone = select(nearest.is_door, door(nearest.box, at, wall, nearest.seed), tone);
+  }
+  return tone;
 }
 
-WallPoint wallPoint(const Surface& surface, const SurfaceHit& hit) {
-  const Vec3 local = hit.point - surface.origin;
-  return {dot(local, surface.axis_u), dot(local, surface.axis_v), hit.extent(surface.axis_u),
-          hit.extent(surface.axis_v)};
+TOLMAN_TOWN_INLINE WallPoints wallPoints(const Surface& surface, const SurfaceHits& hits) {
+  const Vec3s local = hits.point - vec3s(surface.origin);
+  return {dot(local, vec3s(surface.axis_u)), dot(local, vec3s(surface.axis_v)),
+          hits.extent(surface.axis_u), hits.extent(surface.axis_v)};
 }
 
-float facade(const Surface& surface, const SurfaceHit& hit) {
-  const WallPoint at = wallPoint(surface, hit);
-  const float footprint = hit.footprint();
+TOLMAN_TOWN_INLINE Eight facade(const Surface& surface, const SurfaceHits& hits) {
+  const WallPoints at = wallPoints(surface, hits);
+  const Eight footprint = hits.footprint();
   const std::uint32_t seed = surface.seed;
   const bool of_brick = unit(hash(seed, 21)) < 0.3F;
-  const float dirt = fractal2(at.u, at.v, 2.5F, 4, footprint, seed);
+  const Eight dirt = fractal2(at.u, at.v, 2.5F, 4, footprint, seed);
   // The roughness of plaster is the only texture of a near white wall.
-  const float rough = fractal2(at.u, at.v, 0.09F, 2, footprint, seed + 3);
-  const float texture = of_brick ? bricks(at, seed, footprint) : 0.24F * rough;
-  float wall = surface.tone * (of_brick ? 0.6F : 1.0F);
-  wall *= std::max(0.2F, 1 + 0.32F * dirt + texture);
+  const Eight texture = of_brick ? bricks(at, seed, footprint)
+                                 : 0.24F * fractal2(at.u, at.v, 0.09F, 2, footprint, seed + 3);
+  Eight wall = surface.tone * (of_brick ? 0.6F : 1.0F) * larger(1 + 0.32F * dirt + texture, 0.2F);
   const float base = between(hash(seed, 22), 0.3F, 0.9F);  // m, a darker plinth
   wall *= 1 - 0.35F * (1 - filteredStep(base, at.v, at.ev));
   return openings(surface, at, wall, seed);
 }
 
-float roof(const Surface& surface, const SurfaceHit& hit) {
-  const Vec3 local = hit.point - surface.origin;
-  const float u = dot(local, surface.axis_u);
-  const float v = dot(local, surface.axis_v);
-  const float rows = filteredStripes(0.34F, 0.08F, v, hit.extent(surface.axis_v));
-  const float tiles = filteredStripes(0.24F, 0.06F, u, hit.extent(surface.axis_u));
-  const float moss = fractal2(u, v, 1.9F, 4, hit.footprint(), surface.seed);
-  return surface.tone * std::max(0.15F, 1 + 0.7F * moss - 0.5F * std::max(rows, 0.6F * tiles));
+TOLMAN_TOWN_INLINE Eight roof(const Surface& surface, const SurfaceHits& hits) {
+  const Vec3s local = hits.point - vec3s(surface.origin);
+  const Eight u = dot(local, vec3s(surface.axis_u));
+  const Eight v = dot(local, vec3s(surface.axis_v));
+  const Eight rows = filteredStripes(0.34F, 0.08F, v, hits.extent(surface.axis_v));
+  const Eight tiles = filteredStripes(0.24F, 0.06F, u, hits.extent(surface.axis_u));
+  const Eight moss = fractal2(u, v, 1.9F, 4, hits.footprint(), surface.seed);
+  return surface.tone * larger(1 + 0.7F * moss - 0.5F * larger(rows, 0.6F * tiles), 0.15F);
 }
 
 }  // namespace
 
-float litWindows(const Surface& surface, const SurfaceHit& hit) {
+TOLMAN_TOWN_DISPATCH
+void litWindows(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   constexpr float kLit = 0.25F;  // share of the windows
-  const WallPoint at = wallPoint(surface, hit);
-  const Opening opening = openingAt(surface, at, surface.seed);
-  const bool is_lit = opening.kind == Opening::Kind::Window && unit(hash(opening.seed, 8)) < kLit;
-  return is_lit ? cover(shrunk(opening.box, 0.09F), at) * between(hash(opening.seed, 9), 0.4F, 1)
-                : 0;
+  const WallPoints at = wallPoints(surface, hits);
+  const Openings nearest = openingsAt(surface, at, surface.seed);
+  const EightInts lit = nearest.is_window & (unit(hash(nearest.seed, 8)) < kLit);
+  const Eight glow =
+      cover(shrunk(nearest.box, 0.09F), at) * between(hash(nearest.seed, 9), 0.4F, 1);
+  result = select(lit, glow, Eight{});
 }
 
-float windowGlass(const Surface& surface, const SurfaceHit& hit) {
-  const WallPoint at = wallPoint(surface, hit);
-  const Opening opening = openingAt(surface, at, surface.seed);
-  if (opening.kind != Opening::Kind::Window) return 0;
-  return cover(shrunk(opening.box, 0.09F), at);  // shutters are inside
+TOLMAN_TOWN_DISPATCH
+void windowGlass(const Surface& surface, const SurfaceHits& hits, Eight& result) {
+  const WallPoints at = wallPoints(surface, hits);
+  const Openings nearest = openingsAt(surface, at, surface.seed);
+  // Shutters are inside.
+  result = select(nearest.is_window, cover(shrunk(nearest.box, 0.09F), at), Eight{});
 }
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float buildingAlbedo(const Surface& surface,
-                                                           const SurfaceHit& hit) {
-  return surface.material == Material::Roof ? roof(surface, hit) : facade(surface, hit);
+TOLMAN_TOWN_DISPATCH
+void buildingAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
+  result = surface.material == Material::Roof ? roof(surface, hits) : facade(surface, hits);
 }
 
 }  // namespace tolman::town

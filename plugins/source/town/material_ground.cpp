@@ -2,7 +2,7 @@
 // Asphalt, kerbs, paint, pavement and grass. Patterns are functions of the town's X and Y.
 #include "dispatch.hpp"
 #include "material.hpp"
-#include "noise.hpp"
+#include "noise_lanes.hpp"
 #include "pattern.hpp"
 
 namespace tolman::town {
@@ -10,129 +10,153 @@ namespace {
 
 /// Octaves of noise for a long, narrow footprint, as in grazing views: the mean of samples along
 /// the longer side, each faded by the shorter one.
-float grazingFractal(const SurfaceHit& hit, float wavelength, int octaves, std::uint32_t seed) {
-  const bool along_dy = dot(hit.dy, hit.dy) > dot(hit.dx, hit.dx);
-  const Vec3& major = along_dy ? hit.dy : hit.dx;
-  const float longer = norm(major);
-  const float shorter = std::max(norm(along_dy ? hit.dx : hit.dy), longer * 0.25F);
-  float sum = 0;
+TOLMAN_TOWN_INLINE Eight grazingFractal(const SurfaceHits& hits, float wavelength, int octaves,
+                                        std::uint32_t seed) {
+  const Eight across = dot(hits.dx, hits.dx);
+  const Eight along = dot(hits.dy, hits.dy);
+  const Vec3s major = select(along > across, hits.dy, hits.dx);
+  const Eight longer = squareRoot(larger(along, across));
+  const Eight shorter = larger(squareRoot(smaller(along, across)), longer * 0.25F);
+  Eight sum = {};
   float amplitude = 0.55F;
   for (int i = 0; i < octaves; ++i, wavelength *= 0.5F, amplitude *= 0.8F) {
-    const float weight = amplitude * survives(wavelength, shorter);
-    if (weight <= 0) break;
-    const int taps = std::clamp(static_cast<int>(std::ceil(2.5F * longer / wavelength)), 1, 4);
+    const Eight weight = amplitude * survives(wavelength, shorter);
+    if (!any(weight > 0)) break;
+    const Eight wanted = clamped(2.5F * longer / wavelength, 1, 4);
+    const Eight taps = -floorOf(-wanted);
     const float scale = 1 / wavelength;
-    const Vec3 step = major * (scale / static_cast<float>(taps));
-    const Vec3 first = hit.point * scale - step * (0.5F * static_cast<float>(taps - 1));
-    sum += weight *
-           meanNoise2(first.x, first.y, step.x, step.y, taps, seed + static_cast<std::uint32_t>(i));
+    const Eight part = scale / taps;
+    const Eight back = 0.5F * (taps - 1);
+    const Eight x = major.x * part;
+    const Eight y = major.y * part;
+    sum += weight * meanNoise2(hits.point.x * scale - x * back, hits.point.y * scale - y * back, x,
+                               y, taps, seed + static_cast<std::uint32_t>(i));
   }
   return sum;
 }
 
 /// Repaired rectangles, darker or lighter than the rest, with a tarred seam.
-float patches(const SurfaceHit& hit, std::uint32_t seed) {
+TOLMAN_TOWN_INLINE Eight patches(const SurfaceHits& hits, std::uint32_t seed) {
   constexpr float kCell = 9;  // m
-  const auto cx = static_cast<std::int32_t>(floorOf(hit.point.x / kCell));
-  const auto cy = static_cast<std::int32_t>(floorOf(hit.point.y / kCell));
-  const std::uint32_t h =
-      hash(static_cast<std::uint32_t>(cx), static_cast<std::uint32_t>(cy), seed);
-  if (unit(h) > 0.45F) return 0;
-  const float x = hit.point.x - static_cast<float>(cx) * kCell;
-  const float y = hit.point.y - static_cast<float>(cy) * kCell;
-  const float left = between(hash(h, 1), 0.5F, 5);
-  const float low = between(hash(h, 2), 0.5F, 5);
-  const float right = left + between(hash(h, 3), 0.6F, 3.5F);
-  const float high = low + between(hash(h, 4), 0.6F, 3.5F);
-  const float ex = hit.extent({1, 0, 0});
-  const float ey = hit.extent({0, 1, 0});
-  const float outer = filteredPulse(left, right, x, ex) * filteredPulse(low, high, y, ey);
-  const float inner = filteredPulse(left + 0.06F, right - 0.06F, x, ex) *
+  const Eight cx = floorOf(hits.point.x / kCell);
+  const Eight cy = floorOf(hits.point.y / kCell);
+  const EightWords h = hash(words(truncated(cx)), words(truncated(cy)), seed);
+  const EightInts none = unit(h) > 0.45F;
+  if (all(none)) return Eight{};
+  const Eight x = hits.point.x - cx * kCell;
+  const Eight y = hits.point.y - cy * kCell;
+  const Eight left = between(hash(h, 1), 0.5F, 5);
+  const Eight low = between(hash(h, 2), 0.5F, 5);
+  const Eight right = left + between(hash(h, 3), 0.6F, 3.5F);
+  const Eight high = low + between(hash(h, 4), 0.6F, 3.5F);
+  const Eight ex = hits.extent({1, 0, 0});
+  const Eight ey = hits.extent({0, 1, 0});
+  const Eight outer = filteredPulse(left, right, x, ex) * filteredPulse(low, high, y, ey);
+  const Eight inner = filteredPulse(left + 0.06F, right - 0.06F, x, ex) *
                       filteredPulse(low + 0.06F, high - 0.06F, y, ey);
-  return inner * between(hash(h, 5), -0.35F, 0.25F) - (outer - inner) * 0.5F;
+  const Eight tone = inner * between(hash(h, 5), -0.35F, 0.25F) - (outer - inner) * 0.5F;
+  return select(none, Eight{}, tone);
 }
 
 /// Thin dark lines where smooth noise crosses zero.
-float cracks(const SurfaceHit& hit, std::uint32_t seed) {
+TOLMAN_TOWN_INLINE Eight cracks(const SurfaceHits& hits, Eight footprint, std::uint32_t seed) {
   constexpr float kWidth = 0.012F;  // m
-  const float width = kWidth + 0.7F * hit.footprint();
-  if (kWidth / width < 0.08F) return 0;  // too thin for this pixel
-  const float n = noise2(hit.point.x / 2.3F, hit.point.y / 2.3F, seed);
+  const Eight width = kWidth + 0.7F * footprint;
+  const Eight strength = kWidth / width;
+  const EightInts visible = strength >= 0.08F;  // not too thin for this pixel
+  if (!any(visible)) return Eight{};
+  const Eight n = noise2(hits.point.x / 2.3F, hits.point.y / 2.3F, seed);
   // |n| / slope is about the distance to the line; the mean slope is 0.5 a metre.
-  const float distance = std::abs(n) / 0.5F;
-  return kWidth / width * (1 - smoothstep(0.5F * width, 1.5F * width, distance));
+  const Eight distance = absolute(n) / 0.5F;
+  const Eight t = clamped((distance - 0.5F * width) / width, 0, 1);
+  return select(visible, strength * (1 - t * t * (3 - 2 * t)), Eight{});
 }
 
-float road(const Surface& surface, const SurfaceHit& hit) {
-  const float grain = grazingFractal(hit, 0.05F, 2, surface.seed);
-  const float wear = fractal2(hit.point.x, hit.point.y, 7, 3, hit.footprint(), surface.seed + 17);
-  const float detail = 0.85F * grain + 0.25F * wear + patches(hit, surface.seed + 31) -
-                       0.6F * cracks(hit, surface.seed + 47);
-  return surface.tone * std::max(0.15F, 1 + detail);
+TOLMAN_TOWN_INLINE Eight road(const Surface& surface, const SurfaceHits& hits) {
+  const Eight footprint = hits.footprint();
+  const Eight grain = grazingFractal(hits, 0.05F, 2, surface.seed);
+  const Eight wear = fractal2(hits.point.x, hits.point.y, 7, 3, footprint, surface.seed + 17);
+  const Eight detail = 0.85F * grain + 0.25F * wear + patches(hits, surface.seed + 31) -
+                       0.6F * cracks(hits, footprint, surface.seed + 47);
+  return surface.tone * larger(1 + detail, 0.15F);
 }
 
-float kerb(const Surface& surface, const SurfaceHit& hit) {
-  const float along = hit.point.x + hit.point.y;  // stones of about 1 m for any heading of the kerb
-  const float joints = filteredStripes(1, 0.03F, along, hit.extent({1, 1, 0}));
-  const float stain = fractal2(hit.point.x, hit.point.y, 0.8F, 3, hit.footprint(), surface.seed);
-  return surface.tone * std::max(0.2F, 1 + 0.35F * stain - 0.6F * joints);
+TOLMAN_TOWN_INLINE Eight kerb(const Surface& surface, const SurfaceHits& hits) {
+  // Stones of about 1 m for any heading of the kerb.
+  const Eight along = hits.point.x + hits.point.y;
+  const Eight joints = filteredStripes(1, 0.03F, along, hits.extent({1, 1, 0}));
+  const Eight stain = fractal2(hits.point.x, hits.point.y, 0.8F, 3, hits.footprint(), surface.seed);
+  return surface.tone * larger(1 + 0.35F * stain - 0.6F * joints, 0.2F);
 }
 
-float paint(const Surface& surface, const SurfaceHit& hit) {
-  const float worn = grazingFractal(hit, 0.3F, 3, surface.seed);
-  return surface.tone * (1 + 0.3F * worn);
+TOLMAN_TOWN_INLINE Eight paint(const Surface& surface, const SurfaceHits& hits) {
+  return surface.tone * (1 + 0.3F * grazingFractal(hits, 0.3F, 3, surface.seed));
 }
 
 /// Slabs in rows that follow the kerb.
-float pavement(const SurfaceHit& hit, float distance, float extent, std::uint32_t seed) {
-  const float rows = filteredStripes(0.4F, 0.025F, distance, extent);
-  const float across =
-      filteredStripes(0.4F, 0.025F, hit.point.x + 0.37F * hit.point.y, hit.extent({1, 0.37F, 0}));
-  const float slabs = fractal2(hit.point.x, hit.point.y, 0.9F, 4, hit.footprint(), seed);
-  return 0.27F * std::max(0.2F, 1 + 0.7F * slabs - 0.45F * std::max(rows, across));
+TOLMAN_TOWN_INLINE Eight pavement(const SurfaceHits& hits, Eight distance, Eight extent,
+                                  std::uint32_t seed) {
+  const Eight rows = filteredStripes(0.4F, 0.025F, distance, extent);
+  const Eight across = filteredStripes(0.4F, 0.025F, hits.point.x + 0.37F * hits.point.y,
+                                       hits.extent({1, 0.37F, 0}));
+  const Eight slabs = fractal2(hits.point.x, hits.point.y, 0.9F, 4, extent, seed);
+  return 0.27F * larger(1 + 0.7F * slabs - 0.45F * larger(rows, across), 0.2F);
 }
 
-float grass(const SurfaceHit& hit, std::uint32_t seed) {
+TOLMAN_TOWN_INLINE Eight grass(const SurfaceHits& hits, Eight extent, std::uint32_t seed) {
+  const Eight x = hits.point.x;
+  const Eight y = hits.point.y;
   // Mown lawns have little texture, meadows much; it changes over 60 m.
-  const float wild = smoothstep(-0.4F, 0.5F, noise2(hit.point.x / 60, hit.point.y / 60, seed + 5));
-  const float tufts = grazingFractal(hit, 0.24F, 3, seed);
-  const float fields =
-      smoothstep(-0.2F, 0.2F, noise2(hit.point.x / 37, hit.point.y / 37, seed + 11));
-  const float soil = fractal2(hit.point.x, hit.point.y, 5, 4, hit.footprint(), seed + 9);
+  const Eight wild = smoothstep(-0.4F, 0.5F, noise2(x / 60, y / 60, seed + 5));
+  const Eight tufts = grazingFractal(hits, 0.24F, 3, seed);
+  const Eight fields = smoothstep(-0.2F, 0.2F, noise2(x / 37, y / 37, seed + 11));
+  const Eight soil = fractal2(x, y, 5, 4, extent, seed + 9);
   return (0.11F + 0.08F * fields) *
-         std::max(0.12F, 1 + (0.5F + 0.7F * wild) * (1.7F * tufts + 0.5F * soil) + 0.5F * soil);
+         larger(1 + (0.5F + 0.7F * wild) * (1.7F * tufts + 0.5F * soil) + 0.5F * soil, 0.12F);
 }
 
-float land(const Surface& surface, const SurfaceHit& hit, const StreetPlan& plan) {
-  const auto distance = static_cast<float>(plan.distance(hit.point.x, hit.point.y));
-  const float extent = hit.footprint();
+TOLMAN_TOWN_INLINE Eight distances(const StreetPlan& plan, const Vec3s& points) {
+  std::array<float, kLanes> result;
+  for (int i = 0; i < kLanes; ++i) {
+    result[static_cast<std::size_t>(i)] = static_cast<float>(
+        plan.distance(static_cast<double>(points.x[i]), static_cast<double>(points.y[i])));
+  }
+  return loadEight(result.data());
+}
+
+TOLMAN_TOWN_INLINE Eight land(const Surface& surface, const SurfaceHits& hits,
+                              const StreetPlan& plan) {
+  const Eight distance = distances(plan, hits.point);
+  const Eight extent = hits.footprint();
   constexpr auto kKerb = static_cast<float>(StreetPlan::kRoadHalfWidth);
   constexpr auto kPavement = static_cast<float>(StreetPlan::kPavementWidth);
-  const float past_kerb = filteredStep(kKerb + 0.15F, distance, extent);
-  const float past_pavement = filteredStep(kKerb + kPavement, distance, extent);
-  float result = 0;
-  if (past_kerb < 1) result += (1 - past_kerb) * 0.34F;  // the top of the kerb stones
-  if (past_kerb > past_pavement) {
-    result += (past_kerb - past_pavement) * pavement(hit, distance, extent, surface.seed);
+  const Eight past_kerb = filteredStep(kKerb + 0.15F, distance, extent);
+  const Eight past_pavement = filteredStep(kKerb + kPavement, distance, extent);
+  Eight result = (1 - past_kerb) * 0.34F;  // the top of the kerb stones
+  if (any(past_kerb > past_pavement)) {
+    result += (past_kerb - past_pavement) * pavement(hits, distance, extent, surface.seed);
   }
-  if (past_pavement > 0) result += past_pavement * grass(hit, surface.seed + 3);
+  if (any(past_pavement > 0)) result += past_pavement * grass(hits, extent, surface.seed + 3);
   return result;
 }
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float groundAlbedo(const Surface& surface,
-                                                         const SurfaceHit& hit,
-                                                         const StreetPlan& plan) {
+TOLMAN_TOWN_DISPATCH
+void groundAlbedos(const Surface& surface, const SurfaceHits& hits, const StreetPlan& plan,
+                   Eight& result) {
   switch (surface.material) {
     case Material::Road:
-      return road(surface, hit);
+      result = road(surface, hits);
+      break;
     case Material::Kerb:
-      return kerb(surface, hit);
+      result = kerb(surface, hits);
+      break;
     case Material::Paint:
-      return paint(surface, hit);
+      result = paint(surface, hits);
+      break;
     default:
-      return land(surface, hit, plan);
+      result = land(surface, hits, plan);
   }
 }
 

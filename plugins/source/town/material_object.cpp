@@ -2,88 +2,97 @@
 // Cars, fences, posts and boards.
 #include "dispatch.hpp"
 #include "material.hpp"
-#include "noise.hpp"
+#include "noise_lanes.hpp"
 #include "pattern.hpp"
 
 namespace tolman::town {
 namespace {
 
-float wood(const Surface& surface, const SurfaceHit& hit) {
-  const Vec3 local = hit.point - surface.origin;
-  const float u = dot(local, surface.axis_u);
-  const float gaps = filteredStripes(0.14F, 0.025F, u, hit.extent(surface.axis_u));
-  const float eu = hit.extent(surface.axis_u);
+TOLMAN_TOWN_INLINE Eight wood(const Surface& surface, const SurfaceHits& hits) {
+  const Vec3s local = hits.point - vec3s(surface.origin);
+  const Eight u = dot(local, vec3s(surface.axis_u));
+  const Eight eu = hits.extent(surface.axis_u);
+  const Eight gaps = filteredStripes(0.14F, 0.025F, u, eu);
+  const auto tone = [&](EightInts board) TOLMAN_TOWN_INLINE_LAMBDA {
+    return between(hash(words(board), surface.seed), -0.3F, 0.3F);
+  };
   // The edges of a board are in the middle of the gaps.
-  const float single =
-      survives(0.14F, eu) * filteredCells(0.14F, u - 0.0125F, eu, [&](int board) {
-        return between(hash(static_cast<std::uint32_t>(board), surface.seed), -0.3F, 0.3F);
-      });
-  const float grain =
-      fractal2(u * 4, dot(local, surface.axis_v), 0.5F, 3, 4 * hit.footprint(), surface.seed);
-  return surface.tone * std::max(0.1F, 1 + single + 0.3F * grain - 0.7F * gaps);
+  const Eight single = survives(0.14F, eu) * filteredCells(0.14F, u - 0.0125F, eu, tone);
+  const Eight grain = fractal2(u * 4, dot(local, vec3s(surface.axis_v)), 0.5F, 3,
+                               4 * hits.footprint(), surface.seed);
+  return surface.tone * larger(1 + single + 0.3F * grain - 0.7F * gaps, 0.1F);
 }
 
 /// Clothes in the tone of the person, darker in folds.
-float cloth(const Surface& surface, const SurfaceHit& hit) {
-  const float tone = between(hash(hit.seed, 3), 0.04F, 0.6F);
-  const Vec3 folds = {hit.point.x, hit.point.y, 0.5F * hit.point.z};
-  return tone * std::max(0.3F, 1 + 0.4F * fractal3(folds, 0.2F, 3, hit.footprint(), surface.seed));
+TOLMAN_TOWN_INLINE Eight cloth(const Surface& surface, const SurfaceHits& hits) {
+  const Eight tone = between(hash(hits.seed, 3), 0.04F, 0.6F);
+  const Vec3s folds = {hits.point.x, hits.point.y, 0.5F * hits.point.z};
+  return tone * larger(1 + 0.4F * fractal3(folds, 0.2F, 3, hits.footprint(), surface.seed), 0.3F);
+}
+
+TOLMAN_TOWN_INLINE Eight glassOfCar(const SurfaceHits& hits) {
+  const EightInts upright = absolute(hits.normal.z) < 0.85F;
+  const Eight glass = filteredPulse(0.92F, 1.34F, hits.point.z, hits.extent({0, 0, 1}));
+  const Eight pillars = filteredStripes(1.15F, 0.09F, hits.point.x + 0.4F, hits.extent({1, 0, 0}));
+  return select(upright, glass, Eight{}) * (1 - pillars);
 }
 
 /// Bodywork in the tone of the car, with a dark band of windows.
-float body(const Surface& surface, const SurfaceHit& hit) {
-  const float z = hit.point.z;
-  const float ez = hit.extent({0, 0, 1});
-  const float tone = surface.tone * between(hash(hit.seed, 1), 0.15F, 1.3F);
-  const float trim = filteredPulse(0.45F, 0.5F, z, ez) + filteredPulse(0.2F, 0.27F, z, ez);
-  const float panel = tone * (1 - 0.6F * std::min(trim, 1.0F)) *
-                      (1 + 0.1F * fractal3(hit.point, 0.6F, 3, hit.footprint(), hit.seed));
-  return panel + carGlass(hit) * (0.04F - panel);
+TOLMAN_TOWN_INLINE Eight body(const Surface& surface, const SurfaceHits& hits) {
+  const Eight z = hits.point.z;
+  const Eight ez = hits.extent({0, 0, 1});
+  const Eight tone = surface.tone * between(hash(hits.seed, 1), 0.15F, 1.3F);
+  const Eight trim = filteredPulse(0.45F, 0.5F, z, ez) + filteredPulse(0.2F, 0.27F, z, ez);
+  const Eight panel = tone * (1 - 0.6F * smaller(trim, 1.0F)) *
+                      (1 + 0.1F * fractal3(hits.point, 0.6F, 3, hits.footprint(), hits.seed));
+  return panel + glassOfCar(hits) * (0.04F - panel);
 }
 
 /// Posters: a few large shapes and lines of "writing".
-float board(const Surface& surface, const SurfaceHit& hit) {
-  const Vec3 local = hit.point - surface.origin;
-  const float u = dot(local, surface.axis_u);
-  const float v = dot(local, surface.axis_v);
-  const float eu = hit.extent(surface.axis_u);
-  const float ev = hit.extent(surface.axis_v);
+TOLMAN_TOWN_INLINE Eight board(const Surface& surface, const SurfaceHits& hits) {
+  const Vec3s local = hits.point - vec3s(surface.origin);
+  const Eight u = dot(local, vec3s(surface.axis_u));
+  const Eight v = dot(local, vec3s(surface.axis_v));
+  const Eight eu = hits.extent(surface.axis_u);
+  const Eight ev = hits.extent(surface.axis_v);
   const std::uint32_t seed = surface.seed;
-  const float shapes = fractal2(u, v, 0.5F * surface.width, 4, hit.footprint(), seed);
-  float tone = surface.tone * std::max(0.1F, 1 + 0.9F * shapes);
-  const float line = filteredStripes(0.2F, 0.1F, v, ev) * filteredStep(0.12F, v, ev) *
+  const Eight shapes = fractal2(u, v, 0.5F * surface.width, 4, hits.footprint(), seed);
+  Eight tone = surface.tone * larger(1 + 0.9F * shapes, 0.1F);
+  const Eight line = filteredStripes(0.2F, 0.1F, v, ev) * filteredStep(0.12F, v, ev) *
                      (1 - filteredStep(0.4F * surface.height, v, ev));
-  const float letters = filteredStripes(between(hash(seed, 2), 0.09F, 0.16F), 0.06F, u, eu);
+  const Eight letters = filteredStripes(between(hash(seed, 2), 0.09F, 0.16F), 0.06F, u, eu);
   tone += line * letters * (0.75F - tone);
-  const float rim = filteredPulse(0.06F, surface.width - 0.06F, u, eu) *
+  const Eight rim = filteredPulse(0.06F, surface.width - 0.06F, u, eu) *
                     filteredPulse(0.06F, surface.height - 0.06F, v, ev);
   return 0.65F + rim * (tone - 0.65F);
 }
 
-}  // namespace
-
-float carGlass(const SurfaceHit& hit) {
-  const bool upright = std::abs(hit.normal.z) < 0.85F;
-  const float glass =
-      upright ? filteredPulse(0.92F, 1.34F, hit.point.z, hit.extent({0, 0, 1})) : 0.0F;
-  const float pillars = filteredStripes(1.15F, 0.09F, hit.point.x + 0.4F, hit.extent({1, 0, 0}));
-  return glass * (1 - pillars);
+TOLMAN_TOWN_INLINE Eight plain(const Surface& surface, const SurfaceHits& hits) {
+  return surface.tone * (1 + 0.15F * fractal3(hits.point, 0.5F, 3, hits.footprint(), surface.seed));
 }
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float objectAlbedo(const Surface& surface,
-                                                         const SurfaceHit& hit) {
+}  // namespace
+
+TOLMAN_TOWN_DISPATCH
+void carGlass(const SurfaceHits& hits, Eight& result) { result = glassOfCar(hits); }
+
+TOLMAN_TOWN_DISPATCH
+void objectAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   switch (surface.material) {
     case Material::Wood:
-      return wood(surface, hit);
+      result = wood(surface, hits);
+      break;
     case Material::Body:
-      return body(surface, hit);
+      result = body(surface, hits);
+      break;
     case Material::Board:
-      return board(surface, hit);
+      result = board(surface, hits);
+      break;
     case Material::Cloth:
-      return cloth(surface, hit);
+      result = cloth(surface, hits);
+      break;
     default:
-      return surface.tone *
-             (1 + 0.15F * fractal3(hit.point, 0.5F, 3, hit.footprint(), surface.seed));
+      result = plain(surface, hits);
   }
 }
 

@@ -2,34 +2,34 @@
 // Leaves and bark: noise in three dimensions, in axes of the plant.
 #include "dispatch.hpp"
 #include "material.hpp"
-#include "noise.hpp"
+#include "noise_lanes.hpp"
 
 namespace tolman::town {
 namespace {
 
 /// Bright leaves before dark gaps: the strongest texture of a real street.
-float leaves(const Surface& surface, const SurfaceHit& hit) {
+TOLMAN_TOWN_INLINE Eight leaves(const Surface& surface, const SurfaceHits& hits) {
   // Leaves have all orientations, so a slanting surface of leaves is foreshortened less than a
   // wall.
-  const float footprint = std::sqrt(norm(hit.dx) * norm(hit.dy));
-  const auto [boughs, clumps, leaf, scraps] = layers3(hit.point, 2.4F, footprint, hit.seed);
-  const float tuft = 0.35F * clumps + 1.0F * leaf + 0.8F * scraps;
-  const float gap = smoothstep(0.05F, 0.4F, -tuft);
-  const float shine = smoothstep(0.05F, 0.6F, tuft);
-  return surface.tone * std::max(0.05F, (1 + 0.3F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine));
+  const Eight footprint = squareRoot(norm(hits.dx) * norm(hits.dy));
+  const auto [boughs, clumps, leaf, scraps] = layers3(hits.point, 2.4F, footprint, hits.seed);
+  const Eight tuft = 0.35F * clumps + 1.0F * leaf + 0.8F * scraps;
+  const Eight gap = smoothstep(0.05F, 0.4F, -tuft);
+  const Eight shine = smoothstep(0.05F, 0.6F, tuft);
+  return surface.tone * larger((1 + 0.3F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine), 0.05F);
 }
 
-float bark(const Surface& surface, const SurfaceHit& hit) {
-  const Vec3 stretched = {hit.point.x * 3, hit.point.y * 3, hit.point.z * 0.6F};
-  const float furrows = fractal3(stretched, 0.3F, 3, 3 * hit.footprint(), hit.seed);
-  return surface.tone * std::max(0.2F, 1 + 0.7F * furrows);
+TOLMAN_TOWN_INLINE Eight bark(const Surface& surface, const SurfaceHits& hits) {
+  const Vec3s stretched = {hits.point.x * 3, hits.point.y * 3, hits.point.z * 0.6F};
+  const Eight furrows = fractal3(stretched, 0.3F, 3, 3 * hits.footprint(), hits.seed);
+  return surface.tone * larger(1 + 0.7F * furrows, 0.2F);
 }
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] float plantAlbedo(const Surface& surface,
-                                                        const SurfaceHit& hit) {
-  return surface.material == Material::Leaves ? leaves(surface, hit) : bark(surface, hit);
+TOLMAN_TOWN_DISPATCH
+void plantAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
+  result = surface.material == Material::Leaves ? leaves(surface, hits) : bark(surface, hits);
 }
 
 }  // namespace tolman::town

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four octaves, or four points, of noise at once: the inner loop of every texture.
+// Four octaves of noise at once, for single points; textures are in noise_lanes.hpp.
 #include "noise.hpp"
 
 #include "dispatch.hpp"
@@ -47,16 +47,6 @@ struct NoiseCells {
   return low + (high - low) * cy.fade;
 }
 
-[[gnu::always_inline]] inline Floats noiseLanes3(const Vec3& p, Floats scale, Words seed) {
-  const NoiseCells cz = cellsOf(p.z * scale);
-  const Words base = seed + cz.index * 0x68bc21ebU;
-  const Floats x = p.x * scale;
-  const Floats y = p.y * scale;
-  const Floats low = noiseLanes(x, y, base);
-  const Floats high = noiseLanes(x, y, base + 0x68bc21ebU);
-  return low + (high - low) * cz.fade;
-}
-
 struct Octaves {
   Floats scale;   ///< 1 / wavelength
   Floats weight;  ///< amplitude times survives()
@@ -89,34 +79,6 @@ float fractal2(float x, float y, float wavelength, int octaves, float footprint,
   Octaves of;
   if (!octavesOf(wavelength, octaves, footprint, of)) return 0;
   return sum(of.weight * noiseLanes(x * of.scale, y * of.scale, kSteps + seed));
-}
-
-TOLMAN_TOWN_DISPATCH
-float fractal3(const Vec3& p, float wavelength, int octaves, float footprint, std::uint32_t seed) {
-  Octaves of;
-  if (!octavesOf(wavelength, octaves, footprint, of)) return 0;
-  return sum(of.weight * noiseLanes3(p, of.scale, kSteps + seed));
-}
-
-TOLMAN_TOWN_DISPATCH
-std::array<float, 4> layers3(const Vec3& p, float wavelength, float footprint, std::uint32_t seed) {
-  const float scale = 1 / wavelength;
-  const Floats n = noiseLanes3(p, Floats{scale, 4 * scale, 16 * scale, 64 * scale}, kSteps + seed);
-  std::array<float, 4> layers{};
-  for (std::size_t i = 0; i < 4; ++i, wavelength *= 0.25F) {
-    layers[i] = n[i] * survives(wavelength, footprint);
-  }
-  return layers;
-}
-
-TOLMAN_TOWN_DISPATCH
-float meanNoise2(float x, float y, float dx, float dy, int taps, std::uint32_t seed) {
-  const Floats steps = {0, 1, 2, 3};
-  const Words seeds = {seed, seed, seed, seed};
-  const Floats n = noiseLanes(x + dx * steps, y + dy * steps, seeds);
-  float total = 0;
-  for (int i = 0; i < taps; ++i) total += n[i];
-  return total / static_cast<float>(taps);
 }
 
 }  // namespace tolman::town

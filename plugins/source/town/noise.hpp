@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -86,15 +85,5 @@ inline float survives(float wavelength, float footprint) {
 /// in about [-1, 1].
 float fractal2(float x, float y, float wavelength, int octaves, float footprint,
                std::uint32_t seed);
-
-/// The same with noise3.
-float fractal3(const Vec3& p, float wavelength, int octaves, float footprint, std::uint32_t seed);
-
-/// Four separate layers of noise3, each wavelength a quarter of the one before, faded by
-/// `footprint`, all in [-1, 1].
-std::array<float, 4> layers3(const Vec3& p, float wavelength, float footprint, std::uint32_t seed);
-
-/// Mean of noise2 at `taps` points (at most four) from (x, y) on, (dx, dy) apart.
-float meanNoise2(float x, float y, float dx, float dy, int taps, std::uint32_t seed);
 
 }  // namespace tolman::town

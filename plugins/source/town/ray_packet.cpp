@@ -6,8 +6,9 @@
 #include <limits>
 
 #include "dispatch.hpp"
+#include "light_lanes.hpp"
 #include "material_weather.hpp"
-#include "noise.hpp"
+#include "placements.hpp"
 
 namespace tolman::town {
 namespace {
@@ -16,201 +17,295 @@ namespace {
 constexpr float kClumpsMerge = 25;
 constexpr float kClumpsMerged = 45;
 
-/// Displacement of leaves by the wind, m; each clump has its own phase.
-Vec3 flutter(const Light& light, const SurfaceHit& hit) {
-  constexpr float kReach = 0.004F;  // m in a wind of 1 m/s
-  const float phase = 7 * hit.point.x + 5 * hit.point.y + 6 * hit.point.z;
-  const float reach = kReach * light.wind;
-  const float t = light.seconds;
-  return {reach * std::sin(9.1F * t + phase), reach * std::sin(7.7F * t + 1.3F * phase + 2),
-          0.5F * reach * std::sin(11.3F * t + phase + 4)};
-}
-
 }  // namespace
 
-/// Intersection of one ray of the packet.
-struct RayPacket::Meeting {
-  bool hit = false;
-  float lit = 0;  // share that is lit by the sun
-  float t = 0;
-  Vec3 point;   // town axes
-  Vec3 normal;  // town axes, unit, towards the camera
-  Scene::Owner owner = {0, nullptr};
-  std::uint32_t instance = 0;
+/// Intersections of eight rays of the packet.
+struct RayPacket::Meetings {
+  EightInts hit;
+  EightInts foliage;
+  EightInts placed;  ///< on an instance
+  Eight lit;         ///< shares that are lit by the sun
+  Eight t;
+  Vec3s direction;
+  Vec3s point;   ///< town axes
+  Vec3s normal;  ///< town axes, unit, towards the camera
+  EightWords seen;
+  Placements placements;  ///< set if any lane is placed
+  EightWords instance_seed;
+  std::array<std::uint32_t, kLanes> surface;
+  std::array<const MeshInstance*, kLanes> instance;
 };
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] void RayPacket::trace(
-    std::array<Meeting, kRaysPerPacket>& meetings) {
-  alignas(32) std::array<int, kRaysPerPacket> valid{};
-  RTCRayHit8 rays;
-  for (int i = 0; i < kRaysPerPacket; ++i) {
-    const auto used = static_cast<std::size_t>(std::min(i, count_ - 1));
-    const Vec3& from = origins_[used];
-    const Vec3& d = directions_[used];
-    valid[static_cast<std::size_t>(i)] = i < count_ ? -1 : 0;
-    rays.ray.org_x[i] = from.x;
-    rays.ray.org_y[i] = from.y;
-    rays.ray.org_z[i] = from.z;
-    rays.ray.dir_x[i] = d.x;
-    rays.ray.dir_y[i] = d.y;
-    rays.ray.dir_z[i] = d.z;
+Vec3s RayPacket::Vectors::group(std::size_t g) const {
+  const std::size_t first = g * kLanes;
+  return {loadEight(x.data() + first), loadEight(y.data() + first), loadEight(z.data() + first)};
+}
+
+void RayPacket::trace(RTCRayHit16& rays) const {
+  alignas(64) std::array<int, kRaysPerPacket> valid{};
+  rays = {};
+  for (std::size_t i = 0; i < kRaysPerPacket; ++i) {
+    valid[i] = static_cast<int>(i) < count_ ? -1 : 0;
+    rays.ray.org_x[i] = origins_.x[i];
+    rays.ray.org_y[i] = origins_.y[i];
+    rays.ray.org_z[i] = origins_.z[i];
+    rays.ray.dir_x[i] = directions_.x[i];
+    rays.ray.dir_y[i] = directions_.y[i];
+    rays.ray.dir_z[i] = directions_.z[i];
     rays.ray.tnear[i] = 0.05F;
     rays.ray.tfar[i] = std::numeric_limits<float>::infinity();
-    rays.ray.time[i] = 0;
     rays.ray.mask[i] = ~0U;
-    rays.ray.flags[i] = 0;
     rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
   }
   around_.scene->intersect(valid.data(), rays);
-  for (int i = 0; i < count_; ++i) {
-    Meeting& meeting = meetings[static_cast<std::size_t>(i)];
-    meeting.hit = rays.hit.geomID[i] != RTC_INVALID_GEOMETRY_ID;
-    if (!meeting.hit) continue;
-    const Vec3& d = directions_[static_cast<std::size_t>(i)];
-    meeting.t = rays.ray.tfar[i];
-    meeting.point = origins_[static_cast<std::size_t>(i)] + d * meeting.t;
-    meeting.instance = rays.hit.instID[0][i];
-    meeting.owner = around_.scene->ownerOf(meeting.instance, rays.hit.primID[i]);
-    Vec3 normal = normalised({rays.hit.Ng_x[i], rays.hit.Ng_y[i], rays.hit.Ng_z[i]});
-    if (meeting.owner.instance) normal = meeting.owner.instance->placement.rotate(normal);
-    meeting.normal = dot(normal, d) > 0 ? normal * -1 : normal;
-  }
 }
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] void RayPacket::castShadows(
-    std::array<Meeting, kRaysPerPacket>& meetings) const {
-  const Vec3& to_sun = around_.light->to_sun;
-  if (around_.light->sun <= 0) return;
-  alignas(32) std::array<int, kRaysPerPacket> valid{};
+TOLMAN_TOWN_DISPATCH
+void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) const {
+  const std::size_t first = group * kLanes;
+  alignas(32) std::array<std::uint32_t, kLanes> hit{};
+  alignas(32) std::array<std::uint32_t, kLanes> foliage{};
+  alignas(32) std::array<std::uint32_t, kLanes> placed{};
+  alignas(32) std::array<std::uint32_t, kLanes> seeds{};
+  alignas(32) std::array<std::uint32_t, kLanes> instances{};
+  m.surface = {};
+  m.instance = {};
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    if (rays.hit.geomID[first + i] == RTC_INVALID_GEOMETRY_ID) continue;
+    instances[i] = rays.hit.instID[0][first + i];
+    const Scene::Owner owner = around_.scene->ownerOf(instances[i], rays.hit.primID[first + i]);
+    hit[i] = ~0U;
+    m.surface[i] = owner.surface;
+    m.instance[i] = owner.instance;
+    if (around_.scene->surface(owner.surface).material == Material::Leaves) foliage[i] = ~0U;
+    if (owner.instance == nullptr) continue;
+    placed[i] = ~0U;
+    seeds[i] = owner.instance->seed;
+  }
+  const auto load = [](const std::array<std::uint32_t, kLanes>& from) TOLMAN_TOWN_INLINE_LAMBDA {
+    EightInts value;
+    std::memcpy(&value, from.data(), sizeof value);
+    return value;
+  };
+  m.hit = load(hit);
+  m.foliage = load(foliage);
+  m.placed = load(placed);
+  m.instance_seed = words(load(seeds));
+  m.seen = hash(words(load(m.surface)) + 1, words(load(instances))) << 3;
+  m.lit = Eight{};
+  m.direction = directions_.group(group);
+  // A ray without a hit counts as one that ends at once, so that what is computed of it is finite.
+  m.t = select(m.hit, loadEight(rays.ray.tfar + first), Eight{});
+  m.point = origins_.group(group) + m.direction * m.t;
+  const Vec3s up = vec3s({0, 0, 1});
+  const Vec3s across = {loadEight(rays.hit.Ng_x + first), loadEight(rays.hit.Ng_y + first),
+                        loadEight(rays.hit.Ng_z + first)};
+  Vec3s normal = normalised(select(m.hit, across, up));
+  if (any(m.placed)) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      m.placements.set(i, m.instance[i] ? m.instance[i]->placement : Placement{});
+    }
+    normal = m.placements.rotate(normal);
+  }
+  m.normal = normal * select(dot(normal, m.direction) > 0, -1.0F, 1.0F);
+}
+
+TOLMAN_TOWN_DISPATCH
+void RayPacket::castShadows(Meetings& m) const {
+  const Vec3s to_sun = vec3s(around_.light->to_sun);
+  const EightInts merged = m.foliage & (m.t > kClumpsMerged);
+  const EightInts faces = m.hit & (dot(m.normal, to_sun) > 0) & ~merged;
+  m.lit = select(faces, 1.0F, 0.0F);
+  const Vec3s from = m.point + m.normal * (2e-3F + 1e-4F * m.t);
+  EightInts by_fixed;
+  EightInts by_placed;
+  around_.scene->shadows().look(from, by_fixed, by_placed);
+  by_fixed &= faces;
+  by_placed &= faces;
+  if (!any(by_fixed | by_placed)) return;
   RTCRay8 rays;
-  for (int i = 0; i < kRaysPerPacket; ++i) {
-    const Meeting& meeting = meetings[static_cast<std::size_t>(i)];
-    const bool faces = i < count_ && meeting.hit && dot(meeting.normal, to_sun) > 0 &&
-                       !(meeting.t > kClumpsMerged && isFoliage(meeting));
-    valid[static_cast<std::size_t>(i)] = faces ? -1 : 0;
-    const Vec3 from = meeting.point + meeting.normal * (2e-3F + 1e-4F * meeting.t);
-    rays.org_x[i] = from.x;
-    rays.org_y[i] = from.y;
-    rays.org_z[i] = from.z;
-    rays.dir_x[i] = to_sun.x;
-    rays.dir_y[i] = to_sun.y;
-    rays.dir_z[i] = to_sun.z;
+  store(from.x, rays.org_x);
+  store(from.y, rays.org_y);
+  store(from.z, rays.org_z);
+  store(to_sun.x, rays.dir_x);
+  store(to_sun.y, rays.dir_y);
+  store(to_sun.z, rays.dir_z);
+  for (int i = 0; i < kLanes; ++i) {
     rays.tnear[i] = 0;
     rays.tfar[i] = 300;
     rays.time[i] = 0;
     rays.mask[i] = ~0U;
     rays.flags[i] = 0;
   }
-  if (std::all_of(valid.begin(), valid.end(), [](int v) { return v == 0; })) return;
-  around_.scene->occlude(valid.data(), rays);
-  for (std::size_t i = 0; i < kRaysPerPacket; ++i) {
-    meetings[i].lit = valid[i] != 0 && rays.tfar[i] >= 0 ? 1.0F : 0.0F;
+  alignas(32) std::array<std::array<int, kLanes>, 2> valid;
+  std::memcpy(valid[0].data(), &by_fixed, sizeof by_fixed);
+  std::memcpy(valid[1].data(), &by_placed, sizeof by_placed);
+  around_.scene->occlude(valid[0].data(), valid[1].data(), rays);
+  m.lit = select(faces & (loadEight(rays.tfar) >= 0), 1.0F, 0.0F);
+}
+
+/// Calls body(surface, mask) for each surface that rays meet: usually one.
+template <class Body>
+TOLMAN_TOWN_INLINE void RayPacket::forEachSurface(const Meetings& m, const Body& body) const {
+  EightWords own;
+  std::memcpy(&own, m.surface.data(), sizeof own);
+  EightInts left = m.hit;
+  while (any(left)) {
+    int i = 0;
+    while (left[i] == 0) ++i;
+    const std::uint32_t index = m.surface[static_cast<std::size_t>(i)];
+    const EightInts mask = left & (own == index);
+    body(around_.scene->surface(index), mask);
+    left &= ~mask;
   }
 }
 
-/// The point in the axes of the surface's pattern, with the footprint of the pixel.
-SurfaceHit RayPacket::hitOf(const Meeting& meeting, const Vec3& direction) const {
-  const Surface& surface = around_.scene->surface(meeting.owner.surface);
+/// The points in the axes of their surfaces' patterns, with the footprints of their pixels; without
+/// seeds, which need the surface.
+TOLMAN_TOWN_INLINE SurfaceHits RayPacket::hitsOf(const Meetings& m) const {
   // The footprint on the tangent plane; its length at grazing angles is limited.
-  float slope = dot(meeting.normal, direction);
-  slope = std::min(slope, -0.01F * norm(direction));
-  const auto onPlane = [&](const Vec3& pixel) {
-    return (pixel - direction * (dot(meeting.normal, pixel) / slope)) * meeting.t;
+  const Eight slope = smaller(dot(m.normal, m.direction), -0.01F * norm(m.direction));
+  const auto onPlane = [&](const Vec3& of) TOLMAN_TOWN_INLINE_LAMBDA {
+    const Vec3s pixel = vec3s(of);
+    return (pixel - m.direction * (dot(m.normal, pixel) / slope)) * m.t;
   };
-  SurfaceHit hit;
-  hit.point = meeting.point;
-  hit.normal = meeting.normal;
-  hit.dx = onPlane(around_.pixel_x);
-  hit.dy = onPlane(around_.pixel_y);
-  hit.seed = surface.seed;
-  if (const MeshInstance* instance = meeting.owner.instance) {
-    const Placement& placement = instance->placement;
-    hit.point = placement.toLocal(meeting.point);
-    hit.normal = placement.unrotate(meeting.normal);
-    hit.dx = placement.unrotate(hit.dx) * (1 / placement.scale);
-    hit.dy = placement.unrotate(hit.dy) * (1 / placement.scale);
-    hit.seed = hash(surface.seed, instance->seed);
-  }
-  return hit;
+  SurfaceHits hits = {m.point, m.normal, onPlane(around_.pixel_x), onPlane(around_.pixel_y), {}};
+  if (!any(m.placed)) return hits;
+  const Placements& placements = m.placements;
+  const Eight shrinking = placements.shrinking();
+  hits.point = placements.toLocal(m.point);
+  hits.normal = placements.unrotate(m.normal);
+  hits.dx = placements.unrotate(hits.dx) * shrinking;
+  hits.dy = placements.unrotate(hits.dy) * shrinking;
+  return hits;
 }
 
-TOLMAN_TOWN_DISPATCH [[gnu::flatten]] Shaded RayPacket::shadeOne(const Meeting& meeting,
-                                                                 const Vec3& direction) const {
-  if (!meeting.hit) {
-    return {around_.light->fromSky(direction, norm(around_.pixel_x)), 0, 0};
+/// Displacement of leaves by the wind; each clump has its own phase.
+void RayPacket::flutter(const Meetings& m, Vec3s& points) const {
+  constexpr float kReach = 0.004F;  // m in a wind of 1 m/s
+  const float reach = kReach * around_.light->wind;
+  const float t = around_.light->seconds;
+  for (int i = 0; i < kLanes; ++i) {
+    if (m.foliage[i] == 0) continue;
+    const float phase = 7 * points.x[i] + 5 * points.y[i] + 6 * points.z[i];
+    points.x[i] += reach * std::sin(9.1F * t + phase);
+    points.y[i] += reach * std::sin(7.7F * t + 1.3F * phase + 2);
+    points.z[i] += 0.5F * reach * std::sin(11.3F * t + phase + 4);
   }
-  const Surface& surface = around_.scene->surface(meeting.owner.surface);
-  SurfaceHit hit = hitOf(meeting, direction);
-  // Leaves have all orientations, so the facets of the lump that represents them must not be
-  // visible.
-  const bool foliage = surface.material == Material::Leaves;
-  const Vec3 facing = foliage
-                          ? meeting.normal * 0.3F + around_.light->to_sun * 0.35F + Vec3{0, 0, 0.3F}
-                          : meeting.normal;
-  float lit = meeting.lit;
-  if (foliage) lit += (0.5F - lit) * smoothstep(kClumpsMerge, kClumpsMerged, meeting.t);
-  const float light = around_.light->onto(facing, lit);
-  if (foliage && around_.light->wind > 0) hit.point = hit.point + flutter(*around_.light, hit);
-  float tone = albedo(surface, hit, *around_.plan);
-  float radiance = tone * light;
-  if (around_.light->wet > 0 || around_.light->snow > 0 || around_.light->puddles > 0) {
-    tone = weatheredAlbedo(tone, surface, meeting.point, meeting.normal, hit.footprint(),
-                           *around_.light, *around_.plan);
-    radiance = tone * light;
-  }
-  if (around_.light->lamps > 0) radiance += tone * lampLight(meeting) + glow(meeting, hit);
-  return {around_.light->through(radiance, meeting.t * norm(direction)), meeting.t,
-          seenAs(meeting)};
 }
 
-float RayPacket::lampLight(const Meeting& meeting) const {
+TOLMAN_TOWN_DISPATCH
+void RayPacket::shadeGroup(const Meetings& m, Shaded* shaded) const {
+  const Light& light = *around_.light;
+  Eight radiance = {};
+  if (any(m.hit)) {
+    SurfaceHits hits = hitsOf(m);
+    if (light.wind > 0 && any(m.foliage)) flutter(m, hits.point);
+    Eight tone = {};
+    forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_TOWN_INLINE_LAMBDA {
+      const EightWords seed = surface.seed - EightWords{};
+      hits.seed = m.placed ? hash(seed, m.instance_seed) : seed;
+      Eight value;
+      albedos(surface, hits, *around_.plan, value);
+      tone = select(mask, value, tone);
+    });
+    // Leaves have all orientations, so the facets of the lump that represents them must not be
+    // visible.
+    const Vec3s of_leaves = m.normal * eight(0.3F) + vec3s(light.to_sun * 0.35F + Vec3{0, 0, 0.3F});
+    const Vec3s facing = select(m.foliage, of_leaves, m.normal);
+    const Eight merged = m.lit + (0.5F - m.lit) * smoothstep(kClumpsMerge, kClumpsMerged, m.t);
+    const Eight on = lightOnto(light, facing, select(m.foliage, merged, m.lit));
+    if (light.wet > 0 || light.snow > 0 || light.puddles > 0) weather(m, hits, tone);
+    radiance = tone * on;
+    if (light.lamps > 0) addLamps(m, hits, tone, radiance);
+    radiance = lightThrough(light, radiance, m.t * norm(m.direction));
+  }
+  if (!all(m.hit)) {
+    const float spread = norm(around_.pixel_x);
+    radiance = select(m.hit, radiance, lightFromSky(light, m.direction, spread));
+  }
+  const EightWords lit = words(m.lit > 0) & 1U;
+  const EightWords kind = m.foliage ? kFoliage - EightWords{} : lit;
+  const EightWords seen = (m.seen | 4U | kind) & words(m.hit);  // 0 only for the sky
+  for (int i = 0; i < kLanes; ++i) shaded[i] = {radiance[i], m.t[i], seen[i]};
+}
+
+void RayPacket::weather(const Meetings& m, const SurfaceHits& hits, Eight& tone) const {
+  const Eight footprint = hits.footprint();
+  for (int i = 0; i < kLanes; ++i) {
+    if (m.hit[i] == 0) continue;
+    const Surface& surface = around_.scene->surface(m.surface[static_cast<std::size_t>(i)]);
+    tone[i] = weatheredAlbedo(tone[i], surface, lane(m.point, i), lane(m.normal, i), footprint[i],
+                              *around_.light, *around_.plan);
+  }
+}
+
+float RayPacket::lampLight(const Vec3& point, const Vec3& normal) const {
   constexpr float kOncoming = 0.3F;  // low beams of other cars hardly light what the camera sees
   const Light& light = *around_.light;
-  float sum = headlightsOnto(light.headlights, meeting.point, meeting.normal);
-  if (around_.lamps != nullptr) sum += around_.lamps->onto(meeting.point, meeting.normal);
+  float sum = headlightsOnto(light.headlights, point, normal);
+  if (around_.lamps != nullptr) sum += around_.lamps->onto(point, normal);
   for (int i = 0; i < light.oncoming_count; ++i) {
-    sum += kOncoming * headlightsOnto(light.oncoming[static_cast<std::size_t>(i)], meeting.point,
-                                      meeting.normal);
+    sum += kOncoming * headlightsOnto(light.oncoming[static_cast<std::size_t>(i)], point, normal);
   }
   return light.lamps * sum;
 }
 
-/// Emitted radiance: of heads of lamps, lit windows, lamps of cars.
-float RayPacket::glow(const Meeting& meeting, const SurfaceHit& hit) const {
-  constexpr float kLamp = 6;
-  constexpr float kWindow = 0.12F;
-  const Surface& surface = around_.scene->surface(meeting.owner.surface);
-  if (surface.material == Material::Facade) {
-    return around_.light->lamps * kWindow * litWindows(surface, hit);
+/// Adds the light of lamps on the points, and what shines by itself.
+void RayPacket::addLamps(const Meetings& m, const SurfaceHits& hits, const Eight& tone,
+                         Eight& radiance) const {
+  for (int i = 0; i < kLanes; ++i) {
+    if (m.hit[i] != 0) radiance[i] += tone[i] * lampLight(lane(m.point, i), lane(m.normal, i));
   }
-  const MeshInstance* instance = meeting.owner.instance;
-  if (surface.material == Material::Body && instance != nullptr && instance->shines) {
-    return around_.light->lamps * carLamps(hit);
-  }
-  const bool shines = surface.material == Material::Plain && around_.lamps != nullptr &&
-                      around_.lamps->isHead(meeting.point);
-  return shines ? around_.light->lamps * kLamp : 0;
+  glow(m, hits, radiance);
 }
 
-/// Share of light that the point reflects like a mirror.
-float RayPacket::mirrorShare(const Meeting& meeting, const Vec3& direction) const {
-  const Vec3 way = normalised(direction);
+/// Adds emitted radiance: of heads of lamps, lit windows, lamps of cars.
+void RayPacket::glow(const Meetings& m, const SurfaceHits& hits, Eight& radiance) const {
+  constexpr float kLamp = 6;
+  constexpr float kWindow = 0.12F;
+  const float lamps = around_.light->lamps;
+  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_TOWN_INLINE_LAMBDA {
+    if (surface.material == Material::Facade) {
+      Eight windows;
+      litWindows(surface, hits, windows);
+      radiance += select(mask, lamps * kWindow * windows, Eight{});
+      return;
+    }
+    for (int i = 0; i < kLanes; ++i) {
+      if (mask[i] == 0) continue;
+      const MeshInstance* instance = m.instance[static_cast<std::size_t>(i)];
+      if (surface.material == Material::Body && instance != nullptr && instance->shines) {
+        radiance[i] += lamps * carLamps(lane(hits.point, i), lane(hits.normal, i));
+      } else if (surface.material == Material::Plain && around_.lamps != nullptr &&
+                 around_.lamps->isHead(lane(m.point, i))) {
+        radiance[i] += lamps * kLamp;
+      }
+    }
+  });
+}
+
+/// Shares of light that the points reflect like a mirror.
+void RayPacket::mirrorShares(const Meetings& m, Eight& shares) const {
   const Light& light = *around_.light;
-  const Surface& surface = around_.scene->surface(meeting.owner.surface);
-  float share = mirroredShare(surface, meeting.point, meeting.normal, way, light);
-  if (light.glass > 0) {
-    const bool may_be_glass =
-        surface.material == Material::Facade || surface.material == Material::Body;
-    const float glass = may_be_glass ? glassShare(surface, hitOf(meeting, direction)) : 0;
-    share += light.glass * mirroredByGlass(glass, meeting.normal, way);
-  }
-  return share;
+  shares = Eight{};
+  const SurfaceHits hits = hitsOf(m);
+  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_TOWN_INLINE_LAMBDA {
+    Eight glass = {};
+    if (light.glass > 0) glassShares(surface, hits, glass);
+    for (int i = 0; i < kLanes; ++i) {
+      if (mask[i] == 0) continue;
+      const Vec3 normal = lane(m.normal, i);
+      const Vec3 way = normalised(lane(m.direction, i));
+      shares[i] = mirroredShare(surface, lane(m.point, i), normal, way, light) +
+                  light.glass * mirroredByGlass(glass[i], normal, way);
+    }
+  });
 }
 
 /// Adds reflections of wet ground and glass. For reflected rays the ground is dry.
-void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
-                       std::array<Shaded, kRaysPerPacket>& shaded) const {
+void RayPacket::mirror(const std::array<Meetings, kGroups>& groups, Shaded* shaded) const {
   Light dry = *around_.light;
   dry.wet = dry.glass = dry.puddles = 0;
   Surroundings around = around_;
@@ -218,17 +313,21 @@ void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
   RayPacket mirrored(around);
   std::array<std::size_t, kRaysPerPacket> owners{};
   std::array<float, kRaysPerPacket> shares{};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-    const Meeting& meeting = meetings[i];
-    if (!meeting.hit) continue;
-    const float share = mirrorShare(meeting, directions_[i]);
-    if (share < 0.01F) continue;
-    const auto at = static_cast<std::size_t>(mirrored.size());
-    owners[at] = i;
-    shares[at] = share;
-    const float along = dot(directions_[i], meeting.normal);
-    mirrored.add(meeting.point + meeting.normal * 0.01F,
-                 directions_[i] - meeting.normal * (2 * along));
+  for (std::size_t g = 0; g < kGroups; ++g) {
+    const Meetings& m = groups[g];
+    if (!any(m.hit)) continue;
+    Eight of_group;
+    mirrorShares(m, of_group);
+    for (int i = 0; i < kLanes; ++i) {
+      if (of_group[i] < 0.01F) continue;
+      const auto at = static_cast<std::size_t>(mirrored.size());
+      owners[at] = g * kLanes + static_cast<std::size_t>(i);
+      shares[at] = of_group[i];
+      const Vec3 normal = lane(m.normal, i);
+      const Vec3 direction = lane(m.direction, i);
+      mirrored.add(lane(m.point, i) + normal * 0.01F,
+                   direction - normal * (2 * dot(direction, normal)));
+    }
   }
   const auto count = static_cast<std::size_t>(mirrored.size());
   const auto seen = mirrored.shade();
@@ -238,27 +337,28 @@ void RayPacket::mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
   }
 }
 
-bool RayPacket::isFoliage(const Meeting& meeting) const {
-  return around_.scene->surface(meeting.owner.surface).material == Material::Leaves;
-}
-
-std::uint32_t RayPacket::seenAs(const Meeting& meeting) const {
-  const std::uint32_t thing = hash(meeting.owner.surface + 1, meeting.instance) << 3U;
-  const std::uint32_t kind = isFoliage(meeting) ? kFoliage : (meeting.lit > 0 ? 1U : 0U);
-  return thing | 4U | kind;  // never 0, which is the sky
-}
-
 std::array<Shaded, kRaysPerPacket> RayPacket::shade() {
-  std::array<Shaded, kRaysPerPacket> result{};
-  if (count_ == 0) return result;
-  std::array<Meeting, kRaysPerPacket> meetings{};
-  trace(meetings);
-  castShadows(meetings);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
-    result[i] = shadeOne(meetings[i], directions_[i]);
+  std::array<Shaded, kRaysPerPacket> result;
+  if (count_ == 0) return {};
+  // The lanes behind the last ray repeat it, so that they compute something finite.
+  const auto count = static_cast<std::size_t>(count_);
+  for (std::size_t i = count; i < kRaysPerPacket; ++i) {
+    origins_.set(i, origins_.at(count - 1));
+    directions_.set(i, directions_.at(count - 1));
   }
+  RTCRayHit16 rays;
+  trace(rays);
   const Light& light = *around_.light;
-  if (light.wet > 0 || light.glass > 0 || light.puddles > 0) mirror(meetings, result);
+  std::array<Meetings, kGroups> meetings;
+  const std::size_t groups = (count + kLanes - 1) / kLanes;
+  for (std::size_t g = 0; g < kGroups; ++g) {
+    meetings[g].hit = EightInts{};
+    if (g >= groups) continue;
+    meet(rays, g, meetings[g]);
+    if (light.sun > 0) castShadows(meetings[g]);
+    shadeGroup(meetings[g], result.data() + g * kLanes);
+  }
+  if (light.wet > 0 || light.glass > 0 || light.puddles > 0) mirror(meetings, result.data());
   count_ = 0;
   return result;
 }

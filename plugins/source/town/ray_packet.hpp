@@ -40,8 +40,9 @@ class RayPacket {
   explicit RayPacket(const Surroundings& around) : around_(around) {}
 
   void add(const Vec3& origin, const Vec3& direction) {
-    origins_[static_cast<std::size_t>(count_)] = origin;
-    directions_[static_cast<std::size_t>(count_++)] = direction;
+    const auto i = static_cast<std::size_t>(count_++);
+    origins_.set(i, origin);
+    directions_.set(i, direction);
   }
   bool isFull() const { return count_ == kRaysPerPacket; }
   int size() const { return count_; }
@@ -49,22 +50,42 @@ class RayPacket {
   std::array<Shaded, kRaysPerPacket> shade();
 
  private:
-  struct Meeting;
-  void trace(std::array<Meeting, kRaysPerPacket>& meetings);
-  void castShadows(std::array<Meeting, kRaysPerPacket>& meetings) const;
-  Shaded shadeOne(const Meeting& meeting, const Vec3& direction) const;
-  SurfaceHit hitOf(const Meeting& meeting, const Vec3& direction) const;
-  float mirrorShare(const Meeting& meeting, const Vec3& direction) const;
-  float lampLight(const Meeting& meeting) const;
-  float glow(const Meeting& meeting, const SurfaceHit& hit) const;
-  void mirror(const std::array<Meeting, kRaysPerPacket>& meetings,
-              std::array<Shaded, kRaysPerPacket>& shaded) const;
-  bool isFoliage(const Meeting& meeting) const;
-  std::uint32_t seenAs(const Meeting& meeting) const;
+  static constexpr std::size_t kGroups = kRaysPerPacket / kLanes;
+  struct Meetings;
+  /// One vector for each ray, as arrays of their components.
+  struct Vectors {
+    alignas(64) std::array<float, kRaysPerPacket> x;
+    alignas(64) std::array<float, kRaysPerPacket> y;
+    alignas(64) std::array<float, kRaysPerPacket> z;
+
+    void set(std::size_t i, const Vec3& v) {
+      x[i] = v.x;
+      y[i] = v.y;
+      z[i] = v.z;
+    }
+    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    Vec3s group(std::size_t g) const;
+  };
+
+  void trace(RTCRayHit16& rays) const;
+  void meet(const RTCRayHit16& rays, std::size_t group, Meetings& meetings) const;
+  void castShadows(Meetings& meetings) const;
+  void shadeGroup(const Meetings& meetings, Shaded* shaded) const;
+  void mirror(const std::array<Meetings, kGroups>& meetings, Shaded* shaded) const;
+  void flutter(const Meetings& meetings, Vec3s& points) const;
+  void addLamps(const Meetings& meetings, const SurfaceHits& hits, const Eight& tone,
+                Eight& radiance) const;
+  void weather(const Meetings& meetings, const SurfaceHits& hits, Eight& tone) const;
+  void mirrorShares(const Meetings& meetings, Eight& shares) const;
+  void glow(const Meetings& meetings, const SurfaceHits& hits, Eight& radiance) const;
+  float lampLight(const Vec3& point, const Vec3& normal) const;
+  SurfaceHits hitsOf(const Meetings& meetings) const;
+  template <class Body>
+  void forEachSurface(const Meetings& meetings, const Body& body) const;
 
   const Surroundings& around_;
-  std::array<Vec3, kRaysPerPacket> origins_;
-  std::array<Vec3, kRaysPerPacket> directions_;
+  Vectors origins_;
+  Vectors directions_;
   int count_ = 0;
 };
 

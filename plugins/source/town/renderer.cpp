@@ -86,15 +86,16 @@ class Renderer::Rays {
   std::vector<Row> rows_;  // one, or one for each row of the image
 };
 
-/// In packets of 4 x 2 pixels, whose rays are closer together than those of rows of 8.
+/// In packets of 4 x 4 pixels, whose rays are closer together than those of rows of 16.
 void Renderer::firstPass(const Rays& rays, int first_row, int end_row, RenderedImage& picture) {
-  constexpr int kColumns = kRaysPerPacket / 2;
+  constexpr int kSide = 4;
+  static_assert(kSide * kSide == kRaysPerPacket);
   RayPacket packet(rays.around);
   std::array<std::size_t, kRaysPerPacket> pixels{};
-  for (int row = first_row; row < end_row; row += 2) {
-    for (int column = 0; column < rays.width; column += kColumns) {
-      for (int r = row; r < std::min(row + 2, end_row); ++r) {
-        for (int c = column; c < std::min(column + kColumns, rays.width); ++c) {
+  for (int row = first_row; row < end_row; row += kSide) {
+    for (int column = 0; column < rays.width; column += kSide) {
+      for (int r = row; r < std::min(row + kSide, end_row); ++r) {
+        for (int c = column; c < std::min(column + kSide, rays.width); ++c) {
           pixels[static_cast<std::size_t>(packet.size())] = rays.index(c, r);
           rays.add(packet, c, r, 0, 0);
         }

@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "lamp_light.hpp"
+#include "shadow_grid.hpp"
 #include "world.hpp"
 
 namespace tolman::town {
 
 /// Rays are traced in packets of this many.
-inline constexpr int kRaysPerPacket = 8;
+inline constexpr int kRaysPerPacket = 16;
 
 class Scene {
  public:
@@ -24,9 +25,16 @@ class Scene {
   explicit Scene(World world);
 
   /// First hit of each ray with valid[i] == -1; directions need not be unit vectors.
+  void intersect(const int* valid, RTCRayHit16& rays) const;
   void intersect(const int* valid, RTCRayHit8& rays) const;
-  /// Sets tfar of blocked rays to -infinity.
-  void occlude(const int* valid, RTCRay8& rays) const;
+  /// Sets tfar to -infinity for rays that fixed geometry blocks, of those with by_fixed[i] == -1,
+  /// and for those that instances block, of those with by_placed[i] == -1. By eight, because
+  /// rtcOccluded16 of Embree 3.13.5 does not return for some coherent rays.
+  void occlude(const int* by_fixed, const int* by_placed, RTCRay8& rays) const;
+  /// Where to look for what blocks rays to the sun.
+  const ShadowGrid& shadows() const { return shadows_; }
+  /// Tells the direction of the sun of the next pictures, after commit().
+  void setSun(const Vec3& to_sun);
 
   struct Owner {
     std::uint32_t surface;         ///< index into surfaces()
@@ -54,7 +62,14 @@ class Scene {
   using Device = std::unique_ptr<RTCDeviceTy, Release>;
   using SceneHandle = std::unique_ptr<RTCSceneTy, Release>;
 
-  void attachMesh(RTCScene scene, const Mesh& mesh);
+  /// The copies that Embree has of a mesh.
+  struct Triangles {
+    const Mesh::Vertex* vertices = nullptr;
+    std::span<const Mesh::Triangle> triangles;
+  };
+  Triangles attachMesh(RTCScene scene, const Mesh& mesh);
+  void markFixed(const Vec3& to_sun);
+  void markInstance(std::size_t index);
   void attachInstance(const MeshInstance& instance);
   void check(const char* what) const;
 
@@ -71,6 +86,14 @@ class Scene {
   std::vector<RTCGeometry> instance_geometries_;  // owned by placed_
   StreetLamps lamps_;
   std::size_t triangles_ = 0;
+  ShadowGrid shadows_;
+  GroundArea town_;
+  Vec3 to_sun_ = {0, 0, 0};
+  Triangles fixed_triangles_;
+  std::size_t ground_triangles_ = 0;  ///< the first ones of the fixed mesh
+  std::vector<GroundArea> boxes_;     ///< around the prototypes
+  std::vector<bool> has_moved_;       ///< instances that are not where they were at first
+  bool has_packets_of_16_ = false;    ///< the processor has instructions for them
 };
 
 }  // namespace tolman::town

@@ -207,6 +207,7 @@ void TownSource::arrangeScene(std::size_t index) {
 
 void TownSource::setLight(std::size_t index) {
   light_ = schedule_.lightAt(index);
+  if (light_.sun > 0) scene_->setSun(light_.to_sun);
   const Eigen::Isometry3d& T_town_left = route_.T_town_camera[index];
   // The lamps of the camera's car: below and ahead of it, one in the middle for both.
   const Eigen::Vector3d from = T_town_left * Eigen::Vector3d(0, 0.95, 1.6);

@@ -7,6 +7,7 @@
 
 #include "mesh.hpp"
 #include "plots.hpp"
+#include "shadow_grid.hpp"
 #include "street_plan.hpp"
 #include "surface.hpp"
 
@@ -21,8 +22,10 @@ struct MeshInstance {
 
 struct World {
   SurfaceTable surfaces;
-  Mesh fixed;                    ///< town axes
-  std::vector<Mesh> prototypes;  ///< own axes: Z up, standing on the origin
+  Mesh fixed;                        ///< town axes; the ground is first
+  std::size_t ground_triangles = 0;  ///< of the fixed mesh: a surface with one height at each place
+  GroundArea area;                   ///< that streets, houses and trees cover
+  std::vector<Mesh> prototypes;      ///< own axes: Z up, standing on the origin
   std::vector<MeshInstance> instances;
   std::vector<std::uint32_t> cars;        ///< the prototypes that are cars
   std::vector<std::uint32_t> evergreens;  ///< the prototypes that have leaves in winter

@@ -46,13 +46,14 @@ struct Sheet {
   }
   /// Seen by a square pixel of `size` m.
   float at(float u, float v, float size) const {
-    SurfaceHit hit;
-    hit.point = Vec3{u, 0, 0} + axis_v * v;
-    hit.normal = normal;
-    hit.dx = {size, 0, 0};
-    hit.dy = axis_v * size;
-    hit.seed = surface.seed;
-    return albedo(surface, hit, thePlan());
+    Eight result;
+    albedos(surface, hitsAt(u, v, size), thePlan(), result);
+    return result[0];
+  }
+  /// The same point eight times.
+  SurfaceHits hitsAt(float u, float v, float size) const {
+    return {vec3s(Vec3{u, 0, 0} + axis_v * v), vec3s(normal), vec3s({size, 0, 0}),
+            vec3s(axis_v * size), surface.seed - EightWords{}};
   }
   /// The same square as the mean of n^2 small pixels.
   float meanOf(float u, float v, float size, int n) const {
@@ -101,6 +102,36 @@ TEST_CASE("a hair's breadth to the side a pixel sees nearly the same") {
       CAPTURE(static_cast<int>(material), i, u, v);
       REQUIRE(std::abs(sheet.at(u + 2e-4F, v, size) - here) < 0.02F);
       REQUIRE(std::abs(sheet.at(u, v + 2e-4F, size) - here) < 0.02F);
+    }
+  }
+}
+
+TEST_CASE("eight points look as each of them does alone") {
+  RandomStream random(7);
+  for (const Material material : kMaterials) {
+    for (int i = 0; i < 300; ++i) {
+      const Sheet sheet(material, static_cast<std::uint32_t>(i));
+      SurfaceHits hits = sheet.hitsAt(0, 0, 1);
+      std::array<float, kLanes> alone{};
+      for (int k = 0; k < kLanes; ++k) {
+        const float size = std::pow(10.0F, draw(random, -3, 1));
+        const SurfaceHits one = sheet.hitsAt(draw(random, -9, 20), draw(random, -1, 9), size);
+        Eight value;
+        albedos(sheet.surface, one, thePlan(), value);
+        alone[static_cast<std::size_t>(k)] = value[0];
+        hits.point.x[k] = one.point.x[0];
+        hits.point.y[k] = one.point.y[0];
+        hits.point.z[k] = one.point.z[0];
+        hits.dx.x[k] = one.dx.x[0];
+        hits.dy.y[k] = one.dy.y[0];
+        hits.dy.z[k] = one.dy.z[0];
+      }
+      Eight together;
+      albedos(sheet.surface, hits, thePlan(), together);
+      for (int k = 0; k < kLanes; ++k) {
+        CAPTURE(static_cast<int>(material), i, k);
+        REQUIRE(together[k] == alone[static_cast<std::size_t>(k)]);
+      }
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "noise_lanes.hpp"
+
 using namespace tolman::town;
 
 namespace {
@@ -59,6 +61,30 @@ TEST_CASE("a coarser pixel never sees more texture, and in the end none") {
   CHECK(before == 0);
 }
 
+TEST_CASE("noise and hashes of eight points are those of each of them") {
+  const Eight x = {-3.2F, 0, 1.5F, 77.1F, -0.01F, 12, 1e4F, -1e4F};
+  const Eight y = {4, -7.7F, 0.3F, 1e3F, 2.5F, -0.5F, 0, 9};
+  const Eight flat = noise2(x, y, 9U);
+  const Eight solid = noise3(Vec3s{x, y, -x}, 9U);
+  const EightWords hashes = hash(words(truncated(x)), words(truncated(y)), 9);
+  for (int i = 0; i < kLanes; ++i) {
+    CHECK(flat[i] == noise2(x[i], y[i], 9));
+    CHECK(solid[i] == noise3(Vec3{x[i], y[i], -x[i]}, 9));
+    CHECK(hashes[i] == hash(words(truncated(x))[i], words(truncated(y))[i], 9));
+  }
+}
+
+TEST_CASE("lanes: square roots, floors and powers of e are those of the library") {
+  for (int i = 0; i < 400; ++i) {
+    const float x = -79 + 0.197F * static_cast<float>(i);
+    CHECK(exponential(eight(x))[i % kLanes] == Approx(std::exp(x)).epsilon(2e-7 * (1 - x)));
+    CHECK(floorOf(eight(x))[i % kLanes] == std::floor(x));
+    CHECK(squareRoot(eight(-x))[i % kLanes] == std::sqrt(-x));
+  }
+  CHECK(exponential(eight(0))[0] == 1);
+  CHECK(exponential(eight(-1e9F))[0] < 1e-34F);
+}
+
 TEST_CASE("hashes of small neighbours do not collide") {
   std::set<std::uint32_t> seen;
   for (std::uint32_t i = 0; i < 100; ++i) {
@@ -82,8 +108,14 @@ TEST_CASE("octaves computed side by side are the sum of single ones") {
       solid += weight * noise3(Vec3{x, y, z} * (1 / wavelength), 40 + octave);
     }
     REQUIRE(fractal2(x, y, 1.7F, 3, 0.15F, 40) == Approx(flat).margin(2e-3));
-    REQUIRE(fractal3({x, y, z}, 1.7F, 3, 0.15F, 40) == Approx(solid).margin(2e-3));
+    REQUIRE(fractal2(eight(x), eight(y), 1.7F, 3, eight(0.15F), 40U)[5] ==
+            Approx(flat).margin(2e-3));
+    REQUIRE(fractal3(vec3s({x, y, z}), 1.7F, 3, eight(0.15F), 40U)[3] ==
+            Approx(solid).margin(2e-3));
   }
   const float mean = (noise2(1.2F, 3.4F, 5) + noise2(1.3F, 3.2F, 5) + noise2(1.4F, 3.0F, 5)) / 3;
-  CHECK(meanNoise2(1.2F, 3.4F, 0.1F, -0.2F, 3, 5) == Approx(mean).margin(1e-5));
+  const Eight taps = {1, 2, 3, 4, 1, 2, 3, 4};
+  const Eight means = meanNoise2(eight(1.2F), eight(3.4F), eight(0.1F), eight(-0.2F), taps, 5U);
+  CHECK(means[2] == Approx(mean).margin(1e-5));
+  CHECK(means[4] == Approx(noise2(1.2F, 3.4F, 5)).margin(1e-5));
 }

@@ -30,7 +30,7 @@ TEST_CASE("stripes are averaged exactly, however wide the pixel") {
     const auto stripe = [&](float t) {
       return t - period * std::floor(t / period) < 0.25F * period;
     };
-    CHECK(filteredStripes(period, 0.25F * period, x, width) ==
+    CHECK(filteredStripes(period, 0.25F * period, eight(x), eight(width))[3] ==
           Approx(sampled(x, width, stripe)).margin(2e-3));
   }
 }
@@ -38,9 +38,9 @@ TEST_CASE("stripes are averaged exactly, however wide the pixel") {
 TEST_CASE("steps and pulses are averaged exactly") {
   for (int i = 0; i < 40; ++i) {
     const float x = -1 + 0.0513F * static_cast<float>(i);
-    CHECK(filteredStep(0.2F, x, 0.5F) ==
+    CHECK(filteredStep(0.2F, eight(x), eight(0.5F))[0] ==
           Approx(sampled(x, 0.5F, [](float t) { return t >= 0.2F; })).margin(2e-3));
-    CHECK(filteredPulse(-0.1F, 0.4F, x, 0.7F) ==
+    CHECK(filteredPulse(-0.1F, 0.4F, eight(x), eight(0.7F))[7] ==
           Approx(sampled(x, 0.7F, [](float t) { return t >= -0.1F && t < 0.4F; })).margin(2e-3));
   }
 }
@@ -55,6 +55,8 @@ TEST_CASE("cells of their own tone are averaged exactly across their boundaries"
       const float t = x + 0.2F * ((static_cast<float>(j) + 0.5F) / kSamples - 0.5F);
       sum += static_cast<double>(value(static_cast<int>(std::floor(t / 0.3F))));
     }
-    CHECK(filteredCells(0.3F, x, 0.2F, value) == Approx(sum / kSamples).margin(5e-3));
+    const auto values = [](EightInts k) { return toFloat((k * k + 100) % 7); };
+    CHECK(filteredCells(0.3F, eight(x), eight(0.2F), values)[2] ==
+          Approx(sum / kSamples).margin(5e-3));
   }
 }
