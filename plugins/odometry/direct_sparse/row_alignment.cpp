@@ -12,10 +12,8 @@
 namespace tolman::direct_sparse {
 namespace {
 
-constexpr int kRadius = 3;             // px, half side of the patches; chosen, not tuned
-constexpr float kLargestError = 1.5F;  // px
 constexpr int kRowPatchRadius = 3;     // px; chosen, not tuned
-constexpr double kCornerSigma = 0.25;  // px, of one corner; chosen on the town along KITTI 07
+constexpr double kCornerSigma = 0.25;  // px, of one corner; chosen, not tuned
 /// Share of a corner's information that is new: the same corner is seen by several keyframes.
 /// Chosen, not tuned.
 constexpr double kNewShare = 0.3;

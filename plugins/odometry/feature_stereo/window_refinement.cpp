@@ -62,7 +62,7 @@ Eigen::VectorXd solved(WindowSystem& system, double damping) {
 }
 
 void minimise(const RefinementSettings& settings, WindowLanes& problem, WindowState& state) {
-  constexpr double kTolerance = 1e-5;  // relative, of the cost; chosen, not tuned
+  constexpr double kCostTolerance = 1e-5;  // relative, of the cost; chosen, not tuned
   const OffsetPrior prior(state.offset, settings);
   double damping = 1e-4;
   WindowSystem system;
@@ -85,7 +85,7 @@ void minimise(const RefinementSettings& settings, WindowLanes& problem, WindowSt
       continue;
     }
     state = next;
-    const bool converged = cost - next_cost < kTolerance * cost;
+    const bool converged = cost - next_cost < kCostTolerance * cost;
     cost = next_cost;
     damping = next_damping;
     if (converged) return;

@@ -24,9 +24,9 @@ std::uint32_t stretchSeed(const WorldOptions& options, std::uint32_t section, st
 
 /// With the shadows of what stands at its border.
 GroundArea areaOf(const StreetPlan& plan) {
-  constexpr double kBeside = 40;  // m
-  const Eigen::Vector2f low = (plan.lowCorner().array() - kBeside).cast<float>();
-  const Eigen::Vector2f high = (plan.highCorner().array() + kBeside).cast<float>();
+  constexpr double kBesideTown = 40;  // m
+  const Eigen::Vector2f low = (plan.lowCorner().array() - kBesideTown).cast<float>();
+  const Eigen::Vector2f high = (plan.highCorner().array() + kBesideTown).cast<float>();
   return {{low.x(), low.y(), 0}, {high.x(), high.y(), 0}};
 }
 

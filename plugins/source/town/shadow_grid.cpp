@@ -7,10 +7,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kFinest = 0.5F;      // m
-constexpr float kMostCells = 16e6F;  // of one byte
-constexpr float kLowestSun = 0.1F;   // sine of its elevation
-constexpr float kMargin = 0.03F;     // m, more than rounding at the far end of a town
+constexpr float kFinest = 0.5F;         // m
+constexpr float kMostCells = 16e6F;     // of one byte
+constexpr float kLowestSun = 0.1F;      // sine of its elevation
+constexpr float kShadowMargin = 0.03F;  // m, more than rounding at the far end of a town
 
 constexpr std::array<std::array<std::uint8_t, 2>, 3> kTriangle = {{{0, 1}, {1, 2}, {2, 0}}};
 constexpr std::array<std::array<std::uint8_t, 2>, 12> kBox = {{{0, 1},
@@ -67,7 +67,7 @@ void ShadowGrid::mark(const std::array<Vec3, 8>& corners, bool is_moving) {
 /// In each row from the leftmost to the rightmost point of the edges.
 void ShadowGrid::markHull(std::span<const Flat> points,
                           std::span<const std::array<std::uint8_t, 2>> edges, std::uint8_t caster) {
-  const float margin = kMargin * per_m_;
+  const float margin = kShadowMargin * per_m_;
   const auto below = [](const Flat& a, const Flat& b) { return a.v < b.v; };
   const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), below);
   const float top = static_cast<float>(rows_ - 1);
