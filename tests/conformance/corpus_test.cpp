@@ -117,7 +117,7 @@ TEST_CASE("invalid answers are found") {
       {"answer_faults", "finishes_the_future", "answers", "revised frame 999999"},
       {"role_faults", "array_renamed", "answers", "array 'b' was not there before"},
       {"answer_faults", "moves_at_once", "answers", "frame 0 has no motion"},
-      {"role_faults", "skips_template_ids", "answers", "made template 2; ids are dense"},
+      {"role_faults", "skips_template_ids", "answers", "made template 2; ids are 0, 1, 2"},
       {"role_faults", "none_with_id", "answers", "None has template_id -1"},
       {"role_faults", "unknown_template", "answers", "which was never made"},
       {"role_faults", "stays_elsewhere", "answers", "stays at experience 0, but was at 1"},

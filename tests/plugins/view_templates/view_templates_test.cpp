@@ -32,7 +32,7 @@ ParameterValues plain() {
 
 }  // namespace
 
-TEST_CASE("ids are dense, and an old view is familiar") {
+TEST_CASE("ids have no gaps, and an old view is familiar") {
   ViewTemplates plugin;
   REQUIRE(configure(plugin, plain()).isOk());
   for (int kind = 0; kind < 20; ++kind) {
