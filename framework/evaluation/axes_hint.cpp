@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -116,6 +117,30 @@ std::string rotationHint(const Matches& aligned) {
       "quaternions in the order x y z w, and the poses camera to world? Rotation errors and drift "
       "are wrong if not",
       apart / kDegree);
+}
+
+std::string upHint(const Trajectory& truth) {
+  constexpr double kAlongX = 0.9;  // of the path; chosen, not tuned
+  constexpr double kMoreY = 2;     // extent along y over that along z; chosen, not tuned
+  if (truth.empty()) return "";
+  double length = 0, along_x = 0;
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    length += step(truth, i).norm();
+    along_x += std::fabs(step(truth, i).x());
+  }
+  const Eigen::Isometry3d T_first_world = truth.front().T_world_camera.inverse();
+  Eigen::AlignedBox3d box;
+  for (const TrajectoryPose& pose : truth) {
+    box.extend((T_first_world * pose.T_world_camera).translation());
+  }
+  const Eigen::Vector3d size = box.sizes();
+  if (!(along_x > kAlongX * length) || !(size.y() > kMoreY * size.z())) return "";
+  return fmt::format(
+      "the true poses move along their own x axis, and more along the y axis of the first one "
+      "({:.3g} m) than along its z axis ({:.3g} m), as poses with x forward and z up do. se2 takes "
+      "y as down and leaves it out: give poses of the camera (x right, y down, z forward), or use "
+      "se3",
+      size.y(), size.z());
 }
 
 std::string unitHint(const Matches& matches) {

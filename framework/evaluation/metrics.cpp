@@ -176,6 +176,9 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   if (metrics.warning.empty()) {
     metrics.warning = axesHint(matches.value());  // before the world of inverted poses is moved
   }
+  if (metrics.warning.empty() && alignment == Alignment::Se2) {
+    metrics.warning = upHint(matches.value().truth);
+  }
   if (alignment != Alignment::None) referToFirst(matches.value());
   metrics.reason = whyNotAlignable(matches.value(), alignment);
   if (!metrics.reason.empty()) return metrics;

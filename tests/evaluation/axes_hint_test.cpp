@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "evaluation/metrics.hpp"
 #include "evaluation/paths.hpp"
 
 using namespace tolman;
@@ -114,4 +115,28 @@ TEST_CASE("positions in millimetres are told, a poor scale is not") {
   Trajectory still = estimate;
   for (TrajectoryPose& pose : still) pose.T_world_camera.translation().setZero();
   CHECK(unitHint(test::paired(estimate, still)) == "the estimate does not move");
+}
+
+TEST_CASE("poses with x forward and z up are told, those of cameras and of slopes are not") {
+  Eigen::Matrix3d R_camera_body;
+  R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  Trajectory climbing = drive();
+  for (TrajectoryPose& pose : climbing) {
+    pose.T_world_camera.translation().y() -= 0.05 * pose.T_world_camera.translation().z();
+  }
+  CHECK(upHint(drive()).empty());
+  CHECK(upHint(climbing).empty());
+  CHECK(upHint(test::straightPath(60)).empty());
+  CHECK(upHint({}).empty());
+  const std::string hint = upHint(withAxes(climbing, R_camera_body));
+  CHECK(hint.starts_with("the true poses move along their own x axis, and more along the y axis"));
+  // Positions alone, without orientations.
+  Trajectory positions = test::straightPath(60);
+  for (TrajectoryPose& pose : positions) {
+    const double x = pose.T_world_camera.translation().z();
+    pose.T_world_camera.translation() = Eigen::Vector3d(x, 3 * std::sin(0.1 * x), 0);
+  }
+  CHECK_FALSE(upHint(positions).empty());
+  CHECK(scoreTrajectory(positions, positions, Alignment::Se2).warning == upHint(positions));
+  CHECK(scoreTrajectory(positions, positions, Alignment::Se3).warning.empty());
 }

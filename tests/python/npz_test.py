@@ -2,6 +2,8 @@
 """run.npz against run.sqlite, by NumPy alone."""
 import json
 import sqlite3
+import subprocess
+import sys
 import unittest
 
 from support import Systems, tolman
@@ -38,6 +40,14 @@ class NpzTest(Systems):
         for name in maps:
             edges = [len(file[name.replace("/values", f"/{axis}_edges")]) - 1 for axis in "xy"]
             self.assertEqual(list(file[name].shape[-2:]), edges)
+
+    def test_exports_at_the_same_time_do_not_disturb_each_other(self):
+        self.assertEqual(self.run_system().returncode, 0)
+        write = [sys.executable, "-m", "tolman.npz", self.folder / "run", self.folder / "same.npz"]
+        writers = [subprocess.Popen(write, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(4)]
+        self.assertEqual([(writer.communicate()[1], writer.returncode) for writer in writers], [("", 0)] * 4)
+        self.assertIn("frame/stamp_ns", np.load(self.folder / "same.npz").files)
+        self.assertEqual(list(self.folder.glob("*.part")), [])
 
     def test_what_is_no_run_is_told(self):
         done = tolman("export", self.folder, "--npz")

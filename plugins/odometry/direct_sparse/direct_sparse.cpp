@@ -83,6 +83,7 @@ Status DirectSparse::reset() {
   brightness_ = Affine();
   reference_brightness_ = Affine();
   velocity_.setZero();
+  recent_velocities_.clear();
   pose_covariance_.setZero();
   has_velocity_ = false;
   can_track_ = false;
@@ -322,7 +323,11 @@ void DirectSparse::answerMeasured(const AlignmentResult& tracked, const Frame& f
   const Eigen::Isometry3d step = history_.lastPose().inverse() * T_world_final;
   motion.T_previous_current = remember(T_world_final, mapper_.window().newest(), motion);
   reference_brightness_ = relative(mapper_.window().newest().affine(), brightness_);
-  if (motion.dt > 0) velocity_ = logSe3(normalised(step)) / motion.dt;
+  if (first_lost_ >= 0) recent_velocities_.clear();
+  if (motion.dt > 0) {
+    velocity_ = logSe3(normalised(step)) / motion.dt;
+    recent_velocities_.add(velocity_);
+  }
   has_velocity_ = motion.dt > 0;
   if (mapper_.isDraft()) {
     answerDraft(motion);
@@ -380,7 +385,7 @@ void DirectSparse::answerPredicted(const Keyframe& keyframe, Motion& motion) {
     log_->warning("tracking lost; the motion is predicted until tracking succeeds again");
   }
   ++lost_frames_;
-  const LostMotion lost = lostMotion(velocity_, gap_s_, motion.dt, lost_frames_);
+  const LostMotion lost = lostMotion(recent_velocities_.median(), gap_s_, motion.dt, lost_frames_);
   gap_s_ += motion.dt;
   motion.state = TrackingState::Lost;
   motion.covariance = lost.covariance;

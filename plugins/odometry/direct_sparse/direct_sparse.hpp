@@ -10,6 +10,7 @@
 
 #include "mapper.hpp"
 #include "parameters.hpp"
+#include "recent_velocities.hpp"
 #include "tolman/roles.hpp"
 #include "tracker.hpp"
 
@@ -85,6 +86,7 @@ class DirectSparse : public Odometry {
   Affine brightness_;                            ///< of the last measured frame
   Affine reference_brightness_;                  ///< against the reference
   Vector6d velocity_ = Vector6d::Zero();         ///< twist per second, of the last measured motion
+  RecentVelocities recent_velocities_;           ///< of measured motions, for lost ones
   Matrix6d pose_covariance_ = Matrix6d::Zero();  ///< of the last frame relative to its keyframe
   bool has_velocity_ = false;
   bool can_track_ = false;

@@ -127,7 +127,9 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure)) {
-    if (isImage(entry->path())) images.push_back(entry->path());
+    // Hidden files are no frames: macOS adds ._NAME.png on disks of other systems.
+    const bool is_hidden = entry->path().filename().string().starts_with('.');
+    if (!is_hidden && isImage(entry->path())) images.push_back(entry->path());
   }
   if (failure) {
     inspection.error(folder, "cannot be read (" + failure.message() + "); check the path");

@@ -26,7 +26,7 @@ def written(file):
 @contextlib.contextmanager
 def replacing(file):
     """A temporary file beside `file`, which replaces it at the end; removed when the block fails."""
-    unfinished = file.with_name(file.name + ".part")
+    unfinished = file.with_name(f"{file.name}.{os.getpid()}.part")  # exports at the same time must not share it
     try:
         yield unfinished
         os.replace(unfinished, file)

@@ -36,7 +36,8 @@ TEST_CASE("the order is total: sorting from any start gives one list") {
 
 TEST_CASE("a folder's images, and only they") {
   const DataFolder data;
-  for (const char* name : {"x/10.png", "x/9.JPG", "x/8.jpeg", "x/notes.txt", "x/11.bmp"}) {
+  for (const char* name :
+       {"x/10.png", "x/9.JPG", "x/8.jpeg", "x/notes.txt", "x/11.bmp", "x/._10.png"}) {
     data.write(name, "");
   }
   Inspection inspection;
