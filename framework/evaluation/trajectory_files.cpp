@@ -22,7 +22,7 @@ namespace {
 // Rotations in files are rounded; a matrix with a larger error is not accepted as a rotation.
 constexpr double kRotationTolerance = 1e-2;
 // Largest position, m: no vehicle drives as far, and the squares of all errors are finite.
-constexpr double kLargestNumber = 1e9;
+constexpr double kLargestPosition = 1e9;
 // Largest stamp, s (the year 2096): differences of two stamps in ns fit into 64 bits.
 constexpr double kLatest = 4e9;
 
@@ -66,7 +66,7 @@ double number(std::string_view word) {
 
 double coordinate(std::string_view word) {
   const double metres = number(word);
-  if (std::abs(metres) <= kLargestNumber) return metres;
+  if (std::abs(metres) <= kLargestPosition) return metres;
   throw LineError("position " + shown(word) + " is too large; positions are metres");
 }
 

@@ -29,8 +29,8 @@ class RowAlignment {
   void reset();
   bool isOn() const { return sigma_ > 0; }
 
-  /// Moves the rows of a right image such that they match those of the left one, by at least
-  /// 0.1 px somewhere, and where the field is known to be different from zero.
+  /// Moves the rows of a right image such that they match those of the left one. The image stays as
+  /// it is unless the field exceeds 0.1 px and three of its standard deviations somewhere.
   void correct(GrayLevel& right) { shift_.apply(right); }
   /// Learns from the matches of a keyframe, whose right image was corrected last. `gain`: of grey
   /// levels, right to left.

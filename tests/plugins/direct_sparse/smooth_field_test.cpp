@@ -46,7 +46,7 @@ TEST_CASE("a field has its value at the borders of the image") {
 }
 
 TEST_CASE("degrees of the terms are those of their polynomials") {
-  // A polynomial of degree n doubles its leading part with 2^n: the (n + 1)-th difference is zero.
+  // The (n + 1)-th differences of a polynomial of degree n are zero.
   for (int k = 0; k < SmoothField::kTerms; ++k) {
     const int degree = SmoothField::kDegrees[static_cast<std::size_t>(k)];
     double difference = 0;
