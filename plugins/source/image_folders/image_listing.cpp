@@ -6,7 +6,10 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+
+#include "name_order.hpp"
 
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
@@ -14,32 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-/// Removes the leading digits from `text` and returns them without leading zeros.
-std::string_view takeNumber(std::string_view& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), isDigit);
-  std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
-  text.remove_prefix(number.size());
-  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
-  return number;
-}
-
-/// Negative, 0 or positive if a is before, equal to or after b; leading zeros are ignored.
-int naturalOrder(std::string_view a, std::string_view b) {
-  while (!a.empty() && !b.empty()) {
-    if (isDigit(a.front()) && isDigit(b.front())) {
-      const std::string_view number_a = takeNumber(a);
-      const std::string_view number_b = takeNumber(b);
-      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size() ? -1 : 1;
-      if (const int order = number_a.compare(number_b); order != 0) return order;
-    } else {
-      if (a.front() != b.front()) return a.front() < b.front() ? -1 : 1;
-      a.remove_prefix(1);
-      b.remove_prefix(1);
-    }
-  }
-  return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
-}
 
 bool isImage(const fs::path& file) {
   std::string extension = file.extension().string();
@@ -57,6 +34,16 @@ void reportLonely(const fs::path& file, const fs::path& other_folder, Inspection
                                      shortName(file) + "; restore it, or remove the partner");
 }
 
+void reportPartnerless(const std::vector<fs::path>& files, const std::vector<fs::path>& others,
+                       Inspection& inspection) {
+  std::set<std::string> stems;
+  for (const fs::path& other : others) stems.insert(other.stem().string());
+  for (const fs::path& file : files) {
+    if (stems.contains(file.stem().string())) continue;
+    reportLonely(file, others.front().parent_path(), inspection);
+  }
+}
+
 /// Two images of the same name are an error. Two of the same number are only a warning, because
 /// names may be decimal numbers, of which 1.5 and 1.05 are different.
 void checkDoubles(const fs::path& folder, const std::vector<fs::path>& sorted,
@@ -69,11 +56,39 @@ void checkDoubles(const fs::path& folder, const std::vector<fs::path>& sorted,
         "has both " + sorted[i - 1].filename().string() + " and " + sorted[i].filename().string();
     if (here == before) {
       inspection.error(folder, both + "; remove one of them");
-    } else if (!warned && naturalOrder(before, here) == 0) {
+    } else if (!warned && sameButForZeros(before, here)) {
       warned = true;
       inspection.warning(folder, both + ", which are two frames; remove one if they are one image");
     }
   }
+}
+
+std::vector<std::string> stemsOf(const std::vector<fs::path>& files) {
+  std::vector<std::string> stems;
+  for (const fs::path& file : files) stems.push_back(file.stem().string());
+  return stems;
+}
+
+/// Warns where reading the names as decimal numbers changes the order, because they may be counts
+/// separated by a point, of which 1.10 comes after 1.9.
+void sortByName(const fs::path& folder, std::vector<fs::path>& images, Inspection& inspection) {
+  const auto sortBy = [&](const auto& isLess) {
+    std::ranges::sort(images, [&](const fs::path& a, const fs::path& b) {
+      const std::string stem_a = a.stem().string();
+      const std::string stem_b = b.stem().string();
+      return stem_a != stem_b ? isLess(stem_a, stem_b) : a < b;
+    });
+  };
+  sortBy(naturalLess);
+  if (!areDecimals(stemsOf(images))) return;
+  const std::vector<fs::path> natural = images;
+  sortBy(decimalLess);
+  const auto [here, there] = std::ranges::mismatch(images, natural);
+  if (here == images.end()) return;
+  inspection.warning(folder,
+                     "has names that are read as decimal numbers: " + here->filename().string() +
+                         " before " + there->filename().string() +
+                         "; write all with the same number of decimals to leave no doubt");
 }
 
 /// The number in a name such as "frame_000123", if the rest of the name is `rest` ("frame_#").
@@ -117,11 +132,6 @@ void checkNumbers(const fs::path& folder, const std::vector<fs::path>& sorted,
 
 }  // namespace
 
-bool naturalLess(std::string_view a, std::string_view b) {
-  const int order = naturalOrder(a, b);
-  return order != 0 ? order < 0 : a < b;
-}
-
 std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection) {
   std::vector<fs::path> images;
   std::error_code failure;
@@ -136,11 +146,7 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
     return {};
   }
   if (images.empty()) inspection.error(folder, "has no .png or .jpg images; check the path");
-  std::sort(images.begin(), images.end(), [](const fs::path& a, const fs::path& b) {
-    const std::string stem_a = a.stem().string();
-    const std::string stem_b = b.stem().string();
-    return stem_a != stem_b ? naturalLess(stem_a, stem_b) : a < b;
-  });
+  sortByName(folder, images, inspection);
   checkDoubles(folder, images, inspection);
   checkNumbers(folder, images, inspection);
   return images;
@@ -149,21 +155,8 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
 void checkPairs(const std::vector<fs::path>& left, const std::vector<fs::path>& right,
                 Inspection& inspection) {
   if (left.empty() || right.empty()) return;  // listImages() has added an error
-  const fs::path left_folder = left.front().parent_path();
-  const fs::path right_folder = right.front().parent_path();
-  auto l = left.begin();
-  auto r = right.begin();
-  while (l != left.end() || r != right.end()) {
-    if (l != left.end() && r != right.end() && l->stem() == r->stem()) {
-      ++l;
-      ++r;
-    } else if (r == right.end() ||
-               (l != left.end() && naturalLess(l->stem().string(), r->stem().string()))) {
-      reportLonely(*l++, right_folder, inspection);
-    } else {
-      reportLonely(*r++, left_folder, inspection);
-    }
-  }
+  reportPartnerless(left, right, inspection);
+  reportPartnerless(right, left, inspection);
 }
 
 }  // namespace tolman::image_folders

@@ -4,19 +4,16 @@
 #pragma once
 
 #include <filesystem>
-#include <string_view>
 #include <vector>
 
 #include "inspection.hpp"
 
 namespace tolman::image_folders {
 
-/// Runs of digits compare as numbers: "image2" < "image10". A total order.
-bool naturalLess(std::string_view a, std::string_view b);
-
-/// The PNG and JPEG files in `folder`, sorted by naturalLess() of their names without extension. It
-/// is an error if there are none, or two of the same name. Two names that differ only in leading
-/// zeros are a warning, and so is the first gap in numbers that are mostly evenly spaced.
+/// The PNG and JPEG files in `folder`, sorted by their names without extension: as decimal numbers
+/// where areDecimals(), else by naturalLess(). It is an error if there are none, or two of the same
+/// name. Two names that differ only in leading zeros are a warning, and so is the first gap in
+/// numbers that are mostly evenly spaced.
 std::vector<std::filesystem::path> listImages(const std::filesystem::path& folder,
                                               Inspection& inspection);
 

@@ -1,38 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numerical order of names, and pairs of images.
+// Images of a folder, and pairs of images.
 #include "image_listing.hpp"
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "data_folder.hpp"
 
 namespace tolman::image_folders {
-
-TEST_CASE("numbers in names count as numbers") {
-  CHECK(naturalLess("image2", "image10"));
-  CHECK_FALSE(naturalLess("image10", "image2"));
-  CHECK(naturalLess("a9b10", "a10b1"));
-  CHECK(naturalLess("07", "7"));  // equal numbers: any order, but always the same
-  CHECK_FALSE(naturalLess("7", "07"));
-  CHECK(naturalLess("a", "a1"));
-  CHECK_FALSE(naturalLess("a", "a"));
-  CHECK(naturalLess("99999999999999999999998", "99999999999999999999999"));  // no 64 bits
-}
-
-TEST_CASE("the order is total: sorting from any start gives one list") {
-  std::vector<std::string> names = {"0",   "00", "1",   "01", "2",  "10",  "a",   "a0",
-                                    "a00", "a1", "a1b", "b",  "b2", "b10", "b10a"};
-  const std::vector<std::string> sorted = names;
-  std::sort(names.begin(), names.end());
-  do {
-    std::vector<std::string> shuffled = names;
-    std::sort(shuffled.begin(), shuffled.end(), naturalLess);
-    REQUIRE(shuffled == std::vector<std::string>{"0", "00", "01", "1", "2", "10", "a", "a0", "a00",
-                                                 "a1", "a1b", "b", "b2", "b10", "b10a"});
-    std::rotate(names.begin(), names.begin() + 4, names.end());
-  } while (!std::is_sorted(names.begin(), names.end()));
-}
 
 TEST_CASE("a folder's images, and only they") {
   const DataFolder data;
@@ -101,6 +75,31 @@ TEST_CASE("numbers that differ in leading zeros are two frames, with one warning
     CHECK(inspection.findings()[0].where == data.path(folder).string());
     CHECK(inspection.findings()[0].message == warning);
   }
+}
+
+TEST_CASE("names that are times are in the order of the times, with a warning") {
+  const DataFolder data;
+  for (const char* name : {"0.95", "1.0", "1.05", "1.1", "1.15", "1.2"}) {
+    data.write(std::string("x/") + name + ".png", "");
+    data.write(std::string("same/") + name + (name[3] == 0 ? "0.png" : ".png"), "");
+  }
+  const auto names = [&](const std::string& folder, Inspection& inspection) {
+    std::string all;
+    for (const auto& file : listImages(data.path(folder), inspection)) {
+      all += file.stem().string() + " ";
+    }
+    return all;
+  };
+  Inspection inspection;
+  CHECK(names("x", inspection) == "0.95 1.0 1.05 1.1 1.15 1.2 ");
+  REQUIRE(inspection.findings().size() == 1);
+  CHECK(inspection.findings()[0].severity == Finding::Severity::Warning);
+  CHECK(inspection.findings()[0].message ==
+        "has names that are read as decimal numbers: 1.05.png before 1.1.png; write all with the "
+        "same number of decimals to leave no doubt");
+  Inspection without_doubt;
+  CHECK(names("same", without_doubt) == "0.95 1.00 1.05 1.10 1.15 1.20 ");
+  CHECK(without_doubt.findings().empty());
 }
 
 TEST_CASE("problems of a folder") {
