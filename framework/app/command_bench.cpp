@@ -2,9 +2,9 @@
 // tolman bench: speed of the source and of every stage. tolman bench odometry: cost of the odometry
 // relative to decoding its images. tolman bench places: precision and recall of place recognition.
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 
+#include "app/output_files.hpp"
 #include "app/progress_line.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
@@ -122,6 +122,7 @@ void addPlacesOptions(CLI::App& command, bench::PlacesOptions& options) {
 struct PlaceFigure {
   std::string file;                 ///< empty: no figure
   std::vector<std::string> beside;  ///< files with the output of earlier calls with --json
+  bool replace = false;
 
   void addOptions(CLI::App& command) {
     CLI::Option* figure = command
@@ -137,24 +138,16 @@ struct PlaceFigure {
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->needs(figure);
+    addForce(command, replace, "Replace the file of --figure");
   }
   /// Call it before the measurement, so that a wrong file is reported before the long work.
   std::vector<bench::PlaceCurve> read() const {
-    refuseOtherFile();
+    if (!file.empty()) refuseExisting({file}, replace, "--figure");
     std::vector<bench::PlaceCurve> curves;
     for (const std::string& name : beside) {
       curves.push_back(run::require(bench::placeCurveOf(name), run::FailureKind::Dataset));
     }
     return curves;
-  }
-  /// Refuses to overwrite any file but an earlier figure.
-  void refuseOtherFile() const {
-    std::error_code ignored;
-    if (file.empty() || !std::filesystem::exists(file, ignored)) return;
-    std::string begin(5, ' ');
-    std::ifstream(file).read(begin.data(), 5);
-    if (begin.starts_with("<svg") || begin == "<?xml") return;
-    throw Ended{ExitCode::Record, file + ": exists and is no SVG figure; choose another --figure"};
   }
   void write(const std::vector<bench::PlaceCurve>& curves) const {
     if (file.empty()) return;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <memory>
 
+#include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "config/named_value.hpp"
 #include "experiment/comparison_figure.hpp"
@@ -39,6 +40,7 @@ struct CompareCommand {
   experiment::PivotOptions pivot;
   std::vector<std::string> heads;
   std::vector<std::string> values;
+  bool replace = false;
 };
 
 template <class Table>
@@ -155,6 +157,8 @@ void compare(CompareCommand& command, const Invocation& invocation) {
   refuseUnused(command);
   refuseFiles(command);
   refuseInputs(command);
+  refuseExisting({command.figures.begin(), command.figures.end()}, command.replace, "--figure");
+  if (!command.out.empty()) refuseExisting({command.out}, command.replace, "--out");
   if (command.format.empty()) command.format = invocation.json ? "json" : "markdown";
   for (const std::string& only : command.only) {
     command.options.only.push_back(pairOf(only, "--only FACTOR=LABEL"));
@@ -259,6 +263,7 @@ void addCompareCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", options->out, "File for the table (default: standard output)")
       ->type_name("FILE")
       ->check(notEmpty);
+  addForce(*command, options->replace, "Replace the files of --out and --figure");
   addPivotOptions(*command, *options);
   addFigureOptions(*command, *options);
   command->callback([options, &invocation] { compare(*options, invocation); });

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "config/printable_text.hpp"
 #include "isolation/child_process.hpp"
@@ -28,40 +29,75 @@ void warnOfDamage(const std::string& run) {
   warnOfRunFile(run);
 }
 
-void exportFiles(const std::string& run, const std::string& out, std::int64_t session,
-                 const Invocation& invocation) {
-  // Files of a chosen session go to their own folder: results.sha256 has digests of those in `run`.
-  std::filesystem::path folder = out.empty() ? run : out;
-  if (out.empty() && session >= 0) folder /= "session-" + std::to_string(session);
-  if (!out.empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
+struct ExportCommand {
+  std::string run;
+  std::string out;
+  std::int64_t session = -1;
+  bool nwb = false;
+  bool npz = false;
+  bool replace = false;
+
+  /// Files of a chosen session go to their own folder: results.sha256 has digests of those in
+  /// `run`.
+  std::filesystem::path folder() const {
+    if (!out.empty()) return out;
+    return session < 0 ? std::filesystem::path(run)
+                       : std::filesystem::path(run) / ("session-" + std::to_string(session));
+  }
+};
+
+/// Refuses a folder with another run or with files of these names. In the directory of the run
+/// itself they are Tolman's own.
+void refuseOther(const ExportCommand& command) {
+  if (command.out.empty()) return;
+  const std::filesystem::path folder = command.folder();
+  requireOrEnd(record::RunDirectory::mayTakeFilesOf(command.run, folder));
   std::error_code ignored;
-  if (session >= 0 && std::filesystem::equivalent(run, folder, ignored)) {
+  if (std::filesystem::equivalent(command.run, folder, ignored)) {
+    if (command.session < 0) return;
     throw Ended{ExitCode::Usage,
                 "--session would replace the files of the run's own session; leave out --out, or "
                 "give another folder"};
   }
-  const bool is_new = std::filesystem::create_directories(folder, ignored);
-  const auto written = record::exportRun(run, folder, session);
-  if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
-  printFiles(valueOrEnd(written), invocation);
-  warnOfDamage(run);
+  std::vector<std::filesystem::path> files;
+  for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
+  if (command.nwb) files.push_back(folder / "run.nwb");
+  if (command.npz) files.push_back(folder / "run.npz");
+  refuseExisting(files, command.replace, "--out");
 }
 
-/// Lets the Python package `tolman` write run.nwb or run.npz (`kind`). It prints to the same
-/// streams, and its exit codes for data and record are those of this program.
-void exportByPython(const std::string& kind, const std::string& run, const std::string& out,
-                    const char* needs, Invocation& invocation) {
+/// Returns the written files.
+std::vector<std::filesystem::path> exportFiles(const ExportCommand& command) {
+  refuseOther(command);
+  std::error_code ignored;
+  const std::filesystem::path folder = command.folder();
+  const bool is_new = std::filesystem::create_directories(folder, ignored);
+  const auto written = record::exportRun(command.run, folder, command.session);
+  if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
+  return valueOrEnd(written);
+}
+
+/// Lets the Python package `tolman` write run.nwb or run.npz (`kind`), and adds it to `written`.
+/// Its messages go to stderr, and its exit codes for data and record are those of this program.
+void exportByPython(const std::string& kind, const ExportCommand& asked, const char* needs,
+                    std::vector<std::filesystem::path>& written, Invocation& invocation) {
   std::error_code ignored;
   const auto prefix =
       std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   const std::string folders =
       (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
-  std::vector<std::string> command = {"/usr/bin/env", "PYTHONPATH=" + folders, "/usr/bin/python3",
-                                      "-m",           "tolman." + kind,        run};
-  if (!out.empty()) command.push_back((std::filesystem::path(out) / ("run." + kind)).string());
+  const std::filesystem::path file = asked.folder() / ("run." + kind);
+  const std::vector<std::string> command = {"/usr/bin/env",     "PYTHONPATH=" + folders,
+                                            "/usr/bin/python3", "-m",
+                                            "tolman." + kind,   "--force",
+                                            "--quiet",          asked.run,
+                                            file.string()};
   isolation::ChildProcess python(command, {});
   const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
-  if (end.signal == 0 && end.exit_code == 0) return;
+  if (end.signal == 0 && end.exit_code == 0) {
+    written.push_back(file);
+    return;
+  }
   constexpr int kData = static_cast<int>(ExitCode::Dataset);
   constexpr int kRecord = static_cast<int>(ExitCode::Record);
   if (end.signal == 0 && (end.exit_code == kData || end.exit_code == kRecord)) {  // it has said why
@@ -82,37 +118,37 @@ void exportByPython(const std::string& kind, const std::string& run, const std::
 void addExportCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "export", "Write trajectories and map of a run (finished, running or killed)");
-  auto run = std::make_shared<std::string>();
-  auto out = std::make_shared<std::string>();
-  command->add_option("run", *run, "Run directory")->type_name("RUN")->required();
+  auto asked = std::make_shared<ExportCommand>();
+  command->add_option("run", asked->run, "Run directory")->type_name("RUN")->required();
   command
-      ->add_option("--out", *out,
+      ->add_option("--out", asked->out,
                    "Folder to write to (default: the run directory; of a session, session-N in it)")
       ->type_name("FOLDER")
       ->check(notEmpty);
-  auto nwb = std::make_shared<bool>(false);
-  command->add_flag("--nwb", *nwb, "Also run.nwb: Neurodata Without Borders, with seeded spikes");
-  auto npz = std::make_shared<bool>(false);
-  command->add_flag("--npz", *npz,
+  addForce(*command, asked->replace, "Replace files in the --out folder");
+  command->add_flag("--nwb", asked->nwb,
+                    "Also run.nwb: Neurodata Without Borders, with seeded spikes");
+  command->add_flag("--npz", asked->npz,
                     "Also run.npz: tables, trajectories, arrays and rate maps for NumPy");
-  auto session = std::make_shared<std::int64_t>(-1);
   command
-      ->add_option("--session", *session,
+      ->add_option("--session", asked->session,
                    "Session whose trajectories to write, from 0 (default: the run's own)")
       ->check(notNegative);
-  command->callback([run, out, session, nwb, npz, &invocation] {
-    if (*session >= 0 && (*nwb || *npz)) {
+  command->callback([asked, &invocation] {
+    if (asked->session >= 0 && (asked->nwb || asked->npz)) {
       throw Ended{
           ExitCode::Usage,
           "--nwb and --npz write the run's own session; leave out --session, or export twice"};
     }
-    exportFiles(*run, *out, *session, invocation);
-    if (*nwb) {
-      exportByPython("nwb", *run, *out, "python3-tolman and python3-h5py", invocation);
+    std::vector<std::filesystem::path> written = exportFiles(*asked);
+    if (asked->nwb) {
+      exportByPython("nwb", *asked, "python3-tolman and python3-h5py", written, invocation);
     }
-    if (*npz) {
-      exportByPython("npz", *run, *out, "python3-tolman and python3-numpy", invocation);
+    if (asked->npz) {
+      exportByPython("npz", *asked, "python3-tolman and python3-numpy", written, invocation);
     }
+    printFiles(written, invocation);
+    warnOfDamage(asked->run);
   });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");

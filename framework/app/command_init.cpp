@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "app/init_text.hpp"
+#include "app/output_files.hpp"
 #include "app/system_options.hpp"
 #include "record/atomic_file.hpp"
 
@@ -80,11 +81,7 @@ ExitCode init(const InitOptions& options, const Invocation& invocation) {
                             ": lies in a file system of the kernel (such as /proc or /sys), which "
                             "holds no recording; name the folder or file of a recording");
   }
-  if (!options.out.empty() && !options.replace &&
-      fs::exists(fs::symlink_status(options.out, error))) {
-    return printFailure(ExitCode::Record,
-                        options.out + " exists; choose another --out, or replace it by --force");
-  }
+  if (!options.out.empty()) refuseExisting({options.out}, options.replace, "--out");
   const RecordingSearch search =
       searchRecording(recording, splitValues(options.values), invocation);
   if (!search.best) {
@@ -127,7 +124,7 @@ void addInitCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--set", options->values, "Parameter of the source: --set a=b (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);
-  command->add_flag("--force", options->replace, "Replace the file");
+  addForce(*command, options->replace, "Replace the file");
   command->callback([options, &invocation] { invocation.exit_code = init(*options, invocation); });
 }
 

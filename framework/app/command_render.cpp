@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/duration_text.hpp"
+#include "app/output_files.hpp"
 #include "app/progress_line.hpp"
 #include "app/source_overrides.hpp"
 #include "app/system_options.hpp"
@@ -214,7 +215,7 @@ void addOutput(CLI::App& command, RenderCommand& render) {
   command.add_option("--frames", render.render.frames, "Take at most this many frames")
       ->check(positive);
   command.add_flag("--depth", render.depth, "Write depth maps too (16 bits, m * 256)");
-  command.add_flag("--force", render.replace, "Replace an earlier rendering in the folder");
+  addForce(command, render.replace, "Replace an earlier rendering in the folder");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/output_files.hpp"
 #include "app/program.hpp"
 #include "record/export.hpp"
 #include "record/run_directory.hpp"
@@ -40,6 +41,15 @@ std::shared_ptr<UnitOptions> addUnitOptions(CLI::App& command) {
   return units;
 }
 
+/// Refuses a folder with another run, or with a report or figures. In the directory of the run
+/// itself they are Tolman's own.
+void refuseOther(const std::string& run, const std::filesystem::path& folder, bool replace) {
+  requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
+  std::error_code ignored;
+  if (std::filesystem::equivalent(run, folder, ignored)) return;
+  refuseExisting({folder / "report.html", folder / "figures"}, replace, "--out");
+}
+
 }  // namespace
 
 void addReportCommand(CLI::App& app, Invocation& invocation) {
@@ -53,10 +63,12 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", *out, "Folder to write to (default: the first run directory)")
       ->type_name("FOLDER")
       ->check(notEmpty);
+  auto replace = std::make_shared<bool>(false);
+  addForce(*command, *replace, "Replace the report that the --out folder holds");
   const auto units = addUnitOptions(*command);
-  command->callback([runs, out, units, &invocation] {
+  command->callback([runs, out, replace, units, &invocation] {
     const std::filesystem::path folder = out->empty() ? runs->front() : *out;
-    if (!out->empty()) requireOrEnd(record::RunDirectory::mayTakeFilesOf(runs->front(), folder));
+    if (!out->empty()) refuseOther(runs->front(), folder, *replace);
     const auto written =
         valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
     printFiles(written, invocation);

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "app/exit_guard.hpp"
+#include "app/output_files.hpp"
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
 #include "record/digest.hpp"
@@ -204,7 +205,7 @@ void addRerunCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", options->out, "Directory of the new run (default: RUN-again)")
       ->type_name("FOLDER")
       ->check(notEmpty);
-  command->add_flag("--force", options->replace, "Replace the run that the --out directory holds");
+  addForce(*command, options->replace, "Replace the run that the --out directory holds");
   command->add_flag("--verify", options->verify,
                     "Compare the results byte for byte, and tell what has changed");
   command->callback(

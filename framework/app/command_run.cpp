@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // tolman run: a whole run, recorded.
 #include "app/exit_guard.hpp"
+#include "app/output_files.hpp"
 #include "app/summary.hpp"
 #include "app/system_options.hpp"
 #include "run/page_observer.hpp"
@@ -43,7 +44,7 @@ void addRunCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", run->out, "Run directory (default: runs/NAME-TIME)")
       ->type_name("FOLDER")
       ->check(notEmpty);
-  command->add_flag("--force", run->replace, "Replace the run that the --out directory holds");
+  addForce(*command, run->replace, "Replace the run that the --out directory holds");
   options->addContinue(*command);
   auto* view = command->add_flag("--view", run->view, "Show the run in the browser");
   command

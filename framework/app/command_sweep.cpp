@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "app/duration_text.hpp"
+#include "app/output_files.hpp"
 #include "app/sweep_display.hpp"
 #include "app/system_options.hpp"
 #include "app/terminal_output.hpp"
@@ -37,6 +38,7 @@ struct SweepCommand {
   std::size_t jobs = 0;
   bool dry_run = false;
   bool retry = false;
+  bool replace = false;
   std::string write;
 };
 
@@ -202,6 +204,13 @@ void refuseRun(const fs::path& out) {
   }
 }
 
+/// The files beside the runs. In the folder of a sweep they are Tolman's own.
+std::vector<fs::path> filesBeside(const std::string& write, const fs::path& out) {
+  std::vector<fs::path> files{out / "points.txt", out / "data.json"};
+  for (const std::string& name : experiment::jobFileNames(write)) files.push_back(out / name);
+  return files;
+}
+
 ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (command.file.empty()) throw CLI::RequiredError("a sweep file");
   if (command.jobs == 0) command.jobs = std::max(1U, std::thread::hardware_concurrency());
@@ -210,6 +219,10 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
                                        : fs::path(command.out))
           .lexically_normal();
   refuseRun(out);
+  const experiment::FrozenRuns frozen = experiment::frozenRuns(out);
+  if (frozen.planned.empty() && frozen.earlier.empty()) {
+    refuseExisting(filesBeside(command.write, out), command.replace, "--out");
+  }
   const experiment::Plan plan = planOf(command, out, invocation);
   refuseInsideData(plan, out);
   const SweepProgress progress = progressOf(plan, out, command.retry);
@@ -335,7 +348,10 @@ void addCollect(CLI::App& sweep, Invocation& invocation) {
   command->add_option("--out", *out, "File (default: results.csv in the sweep)")
       ->type_name("FILE")
       ->check(notEmpty);
-  command->callback([folder, out, metrics, &invocation] {
+  auto replace = std::make_shared<bool>(false);
+  addForce(*command, *replace, "Replace the file of --out");
+  command->callback([folder, out, metrics, replace, &invocation] {
+    if (!out->empty()) refuseExisting({*out}, *replace, "--out");
     const auto rows = valueOrEnd(experiment::readRunRows({*folder}));
     warnOfUnfinished(*folder);
     if (rows.empty()) throw Ended{ExitCode::Dataset, *folder + ": no run is done"};
@@ -365,16 +381,15 @@ void addArchive(CLI::App& sweep, Invocation& invocation) {
   command->add_option("--out", *out, "Archive to write (default: SWEEP.tar.gz)")
       ->type_name("FILE")
       ->check(notEmpty);
-  command->callback([folder, out, &invocation] {
+  auto replace = std::make_shared<bool>(false);
+  addForce(*command, *replace, "Replace the file, whatever it is");
+  command->callback([folder, out, replace, &invocation] {
     fs::path from = fs::absolute(*folder).lexically_normal();
     if (!from.has_filename()) from = from.parent_path();
     const fs::path file = fs::absolute(out->empty() ? from.string() + ".tar.gz" : *out);
     const fs::path name = from.filename();
-    if (fs::exists(file) && !isArchiveOf(file, name)) {
-      throw Ended{ExitCode::Record, file.string() +
-                                        ": exists and is no archive of this sweep; remove it, or "
-                                        "choose another --out"};
-    }
+    const auto is_archive = [&](const fs::path& found) { return isArchiveOf(found, name); };
+    refuseExisting({file}, *replace, "--out", is_archive);
     warnOfUnfinished(from);
     const host::ScratchFolder files("tolman-archive");
     if (files.path().empty()) throw Ended{ExitCode::Record, host::kNoScratchFolder};
@@ -411,6 +426,7 @@ void addSweepCommand(CLI::App& app, Invocation& invocation) {
       ->check(CLI::Range(1, 1024));
   command->add_flag("--dry-run", options->dry_run, "Check all runs and print what is to do");
   command->add_flag("--retry", options->retry, "Run those that failed again");
+  addForce(*command, options->replace, "Replace files of other programs in the folder");
   command
       ->add_option("--write", options->write,
                    "Freeze the runs and write what others run them with, instead of running them")

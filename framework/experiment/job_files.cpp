@@ -152,4 +152,11 @@ Result<std::vector<fs::path>> writeJobFiles(const fs::path& sweep, const std::st
   return files.result();
 }
 
+std::vector<std::string> jobFileNames(const std::string& kind) {
+  if (kind == "slurm") return {"runs-1.txt", "runs-2.txt", "array.sh", "submit.sh"};
+  if (kind == "parallel") return {"commands-1.txt", "commands-2.txt"};
+  if (kind == "snakemake") return {"Snakefile"};
+  return {};
+}
+
 }  // namespace tolman::experiment

@@ -22,4 +22,7 @@ Result<std::vector<std::filesystem::path>> writeJobFiles(const std::filesystem::
                                                          const std::vector<std::string>& command,
                                                          const std::string& kind);
 
+/// The names of the files that writeJobFiles() writes for this kind; none for an empty one.
+std::vector<std::string> jobFileNames(const std::string& kind);
+
 }  // namespace tolman::experiment

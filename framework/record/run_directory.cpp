@@ -13,8 +13,8 @@
 
 #include "config/json_text.hpp"
 #include "config/paths.hpp"
-#include "record/export.hpp"
 #include "record/regular_file.hpp"
+#include "record/run_files.hpp"
 
 namespace tolman::record {
 namespace {
@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kOther = "choose another --out";
+constexpr const char* kBusy = ": another run is writing here; ";
 
 /// The folder name for a run: without separators, not hidden.
 std::string folderName(const RunDirectoryOptions& options) {
@@ -56,24 +57,45 @@ void pointLatestAt(const fs::path& path) {
   fs::rename(temporary, link, ignored);
 }
 
+Status cannotBeMade(const fs::path& path, const std::error_code& why) {
+  return Status::failed(path.string() + ": cannot be made a run directory (" + why.message() +
+                        "); choose another with --out");
+}
+
+/// Ok for an empty folder, and with `replace` for that of an earlier run.
+Status mayReplace(const fs::path& path, bool replace) {
+  std::error_code error;
+  if (fs::is_empty(path, error)) return Status::ok();
+  if (!holdsRun(path)) {
+    return Status::failed(path.string() +
+                          ": is not empty and holds no run; choose an empty or new directory");
+  }
+  if (!replace) {
+    return Status::failed(path.string() +
+                          ": holds a run; choose another --out, or give --force to replace it");
+  }
+  return Status::ok();
+}
+
 }  // namespace
 
 Result<RunDirectory> RunDirectory::create(const RunDirectoryOptions& options) {
   try {
     if (options.out) {
       fs::create_directories(*options.out);
-      Result<RunDirectory> directory = lock(fs::canonical(*options.out), kOther);
+      const fs::path out = fs::canonical(*options.out);
+      Result<RunDirectory> directory = lock(out, kOther);
       if (!directory.isOk()) return directory;
-      const Status cleared = directory.value().clear(options.replace);
-      if (!cleared.isOk()) return cleared;
+      Status status = mayReplace(out, options.replace);
+      if (status.isOk()) status = removeRunFiles(out, directory.value().kept_);
+      if (!status.isOk()) return status;
       return directory;
     }
     const fs::path path = fs::canonical(makeNamed(options));
     pointLatestAt(path);
     return lock(path, kOther);
   } catch (const fs::filesystem_error& error) {
-    return Status::failed(error.path1().string() + ": cannot be made a run directory (" +
-                          error.code().message() + "); choose another with --out");
+    return cannotBeMade(error.path1(), error.code());
   }
 }
 
@@ -102,7 +124,7 @@ Result<RunDirectory> RunDirectory::lock(const fs::path& path, const std::string&
                           "; look at its permissions and at the umask");
   }
   if (!descriptor.isOpen()) {
-    return Status::failed(path.string() + ": another run is writing here; " + remedy);
+    return Status::failed(path.string() + kBusy + remedy);
   }
   return RunDirectory(path, std::move(descriptor));
 }
@@ -153,40 +175,19 @@ bool RunDirectory::wasKilled(const std::filesystem::path& path) {
   return running && !isBeingWritten(path);
 }
 
-/// Removes the files of an earlier run by their names; other files are kept.
-Status RunDirectory::clear(bool replace) const {
-  if (fs::is_empty(path_)) return Status::ok();
-  if (!fs::exists(path_ / "run.sqlite") && !fs::exists(path_ / "run.json")) {
-    return Status::failed(path_.string() +
-                          ": is not empty and holds no run; choose an empty or new directory");
+Status RunDirectory::mayTake(const fs::path& path, bool replace) {
+  std::error_code error;
+  if (!fs::exists(path, error)) return Status::ok();
+  if (!fs::is_directory(path, error)) {
+    return cannotBeMade(path, std::make_error_code(std::errc::not_a_directory));
   }
-  if (!replace) {
-    return Status::failed(path_.string() +
-                          ": holds a run; choose another --out, or give --force to replace it");
-  }
-  for (const char* file : {"run.sqlite", "run.sqlite-wal", "run.sqlite-shm", "run.sqlite-journal",
-                           "run.json", "config.resolved.yaml", "log.txt", "answers.bin"}) {
-    fs::remove(path_ / file);
-  }
-  for (const char* folder : {"artefacts", "state"}) fs::remove_all(path_ / folder);
-  return removeDerived();
+  if (isBeingWritten(path)) return Status::failed(path.string() + kBusy + kOther);
+  return mayReplace(path, replace);
 }
 
 Status RunDirectory::removeDerived() const {
-  std::vector<fs::path> derived(kExportedFiles.begin(), kExportedFiles.end());
-  for (const char* name : {"metrics.json", "report.html", "results.sha256", "map.svg", "run.npz",
-                           "run.nwb", "figures"}) {
-    derived.emplace_back(name);
-  }
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(path_, error)) {
-    const fs::path name = entry.path().filename();
-    if (name.string().starts_with("session-") && entry.is_directory(error)) derived.push_back(name);
-  }
-  for (const fs::path& name : derived) {
-    if (!error) fs::remove_all(path_ / name, error);
-  }
-  return error ? Status::failed(path_.string() + ": " + error.message()) : Status::ok();
+  std::vector<fs::path> kept;
+  return removeDerivedFiles(path_, kept);
 }
 
 Status RunDirectory::writeRunFile(nlohmann::ordered_json provenance, RunState state) const {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "record/atomic_file.hpp"
 #include "tolman/fields.hpp"
@@ -31,9 +32,12 @@ struct RunDirectoryOptions {
 class RunDirectory {
  public:
   /// Creates <root>/<name>-<UTC time> and links <root>/latest to it, or uses `out`: a new or empty
-  /// folder, or with `replace` the folder of an earlier run, whose files are removed. Any other
-  /// folder is refused.
+  /// folder, or with `replace` the folder of an earlier run, whose files are removed, and no others
+  /// (run_files.hpp). Any other folder is refused.
   static Result<RunDirectory> create(const RunDirectoryOptions& options);
+
+  /// Whether create() would take `path`, which need not exist; nothing is changed.
+  static Status mayTake(const std::filesystem::path& path, bool replace);
 
   /// Opens the directory of an earlier run unchanged, to resume the run.
   static Result<RunDirectory> reopen(const std::filesystem::path& path);
@@ -51,11 +55,13 @@ class RunDirectory {
   static bool wasKilled(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }  ///< absolute
+  /// Files that create() found in figures/, artefacts/, state/ or session-N/ and kept, because
+  /// Tolman did not write them; relative to path().
+  const std::vector<std::filesystem::path>& kept() const { return kept_; }
   /// Fails if the folder was moved, removed or replaced: path() may then be another run.
   Status stillInPlace() const;
 
-  /// Removes what `export`, `report` or the end of the run computed from a record that is about to
-  /// change: trajectories, map, metrics, figures, run.npz, run.nwb and the folders session-N.
+  /// Removes what was computed from a record that is about to change (removeDerivedFiles()).
   Status removeDerived() const;
 
   /// Writes run.json: the object `provenance` and "status". Writes into this folder even if it was
@@ -66,10 +72,10 @@ class RunDirectory {
   RunDirectory(std::filesystem::path path, FileDescriptor lock)
       : path_(std::move(path)), lock_(std::move(lock)) {}
   static Result<RunDirectory> lock(const std::filesystem::path& path, const std::string& remedy);
-  Status clear(bool replace) const;
 
   std::filesystem::path path_;
   FileDescriptor lock_;
+  std::vector<std::filesystem::path> kept_;
 };
 
 }  // namespace tolman::record

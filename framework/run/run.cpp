@@ -102,6 +102,7 @@ Outcome Run::execute(CheckedSystem system) {
 
 void Run::prepare(CheckedSystem system) {
   inputs_ = inputFiles(inputPaths(system));
+  checkOut(system.config.general.continue_from);
   assembly_ = std::make_unique<Assembly>(std::move(system), log_, clock_, stop_);
   require(assembly_->describeArrays(arrays_), FailureKind::Plugin);
   const std::string doubt = assembly_->source().doubt();
@@ -113,6 +114,16 @@ void Run::prepare(CheckedSystem system) {
   continueEarlierRun();
   openDirectory();
   openRecord();
+}
+
+/// Refuses a directory that cannot be taken before the plugins are configured, which may last;
+/// openDirectory() does it again. The refusal to continue in the own directory comes first.
+void Run::checkOut(const std::string& continued) const {
+  std::error_code ignored;
+  if (options_.out.empty() || !options_.resume.empty()) return;
+  if (!continued.empty() && std::filesystem::equivalent(options_.out, continued, ignored)) return;
+  refuseInputsIn(options_.out, inputs_);
+  require(record::RunDirectory::mayTake(options_.out, options_.replace), FailureKind::Record);
 }
 
 /// Loads the map of the earlier run that `continue` names, if any.
@@ -248,7 +259,21 @@ void Run::openDirectory() {
   directory_ = std::make_unique<record::RunDirectory>(
       require(record::RunDirectory::create(options), FailureKind::Record));
   require(log_.openFile(directory_->path() / "log.txt"), FailureKind::Record);
+  warnOfKeptFiles();
   assembly_->openArtefacts(directory_->path());
+}
+
+/// Files of the user in the folders of the replaced run are beside those of the new one.
+void Run::warnOfKeptFiles() const {
+  const auto& kept = directory_->kept();
+  if (kept.empty()) return;
+  constexpr std::size_t kMostNamed = 5;
+  std::string text = "files that Tolman did not write were kept in the directory of this run: ";
+  for (std::size_t i = 0; i < std::min(kept.size(), kMostNamed); ++i) {
+    text += (i > 0 ? ", " : "") + kept[i].string();
+  }
+  if (kept.size() > kMostNamed) text += fmt::format(" and {} more", kept.size() - kMostNamed);
+  log_.write(LogLevel::Warning, "record", text);
 }
 
 void Run::openRecord() {

@@ -67,10 +67,12 @@ class Run {
   const config::SystemConfig& config() const { return assembly_->system().config; }
   // prepare() and what it calls throw Failed.
   void prepare(CheckedSystem system);
+  void checkOut(const std::string& continued) const;
   void continueEarlierRun();
   void resumeRun();
   void reopenRecord(nlohmann::ordered_json before, nlohmann::ordered_json now);
   void openDirectory();
+  void warnOfKeptFiles() const;
   void openRecord();
   void recordSessions();
   void warnOfOtherCamera(const std::vector<CameraRig>& before);

@@ -271,17 +271,18 @@ TEST_CASE("bench places without truth says what is missing") {
   CHECK(contains(folder.err, "dusk"));
 }
 
-TEST_CASE("bench places: a figure replaces an earlier figure and no other file") {
+TEST_CASE("bench places: a figure replaces a file only by force") {
   const Walks walks;
   const std::string figure = walks.path("figure.svg");
-  const std::vector<std::string> words = {"--pairs", walks.path("pairs.csv"), "--figure", figure};
+  std::vector<std::string> words = {"--pairs", walks.path("pairs.csv"), "--figure", figure};
   std::ofstream(figure) << "years of work\n";
   const Finished refused = walks.bench("lap", words);
   CHECK(refused.exit_code == 8);
-  CHECK(contains(refused.err, figure + ": exists and is no SVG figure; choose another --figure"));
-  std::ofstream(figure) << "<svg xmlns=\"http://www.w3.org/2000/svg\"/>";
+  CHECK(contains(refused.err,
+                 figure + ": exists; choose another --figure, or replace it by --force"));
+  words.emplace_back("--force");
   CHECK(walks.bench("lap", words).exit_code == 0);
-  CHECK(walks.bench("lap", words).exit_code == 0);  // of its own, too
+  CHECK(readText(figure).starts_with("<svg"));
 }
 
 TEST_CASE("bench places refuses wrong options and configurations as other commands do") {

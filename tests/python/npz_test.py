@@ -43,7 +43,7 @@ class NpzTest(Systems):
 
     def test_exports_at_the_same_time_do_not_disturb_each_other(self):
         self.assertEqual(self.run_system().returncode, 0)
-        write = [sys.executable, "-m", "tolman.npz", self.folder / "run", self.folder / "same.npz"]
+        write = [sys.executable, "-m", "tolman.npz", "--force", self.folder / "run", self.folder / "same.npz"]
         writers = [subprocess.Popen(write, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) for _ in range(4)]
         self.assertEqual([(writer.communicate()[1], writer.returncode) for writer in writers], [("", 0)] * 4)
         self.assertIn("frame/stamp_ns", np.load(self.folder / "same.npz").files)

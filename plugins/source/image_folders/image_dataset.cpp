@@ -31,19 +31,39 @@ void checkImage(const fs::path& file, ImageSize expected, std::vector<Finding>& 
   }
 }
 
+/// Images are used as they are stored, because a calibration is of the stored pixels. Viewers turn
+/// them, so that what the run sees is not what the user sees.
+void warnOfOrientation(const fs::path& file, Inspection& inspection) {
+  const int orientation = orientationOfFile(file);
+  if (orientation == 1) return;
+  inspection.warning(
+      file, "is stored turned or mirrored (EXIF orientation " + std::to_string(orientation) +
+                "), and the pixels are used as stored: the axes of the camera are those of the "
+                "stored image. If the calibration is of upright images, turn the files, such as "
+                "with `exiftran -ai` or `jpegtran`");
+}
+
 }  // namespace
 
 /// Damaged images are skipped here; they are handled by on_corrupt.
 void findImageSize(ImageDataset& dataset, Inspection& inspection) {
+  Status first;
   for (const fs::path& file : dataset.left) {
     const Result<ImageSize> size = checkImageFile(file);
+    if (first.isOk()) first = size.status();
     if (!size.isOk()) continue;
     dataset.rig.width = size.value().width;
     dataset.rig.height = size.value().height;
+    warnOfOrientation(file, inspection);
+    if (!dataset.right.empty()) warnOfOrientation(dataset.right.front(), inspection);
     return;
   }
   if (dataset.left.empty()) return;  // listImages() has added an error
-  inspection.error(dataset.left.front().parent_path(), "has no readable image; restore them");
+  // The remedy of a single image, on_corrupt: skip, is none here.
+  const std::string message = first.message().substr(0, first.message().find("; copy or record"));
+  inspection.error(dataset.left.front().parent_path(),
+                   "none of its " + std::to_string(dataset.left.size()) +
+                       " images can be read, as " + message + "; copy or record them again");
 }
 
 void readFolders(const fs::path& left_folder, const fs::path& right_folder, ImageDataset& dataset,

@@ -10,6 +10,7 @@
 
 #include "bytes.hpp"
 #include "jpeg_decoder.hpp"
+#include "orientation.hpp"
 #include "png_chunks.hpp"
 #include "png_decoder.hpp"
 
@@ -146,6 +147,11 @@ Result<ImageSize> checkImageFile(const fs::path& file) {
   if (!bytes.isOk()) return named(file, bytes.status());
   Result<ImageSize> size = checkImageBytes(bytes.value());
   return size.isOk() ? size : named(file, size.status());
+}
+
+int orientationOfFile(const fs::path& file) {
+  const Result<std::vector<std::uint8_t>> bytes = readBytes(file);
+  return bytes.isOk() ? orientationOf(bytes.value()) : 1;
 }
 
 Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected, int bits) {

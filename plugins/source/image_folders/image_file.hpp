@@ -31,6 +31,9 @@ Result<ImageSize> checkImageBytes(std::span<const std::uint8_t> bytes);
 /// The same for a file. Messages name the file and the remedy.
 Result<ImageSize> checkImageFile(const std::filesystem::path& file);
 
+/// What orientationOf() finds in the file; 1 if it cannot be read.
+int orientationOfFile(const std::filesystem::path& file);
+
 /// An image of the size `expected` as Gray8, or as Bgr8 if `colour`; `bits` of 16 are used, see
 /// decodePng(). The orientation in EXIF data is ignored, because the calibration is of the pixels
 /// as stored.

@@ -12,6 +12,8 @@
 #include "bytes.hpp"
 #include "png_chunks.hpp"
 #include "png_filters.hpp"
+#include "png_inflate.hpp"
+#include "png_palette.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::image_folders {
@@ -72,22 +74,6 @@ std::optional<PlainPng> readChunks(Bytes png) {
   return std::nullopt;
 }
 
-/// All rows with their filters; null if the data are damaged or of another size.
-std::unique_ptr<std::uint8_t[]> inflate(const PlainPng& image) {
-  constexpr std::size_t kMaxPerByte = 1032;  // largest ratio of deflate; limits memory
-  const std::size_t size = image.size();
-  if (size / kMaxPerByte > image.packed.size()) return nullptr;
-  const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> inflater(
-      libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
-  if (!inflater) throw std::bad_alloc();
-  auto rows = std::make_unique_for_overwrite<std::uint8_t[]>(size);
-  const libdeflate_result result =
-      libdeflate_zlib_decompress(inflater.get(), image.packed.data(), image.packed.size(),
-                                 rows.get(), size, nullptr);  // null: exactly `size` bytes
-  if (result != LIBDEFLATE_SUCCESS) return nullptr;
-  return rows;
-}
-
 /// Decodes with OpenCV; empty if the data are damaged.
 cv::Mat decodeByOpenCv(std::vector<std::uint8_t>& png, int mode) {
   try {
@@ -117,7 +103,7 @@ cv::Mat eightBits(const cv::Mat& deep, int bits) {
 std::optional<Image> decodePlainPng(Bytes png, bool colour) {
   const std::optional<PlainPng> plain = readChunks(png);
   if (!plain || (plain->channels == 3) != colour) return std::nullopt;
-  const auto rows = inflate(*plain);
+  const auto rows = inflatePng(plain->packed, plain->size());
   if (!rows) return std::nullopt;
   bool whole = true;
   const PixelFormat format = colour ? PixelFormat::Bgr8 : PixelFormat::Gray8;
@@ -133,6 +119,10 @@ std::optional<Image> decodePlainPng(Bytes png, bool colour) {
 Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits) {
   removeExtras(png);
   if (std::optional<Image> image = decodePlainPng(png, colour)) return *std::move(image);
+  if (exceedsPalette(png)) {
+    return Status::invalidInput(
+        "has pixels of colours that are not in its palette, so its data are damaged");
+  }
   const cv::Mat pixels = decodeByOpenCv(png, colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE);
   if (pixels.empty()) return damaged();
   return asImage(pixels.depth() == CV_16U ? eightBits(pixels, bits) : pixels);

@@ -2,6 +2,7 @@
 """Files that are whole or not there, and the exit codes of the commands that write them."""
 import contextlib
 import os
+import pathlib
 import sqlite3
 import sys
 
@@ -48,3 +49,23 @@ def exit_code_of(command):
         print(error.args[0] if isinstance(error, KeyError) else error, file=sys.stderr)
         return DATA
     return 0
+
+
+def refuse_existing(files, replace, remedy):
+    """The rule of `tolman` for files that the user named: one that exists and is not empty is replaced only by --force."""
+    for file in files:
+        if not replace and (file.is_symlink() or (file.is_file() and file.stat().st_size > 0)):
+            raise FileExistsError(f"{file}: exists; {remedy}, or replace it by --force")
+
+
+def add_output_options(parser):
+    parser.add_argument("--force", action="store_true", help="replace the file")
+    parser.add_argument("--quiet", action="store_true", help="do not print its name")
+
+
+def write_output(given, chosen, write):
+    """Calls `write`, which gives the path of the file, and prints it. `chosen` is the file that the user named, or None."""
+    refuse_existing([pathlib.Path(chosen)] if chosen else [], given.force, "choose another file")
+    file = write()
+    if not given.quiet:
+        print(file)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Measures the cells of a sweep such as configs/experiments/models.yaml: the tables and the figure of docs/models.md.
 
-  python3 -m tolman.comparison sweeps/study [--out FOLDER] [--cost N]
+  python3 -m tolman.comparison sweeps/study [--out FOLDER] [--force] [--cost N]
 
 Writes models.csv, models-cells.csv and models.svg into the folder of the sweep. The sequence `box` is for measures of single units, `rooms` and
 `told` for remapping and relocation, `eights` for the stability of two passes; others give metres only. A measure of units is the median over 40 of
@@ -21,6 +21,7 @@ import numpy as np
 
 import tolman
 from tolman import cells, program, spatial
+from tolman._files import refuse_existing
 
 METRICS = ("map.ate.rmse_m", "loops.true_links", "loops.false_links", "odometry.ate.rmse_m")
 BIN_M, SIDE_M, UNITS = 0.5, 15, 40
@@ -28,6 +29,7 @@ FOLLOWS_M, PASS_M = 1.0, 3.0
 NEAR_M = 3.0  # a link is right when the experience was made so near: spacing and view radius of 1 m each, and a step
 GRID = {"sargolini": "Sargolini", "langston": "Langston", "square": "square", "information_bits": "bits a spike", "stability": "stability"}
 COST = "ms a step"
+WRITTEN = ("models.csv", "models-cells.csv", "models.svg")
 FIELDS = {"spacing_m": "spacing, m", "field_m2": "field, m2", "fields": "fields"}
 
 
@@ -177,7 +179,7 @@ def name_of(model):
 
 def write_metres(file, sweep):
     """What `tolman sweep collect` says, but of the rooms: where one lies to the other nothing tells, so no map has the right shape."""
-    program.call("sweep", "collect", sweep, "--out", file, *(word for metric in METRICS for word in ("--metric", metric)))
+    program.call("sweep", "collect", sweep, "--force", "--out", file, *(word for metric in METRICS for word in ("--metric", metric)))
     with open(file, newline="") as stream:
         header, *rows = csv.reader(stream)
     kept = []
@@ -291,6 +293,7 @@ def main(docs=None):
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("sweep", type=pathlib.Path)
     options.add_argument("--out", type=pathlib.Path, help="folder of tables and figure (default: the one of the sweep)")
+    options.add_argument("--force", action="store_true", help="replace the files of --out")
     options.add_argument("--cost", type=int, metavar="N", help="only measure the time of a step again, N times")
     if docs:
         options.add_argument("--write", action="store_true", help="into docs/tables and docs/images")
@@ -301,6 +304,8 @@ def main(docs=None):
         if chosen.cost:
             renew_cost(tables / "models-cells.csv", chosen.sweep, chosen.cost)
         else:
+            own = into_docs or not chosen.out
+            refuse_existing([tables / name for name in WRITTEN], own or chosen.force, "choose another --out")
             write(chosen.sweep, tables, docs / "images" if into_docs else tables)
     except (OSError, ValueError) as error:
         sys.exit(str(error))

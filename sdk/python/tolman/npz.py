@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run as one file of NumPy arrays, which needs neither SQL nor this package to be read.
 
-    tolman export RUN --npz          python3 -m tolman.npz RUN [FILE]
+    tolman export RUN --npz          python3 -m tolman.npz RUN [FILE] [--force]
 
     file = numpy.load("run.npz")
     file["trajectory/map/x"], file["link/from_experience"], file["array/grid.activity/values"]
@@ -18,7 +18,7 @@ import sys
 
 import numpy as np
 
-from tolman._files import exit_code_of, replacing, written
+from tolman._files import add_output_options, exit_code_of, replacing, write_output, written
 from tolman.results import Run, unit_of
 
 _TABLES = ("frame", "motion", "place", "decision", "map_update", "experience", "link", "event", "timing", "session")
@@ -99,8 +99,9 @@ def main():
     parser = argparse.ArgumentParser(prog="tolman.npz", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("run")
     parser.add_argument("file", nargs="?")
+    add_output_options(parser)
     arguments = parser.parse_args()
-    return exit_code_of(lambda: print(write(arguments.run, arguments.file)))
+    return exit_code_of(lambda: write_output(arguments, arguments.file, lambda: write(arguments.run, arguments.file)))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A run as an NWB file (Neurodata Without Borders 2.6): position, head direction, rates, spikes, laps, views, origin.
 
-    tolman export RUN --nwb          python3 -m tolman.nwb RUN [FILE]
+    tolman export RUN --nwb          python3 -m tolman.nwb RUN [FILE] [--force]
 
 Times are seconds since the first frame. Of a continued run the file has the last session, or with
 `evaluation.sessions: joint` all. Rates of populations without the unit Hz are scaled so that the highest of the
@@ -17,7 +17,7 @@ import sys
 import numpy as np
 
 from tolman import cells
-from tolman._files import exit_code_of, replacing, written
+from tolman._files import add_output_options, exit_code_of, replacing, write_output, written
 from tolman.results import Run, rows_where
 
 SPIKE_RESOLUTION_S = 1e-4
@@ -232,9 +232,10 @@ def main(arguments=None):
     parser = argparse.ArgumentParser(prog="tolman export --nwb", description=__doc__.split("\n")[0])
     parser.add_argument("run")
     parser.add_argument("out", nargs="?")
+    add_output_options(parser)
     parser.add_argument("--peak-hz", type=float, default=PEAK_HZ)
     given = parser.parse_args(arguments)
-    return exit_code_of(lambda: print(export(Run(given.run), given.out, given.peak_hz)))
+    return exit_code_of(lambda: write_output(given, given.out, lambda: export(Run(given.run), given.out, given.peak_hz)))
 
 
 if __name__ == "__main__":

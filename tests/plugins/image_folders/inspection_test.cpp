@@ -103,7 +103,8 @@ TEST_CASE("a data set without a single sound image is an error of its folder") {
   Inspection inspection;
   readFolders(data.path("image_0"), "", dataset, inspection);
   CHECK(data.anonymous(inspection.status().message()) ==
-        "DATA/image_0: has no readable image; restore them");
+        "DATA/image_0: none of its 4 images can be read, as DATA/image_0/000000.png: is neither a "
+        "PNG nor a JPEG file; copy or record them again");
   CHECK(dataset.right.empty());
 }
 

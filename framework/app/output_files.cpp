@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "app/output_files.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "app/program.hpp"
+#include "record/atomic_file.hpp"
+
+namespace tolman::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether writing the file would lose something. Links count as files: they would be replaced.
+bool isInTheWay(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(file, ignored))) return false;
+  if (fs::is_other(file, ignored) || record::isStandardOutput(file)) return false;
+  if (fs::is_directory(file, ignored)) return !fs::is_empty(file, ignored);
+  return fs::is_symlink(file, ignored) || fs::file_size(file, ignored) > 0;
+}
+
+}  // namespace
+
+void addForce(CLI::App& command, bool& replace, const std::string& what) {
+  command.add_flag("--force", replace, what);
+}
+
+void refuseExisting(const std::vector<fs::path>& files, bool replace, const std::string& option,
+                    const std::function<bool(const fs::path&)>& is_own) {
+  if (replace) return;
+  for (const fs::path& file : files) {
+    if (!isInTheWay(file) || is_own(file)) continue;
+    throw Ended{ExitCode::Record, file.string() + ": exists; choose another " + option +
+                                      ", or replace it by --force"};
+  }
+}
+
+}  // namespace tolman::app

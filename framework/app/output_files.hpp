@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The one rule for files that a command writes to places that the user chose: a file that exists is
+// replaced only by --force.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace tolman::app {
+
+/// Adds --force, which sets `replace`.
+void addForce(CLI::App& command, bool& replace, const std::string& what);
+
+/// To be called before the command begins its work: throws Ended (8) if one of `files` exists and
+/// `replace` is not set. `option` is the option that chose them. May be written without it: an
+/// empty file, as `mktemp` makes it; pipes, devices and the standard output, which are not
+/// replaced; and files that `is_own` tells to be Tolman's.
+void refuseExisting(
+    const std::vector<std::filesystem::path>& files, bool replace, const std::string& option,
+    const std::function<bool(const std::filesystem::path&)>& is_own = [](const auto&) {
+      return false;
+    });
+
+}  // namespace tolman::app

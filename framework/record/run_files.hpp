@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The files of a run directory: which of them Tolman writes, and their removal. Other files are of
+// the user and are kept.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <vector>
+
+#include "tolman/status.hpp"
+
+namespace tolman::record {
+
+/// The figures of a report: files of these names, as SVG and PNG.
+inline constexpr std::array<std::string_view, 10> kFigureNames = {
+    "map",    "error",  "elevation", "templates", "activity",
+    "arrays", "firing", "units",     "timing",    "comparison"};
+
+/// The list of the artefacts that a run has written, each ended by a zero byte, in its
+/// folder `artefacts`.
+inline constexpr std::string_view kArtefactList = ".tolman-artefacts";
+
+/// Whether a run directory: it has a run.sqlite, or a run.json with a status.
+bool holdsRun(const std::filesystem::path& directory);
+
+/// Removes what `export`, `report` or the end of a run computed from the record: trajectories, map,
+/// metrics, figures, run.npz, run.nwb and the exports of earlier sessions. Files that Tolman does
+/// not write are kept, and added to `kept` if they are in a folder of such files. Failed if a file
+/// cannot be removed, or if one of the folders is a link to another folder.
+Status removeDerivedFiles(const std::filesystem::path& directory,
+                          std::vector<std::filesystem::path>& kept);
+
+/// The same for all files of a run: also record, log, states and artefacts.
+Status removeRunFiles(const std::filesystem::path& directory,
+                      std::vector<std::filesystem::path>& kept);
+
+}  // namespace tolman::record
