@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/named_value.hpp"
 #include "app/program.hpp"
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
@@ -110,7 +111,7 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
   CLI::App* command =
       app.add_subcommand("eval", "Score a trajectory (TUM or KITTI file) against the truth");
   auto options = std::make_shared<EvalOptions>();
-  const std::map<std::string, evaluation::Alignment> names = {
+  const std::vector<std::pair<std::string, evaluation::Alignment>> names = {
       {"none", evaluation::Alignment::None},
       {"se2", evaluation::Alignment::Se2},
       {"se3", evaluation::Alignment::Se3},
@@ -122,7 +123,7 @@ void addEvalCommand(CLI::App& app, Invocation& invocation) {
   command
       ->add_option("--align", options->alignment, "Alignment before the comparison (default: se3)")
       ->type_name("none|se2|se3|sim3")
-      ->transform(CLI::CheckedTransformer(names, CLI::ignore_case).description(""));
+      ->transform(CLI::Validator(namedValue(names), ""));
   command
       ->add_option("--max-difference", options->max_difference,
                    "Match by time, at most this many seconds apart (default: by frame)")

@@ -8,7 +8,6 @@
 
 #include "app/output_files.hpp"
 #include "app/program.hpp"
-#include "config/printable_text.hpp"
 #include "isolation/child_process.hpp"
 #include "record/export.hpp"
 #include "record/reference.hpp"
@@ -16,18 +15,6 @@
 
 namespace tolman::app {
 namespace {
-
-/// What is exported of a record that was changed after its run, or of a run whose run.json is
-/// damaged, is exported, but not silently.
-void warnOfDamage(const std::string& run) {
-  const auto reader = record::RunReader::open(run);
-  const Status status = reader.isOk() ? record::checkRows(*reader.value()) : Status::ok();
-  if (!status.isOk()) {
-    std::cerr << "warning: " << config::printable(status.message())
-              << "; what was exported is of the changed record\n";
-  }
-  warnOfRunFile(run);
-}
 
 struct ExportCommand {
   std::string run;

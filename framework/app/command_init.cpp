@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <map>
 #include <sstream>
 
 #include "app/init_text.hpp"
+#include "app/named_value.hpp"
 #include "app/output_files.hpp"
 #include "app/system_options.hpp"
 #include "record/atomic_file.hpp"
@@ -113,14 +113,13 @@ void addInitCommand(CLI::App& app, Invocation& invocation) {
   command->add_option("--out", options->out, "File to write (default: standard output)")
       ->type_name("FILE")
       ->check(notEmpty);
-  const std::map<std::string, CarriedBy> carriers = {
+  const std::vector<std::pair<std::string, CarriedBy>> carriers = {
       {"car", CarriedBy::Car}, {"hand", CarriedBy::Hand}, {"toy", CarriedBy::Toy}};
   command
       ->add_option("--motion", options->carrier,
                    "What carries the camera: car, hand or toy (default: a guess)")
       ->type_name("MOTION")
-      ->transform(CLI::Transformer(carriers))
-      ->check(CLI::IsMember({"1", "2", "3"}).description(""));
+      ->transform(CLI::Validator(namedValue(carriers), ""));
   command->add_option("--set", options->values, "Parameter of the source: --set a=b (repeatable)")
       ->type_name("NAME=VALUE")
       ->allow_extra_args(false);

@@ -7,7 +7,6 @@
 
 #include "app/output_files.hpp"
 #include "app/program.hpp"
-#include "record/export.hpp"
 #include "record/run_directory.hpp"
 #include "run/report_files.hpp"
 
@@ -72,12 +71,7 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
     const auto written =
         valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
     printFiles(written, invocation);
-    for (const std::string& run : *runs) {
-      const auto reader = record::RunReader::open(run);
-      const Status status = reader.isOk() ? record::checkUnchanged(*reader.value()) : Status::ok();
-      if (!status.isOk()) std::cerr << "warning: " + status.message() + "\n";
-      warnOfRunFile(run);
-    }
+    for (const std::string& run : *runs) warnOfDamage(run);
   });
 }
 

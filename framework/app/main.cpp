@@ -88,6 +88,15 @@ bool hasThreads(bool quiet) {
   return false;
 }
 
+/// SIGINT, SIGTERM and SIGHUP end a command with the documented exit code; commands that conclude
+/// their work first take the signals over (run::Interrupts). Ignored signals stay ignored (nohup).
+void endOnSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto end = [](int) { ::_exit(static_cast<int>(tolman::app::ExitCode::Interrupted)); };
+    if (std::signal(signal, end) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+}
+
 /// Whether another process of this program has started this one, and reports how it ends.
 bool isInternal(int argc, char** argv) {
   constexpr std::array<std::string_view, 3> kInternal = {"run-stage", "run-check", "probe-source"};
@@ -106,6 +115,7 @@ int main(int argc, char** argv) {
   if (!hasThreads(internal)) return internal ? tolman::isolation::kNoThreadsExit : kNoRoom;
   limitFragmentation();
   repairInheritedState();
+  if (!internal) endOnSignals();
   std::optional<tolman::app::TerminalOutput> terminal;
   if (::isatty(STDOUT_FILENO) == 1) terminal.emplace(std::cout);
   return tolman::app::runProgram(argc, argv);

@@ -21,7 +21,9 @@
 #include "config/paths.hpp"
 #include "host/manifest.hpp"
 #include "record/atomic_file.hpp"
+#include "record/export.hpp"
 #include "record/run_directory.hpp"
+#include "record/run_reader.hpp"
 #include "run/build_info.hpp"
 #include "run/terminal.hpp"
 
@@ -197,6 +199,17 @@ void requireOrEnd(const Status& status) {
 void warnOfRunFile(const std::string& run) {
   const Status status = record::RunDirectory::checkRunFile(run);
   if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
+}
+
+void warnOfDamage(const std::string& run) {
+  const auto reader = record::RunReader::open(run);
+  Status status = reader.isOk() ? record::checkRows(*reader.value()) : Status::ok();
+  if (status.isOk() && reader.isOk()) status = record::checkUnchanged(*reader.value());
+  if (!status.isOk()) {
+    std::cerr << "warning: " + run::printable(status.message()) +
+                     "; this output is of the changed record\n";
+  }
+  warnOfRunFile(run);
 }
 
 void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation) {

@@ -18,9 +18,14 @@ std::string axesHint(const Matches& matches);
 
 /// A warning if the aligned positions agree within a twentieth of the true path, but the directions
 /// of motion, each in its camera's own axes, differ by more than 45 degrees in the mean, or the
-/// aligned orientations by more than 90 degrees in the median, as for mirrored positions; else
-/// empty.
+/// aligned orientations by more than 90 degrees in the median without being isTurnedFreely(), as
+/// for mirrored positions; else empty.
 std::string rotationHint(const Matches& aligned);
+
+/// Whether the alignment turned the estimate by more than 90 degrees (median) against its own
+/// orientations although the positions agree within a hundredth of the true path with the turn that
+/// the orientations have: the path is nearly straight, and small errors decide the turn about it.
+bool isTurnedFreely(const Matches& aligned);
 
 /// A warning if the poses move along their own x axis and more along the y than along the z axis of
 /// the first pose, as poses with x forward and z up do: y is read as down. Else empty.

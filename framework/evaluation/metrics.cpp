@@ -147,10 +147,10 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
     return;
   }
   scores.ate_m = absoluteError(pairs);
-  if (alignment != Alignment::None && turnIsOpen(pairs)) {
+  if (alignment != Alignment::None && (turnIsOpen(pairs) || isTurnedFreely(pairs))) {
     scores.no_horizontal = scores.no_vertical =
         "the path does not say how the estimate is turned about it: a quarter turn would change "
-        "the error by less than 5 %; the alignment none, if both have the same axes, tells them "
+        "the error by less than 5 %, or the orientations contradict the turn; the alignment none, if both have the same axes, tells them "
         "apart";
     return;
   }

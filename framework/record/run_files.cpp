@@ -135,11 +135,20 @@ void removeDerived(Removal& removal, const fs::path& directory) {
   }
 }
 
+/// As a run leaves it that could not write its first file.
+bool holdsOnlyEmptyLog(const fs::path& directory) {
+  std::error_code error;
+  fs::directory_iterator entry(directory, error);
+  return !error && entry != fs::directory_iterator() && entry->path().filename() == "log.txt" &&
+         entry->is_regular_file(error) && entry->file_size(error) == 0 &&
+         ++entry == fs::directory_iterator();
+}
+
 }  // namespace
 
 bool holdsRun(const fs::path& directory) {
   std::error_code ignored;
-  return fs::exists(directory / "run.sqlite", ignored) ||
+  return fs::exists(directory / "run.sqlite", ignored) || holdsOnlyEmptyLog(directory) ||
          RunDirectory::checkRunFile(directory).isOk() ||
          (fs::exists(directory / "run.json", ignored) &&
           fs::exists(directory / "config.resolved.yaml", ignored));

@@ -21,7 +21,8 @@ inline constexpr std::array<std::string_view, 10> kFigureNames = {
 /// folder `artefacts`.
 inline constexpr std::string_view kArtefactList = ".tolman-artefacts";
 
-/// Whether a run directory: it has a run.sqlite, or a run.json with a status.
+/// Whether a run directory: it has a run.sqlite, a run.json with a status, or nothing but an empty
+/// log.txt.
 bool holdsRun(const std::filesystem::path& directory);
 
 /// Removes what `export`, `report` or the end of a run computed from the record: trajectories, map,

@@ -139,8 +139,7 @@ void Run::continueEarlierRun() {
     refuseToContinue(directory + ": this run is still going; wait for its end, or interrupt it");
   }
   earlier_ = require(record::RunReader::open(directory), FailureKind::Continuation);
-  const Status run_file = record::RunDirectory::checkRunFile(directory);
-  if (!run_file.isOk()) log_.write(LogLevel::Warning, "continue", run_file.message());
+  require(record::RunDirectory::checkRunFile(directory), FailureKind::Continuation);
   require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
   const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
   const SessionProgress before = loadState(*assembly_, directory);

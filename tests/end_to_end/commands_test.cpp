@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "end_to_end/fixture_plugins.hpp"
+#include "end_to_end/record_rows.hpp"
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
 #include "support/paths.hpp"
@@ -297,6 +298,37 @@ TEST_CASE("plan leads from experience to experience, or to a place") {
     CHECK(contains(finished.err, std::string("'") + far + "' is not a place"));
     CHECK(contains(finished.err, "at most 1e9"));
   }
+}
+
+TEST_CASE("a record that was changed after its run is used with a warning") {
+  TemporaryFolder folder;
+  writeTinyKitti(folder.path() / "sequence", 20);
+  const auto config = writeTinyConfig(folder.path(), folder.path() / "sequence");
+  const auto out = folder.path() / "run";
+  REQUIRE(tolman::test::tolman(tinyRun(config, out)).exit_code == 0);
+  const auto changed = [&](const std::vector<std::string>& arguments) {
+    const Finished finished = tolman::test::tolman(arguments);
+    INFO(finished.err);
+    CHECK(finished.exit_code == 0);
+    return contains(finished.err, "are not those that the run wrote") &&
+           contains(finished.err, "this output is of the changed record");
+  };
+  const std::vector<std::string> plan = {"plan", out.string(), "--from", "0", "--to", "0,9"};
+  CHECK_FALSE(changed(plan));
+  CHECK_FALSE(changed({"report", out.string()}));
+  editRecord(out, "UPDATE timing SET duration_ns = 1");
+  CHECK(changed(plan));
+  CHECK(changed({"report", out.string()}));
+  CHECK(changed({"export", out.string(), "--out", (folder.path() / "exported").string()}));
+}
+
+TEST_CASE("an option with names lists them") {
+  const Finished align = tolman::test::tolman({"eval", "a", "b", "--align", "foo"});
+  CHECK(align.exit_code == 2);
+  CHECK(contains(align.err, "--align: 'foo' is none of none, se2, se3, sim3\n"));
+  const Finished motion = tolman::test::tolman({"init", "a", "--motion", "Boat"});
+  CHECK(motion.exit_code == 2);
+  CHECK(contains(motion.err, "--motion: 'Boat' is none of car, hand, toy\n"));
 }
 
 TEST_CASE("export of what is no run is one clear error") {

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Interrupted and killed runs: their records can be read and exported.
+#include <fcntl.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -59,6 +64,24 @@ TEST_CASE("SIGINT finishes the files and exits with 130") {
   CHECK(frames < 80);
   CHECK(lines(run.out / "trajectory.tum") == frames);
   CHECK(readJson(run.out / "metrics.json")["odometry"]["poses"] == frames);
+}
+
+TEST_CASE("commands that only read end with 130 on the three signals") {
+  const int signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
+  const TemporaryFolder folder;
+  const fs::path fifo = folder.path() / "never";
+  REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
+  const int writer = ::open(fifo.c_str(), O_RDWR);  // has no end while this is open
+  const std::string pose = "0.0 0 0 0 0 0 0 1\n";
+  REQUIRE(::write(writer, pose.data(), pose.size()) == static_cast<ssize_t>(pose.size()));
+  Process eval({tolmanProgram().string(), "eval", fifo.string(), fifo.string()}, folder.path());
+  for (int waiting = 1, i = 0; waiting > 0 && i < 1000; ++i) {  // until it reads
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    REQUIRE(::ioctl(writer, FIONREAD, &waiting) == 0);
+  }
+  eval.signal(signal);
+  CHECK(eval.wait().exit_code == 130);
+  ::close(writer);
 }
 
 TEST_CASE("SIGKILL at different moments loses at most the last second") {

@@ -26,4 +26,11 @@ std::vector<std::vector<double>> recordRows(const std::filesystem::path& run,
   return rows;
 }
 
+void editRecord(const std::filesystem::path& run, const std::string& statement) {
+  sqlite3* database = nullptr;
+  REQUIRE(sqlite3_open((run / "run.sqlite").c_str(), &database) == SQLITE_OK);
+  REQUIRE(sqlite3_exec(database, statement.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
+  sqlite3_close(database);
+}
+
 }  // namespace tolman::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Numbers from the record of a run, by SQL.
+// Numbers from the record of a run, by SQL, and records that are changed after the run.
 #pragma once
 
 #include <filesystem>
@@ -12,5 +12,8 @@ namespace tolman::test {
 /// cannot be asked.
 std::vector<std::vector<double>> recordRows(const std::filesystem::path& run,
                                             const std::string& query);
+
+/// Runs a statement that changes run.sqlite; fails the test where it cannot be run.
+void editRecord(const std::filesystem::path& run, const std::string& statement);
 
 }  // namespace tolman::test

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Killed and interrupted runs are resumed from their last checkpoint, and give the same bytes as
 // runs without interruption.
-#include <sqlite3.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -55,13 +54,6 @@ std::map<std::string, std::string> filesOf(const fs::path& folder) {
     files[entry.path().string()] = readText(entry.path());
   }
   return files;
-}
-
-void edited(const fs::path& run, const std::string& sql) {
-  sqlite3* database = nullptr;
-  REQUIRE(sqlite3_open((run / "run.sqlite").c_str(), &database) == SQLITE_OK);
-  REQUIRE(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
-  sqlite3_close(database);
 }
 
 /// 60 frames at four times the speed of their stamps, none of them dropped.
@@ -293,7 +285,7 @@ TEST_CASE("what cannot be resumed is refused with exit code 9, and stays as it i
   SECTION("a record whose rows were edited") {
     for (const char* edit : {"UPDATE motion SET covariance = zeroblob(288) WHERE frame = 2",
                              "DELETE FROM timing WHERE frame = 1"}) {
-      edited(run.out, edit);
+      editRecord(run.out, edit);
       CHECK(contains(refusal(), "are not those that the run wrote"));
       const Finished exported = tolman::test::tolman({"export", run.out.string()});
       CHECK(exported.exit_code == 5);

@@ -224,6 +224,10 @@ TEST_CASE("a state that does not fit is refused in one sentence, with exit code 
     replaceIn(contents, "\"version\": \"0.1.0\"", "\"version\": \"9.0.0\"");
     CHECK(contains(refusal(), "and had 9.0.0"));
   }
+  SECTION("a damaged run.json") {
+    std::ofstream(first / "run.json").close();
+    CHECK(contains(refusal(), "run.json: is missing or damaged"));
+  }
   SECTION("no JSON") {
     std::ofstream(contents) << "{\"format\": ";
     CHECK(contains(refusal(), "is damaged"));

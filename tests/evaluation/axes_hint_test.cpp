@@ -98,6 +98,26 @@ TEST_CASE("mirrored positions, which an alignment turns upside down, are told") 
   CHECK(rotationHint(test::paired(truth, truth)).empty());
 }
 
+TEST_CASE("on a nearly straight path small errors turn the estimate, which is no wrong axis") {
+  Trajectory truth = test::straightPath(12);
+  Trajectory estimate = truth;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const double along = static_cast<double>(i) - 5.5;
+    truth[i].T_world_camera.translation().x() = 0.0003 * along * along;
+    estimate[i].T_world_camera.translation().x() = -0.0003 * along * along;  // half a turn away
+  }
+  const TrajectoryMetrics metrics = scoreTrajectory(truth, estimate, Alignment::Se3);
+  CHECK(metrics.warning.empty());
+  CHECK(metrics.scores->ate_m.rmse < 1e-6);
+  CHECK_THAT(metrics.scores->no_horizontal, Catch::Contains("how the estimate is turned about it"));
+  for (std::size_t i = 0; i < truth.size(); ++i) {  // a bend of half a metre is no error of odometry
+    truth[i].T_world_camera.translation().x() *= 60;
+    estimate[i].T_world_camera.translation().x() *= 60;
+  }
+  CHECK_THAT(scoreTrajectory(truth, estimate, Alignment::Se3).warning,
+             Catch::Contains("against its own orientations"));
+}
+
 TEST_CASE("positions in millimetres are told, a poor scale is not") {
   const Trajectory estimate = drive();
   const auto scaled = [&](double factor) {

@@ -73,6 +73,19 @@ TEST_CASE("a run.json of another program does not make a folder a run") {
   CHECK(RunDirectory::create(byForce(folder.path())).isOk());
 }
 
+TEST_CASE("what a run leaves that could not write its first file may be replaced") {
+  const test::TemporaryFolder folder;
+  std::ofstream(folder.path() / "log.txt").close();
+  CHECK(holdsRun(folder.path()));
+  CHECK_FALSE(RunDirectory::mayTake(folder.path(), false).isOk());
+  CHECK(RunDirectory::mayTake(folder.path(), true).isOk());
+  put(folder.path() / "log.txt");  // text of another program
+  CHECK_FALSE(holdsRun(folder.path()));
+  std::ofstream(folder.path() / "log.txt").close();
+  put(folder.path() / "other.txt");
+  CHECK_FALSE(holdsRun(folder.path()));
+}
+
 TEST_CASE("a folder of a run that is a link is refused before anything is removed") {
   const test::TemporaryFolder folder;
   const test::TemporaryFolder elsewhere;

@@ -39,9 +39,15 @@ void readCalibration(const fs::path& file, int left, bool stereo, ImageDataset& 
   checkFieldOfView(file, dataset.rig, inspection);
 }
 
+/// Also of a link that leads nowhere: reading it then names it, instead of going without it.
+bool isThere(const fs::path& file) {
+  std::error_code ignored;
+  return fs::symlink_status(file, ignored).type() != fs::file_type::not_found;
+}
+
 void readStamps(const KittiParameters& p, ImageDataset& dataset, Inspection& inspection) {
   const fs::path file = fs::path(p.path) / "times.txt";
-  if (!fs::exists(file)) {
+  if (!isThere(file)) {
     if (p.rate > 0) {
       dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);
     } else {
@@ -62,7 +68,7 @@ fs::path posesFile(const KittiParameters& p) {
   const fs::path benchmark =
       sequence.parent_path().parent_path() / "poses" / (sequence.filename().string() + ".txt");
   for (const fs::path& file : {sequence / "poses.txt", benchmark}) {
-    if (fs::exists(file)) return file;
+    if (isThere(file)) return file;
   }
   return {};
 }

@@ -82,8 +82,12 @@ bool isCut(const std::vector<TextLine>& lines) {
 std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
   constexpr std::uintmax_t kMaxBytes = 256U << 20U;
   std::error_code failure;
-  if (!fs::is_regular_file(file, failure)) {
-    inspection.error(file, "is missing; restore it, or correct the path");
+  const fs::file_status status = fs::status(file, failure);
+  if (!fs::is_regular_file(status)) {
+    const bool is_other = fs::exists(status) || status.type() == fs::file_type::none;
+    const std::string why = fs::exists(status) ? "is no regular file" : failure.message();
+    inspection.error(file, is_other ? why + "; put a text file in its place"
+                                    : "is missing; restore it, or correct the path");
     return {};
   }
   if (fs::file_size(file, failure) > kMaxBytes || failure) {

@@ -160,6 +160,13 @@ TEST_CASE("times and truth from elsewhere") {
     std::filesystem::rename(data.path("poses.txt"), data.path("truth.txt"));
     CHECK(Run(with(data, {{"poses", data.path("truth.txt").string()}})).info.has_truth);
   }
+  SECTION("poses that are a link to nowhere are an error, not absent") {
+    data.remove("poses.txt");
+    std::filesystem::create_symlink("nowhere.txt", data.path("poses.txt"));
+    KittiSource source;
+    CHECK(data.anonymous(configure(source, with(data))) ==
+          "DATA/poses.txt: is missing; restore it, or correct the path");
+  }
   SECTION("poses where the benchmark has them") {
     for (const char* name : {"image_0", "image_1", "calib.txt", "times.txt"}) {
       std::filesystem::create_directories(data.path("kitti/sequences/06"));

@@ -127,7 +127,10 @@ TEST_CASE("a file that says nothing is an error") {
   data.write("blank.txt", "\n\n");
   CHECK(failure("blank.txt") == "DATA/blank.txt: is empty; restore it");
   CHECK(failure("none.txt") == "DATA/none.txt: is missing; restore it, or correct the path");
-  CHECK(failure("image_0") == "DATA/image_0: is missing; restore it, or correct the path");
+  CHECK(failure("image_0") == "DATA/image_0: is no regular file; put a text file in its place");
+  std::filesystem::create_symlink("loop.txt", data.path("loop.txt"));
+  CHECK(failure("loop.txt") ==
+        "DATA/loop.txt: Too many levels of symbolic links; put a text file in its place");
 }
 
 TEST_CASE("garbage is not listed without end") {
