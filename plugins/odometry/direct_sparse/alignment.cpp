@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "eight.hpp"
+#include "lanes.hpp"
 
 namespace tolman::direct_sparse {
 namespace {

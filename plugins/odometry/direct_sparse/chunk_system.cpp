@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "eight.hpp"
+#include "lanes.hpp"
 
 namespace tolman::direct_sparse {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "eight.hpp"
+#include "lanes.hpp"
 #include "photometric_residual.hpp"
 #include "window.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "four.hpp"
+#include "lanes.hpp"
 #include "large_pages.hpp"
 #include "pyramid.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "eight.hpp"
+#include "lanes.hpp"
 
 namespace tolman::direct_sparse {
 namespace {

@@ -1,32 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four doubles at once, for functions that are TOLMAN_WIDE_LANES: one register of AVX2, two of
-// SSE2. Whether such values pass between functions in registers depends on the processor that the
-// caller is compiled for, so only pass them to functions that are inlined into the caller.
+// Vectors and symmetric matrices of four points at once, in functions that are TOLMAN_WIDE_LANES
+// (four_doubles.hpp).
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cmath>
-#include <cstdint>
 
-#include "wide_lanes.hpp"
+#include "four_doubles.hpp"
 
 namespace tolman::feature_stereo {
 
 constexpr int kFour = 4;
-using Four = double __attribute__((vector_size(32)));
-using FourMask = std::int64_t __attribute__((vector_size(32)));
-
-/// `count` of them. Code for AVX2 expects vectors at multiples of 32 bytes, while their type alone
-/// demands 16 where the compiler's default is SSE2. So keep them in these, and lone ones after
-/// these.
-template <std::size_t count>
-struct alignas(32) Fours {
-  Four values[count];
-
-  TOLMAN_INLINE Four& operator[](std::size_t i) { return values[i]; }
-  TOLMAN_INLINE const Four& operator[](std::size_t i) const { return values[i]; }
-};
+using namespace lanes;
+using Four = FourDoubles;
 using Four3 = Fours<3>;
 using Four6 = Fours<6>;
 
@@ -43,12 +28,6 @@ struct PlainPose {
   }
 };
 
-TOLMAN_INLINE Four four(double value) { return Four{value, value, value, value}; }
-TOLMAN_INLINE Four chosen(FourMask mask, Four a, Four b) { return mask ? a : b; }
-TOLMAN_INLINE Four squareRoot(Four value) {
-  return Four{std::sqrt(value[0]), std::sqrt(value[1]), std::sqrt(value[2]), std::sqrt(value[3])};
-}
-TOLMAN_INLINE double sumOf(Four value) { return (value[0] + value[1]) + (value[2] + value[3]); }
 /// R' v.
 TOLMAN_INLINE Four3 turnedBack(const PlainPose& pose, const Four3& v) {
   Four3 q;

@@ -35,7 +35,7 @@ TOLMAN_INLINE Four3 errorsOf(const PoseGroup& group, const LaneProjection& p) {
 
 TOLMAN_INLINE Four distanceOf(const PoseGroup& group, const LaneProjection& p) {
   const Four3 error = errorsOf(group, p);
-  return chosen(p.front, dot(error, product(group.weights, error)), four(kNotSeen));
+  return select(p.front, dot(error, product(group.weights, error)), four(kNotSeen));
 }
 
 TOLMAN_WIDE_LANES
@@ -44,12 +44,12 @@ void weighGroups(const LaneCamera& camera, const PlainPose& pose, const PixelNoi
   for (PoseGroup& group : groups) {
     const LaneProjection p = projected(camera, pose, group.scaled, group.inverse_depth);
     // A point behind the camera has derivatives of 0: only the noise counts.
-    const Four disparity = chosen(p.front, p.fromCentre[2], group.pixel[2]);
+    const Four disparity = select(p.front, p.fromCentre[2], group.pixel[2]);
     const Four ratio = disparity * (1 / noise.doubling);
     const Four growth = 1.0 + ratio * ratio;
     const Four track = noise.track * noise.track * growth;
     const Four measured = noise.disparity * noise.disparity * growth;
-    const Four across = chosen(group.has_disparity > 0.5, measured, four(kNoInformation));
+    const Four across = select(group.has_disparity > 0.5, measured, four(kNoInformation));
     const LaneByPoint J = derivativesByPoint(camera, pose, group.reference, p);
     group.weights = inverseOf(spread(J, group.covariance, {track, track, across}));
   }
@@ -72,7 +72,7 @@ double costOfGroups(const LaneCamera& camera, const PlainPose& pose,
   for (const PoseGroup& group : groups) {
     const Four distance =
         distanceOf(group, projected(camera, pose, group.scaled, group.inverse_depth));
-    sum += group.has_match * chosen(distance < gate, distance, four(gate));
+    sum += group.has_match * select(distance < gate, distance, four(gate));
   }
   return sumOf(sum);
 }
@@ -91,7 +91,7 @@ void addGroups(const LaneCamera& camera, const PlainPose& pose,
     const Four3 error = errorsOf(group, p);
     const Four3 e = product(group.weights, error);
     const Four squared = dot(error, e);
-    const Four robust = chosen(p.front & (squared <= gate),
+    const Four robust = select(p.front & (squared <= gate),
                                group.has_match / (1.0 + squared * (1 / kCauchy)), Four{});
     const LaneByPose J = derivativesByPose(camera, p, group.inverse_depth);
     std::size_t k = 0;

@@ -65,7 +65,7 @@ TOLMAN_INLINE LaneProjection projected(const LaneCamera& camera, const PlainPose
                        scaled[2] - inverse_depth * pose.t[2]};
   p.q = turnedBack(pose, world);
   p.front = p.q[2] >= 1e-3;  // the same as in project()
-  p.inverse = chosen(p.front, 1.0 / p.q[2], Four{});
+  p.inverse = select(p.front, 1.0 / p.q[2], Four{});
   p.fromCentre = {camera.fx * p.q[0] * p.inverse, camera.fy * p.q[1] * p.inverse,
                   camera.fb * inverse_depth * p.inverse};
   return p;

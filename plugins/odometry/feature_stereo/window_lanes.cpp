@@ -47,16 +47,16 @@ TOLMAN_INLINE WeightedError weightedError(const WindowObservations& seen, const 
   const Four3 error = errorsOf(seen, p, offset);
   const Four squares = dot(error, error);
   const FourMask outside = squares > kHuber * kHuber;
-  const Four length = squareRoot(chosen(outside, squares, four(kHuber * kHuber)));
-  const Four robust = chosen(p.front, squareRoot(kHuber / length), Four{});
+  const Four length = squareRoot(select(outside, squares, four(kHuber * kHuber)));
+  const Four robust = select(p.front, squareRoot(kHuber / length), Four{});
   WeightedError result;
   for (std::size_t i = 0; i < 3; ++i) {
     result.error[i] = robust * error[i];
     result.weights[i] = robust * seen.weights[i];
   }
-  const Four cost = chosen(outside, 2 * kHuber * length - kHuber * kHuber, squares);
-  const Four behind = chosen(seen.weights[0] > 0.0, four(kBehind), Four{});
-  result.cost = chosen(p.front, cost, behind);
+  const Four cost = select(outside, 2 * kHuber * length - kHuber * kHuber, squares);
+  const Four behind = select(seen.weights[0] > 0.0, four(kBehind), Four{});
+  result.cost = select(p.front, cost, behind);
   return result;
 }
 

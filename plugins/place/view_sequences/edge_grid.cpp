@@ -8,7 +8,7 @@
 
 #include "edge_map.hpp"
 #include "tolman/image_cv.hpp"
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -99,8 +99,8 @@ struct RowOfEdges {
 /// The first and the last pixel have no edge. The arctangent is that of Abramowitz and Stegun,
 /// equation 4.4.49, with an error below 2e-8 radians: the library's takes half of the time of the
 /// whole grid.
-TOLMAN_WIDE void edgesOfRow(const float* above, const float* row, const float* below,
-                            float* strength, float* direction) {
+TOLMAN_WIDE_LANES void edgesOfRow(const float* above, const float* row, const float* below,
+                                  float* strength, float* direction) {
   constexpr float kHalfTurn = std::numbers::pi_v<float>;
   constexpr float kTerms[] = {0.0028662257F,  -0.0161657367F, 0.0429096138F,
                               -0.0752896400F, 0.1065626393F,  -0.1420889944F,

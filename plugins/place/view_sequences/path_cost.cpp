@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -56,15 +56,15 @@ template <std::int64_t kForward>
   }
 }
 
-TOLMAN_WIDE void stepForwards(const Transition& t, const float* before, const float* z,
-                              float* after, std::int64_t count) {
+TOLMAN_WIDE_LANES void stepForwards(const Transition& t, const float* before, const float* z,
+                                    float* after, std::int64_t count) {
   const std::int64_t first = std::min<std::int64_t>(count, kLargestStep);
   for (std::int64_t i = 0; i < first; ++i) after[i] = costAtEnd<1>(t, before, z, i, i);
   stepInner<1>(t, before, z, after, first, count);
 }
 
-TOLMAN_WIDE void stepBackwards(const Transition& t, const float* before, const float* z,
-                               float* after, std::int64_t count) {
+TOLMAN_WIDE_LANES void stepBackwards(const Transition& t, const float* before, const float* z,
+                                     float* after, std::int64_t count) {
   const std::int64_t last = std::max<std::int64_t>(count - kLargestStep, 0);
   stepInner<-1>(t, before, z, after, 0, last);
   for (std::int64_t i = last; i < count; ++i) {

@@ -9,7 +9,7 @@
 
 #include "place_probability.hpp"
 #include "usual_distance.hpp"
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -30,7 +30,7 @@ float distanceOfBits(int bits) {
 }
 
 /// The smallest of the values and 0.
-TOLMAN_WIDE float leastOf(const float* values, std::int64_t count) {
+TOLMAN_WIDE_LANES float leastOf(const float* values, std::int64_t count) {
   float lanes[8] = {};
   std::int64_t i = 0;
   for (; i + 8 <= count; i += 8) {
@@ -42,8 +42,8 @@ TOLMAN_WIDE float leastOf(const float* values, std::int64_t count) {
   return least;
 }
 
-TOLMAN_WIDE void lookUp(const float* table, const std::uint16_t* at, float* values,
-                        std::int64_t count) {
+TOLMAN_WIDE_LANES void lookUp(const float* table, const std::uint16_t* at, float* values,
+                              std::int64_t count) {
   for (std::int64_t i = 0; i < count; ++i) values[i] = table[at[i]];
 }
 

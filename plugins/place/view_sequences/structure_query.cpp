@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -28,7 +28,7 @@ std::int16_t fixedLevel(float value) {
 }
 
 /// Inner product in integers, so that the order of summation does not matter.
-TOLMAN_WIDE std::int32_t product(const std::int16_t* a, const std::uint8_t* b, int count) {
+TOLMAN_WIDE_LANES std::int32_t product(const std::int16_t* a, const std::uint8_t* b, int count) {
   std::int32_t sum = 0;
   for (int i = 0; i < count; ++i) sum += a[i] * b[i];
   return sum;
@@ -46,7 +46,7 @@ struct SliceSums {
   std::int32_t squares = 0;
 };
 
-TOLMAN_WIDE SliceSums sliceSums(const std::int16_t* mean, const std::uint8_t* stored) {
+TOLMAN_WIDE_LANES SliceSums sliceSums(const std::int16_t* mean, const std::uint8_t* stored) {
   SliceSums sums;
   for (int i = 0; i < kSlice; ++i) {
     sums.with_mean += mean[i] * stored[i];

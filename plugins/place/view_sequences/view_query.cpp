@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::view_sequences {
 namespace {
@@ -27,7 +27,8 @@ Overlap overlapAt(int index) {
 }
 
 /// In integers, so that the order of summation does not matter.
-TOLMAN_WIDE std::int32_t innerProduct(const std::int16_t* a, const std::int16_t* b, int count) {
+TOLMAN_WIDE_LANES std::int32_t innerProduct(const std::int16_t* a, const std::int16_t* b,
+                                            int count) {
   std::int32_t sum = 0;
   for (int i = 0; i < count; ++i) sum += a[i] * b[i];
   return sum;

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dispatch.hpp"
 #include "ray_packet.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
@@ -40,7 +40,7 @@ struct Neighbours {
   return is_visible & ((change != 0 ? 1U : 0U) | (bends & has_faces));
 }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void findInRow(const Neighbours& beside, const Neighbours& above, int width, std::uint32_t* edges) {
   const Neighbours b = beside;
   const Neighbours a = above;

@@ -11,7 +11,7 @@ namespace tolman::town {
 ///
 /// The shares of reflected light (0.2 of sky, 0.25 of sun, halves of a quarter) are chosen, not
 /// tuned.
-TOLMAN_TOWN_INLINE Eight lightOnto(const Light& light, const Vec3s& n, Eight lit) {
+TOLMAN_INLINE Eight lightOnto(const Light& light, const Vec3s& n, Eight lit) {
   const Eight direct = lit * light.sun * larger(dot(n, vec3s(light.to_sun)), 0);
   const Eight from_above = light.sky * (0.5F + 0.5F * n.z);
   const Eight from_ground = 0.25F * (0.2F * light.sky + 0.25F * light.sun) * (0.5F - 0.5F * n.z);
@@ -23,7 +23,7 @@ TOLMAN_TOWN_INLINE Eight lightOnto(const Light& light, const Vec3s& n, Eight lit
 /// Radiance of the sky from directions `d` (any length), averaged over `spread` rad.
 ///
 /// Height of the clouds, their wavelength and contrast are chosen, not tuned.
-TOLMAN_TOWN_INLINE Eight lightFromSky(const Light& light, const Vec3s& d, float spread) {
+TOLMAN_INLINE Eight lightFromSky(const Light& light, const Vec3s& d, float spread) {
   const Eight length = norm(d);
   const Eight up = larger(d.z / length, 0);
   const Eight clear = light.horizon + (light.zenith - light.horizon) * squareRoot(up);
@@ -36,7 +36,7 @@ TOLMAN_TOWN_INLINE Eight lightFromSky(const Light& light, const Vec3s& d, float 
 }
 
 /// Radiances `of` points seen through `distance` m of air.
-TOLMAN_TOWN_INLINE Eight lightThrough(const Light& light, Eight of, Eight distance) {
+TOLMAN_INLINE Eight lightThrough(const Light& light, Eight of, Eight distance) {
   if (light.haze <= 0) return of;
   return light.horizon + (of - light.horizon) * exponential(-light.haze * distance);
 }

@@ -21,11 +21,9 @@ struct SurfaceHits {
   EightWords seed;
 
   /// Longer side of the footprint, m.
-  TOLMAN_TOWN_INLINE Eight footprint() const {
-    return squareRoot(larger(dot(dx, dx), dot(dy, dy)));
-  }
+  TOLMAN_INLINE Eight footprint() const { return squareRoot(larger(dot(dx, dx), dot(dy, dy))); }
   /// Extent of the footprint along an axis, m.
-  TOLMAN_TOWN_INLINE Eight extent(const Vec3& axis) const {
+  TOLMAN_INLINE Eight extent(const Vec3& axis) const {
     const Vec3s a = vec3s(axis);
     return absolute(dot(dx, a)) + absolute(dot(dy, a));
   }

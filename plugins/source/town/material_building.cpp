@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Facades with windows and doors, and roofs. u runs along the wall, v up from the ground.
-#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise_lanes.hpp"
 #include "pattern.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
@@ -25,25 +25,25 @@ struct Boxes {
   Eight high;
 };
 
-TOLMAN_TOWN_INLINE Eight cover(const Boxes& box, const WallPoints& at) {
+TOLMAN_INLINE Eight cover(const Boxes& box, const WallPoints& at) {
   return filteredPulse(box.left, box.right, at.u, at.eu) *
          filteredPulse(box.low, box.high, at.v, at.ev);
 }
 
-TOLMAN_TOWN_INLINE Boxes shrunk(const Boxes& box, float by) {
+TOLMAN_INLINE Boxes shrunk(const Boxes& box, float by) {
   return {box.left + by, box.right - by, box.low + by, box.high - by};
 }
 
-TOLMAN_TOWN_INLINE Eight bricks(const WallPoints& at, std::uint32_t seed, Eight footprint) {
+TOLMAN_INLINE Eight bricks(const WallPoints& at, std::uint32_t seed, Eight footprint) {
   constexpr float kLength = 0.25F;
   constexpr float kHeight = 0.075F;
   constexpr float kJoint = 0.012F;
   const Eight visible = survives(0.16F, footprint);
-  const auto row_tone = [&](EightInts row) TOLMAN_TOWN_INLINE_LAMBDA {
+  const auto row_tone = [&](EightInts row) TOLMAN_INLINE_LAMBDA {
     // Every other row is shifted by half a brick.
     const Eight u = at.u + select((row & 1) == 0, 0, kLength / 2);
     const EightWords in_row = hash(words(row), seed);
-    const auto tone = [&](EightInts column) TOLMAN_TOWN_INLINE_LAMBDA {
+    const auto tone = [&](EightInts column) TOLMAN_INLINE_LAMBDA {
       return between(hash(words(column), in_row), -0.3F, 0.3F);
     };
     return larger(visible * filteredCells(kLength, u, at.eu, tone),
@@ -54,7 +54,7 @@ TOLMAN_TOWN_INLINE Eight bricks(const WallPoints& at, std::uint32_t seed, Eight 
 }
 
 /// What is behind the panes: a dark room, a curtain, or a shutter before either.
-TOLMAN_TOWN_INLINE Eight behindPanes(const Boxes& glass, const WallPoints& at, EightWords h) {
+TOLMAN_INLINE Eight behindPanes(const Boxes& glass, const WallPoints& at, EightWords h) {
   Eight inside = between(hash(h, 3), 0.02F, 0.1F);
   const EightInts curtain = unit(hash(h, 4)) < 0.35F;
   if (any(curtain)) {  // brighter, with folds
@@ -71,8 +71,7 @@ TOLMAN_TOWN_INLINE Eight behindPanes(const Boxes& glass, const WallPoints& at, E
 }
 
 /// Albedo of a window with frame and panes, some with curtain or shutter.
-TOLMAN_TOWN_INLINE Eight window(const Boxes& opening, const WallPoints& at, Eight wall,
-                                EightWords h) {
+TOLMAN_INLINE Eight window(const Boxes& opening, const WallPoints& at, Eight wall, EightWords h) {
   const Boxes sill = {opening.left - 0.1F, opening.right + 0.1F, opening.low - 0.1F, opening.low};
   const Eight in_opening = cover(opening, at);
   const Eight in_sill = cover(sill, at);
@@ -88,8 +87,7 @@ TOLMAN_TOWN_INLINE Eight window(const Boxes& opening, const WallPoints& at, Eigh
   return tone + in_sill * (0.5F - wall);
 }
 
-TOLMAN_TOWN_INLINE Eight door(const Boxes& opening, const WallPoints& at, Eight wall,
-                              EightWords h) {
+TOLMAN_INLINE Eight door(const Boxes& opening, const WallPoints& at, Eight wall, EightWords h) {
   const Eight leaf = between(h, 0.08F, 0.5F);
   const Boxes panel = shrunk(opening, 0.25F);
   return wall + cover(opening, at) * (leaf - wall) + cover(panel, at) * (0.6F * leaf - leaf);
@@ -103,8 +101,8 @@ struct Openings {
   EightWords seed;
 };
 
-TOLMAN_TOWN_INLINE Openings openingsAt(const Surface& surface, const WallPoints& at,
-                                       std::uint32_t seed) {
+TOLMAN_INLINE Openings openingsAt(const Surface& surface, const WallPoints& at,
+                                  std::uint32_t seed) {
   const float wanted = between(hash(seed, 11), 2.0F, 3.6F);
   const float bays = std::max(1.0F, floorOf(surface.width / wanted));
   const float bay = surface.width / bays;
@@ -130,8 +128,8 @@ TOLMAN_TOWN_INLINE Openings openingsAt(const Surface& surface, const WallPoints&
   return result;
 }
 
-TOLMAN_TOWN_INLINE Eight openings(const Surface& surface, const WallPoints& at, Eight wall,
-                                  std::uint32_t seed) {
+TOLMAN_INLINE Eight openings(const Surface& surface, const WallPoints& at, Eight wall,
+                             std::uint32_t seed) {
   const Openings nearest = openingsAt(surface, at, seed);
   Eight tone = wall;
   if (any(nearest.is_window)) {
@@ -143,13 +141,13 @@ TOLMAN_TOWN_INLINE Eight openings(const Surface& surface, const WallPoints& at, 
   return tone;
 }
 
-TOLMAN_TOWN_INLINE WallPoints wallPoints(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE WallPoints wallPoints(const Surface& surface, const SurfaceHits& hits) {
   const Vec3s local = hits.point - vec3s(surface.origin);
   return {dot(local, vec3s(surface.axis_u)), dot(local, vec3s(surface.axis_v)),
           hits.extent(surface.axis_u), hits.extent(surface.axis_v)};
 }
 
-TOLMAN_TOWN_INLINE Eight facade(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight facade(const Surface& surface, const SurfaceHits& hits) {
   const WallPoints at = wallPoints(surface, hits);
   const Eight footprint = hits.footprint();
   const std::uint32_t seed = surface.seed;
@@ -164,7 +162,7 @@ TOLMAN_TOWN_INLINE Eight facade(const Surface& surface, const SurfaceHits& hits)
   return openings(surface, at, wall, seed);
 }
 
-TOLMAN_TOWN_INLINE Eight roof(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight roof(const Surface& surface, const SurfaceHits& hits) {
   const Vec3s local = hits.point - vec3s(surface.origin);
   const Eight u = dot(local, vec3s(surface.axis_u));
   const Eight v = dot(local, vec3s(surface.axis_v));
@@ -176,7 +174,7 @@ TOLMAN_TOWN_INLINE Eight roof(const Surface& surface, const SurfaceHits& hits) {
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void litWindows(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   constexpr float kLit = 0.25F;  // share of the windows
   const WallPoints at = wallPoints(surface, hits);
@@ -187,7 +185,7 @@ void litWindows(const Surface& surface, const SurfaceHits& hits, Eight& result) 
   result = select(lit, glow, Eight{});
 }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void windowGlass(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   const WallPoints at = wallPoints(surface, hits);
   const Openings nearest = openingsAt(surface, at, surface.seed);
@@ -195,7 +193,7 @@ void windowGlass(const Surface& surface, const SurfaceHits& hits, Eight& result)
   result = select(nearest.is_window, cover(shrunk(nearest.box, 0.09F), at), Eight{});
 }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void buildingAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   result = surface.material == Material::Roof ? roof(surface, hits) : facade(surface, hits);
 }

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Asphalt, kerbs, paint, pavement and grass. Patterns are functions of the town's X and Y.
-#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise_lanes.hpp"
 #include "pattern.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
 
 /// Octaves of noise for a long, narrow footprint, as in grazing views: the mean of samples along
 /// the longer side, each faded by the shorter one.
-TOLMAN_TOWN_INLINE Eight grazingFractal(const SurfaceHits& hits, float wavelength, int octaves,
-                                        std::uint32_t seed) {
+TOLMAN_INLINE Eight grazingFractal(const SurfaceHits& hits, float wavelength, int octaves,
+                                   std::uint32_t seed) {
   const Eight across = dot(hits.dx, hits.dx);
   const Eight along = dot(hits.dy, hits.dy);
   const Vec3s major = select(along > across, hits.dy, hits.dx);
@@ -36,7 +36,7 @@ TOLMAN_TOWN_INLINE Eight grazingFractal(const SurfaceHits& hits, float wavelengt
 }
 
 /// Repaired rectangles, darker or lighter than the rest, with a tarred seam.
-TOLMAN_TOWN_INLINE Eight patches(const SurfaceHits& hits, std::uint32_t seed) {
+TOLMAN_INLINE Eight patches(const SurfaceHits& hits, std::uint32_t seed) {
   constexpr float kCell = 9;  // m
   const Eight cx = floorOf(hits.point.x / kCell);
   const Eight cy = floorOf(hits.point.y / kCell);
@@ -59,7 +59,7 @@ TOLMAN_TOWN_INLINE Eight patches(const SurfaceHits& hits, std::uint32_t seed) {
 }
 
 /// Thin dark lines where smooth noise crosses zero.
-TOLMAN_TOWN_INLINE Eight cracks(const SurfaceHits& hits, Eight footprint, std::uint32_t seed) {
+TOLMAN_INLINE Eight cracks(const SurfaceHits& hits, Eight footprint, std::uint32_t seed) {
   constexpr float kWidth = 0.012F;  // m
   const Eight width = kWidth + 0.7F * footprint;
   const Eight strength = kWidth / width;
@@ -72,7 +72,7 @@ TOLMAN_TOWN_INLINE Eight cracks(const SurfaceHits& hits, Eight footprint, std::u
   return select(visible, strength * (1 - t * t * (3 - 2 * t)), Eight{});
 }
 
-TOLMAN_TOWN_INLINE Eight road(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight road(const Surface& surface, const SurfaceHits& hits) {
   const Eight footprint = hits.footprint();
   const Eight grain = grazingFractal(hits, 0.05F, 2, surface.seed);
   const Eight wear = fractal2(hits.point.x, hits.point.y, 7, 3, footprint, surface.seed + 17);
@@ -81,7 +81,7 @@ TOLMAN_TOWN_INLINE Eight road(const Surface& surface, const SurfaceHits& hits) {
   return surface.tone * larger(1 + detail, 0.15F);
 }
 
-TOLMAN_TOWN_INLINE Eight kerb(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight kerb(const Surface& surface, const SurfaceHits& hits) {
   // Stones of about 1 m for any heading of the kerb.
   const Eight along = hits.point.x + hits.point.y;
   const Eight joints = filteredStripes(1, 0.03F, along, hits.extent({1, 1, 0}));
@@ -89,13 +89,13 @@ TOLMAN_TOWN_INLINE Eight kerb(const Surface& surface, const SurfaceHits& hits) {
   return surface.tone * larger(1 + 0.35F * stain - 0.6F * joints, 0.2F);
 }
 
-TOLMAN_TOWN_INLINE Eight paint(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight paint(const Surface& surface, const SurfaceHits& hits) {
   return surface.tone * (1 + 0.3F * grazingFractal(hits, 0.3F, 3, surface.seed));
 }
 
 /// Slabs in rows that follow the kerb.
-TOLMAN_TOWN_INLINE Eight pavement(const SurfaceHits& hits, Eight distance, Eight extent,
-                                  std::uint32_t seed) {
+TOLMAN_INLINE Eight pavement(const SurfaceHits& hits, Eight distance, Eight extent,
+                             std::uint32_t seed) {
   const Eight rows = filteredStripes(0.4F, 0.025F, distance, extent);
   const Eight across = filteredStripes(0.4F, 0.025F, hits.point.x + 0.37F * hits.point.y,
                                        hits.extent({1, 0.37F, 0}));
@@ -103,7 +103,7 @@ TOLMAN_TOWN_INLINE Eight pavement(const SurfaceHits& hits, Eight distance, Eight
   return 0.27F * larger(1 + 0.7F * slabs - 0.45F * larger(rows, across), 0.2F);
 }
 
-TOLMAN_TOWN_INLINE Eight grass(const SurfaceHits& hits, Eight extent, std::uint32_t seed) {
+TOLMAN_INLINE Eight grass(const SurfaceHits& hits, Eight extent, std::uint32_t seed) {
   const Eight x = hits.point.x;
   const Eight y = hits.point.y;
   // Mown lawns have little texture, meadows much; it changes over 60 m.
@@ -115,7 +115,7 @@ TOLMAN_TOWN_INLINE Eight grass(const SurfaceHits& hits, Eight extent, std::uint3
          larger(1 + (0.5F + 0.7F * wild) * (1.7F * tufts + 0.5F * soil) + 0.5F * soil, 0.12F);
 }
 
-TOLMAN_TOWN_INLINE Eight distances(const StreetPlan& plan, const Vec3s& points) {
+TOLMAN_INLINE Eight distances(const StreetPlan& plan, const Vec3s& points) {
   std::array<float, kLanes> result;
   for (int i = 0; i < kLanes; ++i) {
     result[static_cast<std::size_t>(i)] = static_cast<float>(
@@ -124,8 +124,7 @@ TOLMAN_TOWN_INLINE Eight distances(const StreetPlan& plan, const Vec3s& points) 
   return loadEight(result.data());
 }
 
-TOLMAN_TOWN_INLINE Eight land(const Surface& surface, const SurfaceHits& hits,
-                              const StreetPlan& plan) {
+TOLMAN_INLINE Eight land(const Surface& surface, const SurfaceHits& hits, const StreetPlan& plan) {
   const Eight distance = distances(plan, hits.point);
   const Eight extent = hits.footprint();
   constexpr auto kKerb = static_cast<float>(StreetPlan::kRoadHalfWidth);
@@ -142,7 +141,7 @@ TOLMAN_TOWN_INLINE Eight land(const Surface& surface, const SurfaceHits& hits,
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void groundAlbedos(const Surface& surface, const SurfaceHits& hits, const StreetPlan& plan,
                    Eight& result) {
   switch (surface.material) {

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cars, fences, posts and boards.
-#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise_lanes.hpp"
 #include "pattern.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
 
-TOLMAN_TOWN_INLINE Eight wood(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight wood(const Surface& surface, const SurfaceHits& hits) {
   const Vec3s local = hits.point - vec3s(surface.origin);
   const Eight u = dot(local, vec3s(surface.axis_u));
   const Eight eu = hits.extent(surface.axis_u);
   const Eight gaps = filteredStripes(0.14F, 0.025F, u, eu);
-  const auto tone = [&](EightInts board) TOLMAN_TOWN_INLINE_LAMBDA {
+  const auto tone = [&](EightInts board) TOLMAN_INLINE_LAMBDA {
     return between(hash(words(board), surface.seed), -0.3F, 0.3F);
   };
   // The edges of a board are in the middle of the gaps.
@@ -24,13 +24,13 @@ TOLMAN_TOWN_INLINE Eight wood(const Surface& surface, const SurfaceHits& hits) {
 }
 
 /// Clothes in the tone of the person, darker in folds.
-TOLMAN_TOWN_INLINE Eight cloth(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight cloth(const Surface& surface, const SurfaceHits& hits) {
   const Eight tone = between(hash(hits.seed, 3), 0.04F, 0.6F);
   const Vec3s folds = {hits.point.x, hits.point.y, 0.5F * hits.point.z};
   return tone * larger(1 + 0.4F * fractal3(folds, 0.2F, 3, hits.footprint(), surface.seed), 0.3F);
 }
 
-TOLMAN_TOWN_INLINE Eight glassOfCar(const SurfaceHits& hits) {
+TOLMAN_INLINE Eight glassOfCar(const SurfaceHits& hits) {
   const EightInts upright = absolute(hits.normal.z) < 0.85F;
   const Eight glass = filteredPulse(0.92F, 1.34F, hits.point.z, hits.extent({0, 0, 1}));
   const Eight pillars = filteredStripes(1.15F, 0.09F, hits.point.x + 0.4F, hits.extent({1, 0, 0}));
@@ -38,7 +38,7 @@ TOLMAN_TOWN_INLINE Eight glassOfCar(const SurfaceHits& hits) {
 }
 
 /// Bodywork in the tone of the car, with a dark band of windows.
-TOLMAN_TOWN_INLINE Eight body(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight body(const Surface& surface, const SurfaceHits& hits) {
   const Eight z = hits.point.z;
   const Eight ez = hits.extent({0, 0, 1});
   const Eight tone = surface.tone * between(hash(hits.seed, 1), 0.15F, 1.3F);
@@ -49,7 +49,7 @@ TOLMAN_TOWN_INLINE Eight body(const Surface& surface, const SurfaceHits& hits) {
 }
 
 /// Posters: a few large shapes and lines of "writing".
-TOLMAN_TOWN_INLINE Eight board(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight board(const Surface& surface, const SurfaceHits& hits) {
   const Vec3s local = hits.point - vec3s(surface.origin);
   const Eight u = dot(local, vec3s(surface.axis_u));
   const Eight v = dot(local, vec3s(surface.axis_v));
@@ -67,16 +67,16 @@ TOLMAN_TOWN_INLINE Eight board(const Surface& surface, const SurfaceHits& hits) 
   return 0.65F + rim * (tone - 0.65F);
 }
 
-TOLMAN_TOWN_INLINE Eight plain(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight plain(const Surface& surface, const SurfaceHits& hits) {
   return surface.tone * (1 + 0.15F * fractal3(hits.point, 0.5F, 3, hits.footprint(), surface.seed));
 }
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void carGlass(const SurfaceHits& hits, Eight& result) { result = glassOfCar(hits); }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void objectAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   switch (surface.material) {
     case Material::Wood:

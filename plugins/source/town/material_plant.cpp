@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Leaves and bark: noise in three dimensions, in axes of the plant.
-#include "dispatch.hpp"
 #include "material.hpp"
 #include "noise_lanes.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
 
 /// Bright leaves before dark gaps: the strongest texture of a real street.
-TOLMAN_TOWN_INLINE Eight leaves(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight leaves(const Surface& surface, const SurfaceHits& hits) {
   // Leaves have all orientations, so a slanting surface of leaves is foreshortened less than a
   // wall.
   const Eight footprint = squareRoot(norm(hits.dx) * norm(hits.dy));
@@ -19,7 +19,7 @@ TOLMAN_TOWN_INLINE Eight leaves(const Surface& surface, const SurfaceHits& hits)
   return surface.tone * larger((1 + 0.3F * boughs) * (0.8F - 0.72F * gap + 1.9F * shine), 0.05F);
 }
 
-TOLMAN_TOWN_INLINE Eight bark(const Surface& surface, const SurfaceHits& hits) {
+TOLMAN_INLINE Eight bark(const Surface& surface, const SurfaceHits& hits) {
   const Vec3s stretched = {hits.point.x * 3, hits.point.y * 3, hits.point.z * 0.6F};
   const Eight furrows = fractal3(stretched, 0.3F, 3, 3 * hits.footprint(), hits.seed);
   return surface.tone * larger(1 + 0.7F * furrows, 0.2F);
@@ -27,7 +27,7 @@ TOLMAN_TOWN_INLINE Eight bark(const Surface& surface, const SurfaceHits& hits) {
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void plantAlbedos(const Surface& surface, const SurfaceHits& hits, Eight& result) {
   result = surface.material == Material::Leaves ? leaves(surface, hits) : bark(surface, hits);
 }

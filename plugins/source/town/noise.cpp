@@ -2,35 +2,34 @@
 // Four octaves of noise at once, for single points; textures are in noise_lanes.hpp.
 #include "noise.hpp"
 
-#include "dispatch.hpp"
+#include "four_floats.hpp"
 
 namespace tolman::town {
 namespace {
 
-using Floats = float __attribute__((vector_size(16)));
-using Words = std::uint32_t __attribute__((vector_size(16)));
-using Integers = std::int32_t __attribute__((vector_size(16)));
+using Floats = lanes::FourFloats;
+using Words = lanes::FourWords;
 
 struct NoiseCells {
   Words index;
   Floats fade;
 };
 
-[[gnu::always_inline]] inline NoiseCells cellsOf(Floats x) {
-  Integers i = __builtin_convertvector(x, Integers);
-  i += __builtin_convertvector(i, Floats) > x;  // a true lane is -1
-  const Floats f = x - __builtin_convertvector(i, Floats);
-  return {reinterpret_cast<Words>(i), f * f * (3 - 2 * f)};
+TOLMAN_INLINE NoiseCells cellsOf(Floats x) {
+  lanes::FourInts i = lanes::truncated(x);
+  i += lanes::toFloat(i) > x;  // a true lane is -1
+  const Floats f = x - lanes::toFloat(i);
+  return {lanes::words(i), f * f * (3 - 2 * f)};
 }
 
 /// detail::lattice of each lane, from the products with its constants.
-[[gnu::always_inline]] inline Floats latticeOf(Words h) {
+TOLMAN_INLINE Floats latticeOf(Words h) {
   h = (h ^ (h >> 15)) * 0x846ca68bU;
   h ^= h >> 13;
-  return __builtin_convertvector(reinterpret_cast<Integers>(h), Floats) * 0x1.0p-31F;
+  return lanes::toFloat(reinterpret_cast<lanes::FourInts>(h)) * 0x1.0p-31F;
 }
 
-[[gnu::always_inline]] inline Floats noiseLanes(Floats x, Floats y, Words seed) {
+TOLMAN_INLINE Floats noiseLanes(Floats x, Floats y, Words seed) {
   const NoiseCells cx = cellsOf(x);
   const NoiseCells cy = cellsOf(y);
   const Words x0 = cx.index * 0x8da6b343U;
@@ -53,8 +52,7 @@ struct Octaves {
 };
 
 /// False if the footprint is too large for all octaves.
-[[gnu::always_inline]] inline bool octavesOf(float wavelength, int octaves, float footprint,
-                                             Octaves& result) {
+TOLMAN_INLINE bool octavesOf(float wavelength, int octaves, float footprint, Octaves& result) {
   const float fine = 1 / wavelength;
   result.scale = Floats{fine, 2 * fine, 4 * fine, 8 * fine};
   const Floats amplitude = {0.55F, 0.385F, 0.2695F, 0.18865F};
@@ -67,18 +65,16 @@ struct Octaves {
   return true;
 }
 
-[[gnu::always_inline]] inline float sum(Floats v) { return (v[0] + v[1]) + (v[2] + v[3]); }
-
 constexpr Words kSteps = {0, 1, 2, 3};
 
 }  // namespace
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 float fractal2(float x, float y, float wavelength, int octaves, float footprint,
                std::uint32_t seed) {
   Octaves of;
   if (!octavesOf(wavelength, octaves, footprint, of)) return 0;
-  return sum(of.weight * noiseLanes(x * of.scale, y * of.scale, kSteps + seed));
+  return lanes::sumOf(of.weight * noiseLanes(x * of.scale, y * of.scale, kSteps + seed));
 }
 
 }  // namespace tolman::town

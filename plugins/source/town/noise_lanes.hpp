@@ -10,26 +10,26 @@
 
 namespace tolman::town {
 
-TOLMAN_TOWN_INLINE EightWords hash(EightWords x) {
+TOLMAN_INLINE EightWords hash(EightWords x) {
   x ^= x >> 16;
   x *= 0x7feb352dU;
   x ^= x >> 15;
   x *= 0x846ca68bU;
   return x ^ (x >> 16);
 }
-TOLMAN_TOWN_INLINE EightWords hash(EightWords x, std::uint32_t y) {
+TOLMAN_INLINE EightWords hash(EightWords x, std::uint32_t y) {
   return hash(x ^ hash(y + 0x9e3779b9U));
 }
-TOLMAN_TOWN_INLINE EightWords hash(EightWords x, EightWords y) {
+TOLMAN_INLINE EightWords hash(EightWords x, EightWords y) {
   return hash(x ^ hash(y + 0x9e3779b9U));
 }
-TOLMAN_TOWN_INLINE EightWords hash(EightWords x, EightWords y, std::uint32_t z) {
+TOLMAN_INLINE EightWords hash(EightWords x, EightWords y, std::uint32_t z) {
   return hash(x, hash(y, z));
 }
-TOLMAN_TOWN_INLINE Eight unit(EightWords h) {
+TOLMAN_INLINE Eight unit(EightWords h) {
   return toFloat(reinterpret_cast<EightInts>(h >> 8)) * 0x1.0p-24F;
 }
-TOLMAN_TOWN_INLINE Eight between(EightWords h, float low, float high) {
+TOLMAN_INLINE Eight between(EightWords h, float low, float high) {
   return low + (high - low) * unit(h);
 }
 
@@ -38,21 +38,21 @@ struct NoiseCells {
   EightWords index;
   Eight fade;
 };
-TOLMAN_TOWN_INLINE NoiseCells cellsOf(Eight x) {
+TOLMAN_INLINE NoiseCells cellsOf(Eight x) {
   EightInts i = truncated(x);
   i += toFloat(i) > x;  // a true lane is -1
   const Eight f = x - toFloat(i);
   return {words(i), f * f * (3 - 2 * f)};
 }
 /// lattice() of each lane, from the combined products with its constants.
-TOLMAN_TOWN_INLINE Eight latticeOf(EightWords h) {
+TOLMAN_INLINE Eight latticeOf(EightWords h) {
   h = (h ^ (h >> 15)) * 0x846ca68bU;
   h ^= h >> 13;
   return toFloat(reinterpret_cast<EightInts>(h)) * 0x1.0p-31F;
 }
 /// Noise in the plane of the cells; `z` is the seed times its constant.
 template <class Word>
-TOLMAN_TOWN_INLINE Eight planeNoise(const NoiseCells& cx, const NoiseCells& cy, Word z) {
+TOLMAN_INLINE Eight planeNoise(const NoiseCells& cx, const NoiseCells& cy, Word z) {
   const EightWords x0 = cx.index * 0x8da6b343U;
   const EightWords x1 = x0 + 0x8da6b343U;
   const EightWords y = cy.index * 0xd8163841U;
@@ -69,12 +69,12 @@ TOLMAN_TOWN_INLINE Eight planeNoise(const NoiseCells& cx, const NoiseCells& cy, 
 }  // namespace detail
 
 template <class Seed>
-TOLMAN_TOWN_INLINE Eight noise2(Eight x, Eight y, Seed seed) {
+TOLMAN_INLINE Eight noise2(Eight x, Eight y, Seed seed) {
   return detail::planeNoise(detail::cellsOf(x), detail::cellsOf(y), seed * 0xcb1ab31fU);
 }
 
 template <class Seed>
-TOLMAN_TOWN_INLINE Eight noise3(const Vec3s& p, Seed seed) {
+TOLMAN_INLINE Eight noise3(const Vec3s& p, Seed seed) {
   const detail::NoiseCells cx = detail::cellsOf(p.x);
   const detail::NoiseCells cy = detail::cellsOf(p.y);
   const detail::NoiseCells cz = detail::cellsOf(p.z);
@@ -85,16 +85,16 @@ TOLMAN_TOWN_INLINE Eight noise3(const Vec3s& p, Seed seed) {
 }
 
 /// survives() of a wavelength that is `ratio` times the footprint.
-TOLMAN_TOWN_INLINE Eight survivesRatio(Eight ratio) { return smoothstep(1.5F, 4, ratio); }
-TOLMAN_TOWN_INLINE Eight survives(float wavelength, Eight footprint) {
+TOLMAN_INLINE Eight survivesRatio(Eight ratio) { return smoothstep(1.5F, 4, ratio); }
+TOLMAN_INLINE Eight survives(float wavelength, Eight footprint) {
   return survivesRatio(wavelength / larger(footprint, 1e-6F));
 }
 
 /// Sum of at most four octaves of noise(scale, seed), which is noise of the wavelength 1 / scale.
 /// Ends at the first octave that no lane can resolve.
 template <class Seed, class Noise>
-TOLMAN_TOWN_INLINE Eight sumOfOctaves(float wavelength, int octaves, Eight footprint, Seed seed,
-                                      const Noise& noise) {
+TOLMAN_INLINE Eight sumOfOctaves(float wavelength, int octaves, Eight footprint, Seed seed,
+                                 const Noise& noise) {
   constexpr std::array<float, 4> kAmplitudes = {0.55F, 0.385F, 0.2695F, 0.18865F};
   std::array<Eight, 4> terms = {};
   Eight ratio = wavelength / larger(footprint, 1e-6F);
@@ -109,25 +109,25 @@ TOLMAN_TOWN_INLINE Eight sumOfOctaves(float wavelength, int octaves, Eight footp
 }
 
 template <class Seed>
-TOLMAN_TOWN_INLINE Eight fractal2(Eight x, Eight y, float wavelength, int octaves, Eight footprint,
-                                  Seed seed) {
+TOLMAN_INLINE Eight fractal2(Eight x, Eight y, float wavelength, int octaves, Eight footprint,
+                             Seed seed) {
   return sumOfOctaves(wavelength, octaves, footprint, seed,
                       [&](float scale, Seed own)
-                          TOLMAN_TOWN_INLINE_LAMBDA { return noise2(x * scale, y * scale, own); });
+                          TOLMAN_INLINE_LAMBDA { return noise2(x * scale, y * scale, own); });
 }
 
 template <class Seed>
-TOLMAN_TOWN_INLINE Eight fractal3(const Vec3s& p, float wavelength, int octaves, Eight footprint,
-                                  Seed seed) {
+TOLMAN_INLINE Eight fractal3(const Vec3s& p, float wavelength, int octaves, Eight footprint,
+                             Seed seed) {
   return sumOfOctaves(wavelength, octaves, footprint, seed,
                       [&](float scale, Seed own)
-                          TOLMAN_TOWN_INLINE_LAMBDA { return noise3(p * eight(scale), own); });
+                          TOLMAN_INLINE_LAMBDA { return noise3(p * eight(scale), own); });
 }
 
 /// Four layers of noise3, each wavelength a quarter of the one before, faded by `footprint`.
 template <class Seed>
-TOLMAN_TOWN_INLINE std::array<Eight, 4> layers3(const Vec3s& p, float wavelength, Eight footprint,
-                                                Seed seed) {
+TOLMAN_INLINE std::array<Eight, 4> layers3(const Vec3s& p, float wavelength, Eight footprint,
+                                           Seed seed) {
   std::array<Eight, 4> layers = {};
   float scale = 1 / wavelength;
   for (std::uint32_t i = 0; i < 4; ++i, wavelength *= 0.25F, scale *= 4) {
@@ -140,7 +140,7 @@ TOLMAN_TOWN_INLINE std::array<Eight, 4> layers3(const Vec3s& p, float wavelength
 
 /// Mean of noise2 at `taps` points (one to four) from (x, y) on, (dx, dy) apart.
 template <class Seed>
-TOLMAN_TOWN_INLINE Eight meanNoise2(Eight x, Eight y, Eight dx, Eight dy, Eight taps, Seed seed) {
+TOLMAN_INLINE Eight meanNoise2(Eight x, Eight y, Eight dx, Eight dy, Eight taps, Seed seed) {
   Eight total = {};
   for (int i = 0; i < 4; ++i) {
     const auto step = static_cast<float>(i);

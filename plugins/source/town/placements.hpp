@@ -22,18 +22,18 @@ struct Placements {
     y[i] = p.position.y;
     z[i] = p.position.z;
   }
-  TOLMAN_TOWN_INLINE Vec3s rotate(const Vec3s& v) const {
+  TOLMAN_INLINE Vec3s rotate(const Vec3s& v) const {
     const Eight c = loadEight(cosine.data());
     const Eight s = loadEight(sine.data());
     return {c * v.x - s * v.y, s * v.x + c * v.y, v.z};
   }
-  TOLMAN_TOWN_INLINE Vec3s unrotate(const Vec3s& v) const {
+  TOLMAN_INLINE Vec3s unrotate(const Vec3s& v) const {
     const Eight c = loadEight(cosine.data());
     const Eight s = loadEight(sine.data());
     return {c * v.x + s * v.y, c * v.y - s * v.x, v.z};
   }
-  TOLMAN_TOWN_INLINE Eight shrinking() const { return 1 / loadEight(scale.data()); }
-  TOLMAN_TOWN_INLINE Vec3s toLocal(const Vec3s& town) const {
+  TOLMAN_INLINE Eight shrinking() const { return 1 / loadEight(scale.data()); }
+  TOLMAN_INLINE Vec3s toLocal(const Vec3s& town) const {
     const Vec3s leaning =
         town - Vec3s{loadEight(x.data()), loadEight(y.data()), loadEight(z.data())};
     const Vec3s upright = {leaning.x - loadEight(lean_x.data()) * leaning.z,

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "dispatch.hpp"
 #include "light_lanes.hpp"
 #include "material_weather.hpp"
 #include "placements.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
@@ -61,7 +61,7 @@ void RayPacket::trace(RTCRayHit16& rays) const {
   around_.scene->intersect(valid.data(), rays);
 }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) const {
   const std::size_t first = group * kLanes;
   alignas(32) std::array<std::uint32_t, kLanes> hit{};
@@ -83,7 +83,7 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
     placed[i] = ~0U;
     seeds[i] = owner.instance->seed;
   }
-  const auto load = [](const std::array<std::uint32_t, kLanes>& from) TOLMAN_TOWN_INLINE_LAMBDA {
+  const auto load = [](const std::array<std::uint32_t, kLanes>& from) TOLMAN_INLINE_LAMBDA {
     EightInts value;
     std::memcpy(&value, from.data(), sizeof value);
     return value;
@@ -111,7 +111,7 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
   m.normal = normal * select(dot(normal, m.direction) > 0, -1.0F, 1.0F);
 }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void RayPacket::castShadows(Meetings& m) const {
   const Vec3s to_sun = vec3s(around_.light->to_sun);
   const EightInts merged = m.foliage & (m.t > kClumpsMerged);
@@ -147,7 +147,7 @@ void RayPacket::castShadows(Meetings& m) const {
 
 /// Calls body(surface, mask) for each surface that rays meet: usually one.
 template <class Body>
-TOLMAN_TOWN_INLINE void RayPacket::forEachSurface(const Meetings& m, const Body& body) const {
+TOLMAN_INLINE void RayPacket::forEachSurface(const Meetings& m, const Body& body) const {
   EightWords own;
   std::memcpy(&own, m.surface.data(), sizeof own);
   EightInts left = m.hit;
@@ -163,10 +163,10 @@ TOLMAN_TOWN_INLINE void RayPacket::forEachSurface(const Meetings& m, const Body&
 
 /// The points in the axes of their surfaces' patterns, with the footprints of their pixels; without
 /// seeds, which need the surface.
-TOLMAN_TOWN_INLINE SurfaceHits RayPacket::hitsOf(const Meetings& m) const {
+TOLMAN_INLINE SurfaceHits RayPacket::hitsOf(const Meetings& m) const {
   // The footprint on the tangent plane; its length at grazing angles is limited.
   const Eight slope = smaller(dot(m.normal, m.direction), -0.01F * norm(m.direction));
-  const auto onPlane = [&](const Vec3& of) TOLMAN_TOWN_INLINE_LAMBDA {
+  const auto onPlane = [&](const Vec3& of) TOLMAN_INLINE_LAMBDA {
     const Vec3s pixel = vec3s(of);
     return (pixel - m.direction * (dot(m.normal, pixel) / slope)) * m.t;
   };
@@ -195,7 +195,7 @@ void RayPacket::flutter(const Meetings& m, Vec3s& points) const {
   }
 }
 
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void RayPacket::shadeGroup(const Meetings& m, Shaded* shaded) const {
   const Light& light = *around_.light;
   Eight radiance = {};
@@ -203,7 +203,7 @@ void RayPacket::shadeGroup(const Meetings& m, Shaded* shaded) const {
     SurfaceHits hits = hitsOf(m);
     if (light.wind > 0 && any(m.foliage)) flutter(m, hits.point);
     Eight tone = {};
-    forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_TOWN_INLINE_LAMBDA {
+    forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_INLINE_LAMBDA {
       const EightWords seed = surface.seed - EightWords{};
       hits.seed = m.placed ? hash(seed, m.instance_seed) : seed;
       Eight value;
@@ -266,7 +266,7 @@ void RayPacket::glow(const Meetings& m, const SurfaceHits& hits, Eight& radiance
   constexpr float kLamp = 6;
   constexpr float kWindow = 0.12F;
   const float lamps = around_.light->lamps;
-  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_TOWN_INLINE_LAMBDA {
+  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_INLINE_LAMBDA {
     if (surface.material == Material::Facade) {
       Eight windows;
       litWindows(surface, hits, windows);
@@ -291,7 +291,7 @@ void RayPacket::mirrorShares(const Meetings& m, Eight& shares) const {
   const Light& light = *around_.light;
   shares = Eight{};
   const SurfaceHits hits = hitsOf(m);
-  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_TOWN_INLINE_LAMBDA {
+  forEachSurface(m, [&](const Surface& surface, EightInts mask) TOLMAN_INLINE_LAMBDA {
     Eight glass = {};
     if (light.glass > 0) glassShares(surface, hits, glass);
     for (int i = 0; i < kLanes; ++i) {

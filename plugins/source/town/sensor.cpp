@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dispatch.hpp"
 #include "noise.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
@@ -29,7 +29,7 @@ struct Response {
 };
 
 /// A plain loop, which is vectorised. `first` is the index of the row's first pixel in the image.
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void levelsOfRow(const Response& response, const float* radiance, std::uint32_t first, float dy,
                  float cx, int width, float* levels) {
   const Response r = response;

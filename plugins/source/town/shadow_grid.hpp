@@ -39,7 +39,7 @@ class ShadowGrid {
 
   /// Whether fixed geometry, and instances, may shade the points: always where the map is off or
   /// does not reach.
-  TOLMAN_TOWN_INLINE void look(const Vec3s& points, EightInts& fixed, EightInts& placed) const;
+  TOLMAN_INLINE void look(const Vec3s& points, EightInts& fixed, EightInts& placed) const;
 
  private:
   struct Flat {
@@ -66,8 +66,8 @@ class ShadowGrid {
   std::vector<Run> moving_;
 };
 
-TOLMAN_TOWN_INLINE void ShadowGrid::look(const Vec3s& points, EightInts& fixed,
-                                         EightInts& placed) const {
+TOLMAN_INLINE void ShadowGrid::look(const Vec3s& points, EightInts& fixed,
+                                    EightInts& placed) const {
   fixed = placed = ~EightInts{};
   if (!isOn()) return;
   const Eight u = (points.x - along_x_ * points.z - low_x_) * per_m_;

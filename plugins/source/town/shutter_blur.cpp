@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "dispatch.hpp"
 #include "image_samples.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::town {
 namespace {
@@ -33,7 +33,7 @@ struct Paths {
 };
 
 /// A plain loop, which is vectorised: most pixels have so short a path that only this is computed.
-TOLMAN_TOWN_DISPATCH
+TOLMAN_WIDE_LANES
 void findPaths(const ShutterMotion& motion, int row, const float* depth, int width, float* u,
                float* v, float* length) {
   const Pinhole p = motion.pinhole;

@@ -8,7 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "reduced_image.hpp"
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::landmarks {
 namespace {
@@ -44,8 +44,8 @@ struct RowOfEdges {
 };
 
 /// The first and the last pixel have no gradient.
-TOLMAN_WIDE void gradientsOf(const float* above, const float* row, const float* below, int cells,
-                             float* across, float* down) {
+TOLMAN_WIDE_LANES void gradientsOf(const float* above, const float* row, const float* below,
+                                   int cells, float* across, float* down) {
   for (int c = 1; c < cells; ++c) {
     across[c] = row[2 * c + 1] - row[2 * c - 1];
     down[c] = below[2 * c] - above[2 * c];
@@ -56,8 +56,8 @@ TOLMAN_WIDE void gradientsOf(const float* above, const float* row, const float* 
   }
 }
 
-TOLMAN_WIDE void strengthsOf(const float* across, const float* down, int count, float* strength,
-                             float* scale) {
+TOLMAN_WIDE_LANES void strengthsOf(const float* across, const float* down, int count,
+                                   float* strength, float* scale) {
   constexpr float kLeast = 1e-6F;  // keeps the division finite
   for (int i = 0; i < count; ++i) {
     strength[i] = std::sqrt(across[i] * across[i] + down[i] * down[i]) + kLeast;
@@ -67,9 +67,9 @@ TOLMAN_WIDE void strengthsOf(const float* across, const float* down, int count, 
 
 /// Adds to each cell its two pixels' edges along a direction (cosine, sine): all of the strength
 /// there, none at 30 degrees from it and beyond.
-TOLMAN_WIDE void addDirection(const float* across, const float* down, const float* strength,
-                              const float* scale, int cells, float cosine, float sine,
-                              float* sums) {
+TOLMAN_WIDE_LANES void addDirection(const float* across, const float* down, const float* strength,
+                                    const float* scale, int cells, float cosine, float sine,
+                                    float* sums) {
   for (int c = 0; c < cells; ++c) {
     const float left = across[c] * cosine + down[c] * sine;
     const float right = across[cells + c] * cosine + down[cells + c] * sine;

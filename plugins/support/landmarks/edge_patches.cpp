@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::landmarks {
 namespace {
@@ -67,8 +67,8 @@ Offsets offsetsIn(const EdgeMap& map) {
 }
 
 /// Inner products of a patch with those of `blocks` times kEdgeLanes positions that follow `first`.
-TOLMAN_WIDE void products(const float* first, const std::ptrdiff_t* offsets, const float* patch,
-                          int blocks, float* out) {
+TOLMAN_WIDE_LANES void products(const float* first, const std::ptrdiff_t* offsets,
+                                const float* patch, int blocks, float* out) {
   for (int b = 0; b < blocks; ++b, first += kEdgeLanes, out += kEdgeLanes) {
     float sums[kEdgeLanes] = {};
     for (int i = 0; i < 2 * kPatchBytes; ++i) {

@@ -10,7 +10,7 @@
 
 #include "reduced_image.hpp"
 #include "tolman/image_cv.hpp"
-#include "wide.hpp"
+#include "wide_lanes.hpp"
 
 namespace tolman::landmarks {
 namespace {
@@ -44,8 +44,8 @@ constexpr int kLanes = 16;  // columns of a patch, padded: the last five have no
 
 /// Inner products of a patch with the `count` patches whose first columns follow each other;
 /// `width`: pixels of a row.
-TOLMAN_WIDE void products(const std::int16_t (*weights)[kLanes], const std::int16_t* pixels,
-                          int width, int count, std::int32_t* out) {
+TOLMAN_WIDE_LANES void products(const std::int16_t (*weights)[kLanes], const std::int16_t* pixels,
+                                int width, int count, std::int32_t* out) {
   for (int x = 0; x < count; ++x) {
     std::int32_t product = 0;
     for (int y = 0; y < kPatch; ++y) {
@@ -57,8 +57,8 @@ TOLMAN_WIDE void products(const std::int16_t (*weights)[kLanes], const std::int1
 }
 
 /// Adds a row of pixels and its squares to the sums of the columns, and copies it.
-TOLMAN_WIDE void addRow(const std::uint8_t* row, int count, std::int16_t* pixels,
-                        std::int32_t* sums, std::int32_t* squares) {
+TOLMAN_WIDE_LANES void addRow(const std::uint8_t* row, int count, std::int16_t* pixels,
+                              std::int32_t* sums, std::int32_t* squares) {
   for (int x = 0; x < count; ++x) {
     pixels[x] = row[x];
     sums[x] += row[x];
@@ -73,8 +73,9 @@ struct Moments {
 };
 
 /// Normalised cross-correlations of a patch with `count` others, of which the sums are given.
-TOLMAN_WIDE void correlate(Moments patch, const std::int32_t* products, const std::int32_t* sums,
-                           const std::int32_t* squares, int count, float* out) {
+TOLMAN_WIDE_LANES void correlate(Moments patch, const std::int32_t* products,
+                                 const std::int32_t* sums, const std::int32_t* squares, int count,
+                                 float* out) {
   constexpr double kCount = kPatch * kPatch;
   const double variance = kCount * patch.squares - patch.sum * patch.sum;
   for (int x = 0; x < count; ++x) {

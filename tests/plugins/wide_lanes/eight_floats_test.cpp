@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Vectors of eight, in a function that exists for each kind of processor, against plain loops.
-#include "eight.hpp"
+#include "eight_floats.hpp"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-using namespace tolman::direct_sparse;
+using namespace tolman::lanes;
 
 namespace {
 
@@ -16,31 +17,34 @@ constexpr Floats kNumbers = {1.5F, -2, 0.25F, -4.75F, 1e6F, -1e-3F, 7.999F, -0.5
 
 /// What the operations make of the numbers; compiled for wide and for narrow registers.
 struct Answers {
-  Floats size, least, whole, joined;
-  bool all_large = false, all_small = false;
+  Floats size, least, floor, whole, joined;
+  bool all_large = false, all_small = false, any_huge = false;
 };
 
 TOLMAN_WIDE_LANES Answers answersFor(const Floats& numbers) {
-  const Eight value = loadEight(numbers.data());
-  const Eight size = absolute(value);
-  const Eight least = smaller(value, Eight{});
-  const Eight whole = toFloat(truncated(value));
-  const Eight back = joined(highHalf(value), lowHalf(value));
+  const EightFloats value = loadEight(numbers.data());
+  const EightFloats size = absolute(value);
+  const EightFloats least = smaller(value, EightFloats{});
+  const EightFloats whole = toFloat(truncated(value));
+  const EightFloats floor = floorOf(value);
+  const EightFloats back = joined(highHalf(value), lowHalf(value));
   Answers answers{};
   for (std::size_t k = 0; k < 8; ++k) {
     answers.size[k] = size[k];
     answers.least[k] = least[k];
+    answers.floor[k] = floor[k];
     answers.whole[k] = whole[k];
     answers.joined[k] = back[k];
   }
   answers.all_large = all(value > -10.0F);
   answers.all_small = all(value < 10.0F);
+  answers.any_huge = any(value > 2e6F);
   return answers;
 }
 
 /// A sum whose rounding would change if products were not rounded before they are added.
 TOLMAN_WIDE_LANES float sumOfProducts(const Floats& a, const Floats& b) {
-  const Eight product = loadEight(a.data()) * loadEight(b.data()) + loadEight(b.data());
+  const EightFloats product = loadEight(a.data()) * loadEight(b.data()) + loadEight(b.data());
   float sum = 0;
   for (std::size_t k = 0; k < 8; ++k) sum += product[k];
   return sum;
@@ -53,11 +57,13 @@ TEST_CASE("operations on eight lanes are those on each") {
   for (std::size_t k = 0; k < 8; ++k) {
     CHECK(answers.size[k] == std::fabs(kNumbers[k]));
     CHECK(answers.least[k] == std::min(kNumbers[k], 0.0F));
+    CHECK(answers.floor[k] == std::floor(kNumbers[k]));
     CHECK(answers.whole[k] == std::trunc(kNumbers[k]));
     CHECK(answers.joined[k] == kNumbers[(k + 4) % 8]);
   }
   CHECK(answers.all_large);
   CHECK_FALSE(answers.all_small);
+  CHECK_FALSE(answers.any_huge);
 }
 
 TEST_CASE("whatever the processor has, products are rounded before they are added") {
@@ -74,4 +80,16 @@ TEST_CASE("whatever the processor has, products are rounded before they are adde
     expected += rounded;
   }
   CHECK(sumOfProducts(a, b) == expected);
+}
+
+TEST_CASE("a single true lane is found, wherever it is") {
+  for (std::size_t k = 0; k < 8; ++k) {
+    EightInts mask{};
+    mask[k] = -1;
+    CHECK(any(mask));
+    CHECK_FALSE(all(mask));
+    CHECK_FALSE(all(~mask));
+  }
+  CHECK_FALSE(any(EightInts{}));
+  CHECK(all(~EightInts{}));
 }
