@@ -110,7 +110,8 @@ TEST_CASE("on a nearly straight path small errors turn the estimate, which is no
   CHECK(metrics.warning.empty());
   CHECK(metrics.scores->ate_m.rmse < 1e-6);
   CHECK_THAT(metrics.scores->no_horizontal, Catch::Contains("how the estimate is turned about it"));
-  for (std::size_t i = 0; i < truth.size(); ++i) {  // a bend of half a metre is no error of odometry
+  for (std::size_t i = 0; i < truth.size();
+       ++i) {  // a bend of half a metre is no error of odometry
     truth[i].T_world_camera.translation().x() *= 60;
     estimate[i].T_world_camera.translation().x() *= 60;
   }
