@@ -110,7 +110,8 @@ ParameterValues sourceParameters(const host::LoadedPlugin& plugin, const std::st
   using config::Node;
   Node stage{Node::Kind::Map};
   config::applyOverrides(stage, overrides, config::processEnvironment(), problems);
-  if (stage.find("path") == nullptr) {
+  // Of a source that reads no files, such as a camera, all parameters are given by --set.
+  if (!path.empty() && stage.find("path") == nullptr) {
     const config::Origin origin{config::Origin::Kind::CommandLine, path, 0, 0, {}};
     stage.children.push_back({Node::Kind::Scalar, "path", origin, origin, path, true});
   }
@@ -129,6 +130,7 @@ ExitCode inspect(pipeline::RectifiedSource source, const ParameterValues& values
   const run::Interrupts interrupts;
   const Status configured =
       source.instance().configure({values, logger, artefacts, interrupts, clock, {}, 1, "source"});
+  if (interrupts.requested()) return ExitCode::Interrupted;
   Findings findings;
   const Status inspected = source.inspect(findings);
   if (configured.isOk()) surveyPairs(source, findings);
@@ -141,9 +143,23 @@ ExitCode inspect(pipeline::RectifiedSource source, const ParameterValues& values
   return ExitCode::Ok;
 }
 
+/// Refuses a missing path, and one that the source does not have.
+void requirePath(const host::LoadedPlugin& plugin, const DatasetOptions& options) {
+  const bool has_path =
+      std::ranges::find(plugin.schema, "path", &ParameterInfo::name) != plugin.schema.end();
+  if (has_path && options.path.empty() && options.overrides.empty()) {
+    throw Ended{ExitCode::Usage, "name the folder of the data set"};
+  }
+  if (has_path || options.path.empty()) return;
+  throw Ended{ExitCode::Usage, "source '" + options.source +
+                                   "' reads no folder; leave it out, and give its parameters by "
+                                   "--set NAME=VALUE"};
+}
+
 ExitCode check(const DatasetOptions& options, const Invocation& invocation) {
   const host::Catalogue catalogue = run::openCatalogue(invocation.plugin_paths);
   const auto plugin = run::loadFrom(catalogue, options.source, Role::Source);
+  requirePath(plugin, options);
   config::Problems problems;
   const SourceOverrides split = splitOverrides(options.overrides);
   const ParameterValues values = sourceParameters(plugin, options.path, split.source, problems);
@@ -163,9 +179,9 @@ void addDatasetCommand(CLI::App& app, Invocation& invocation) {
   command->fallthrough();
   CLI::App* check_command = command->add_subcommand("check", "Check a data set");
   auto options = std::make_shared<DatasetOptions>();
-  check_command->add_option("path", options->path, "Folder of the data set")
-      ->type_name("FOLDER")
-      ->required();
+  check_command
+      ->add_option("path", options->path, "Folder of the data set; none for a source without one")
+      ->type_name("FOLDER");
   check_command->add_option("--source", options->source, "Source plugin (default: kitti)")
       ->type_name("SOURCE");
   check_command

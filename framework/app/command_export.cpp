@@ -74,11 +74,12 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
   const std::string folders =
       (prefix / "python").string() + ":" + (prefix / "lib/python3/dist-packages").string();
   const std::filesystem::path file = asked.folder() / ("run." + kind);
-  const std::vector<std::string> command = {"/usr/bin/env",     "PYTHONPATH=" + folders,
-                                            "/usr/bin/python3", "-m",
-                                            "tolman." + kind,   "--force",
-                                            "--quiet",          asked.run,
-                                            file.string()};
+  // Variables for other programs keep Python from starting, or change what it does.
+  const std::vector<std::string> command = {
+      "/usr/bin/env",     "-u",      "PYTHONHOME",     "-u",
+      "PYTHONOPTIMIZE",   "-u",      "PYTHONINSPECT",  "PYTHONPATH=" + folders,
+      "/usr/bin/python3", "-m",      "tolman." + kind, "--force",
+      "--quiet",          asked.run, file.string()};
   isolation::ChildProcess python(command, {});
   const isolation::ProcessEnd end = python.end(std::chrono::hours(24));
   if (end.signal == 0 && end.exit_code == 0) {

@@ -11,6 +11,7 @@
 
 #include "app/exit_guard.hpp"
 #include "app/output_files.hpp"
+#include "app/run_changes.hpp"
 #include "app/summary.hpp"
 #include "app/terminal_output.hpp"
 #include "record/digest.hpp"
@@ -60,71 +61,6 @@ std::set<std::string> changedFiles(const fs::path& run,
   return changed;
 }
 
-/// Adds differences of one stage's plugin: its library, its program, and files of the program.
-void addPluginChanges(const Json& old, const Json& now, std::vector<std::string>& changes) {
-  const auto differs = [&](const char* key) { return old.value(key, "") != now.value(key, ""); };
-  if (differs("id") || differs("sha256")) {
-    changes.push_back("plugins: " + now.value("id", "") + " has other contents");
-  }
-  if (differs("program_sha256")) {
-    changes.push_back("plugins: " + now.value("program", "") + " has other contents");
-  }
-  const Json no_files = Json::object();
-  const Json old_files = old.value("program_files", no_files);
-  const Json new_files = now.value("program_files", no_files);
-  for (const auto& [file, digest] : new_files.items()) {
-    const auto known = old_files.find(file);
-    if (known == old_files.end() || *known != digest) {
-      changes.push_back("plugins: " + file + " has other contents");
-    }
-  }
-}
-
-/// Differences between two run.json that can change results, one line each.
-std::vector<std::string> changesIn(const Json& before, const Json& after) {
-  if (!before.is_object()) return {"not known: the earlier run.json is missing or damaged"};
-  std::vector<std::string> changes;
-  const auto part = [](const Json& json, const char* key) {
-    return json.is_object() && json.contains(key) ? json[key] : Json();
-  };
-  for (const char* key : {"tolman", "libraries", "machine", "seed"}) {
-    const Json old = part(before, key);
-    const Json now = part(after, key);
-    if (!old.is_object() || !now.is_object()) {
-      if (old != now) changes.push_back(fmt::format("{}: {} -> {}", key, old.dump(), now.dump()));
-      continue;
-    }
-    for (const auto& [name, value] : now.items()) {
-      if (!old.contains(name) || old[name] == value) continue;
-      changes.push_back(fmt::format("{} {}: {} -> {}", key, name, old[name].dump(), value.dump()));
-    }
-  }
-  for (const Json& now : part(after, "plugins")) {
-    for (const Json& old : part(before, "plugins")) {
-      if (old.value("stage", "") == now.value("stage", "")) addPluginChanges(old, now, changes);
-    }
-  }
-  // Compared by their order in the configuration, because their paths may have changed.
-  const Json old_data = part(before, "data");
-  const Json new_data = part(after, "data");
-  for (std::size_t i = 0; i < std::min(old_data.size(), new_data.size()); ++i) {
-    if (old_data[i].value("sha256", "") == new_data[i].value("sha256", "")) continue;
-    changes.push_back("data: " + new_data[i].value("path", "") + " has other contents");
-  }
-  return changes;
-}
-
-std::vector<std::string> changesBetween(const fs::path& before, const fs::path& after) {
-  try {
-    return changesIn(record::RunDirectory::readRunFile(before),
-                     record::RunDirectory::readRunFile(after));
-  } catch (const Json::exception&) {
-    throw Ended{ExitCode::Dataset, (before / "run.json").string() +
-                                       ": has values of other types than a run writes; it was "
-                                       "changed"};
-  }
-}
-
 ExitCode compare(const fs::path& before, const fs::path& after, const Invocation& invocation) {
   const auto expected = expectedDigests(before);
   const auto found = digestsOf(after);
@@ -143,7 +79,7 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
   for (const auto& [file, digest] : found) {
     if (!expected.contains(file)) files[file] = "not in results.sha256 of the earlier run";
   }
-  const auto changes = changesBetween(before, after);
+  const auto changes = resultChanges(before, after);
   if (invocation.json) {
     std::cout << jsonText(Json{{"same", same}, {"files", files}, {"changes", changes}});
   } else if (!invocation.quiet) {
@@ -159,6 +95,20 @@ ExitCode compare(const fs::path& before, const fs::path& after, const Invocation
                      run::printable(before.string()) + "; leave out --quiet to see which\n";
   }
   return same ? ExitCode::Ok : ExitCode::Record;
+}
+
+/// The outcome of a run that is not compared, with warnings of data that are not the recorded ones.
+ExitCode show(const run::Outcome& outcome, const fs::path& before, const Invocation& invocation) {
+  std::vector<std::string> changes;
+  if (!outcome.directory.empty()) changes = dataChanges(before, outcome.directory);
+  for (const std::string& change : changes) {
+    if (invocation.quiet) break;
+    std::cerr << "warning: " + run::printable(change) + " than when " +
+                     run::printable(before.string()) +
+                     " was recorded; the new run is of the data as they are now, and its results "
+                     "may differ (--verify compares them)\n";
+  }
+  return printOutcome(outcome, invocation, {{"changes", changes}});
 }
 
 ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
@@ -192,7 +142,7 @@ ExitCode execute(const RerunCommand& command, const Invocation& invocation) {
   const ExitGuard guard;
   const run::Outcome outcome = run.execute(std::move(checked));
   const bool is_whole = !outcome.interrupted && !outcome.failure;
-  if (!command.verify || !is_whole) return printOutcome(outcome, invocation);
+  if (!command.verify || !is_whole) return show(outcome, before, invocation);
   return compare(before, out, invocation);
 }
 

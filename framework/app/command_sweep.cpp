@@ -233,8 +233,11 @@ ExitCode execute(SweepCommand command, const Invocation& invocation) {
   if (error) throw Ended{ExitCode::Record, out.string() + ": " + error.message()};
   const record::FileDescriptor lock = record::lockFolder(out);
   if (!lock.isOpen()) {
-    throw Ended{ExitCode::Record,
-                out.string() + ": " + config::absence(out, "another sweep works here")};
+    throw Ended{
+        ExitCode::Record,
+        out.string() + ": " +
+            config::absence(out,
+                            "another sweep works here; wait for its end, or choose another --out")};
   }
   for (const PlannedRun& run : progress.todo) requireOrEnd(experiment::freeze(out, run));
   requireOrEnd(experiment::writePlanOrder(out, plan.runs));

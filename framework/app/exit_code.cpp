@@ -6,9 +6,9 @@
 namespace tolman::app {
 
 ExitCode exitCode(run::FailureKind kind) {
-  constexpr std::array kCodes = {ExitCode::Configuration, ExitCode::Plugin, ExitCode::Dataset,
-                                 ExitCode::PluginFailed,  ExitCode::Record, ExitCode::Session,
-                                 ExitCode::Internal};
+  constexpr std::array kCodes = {ExitCode::Configuration, ExitCode::Plugin,     ExitCode::Dataset,
+                                 ExitCode::PluginFailed,  ExitCode::Record,     ExitCode::Session,
+                                 ExitCode::Internal,      ExitCode::Interrupted};
   static_assert(kCodes.size() == run::kFailureKindNames.size());
   return kCodes.at(static_cast<std::size_t>(kind));
 }

@@ -116,12 +116,14 @@ std::string figuresText(const evaluation::Metrics& metrics) {
   return metrics.cells ? text + cellsText(*metrics.cells) : text;
 }
 
-ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation) {
+ExitCode printOutcome(const run::Outcome& outcome, const Invocation& invocation,
+                      const nlohmann::ordered_json& more) {
   const std::filesystem::path& directory = outcome.directory;
   if (invocation.json && !directory.empty()) {
     nlohmann::ordered_json json = record::RunDirectory::readRunFile(directory);
     json["directory"] = directory.string();
     if (outcome.metrics) json["metrics"] = evaluation::toJson(*outcome.metrics);
+    json.update(more);
     std::cout << jsonText(json);
   } else if (!invocation.quiet && !directory.empty()) {
     std::cout << healthText(outcome) << fmt::format("{:<10}{}\n", "run", directory.string());

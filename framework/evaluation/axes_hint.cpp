@@ -167,9 +167,8 @@ std::string upHint(const Trajectory& truth) {
   if (!(along_x > kAlongX * length) || !(size.y() > kMoreY * size.z())) return "";
   return fmt::format(
       "the true poses move along their own x axis, and more along the y axis of the first one "
-      "({:.3g} m) than along its z axis ({:.3g} m), as poses with x forward and z up do. se2 takes "
-      "y as down and leaves it out: give poses of the camera (x right, y down, z forward), or use "
-      "se3",
+      "({:.3g} m) than along its z axis ({:.3g} m), as poses with x forward and z up do, and y is "
+      "taken as down: give poses of the camera (x right, y down, z forward)",
       size.y(), size.z());
 }
 

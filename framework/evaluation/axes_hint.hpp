@@ -27,8 +27,9 @@ std::string rotationHint(const Matches& aligned);
 /// the orientations have: the path is nearly straight, and small errors decide the turn about it.
 bool isTurnedFreely(const Matches& aligned);
 
-/// A warning if the poses move along their own x axis and more along the y than along the z axis of
-/// the first pose, as poses with x forward and z up do: y is read as down. Else empty.
+/// A sentence if the poses move along their own x axis and more along the y than along the z axis
+/// of the first pose, as poses with x forward and z up do: y is read as down, by se2 and by the
+/// division into horizontal and vertical errors. Else empty.
 std::string upHint(const Trajectory& truth);
 
 /// A warning if one of the paths is over 50 times as long as the other, if the estimate is shorter

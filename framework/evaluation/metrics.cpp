@@ -147,10 +147,15 @@ void scorePositions(const Matches& pairs, Alignment alignment, Scores& scores) {
     return;
   }
   scores.ate_m = absoluteError(pairs);
+  if (const std::string hint = upHint(pairs.truth); !hint.empty()) {
+    scores.no_horizontal = scores.no_vertical = hint;
+    return;
+  }
   if (alignment != Alignment::None && (turnIsOpen(pairs) || isTurnedFreely(pairs))) {
     scores.no_horizontal = scores.no_vertical =
         "the path does not say how the estimate is turned about it: a quarter turn would change "
-        "the error by less than 5 %, or the orientations contradict the turn; the alignment none, if both have the same axes, tells them "
+        "the error by less than 5 %, or the orientations contradict the turn; the alignment none, "
+        "if both have the same axes, tells them "
         "apart";
     return;
   }
@@ -178,6 +183,7 @@ TrajectoryMetrics scoreTrajectory(const Trajectory& truth, const Trajectory& est
   }
   if (metrics.warning.empty() && alignment == Alignment::Se2) {
     metrics.warning = upHint(matches.value().truth);
+    if (!metrics.warning.empty()) metrics.warning += ", or use se3; se2 leaves y out";
   }
   if (alignment != Alignment::None) referToFirst(matches.value());
   metrics.reason = whyNotAlignable(matches.value(), alignment);

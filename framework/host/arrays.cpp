@@ -45,7 +45,8 @@ Status checkArray(const NamedArray& array) {
   if (std::ranges::all_of(array.values, [](float value) { return std::isfinite(value); })) {
     return Status::ok();
   }
-  return Status::failed("array '" + array.name + "' has NaN or infinity");
+  return Status::failed("array '" + array.name +
+                        "' has NaN, infinity or a number beyond 3.4e38, the largest of 32 bits");
 }
 
 /// Whether two shapes differ at most in the length of the first axis.

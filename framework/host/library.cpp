@@ -2,6 +2,7 @@
 #include "host/library.hpp"
 
 #include <dlfcn.h>
+#include <sys/statvfs.h>
 
 #include <boost/dll/shared_library.hpp>
 #include <exception>
@@ -17,9 +18,19 @@ namespace {
 
 using Entry = const PluginDescriptor*();
 
-/// The remedy for a message of the dynamic linker.
-std::string remedyFor(const std::string& message) {
+/// Whether the file system of the file was mounted so that its code cannot be executed.
+bool isNoExec(const std::string& file) {
+  struct statvfs system {};
+  return ::statvfs(file.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC) != 0;
+}
+
+/// The remedy for a message of the dynamic linker about `file`.
+std::string remedyFor(const std::string& message, const std::string& file) {
   const auto says = [&](const char* part) { return message.find(part) != std::string::npos; };
+  if (says("failed to map") && isNoExec(file)) {
+    return "its file system is mounted with the option noexec, which forbids to execute code from "
+           "it: copy the plugin to another folder, or mount it with exec";
+  }
   if (says("annot allocate") || says("Too many open files") || says("failed to map")) {
     return "the limits of this process are too low for it: see `ulimit -a`";
   }
@@ -41,7 +52,7 @@ OrRefusal<boost::dll::shared_library> openPinned(const Manifest& manifest) {
     }
     throw std::runtime_error("it cannot be kept in memory");
   } catch (const std::exception& error) {
-    return Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what())};
+    return Refusal{"plugin/load-failed", file + ": " + error.what(), remedyFor(error.what(), file)};
   }
 }
 

@@ -103,7 +103,11 @@ Status ProcessHandle::readReply(const SocketMessage& reply, const Read& read) {
   }
 }
 
-Status ProcessHandle::readExit() { return end(process_->end(kExitTimeout).text()); }
+Status ProcessHandle::readExit() {
+  const ProcessEnd ended = process_->end(kExitTimeout);
+  if (ended.signal == 0) exit_code_ = ended.exit_code;
+  return end(ended.text());
+}
 
 Status ProcessHandle::end(const std::string& reason) {
   exit_reason_ = reason;

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,8 @@ class ProcessHandle {
   bool hasEnded() const { return !exit_reason_.empty(); }
   /// Why the process ended, such as "died of SIGSEGV (Segmentation fault)"; empty while it runs.
   const std::string& exitReason() const { return exit_reason_; }
+  /// The code with which the process ended by itself; none while it runs, and if it was killed.
+  std::optional<int> exitCode() const { return exit_code_; }
 
  private:
   ReceiveResult waitForMessage(SocketMessage& message, std::chrono::steady_clock::time_point begin);
@@ -67,6 +70,7 @@ class ProcessHandle {
   bool record_requests_ = false;
   std::string recorded_request_;
   std::string exit_reason_;
+  std::optional<int> exit_code_;
 };
 
 }  // namespace tolman::isolation

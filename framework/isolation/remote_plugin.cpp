@@ -74,12 +74,9 @@ std::optional<host::Refusal> RemotePlugin::load() {
         if (enumName(manifest_.role) == "invalid")
           throw MalformedMessage("a role that does not exist");
       });
-  const auto exited_with = [&](int code) {
-    return !status.isOk() &&
-           status.message().find(fmt::format("exited with code {}", code)) != std::string::npos;
-  };
-  if (exited_with(kNoThreadsExit)) return noProcess(manifest_.id, "its threads cannot be started");
-  if (exited_with(kNoMemoryExit)) {
+  const std::optional<int> exit_code = process_->exitCode();
+  if (exit_code == kNoThreadsExit) return noProcess(manifest_.id, "its threads cannot be started");
+  if (exit_code == kNoMemoryExit) {
     return host::Refusal{
         "plugin/load-failed",
         manifest_.file.string() + ": out of memory while the library was opened",

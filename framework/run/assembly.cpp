@@ -46,6 +46,11 @@ Assembly::Assembly(CheckedSystem checked, RunLog& log, const Clock& clock,
         instance->configure({checked_.values.find(stage.instance)->second, services->log,
                              services->artefacts, cancellation, clock, info_.rig,
                              seedOf(checked_.config.general.seed, stage.instance), stage.instance});
+    // What configure() answers then says nothing of the plugin or its data.
+    if (cancellation.requested()) {
+      throw Failed({FailureKind::Interrupted,
+                    "interrupted while it was configured; nothing was run", stage.instance});
+    }
     require(status, configureFailure(stage.role, status), stage.instance);
     instances_.push_back(instance.get());
     add(std::move(instance), stage);

@@ -25,9 +25,11 @@ enum class FailureKind : std::uint8_t {
   Record,         ///< the run directory or the record in it cannot be written
   Continuation,   ///< the map of an earlier run cannot be continued
   Machine,        ///< no process or thread can be started
+  Interrupted,    ///< cancelled while the plugins were configured
 };
-inline constexpr std::array<std::string_view, 7> kFailureKindNames = {
-    "configuration", "plugin", "dataset", "stage", "record", "continuation", "machine"};
+inline constexpr std::array<std::string_view, 8> kFailureKindNames = {
+    "configuration", "plugin",       "dataset", "stage",
+    "record",        "continuation", "machine", "interrupted"};
 constexpr std::span<const std::string_view> enumNames(FailureKind) { return kFailureKindNames; }
 
 struct Failure {

@@ -78,6 +78,12 @@ Outcome Run::execute(CheckedSystem system) {
   } catch (const Failed& failed) {
     outcome.failure = failed.failure;
   }
+  if (outcome.failure && outcome.failure->kind == FailureKind::Interrupted) {
+    log_.write(LogLevel::Warning, outcome.failure->stage, outcome.failure->message);
+    outcome.failure.reset();
+    outcome.interrupted = true;
+    return outcome;
+  }
   if (directory_) outcome.directory = directory_->path();
   if (resume_ && !directory_) {  // resuming failed or was cancelled: nothing was changed
     outcome.interrupted = !outcome.failure;

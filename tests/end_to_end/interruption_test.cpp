@@ -9,11 +9,13 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <memory>
 #include <thread>
 
 #include "end_to_end/tiny_kitti.hpp"
 #include "support/data.hpp"
+#include "support/paths.hpp"
 
 using namespace tolman::test;
 namespace fs = std::filesystem;
@@ -99,4 +101,37 @@ TEST_CASE("SIGKILL at different moments loses at most the last second") {
   CHECK(frames > 0);
   CHECK(lines(run.out / "odometry.tum") == frames);
   CHECK(contains(readText(run.out / "map.g2o"), "VERTEX_SE3:QUAT 0"));
+}
+
+TEST_CASE("a signal while a source is configured ends a command as one during the run does") {
+  const TemporaryFolder folder;
+  const fs::path begun = folder.path() / "begun";
+  const fs::path config = folder.path() / "slow.yaml";
+  const fs::path out = folder.path() / "written";
+  std::ofstream(config) << "source: {plugin: slow_start, begun: " << begun << "}\n"
+                        << "odometry: {plugin: steady}\nplace: {plugin: view_templates}\n"
+                        << "cells: {plugin: pose_cells}\nmap: {plugin: relaxation}\n";
+  const std::vector<std::string> command =
+      GENERATE(std::vector<std::string>{"run"}, std::vector<std::string>{"dataset", "render"});
+  for (const int number : {SIGINT, SIGTERM}) {
+    fs::remove(begun);
+    std::vector<std::string> words = {tolmanProgram().string()};
+    words.insert(words.end(), command.begin(), command.end());
+    words.insert(words.end(), {config.string(), "--out", out.string()});
+    for (const char* plugins : {"slow_start", "steady"}) {
+      words.insert(words.end(),
+                   {"--plugin-path", inBuild(std::string("tests/fixtures/plugins/") + plugins)});
+    }
+    Process process(words, folder.path());
+    for (int i = 0; i < 2000 && !fs::exists(begun); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    process.signal(number);
+    const Finished finished = process.wait();
+    INFO(finished.err);
+    CHECK(finished.exit_code == 130);
+    CHECK(contains(finished.err, "interrupted while it was configured"));
+    CHECK_FALSE(contains(finished.err, "no camera came"));
+    CHECK_FALSE(fs::exists(out));
+  }
 }

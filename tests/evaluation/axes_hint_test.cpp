@@ -158,6 +158,30 @@ TEST_CASE("poses with x forward and z up are told, those of cameras and of slope
     pose.T_world_camera.translation() = Eigen::Vector3d(x, 3 * std::sin(0.1 * x), 0);
   }
   CHECK_FALSE(upHint(positions).empty());
-  CHECK(scoreTrajectory(positions, positions, Alignment::Se2).warning == upHint(positions));
+  CHECK(scoreTrajectory(positions, positions, Alignment::Se2).warning ==
+        upHint(positions) + ", or use se3; se2 leaves y out");
   CHECK(scoreTrajectory(positions, positions, Alignment::Se3).warning.empty());
+}
+
+TEST_CASE("of poses with z up the errors are not told apart by a wrong vertical") {
+  Eigen::Matrix3d R_camera_body;
+  R_camera_body << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  Trajectory estimate = drive();
+  for (std::size_t i = 0; i < estimate.size(); ++i) {  // errors to the right only
+    estimate[i].T_world_camera.translation().x() += 0.2 * std::sin(0.7 * static_cast<double>(i));
+  }
+  const Trajectory truth = drive();
+  const auto camera = scoreTrajectory(truth, estimate, Alignment::Se3);
+  CHECK(camera.scores->horizontal_m.count > 0);
+  CHECK(camera.scores->vertical_m.rmse < 0.2 * camera.scores->horizontal_m.rmse);
+  const Trajectory body_truth = withAxes(truth, R_camera_body);
+  for (const Alignment alignment : {Alignment::Se3, Alignment::Sim3}) {
+    const auto body = scoreTrajectory(body_truth, withAxes(estimate, R_camera_body), alignment);
+    REQUIRE(body.scores);
+    CHECK(body.scores->ate_m.count > 0);
+    CHECK(body.scores->vertical_m.count == 0);
+    CHECK(body.scores->horizontal_m.count == 0);
+    CHECK(body.scores->no_vertical == upHint(body_truth));
+    CHECK_FALSE(body.scores->no_vertical.empty());
+  }
 }

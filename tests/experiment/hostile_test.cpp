@@ -212,3 +212,29 @@ TEST_CASE("a run is not repeated onto itself, by whatever name") {
   CHECK(contains(blind.err, "results.sha256: has no digests"));
   CHECK_FALSE(fs::exists(run.string() + "-again"));  // said before the run was made
 }
+
+TEST_CASE("a sweep and its table replace files of other programs only by force") {
+  const Study study;
+  const fs::path snakefile = study.out() / "Snakefile";
+  fs::create_directories(study.out());
+  std::ofstream(snakefile) << "rule mine:\n";
+  const Finished refused = study.sweep({"--write", "snakemake"});
+  CHECK(refused.exit_code == 8);
+  CHECK(contains(refused.err, "Snakefile: exists; choose another --out, or replace it by --force"));
+  CHECK(readText(snakefile) == "rule mine:\n");
+  REQUIRE(study.sweep({"--write", "snakemake", "--force"}).exit_code == 0);
+  CHECK(contains(readText(snakefile), "# Runs of the sweep"));
+  REQUIRE(study.sweep({"--write", "snakemake"}).exit_code == 0);  // now it is a sweep's folder
+  REQUIRE(study.sweep().exit_code == 0);
+
+  const fs::path table = study.folder.path() / "mine.csv";
+  std::ofstream(table) << "years of work\n";
+  std::vector<std::string> collect = {"sweep", "collect", study.out().string(), "--out",
+                                      table.string()};
+  const Finished kept = tolman::test::tolman(collect);
+  CHECK(kept.exit_code == 8);
+  CHECK(contains(kept.err, "mine.csv: exists; choose another --out"));
+  CHECK(readText(table) == "years of work\n");
+  collect.emplace_back("--force");
+  CHECK(tolman::test::tolman(collect).exit_code == 0);
+}

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plugins in Python in whole runs: parameters, arrays, state, provenance, seeds, and results that do not depend on threads."""
 import json
+import os
 import sqlite3
 import unittest
+import unittest.mock
 
 from support import Systems, tolman, write_octagon
 
@@ -51,6 +53,24 @@ class ProgramsTest(Systems):
         database = sqlite3.connect(self.folder / out / "run.sqlite")
         return database.execute('SELECT frame, "values" FROM array WHERE name = ? ORDER BY frame',
                                 ("hd.activity",)).fetchall()
+
+    def test_variables_for_other_programs_change_nothing(self):
+        for name, value in {"PYTHONHOME": "/nowhere", "PYTHONOPTIMIZE": "2", "PYTHONINSPECT": "1"}.items():
+            with unittest.mock.patch.dict(os.environ, {name: value}):
+                ran = self.run_system(cells=STAGE % "", out=name)
+                self.assertEqual(ran.returncode, 0, ran.stderr)
+                listed = tolman("plugins", "describe", self.folder / "mine.py")
+                self.assertIn("Random cells that count frames.", listed.stdout)  # -OO removes texts
+                exported = tolman("export", self.folder / name, "--npz")
+                self.assertEqual(exported.returncode, 0, exported.stderr)
+                self.assertIn("run.npz", exported.stdout)
+                self.assertEqual(exported.stderr, "")
+
+    def test_an_artefact_of_text_without_utf_8_is_a_failure(self):
+        self.write("mine.py", CELLS.replace("self.frames += 1", "self.write_artefact('a.txt', 'x' + chr(0xd800))"))
+        ran = self.run_system(cells=STAGE % "")
+        self.assertEqual(ran.returncode, 7, ran.stderr)
+        self.assertIn("surrogates not allowed", ran.stderr)
 
     def test_a_run_records_answers_arrays_and_origin(self):
         ran = self.run_system(cells=STAGE % ", gain: 3, mode: loud")

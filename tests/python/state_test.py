@@ -49,6 +49,11 @@ class StateTest(unittest.TestCase):
             with self.assertRaises(_state.Damaged):
                 _state.load(bad, __name__)
 
+    def test_what_cannot_be_saved_is_named(self):
+        for value in (lambda: 0, np.core.multiarray._ARRAY_API):  # the latter a PyCapsule
+            with self.assertRaisesRegex(TypeError, "the attribute 'link' cannot be saved .*: it must hold data"):
+                _state.dump({"a": np.zeros(3), "link": value})
+
     def test_nothing_is_called(self):
         for content in (pickle.dumps({"a": Calls()}), b"cbuiltins\neval\n(S'1'\ntR.", b"csubprocess\nPopen\n.",
                         b"c" + __name__.encode() + b"\nPopen\n."):

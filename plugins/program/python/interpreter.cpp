@@ -76,17 +76,26 @@ void showSymbols() {
 
 /// Starts Python as the program `python3` does, with the active virtual environment, but without
 /// signal handlers and with a fixed hash seed, so that the order of sets is the same in every run.
+/// Of the variables PYTHON... only those that say where packages are have an effect: others, such
+/// as PYTHONHOME, PYTHONOPTIMIZE and PYTHONINSPECT, are for other programs, and would keep Python
+/// from starting or change what a plugin does.
 /// Throws std::runtime_error.
 void startPython() {
   if (Py_IsInitialized() != 0) return;
   showSymbols();
   PyPreConfig before;
   PyPreConfig_InitPythonConfig(&before);
+  before.use_environment = 0;
   before.configure_locale = 0;
   before.utf8_mode = 1;
   Py_PreInitialize(&before);
   PyConfig config;
   PyConfig_InitPythonConfig(&config);
+  config.use_environment = 0;
+  config.user_site_directory = std::getenv("PYTHONNOUSERSITE") == nullptr ? 1 : 0;
+  if (const char* packages = std::getenv("PYTHONPATH"); packages != nullptr) {
+    PyConfig_SetBytesString(&config, &config.pythonpath_env, packages);
+  }
   config.install_signal_handlers = 0;
   config.use_hash_seed = 1;
   config.hash_seed = 0;

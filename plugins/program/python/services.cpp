@@ -24,9 +24,9 @@ py::object logOf(Logger& log) {
 
 py::object writerOf(ArtefactWriter& artefacts) {
   return py::cpp_function([&artefacts](const std::string& name, const py::object& content) {
-    const std::string bytes = PyUnicode_Check(content.ptr())
-                                  ? textFrom(content, "the content of an artefact")
-                                  : std::string(py::bytes(content));
+    // Text with lone surrogates has no UTF-8: encode() raises an error that names the first one.
+    const bool is_text = PyUnicode_Check(content.ptr()) != 0;
+    const std::string bytes{py::bytes(is_text ? content.attr("encode")("utf-8") : content)};
     const Status status = artefacts.write(name, std::as_bytes(std::span(bytes)));
     if (!status.isOk()) throw py::value_error(status.message());
   });

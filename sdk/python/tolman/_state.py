@@ -38,8 +38,23 @@ class _Reader(pickle.Unpickler):
         raise Damaged(f"the saved state holds a {module}.{name}, which is neither data nor of the plugin's file")
 
 
+def _unsaved(values):
+    """The name of the first attribute that cannot be saved, and why."""
+    for name, value in values.items():
+        try:
+            pickle.dumps(value, protocol=4)
+        except Exception as error:
+            return name, error
+    return "", "together they cannot"
+
+
 def dump(values):
-    content = pickle.dumps(values, protocol=4)
+    try:
+        content = pickle.dumps(values, protocol=4)
+    except Exception as error:
+        name, why = _unsaved(values)
+        raise TypeError(f"the attribute '{name}' cannot be saved ({why}): it must hold data, such as arrays, numbers and texts; "
+                        "or save() and load() leave it out") from error
     return _MAGIC + hashlib.sha256(content).digest() + content
 
 
