@@ -3,6 +3,8 @@
 // KITTI.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <sstream>
+#include <string>
 
 #include "process.hpp"
 #include "support/data.hpp"
@@ -29,6 +31,25 @@ TEST_CASE("every shipped configuration is valid") {
     ++count;
   }
   CHECK(count >= 6);
+}
+
+TEST_CASE("scripts/demo builds all plugins that its configuration names") {
+  const TemporaryFolder folder;
+  const fs::path plugins = tolmanProgram().parent_path().parent_path() / "plugins";
+  const fs::path program = folder.path() / "tolman";  // beside no plugins
+  fs::copy_file(tolmanProgram(), program);
+  std::istringstream names(TOLMAN_DEMO_PLUGINS);
+  for (std::string name; names >> name;) {
+    fs::copy_file(plugins / (name + ".so"), folder.path() / (name + ".so"));
+  }
+  const auto check = [&](const char* file) {
+    return run(
+        {program.string(), "check", kConfigs + file, "--plugin-path", folder.path().string()});
+  };
+  const Finished demo = check("demo.yaml");
+  INFO(demo.err);
+  CHECK(demo.exit_code == 0);
+  CHECK(check("kitti.yaml").exit_code != 0);  // its source is not among them
 }
 
 TEST_CASE("the demo drives its block and closes the loop") {
