@@ -53,7 +53,6 @@ PixelMap::PixelMap(const RawCamera& raw, const Eigen::Matrix3d& R_rectified_raw,
     }
     if (grouped) groupPositions(positionsOf(r), raw_width_, groups_.data() + firstGroup(r));
   });
-  black_ = std::ranges::count(positions_, RawPosition::kNowhere, &RawPosition::right);
 }
 
 std::span<const RawPosition> PixelMap::positionsOf(int row) const {

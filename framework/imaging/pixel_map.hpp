@@ -25,9 +25,6 @@ class PixelMap {
   /// of another size than the map's the result is empty.
   Image apply(const Image& raw) const;
 
-  /// Pixels that the raw image does not show.
-  std::int64_t blackPixels() const { return black_; }
-
  private:
   std::span<const RawPosition> positionsOf(int row) const;
   std::size_t firstGroup(int row) const {
@@ -40,7 +37,6 @@ class PixelMap {
   int height_;
   std::vector<RawPosition> positions_;  ///< row by row
   std::vector<PixelGroup> groups_;      ///< the same in groups, or none
-  std::int64_t black_ = 0;
 };
 
 }  // namespace tolman::imaging
