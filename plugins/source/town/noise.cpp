@@ -3,62 +3,35 @@
 #include "noise.hpp"
 
 #include "dispatch.hpp"
+#include "noise_lanes.hpp"
 
 namespace tolman::town {
 namespace {
 
-using Floats = float __attribute__((vector_size(16)));
-using Words = std::uint32_t __attribute__((vector_size(16)));
-using Integers = std::int32_t __attribute__((vector_size(16)));
+using Four = float __attribute__((vector_size(16)));
+using FourWords = std::uint32_t __attribute__((vector_size(16)));
 
-struct NoiseCells {
-  Words index;
-  Floats fade;
+}  // namespace
+
+template <>
+struct detail::WordsOf<Four> {
+  using Type = FourWords;
 };
 
-[[gnu::always_inline]] inline NoiseCells cellsOf(Floats x) {
-  Integers i = __builtin_convertvector(x, Integers);
-  i += __builtin_convertvector(i, Floats) > x;  // a true lane is -1
-  const Floats f = x - __builtin_convertvector(i, Floats);
-  return {reinterpret_cast<Words>(i), f * f * (3 - 2 * f)};
-}
-
-/// detail::lattice of each lane, from the products with its constants.
-[[gnu::always_inline]] inline Floats latticeOf(Words h) {
-  h = (h ^ (h >> 15)) * 0x846ca68bU;
-  h ^= h >> 13;
-  return __builtin_convertvector(reinterpret_cast<Integers>(h), Floats) * 0x1.0p-31F;
-}
-
-[[gnu::always_inline]] inline Floats noiseLanes(Floats x, Floats y, Words seed) {
-  const NoiseCells cx = cellsOf(x);
-  const NoiseCells cy = cellsOf(y);
-  const Words x0 = cx.index * 0x8da6b343U;
-  const Words x1 = x0 + 0x8da6b343U;
-  const Words z = seed * 0xcb1ab31fU;
-  const Words y0 = cy.index * 0xd8163841U ^ z;
-  const Words y1 = (cy.index + 1) * 0xd8163841U ^ z;
-  const Floats a = latticeOf(x0 ^ y0);
-  const Floats b = latticeOf(x1 ^ y0);
-  const Floats c = latticeOf(x0 ^ y1);
-  const Floats d = latticeOf(x1 ^ y1);
-  const Floats low = a + (b - a) * cx.fade;
-  const Floats high = c + (d - c) * cx.fade;
-  return low + (high - low) * cy.fade;
-}
+namespace {
 
 struct Octaves {
-  Floats scale;   ///< 1 / wavelength
-  Floats weight;  ///< amplitude times survives()
+  Four scale;   ///< 1 / wavelength
+  Four weight;  ///< amplitude times survives()
 };
 
 /// False if the footprint is too large for all octaves.
 [[gnu::always_inline]] inline bool octavesOf(float wavelength, int octaves, float footprint,
                                              Octaves& result) {
   const float fine = 1 / wavelength;
-  result.scale = Floats{fine, 2 * fine, 4 * fine, 8 * fine};
-  const Floats amplitude = {0.55F, 0.385F, 0.2695F, 0.18865F};
-  result.weight = Floats{0, 0, 0, 0};
+  result.scale = Four{fine, 2 * fine, 4 * fine, 8 * fine};
+  const Four amplitude = {0.55F, 0.385F, 0.2695F, 0.18865F};
+  result.weight = Four{0, 0, 0, 0};
   for (int i = 0; i < octaves; ++i) {
     const float left = survives(1 / result.scale[i], footprint);
     if (left <= 0) return i > 0;
@@ -67,9 +40,9 @@ struct Octaves {
   return true;
 }
 
-[[gnu::always_inline]] inline float sum(Floats v) { return (v[0] + v[1]) + (v[2] + v[3]); }
+[[gnu::always_inline]] inline float sum(Four v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 
-constexpr Words kSteps = {0, 1, 2, 3};
+constexpr FourWords kSteps = {0, 1, 2, 3};
 
 }  // namespace
 
@@ -78,7 +51,9 @@ float fractal2(float x, float y, float wavelength, int octaves, float footprint,
                std::uint32_t seed) {
   Octaves of;
   if (!octavesOf(wavelength, octaves, footprint, of)) return 0;
-  return sum(of.weight * noiseLanes(x * of.scale, y * of.scale, kSteps + seed));
+  const Four noise = detail::planeNoise(
+      detail::cellsOf(x * of.scale), detail::cellsOf(y * of.scale), (kSteps + seed) * 0xcb1ab31fU);
+  return sum(of.weight * noise);
 }
 
 }  // namespace tolman::town

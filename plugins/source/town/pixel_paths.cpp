@@ -11,8 +11,8 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kSky = 1e4F;      ///< m; as good as infinite
-constexpr float kNearest = 0.1F;  ///< m in front of the camera; keeps the projection finite
+constexpr float kSkyDepth = 1e4F;      ///< m; as good as infinite
+constexpr float kNearestDepth = 0.1F;  ///< m in front of the camera; keeps the projection finite
 
 /// A pinhole camera in the middle, at the beginning and at the end of the time.
 struct Projections {
@@ -54,7 +54,7 @@ void findPaths(const Projections& p, const PartOfRow& part, float* z, float* u, 
   const auto [e0, e1, e2] = p.end;
   const float ray_y = (static_cast<float>(part.row) - p.cy) / p.fy;
   for (int i = 0; i < part.count; ++i) {
-    const float depth = z[i] > 0 ? z[i] : kSky;
+    const float depth = z[i] > 0 ? z[i] : kSkyDepth;
     const float x = depth * ((static_cast<float>(part.first + i) - p.cx) / p.fx);
     const float y = depth * ray_y;
     const float begin_z = b2[0] * x + b2[1] * y + b2[2] * depth + b2[3];
@@ -65,7 +65,7 @@ void findPaths(const Projections& p, const PartOfRow& part, float* z, float* u, 
                                 (b0[0] * x + b0[1] * y + b0[2] * depth + b0[3]) * to_begin);
     const float way_v = p.fy * ((e1[0] * x + e1[1] * y + e1[2] * depth + e1[3]) * to_end -
                                 (b1[0] * x + b1[1] * y + b1[2] * depth + b1[3]) * to_begin);
-    const bool is_behind = begin_z < kNearest || end_z < kNearest;
+    const bool is_behind = begin_z < kNearestDepth || end_z < kNearestDepth;
     const float length = std::sqrt(way_u * way_u + way_v * way_v);
     const float kept = is_behind ? 0.0F : length > kLongestPath ? kLongestPath / length : 1.0F;
     z[i] = depth;
