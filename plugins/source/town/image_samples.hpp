@@ -21,8 +21,16 @@ struct ImageSamples {
   float at(float u, float v) const {
     u = std::clamp(u, 0.0F, static_cast<float>(width - 1));
     v = std::clamp(v, 0.0F, static_cast<float>(height - 1));
-    const int c = std::min(static_cast<int>(u), width - 2);
-    const int r = std::min(static_cast<int>(v), height - 2);
+    return interpolate(std::min(static_cast<int>(u), width - 2),
+                       std::min(static_cast<int>(v), height - 2), u, v);
+  }
+  /// The same for 0 <= u < width - 1 and 0 <= v < height - 1.
+  float inside(float u, float v) const {
+    return interpolate(static_cast<int>(u), static_cast<int>(v), u, v);
+  }
+
+ private:
+  float interpolate(int c, int r, float u, float v) const {
     const float fu = u - static_cast<float>(c);
     const float fv = v - static_cast<float>(r);
     const std::size_t i = index(c, r);

@@ -39,6 +39,19 @@ double metresFrom(const Eigen::Isometry3d& T_town_camera, const Vec3& place) {
                     static_cast<double>(place.y) - camera.y());
 }
 
+/// Motion of an object, in the town's axes, from one placement to another.
+Eigen::Isometry3d between(const Placement& from, const Placement& to) {
+  const auto poseOf = [](const Placement& p) {
+    Eigen::Isometry3d T_town_object(
+        Eigen::AngleAxisd(std::atan2(static_cast<double>(p.sine), static_cast<double>(p.cosine)),
+                          Eigen::Vector3d::UnitZ()));
+    T_town_object.pretranslate(
+        Eigen::Vector3f(p.position.x, p.position.y, p.position.z).cast<double>());
+    return T_town_object;
+  };
+  return poseOf(to) * poseOf(from).inverse();
+}
+
 }  // namespace
 
 MovingThings::MovingThings(const TownParameters& p, const CameraRoute& whole,
@@ -62,58 +75,69 @@ MovingThings::MovingThings(const TownParameters& p, const StreetPlan& plan, Worl
   const auto add = [&](std::uint32_t prototype, std::uint32_t own, bool shines) {
     world.instances.push_back({prototype, {}, own, shines});
   };
-  first_car_ = world.instances.size();
+  first_ = world.instances.size();
   for (std::uint32_t i = 0; i < traffic_.size() + crossing_.size(); ++i) {
     const std::uint32_t own = hash(seed, i, 302);
     add(world.cars.at(own % world.cars.size()), own, headlights_);
   }
-  first_cyclist_ = world.instances.size();
   for (std::uint32_t i = 0; i < cyclists_.size(); ++i) add(pedals_[0], hash(seed, i, 309), false);
-  first_pedestrian_ = world.instances.size();
   for (std::uint32_t i = 0; pedestrians_ && i < pedestrians_->size(); ++i) {
     add(walkers_[0], hash(seed, i, 310), false);
   }
 }
 
-void MovingThings::arrangeCars(Scene& scene, double seconds,
-                               const Eigen::Isometry3d& T_town_camera) {
-  cars_.clear();
+std::vector<MovingThings::Pose> MovingThings::posesAt(const Instant& now) const {
+  const auto& [seconds, T_town_camera] = now;
+  std::vector<Pose> poses;
   for (std::size_t i = 0; i < traffic_.size(); ++i) {
-    cars_.push_back(besideCamera(traffic_.at(i, seconds), T_town_camera));
-    scene.move(first_car_ + i, cars_.back());
+    poses.push_back({besideCamera(traffic_.at(i, seconds), T_town_camera), {}});
   }
   for (std::size_t i = 0; i < crossing_.size(); ++i) {
-    const std::size_t instance = first_car_ + traffic_.size() + i;
-    const std::optional<Placement> place = crossing_.at(i, seconds);
-    scene.show(instance, place.has_value());
-    if (!place) continue;
-    cars_.push_back(besideCamera(*place, T_town_camera));
-    scene.move(instance, cars_.back());
+    std::optional<Placement> place = crossing_.at(i, seconds);
+    if (place) place = besideCamera(*place, T_town_camera);
+    poses.push_back({place, {}});
   }
-}
-
-void MovingThings::arrangePeople(Scene& scene, double seconds,
-                                 const Eigen::Isometry3d& T_town_camera) {
   for (std::size_t i = 0; i < cyclists_.size(); ++i) {
     const auto [placement, phase] = cyclists_.at(i, seconds);
-    scene.change(first_cyclist_ + i, pedals_[static_cast<std::size_t>(phase)]);
-    scene.move(first_cyclist_ + i, besideCamera(placement, T_town_camera, kPassCyclist));
+    poses.push_back({besideCamera(placement, T_town_camera, kPassCyclist),
+                     pedals_[static_cast<std::size_t>(phase)]});
   }
   for (std::size_t i = 0; pedestrians_ && i < pedestrians_->size(); ++i) {
     const auto [placement, phase] = pedestrians_->at(i, seconds);
-    scene.change(first_pedestrian_ + i, walkers_[static_cast<std::size_t>(phase)]);
-    scene.move(first_pedestrian_ + i, placement);
+    poses.push_back({placement, walkers_[static_cast<std::size_t>(phase)]});
   }
+  return poses;
 }
 
-bool MovingThings::arrange(Scene& scene, double seconds, const Eigen::Isometry3d& T_town_camera) {
-  arrangeCars(scene, seconds, T_town_camera);
-  arrangePeople(scene, seconds, T_town_camera);
-  for (const Wind::Plant& plant : wind_.plants()) {
-    scene.move(plant.instance, wind_.at(plant, seconds));
+bool MovingThings::arrange(Scene& scene, const Instant& now) {
+  const std::vector<Pose> poses = posesAt(now);
+  cars_.clear();
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const auto& [placement, prototype] = poses[i];
+    scene.show(first_ + i, placement.has_value());
+    if (!placement) continue;
+    if (prototype) scene.change(first_ + i, *prototype);
+    scene.move(first_ + i, *placement);
+    if (i < traffic_.size() + crossing_.size()) cars_.push_back(*placement);
   }
-  return !wind_.plants().empty() || traffic_.size() + crossing_.size() + cyclists_.size() > 0 ||
-         (pedestrians_ && pedestrians_->size() > 0);
+  for (const Wind::Plant& plant : wind_.plants()) {
+    scene.move(plant.instance, wind_.at(plant, now.seconds));
+  }
+  return !wind_.plants().empty() || !poses.empty();
+}
+
+void MovingThings::follow(const Instant& begin, const Instant& middle, const Instant& end,
+                          OpenShutter& shutter) const {
+  const std::vector<Pose> at_begin = posesAt(begin);
+  const std::vector<Pose> at_middle = posesAt(middle);
+  const std::vector<Pose> at_end = posesAt(end);
+  shutter.first_object = static_cast<std::uint32_t>(first_);
+  shutter.objects.assign(at_middle.size(), {});
+  for (std::size_t i = 0; i < at_middle.size(); ++i) {
+    if (!at_begin[i].placement || !at_middle[i].placement || !at_end[i].placement) continue;
+    shutter.objects[i] = {between(*at_middle[i].placement, *at_begin[i].placement),
+                          between(*at_middle[i].placement, *at_end[i].placement)};
+  }
 }
 
 void MovingThings::addHeadlights(Light& light, const Eigen::Isometry3d& T_town_camera) const {

@@ -34,6 +34,7 @@ struct RayPacket::Meetings {
   EightWords instance_seed;
   std::array<std::uint32_t, kLanes> surface;
   std::array<const MeshInstance*, kLanes> instance;
+  std::array<std::uint32_t, kLanes> instance_index;
 };
 
 Vec3s RayPacket::Vectors::group(std::size_t g) const {
@@ -71,6 +72,7 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
   alignas(32) std::array<std::uint32_t, kLanes> instances{};
   m.surface = {};
   m.instance = {};
+  m.instance_index.fill(kNoInstance);
   for (std::size_t i = 0; i < kLanes; ++i) {
     if (rays.hit.geomID[first + i] == RTC_INVALID_GEOMETRY_ID) continue;
     instances[i] = rays.hit.instID[0][first + i];
@@ -78,6 +80,7 @@ void RayPacket::meet(const RTCRayHit16& rays, std::size_t group, Meetings& m) co
     hit[i] = ~0U;
     m.surface[i] = owner.surface;
     m.instance[i] = owner.instance;
+    m.instance_index[i] = instances[i];
     if (around_.scene->surface(owner.surface).material == Material::Leaves) foliage[i] = ~0U;
     if (owner.instance == nullptr) continue;
     placed[i] = ~0U;
@@ -228,7 +231,9 @@ void RayPacket::shadeGroup(const Meetings& m, Shaded* shaded) const {
   const EightWords lit = words(m.lit > 0) & 1U;
   const EightWords kind = m.foliage ? kFoliage - EightWords{} : lit;
   const EightWords seen = (m.seen | 4U | kind) & words(m.hit);  // 0 only for the sky
-  for (int i = 0; i < kLanes; ++i) shaded[i] = {radiance[i], m.t[i], seen[i]};
+  for (int i = 0; i < kLanes; ++i) {
+    shaded[i] = {radiance[i], m.t[i], seen[i], m.instance_index[static_cast<std::size_t>(i)]};
+  }
 }
 
 void RayPacket::weather(const Meetings& m, const SurfaceHits& hits, Eight& tone) const {

@@ -29,6 +29,7 @@ struct Shaded {
   float radiance = 0;
   float depth = 0;         ///< in units of the length of the direction; 0 for sky
   std::uint32_t seen = 0;  ///< key that differs between objects, and between light and shadow
+  std::uint32_t instance = kNoInstance;
 };
 
 /// Bit of Shaded::seen for foliage. Its edges are not smoothed: it has very many, and aliasing is

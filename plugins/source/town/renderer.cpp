@@ -105,6 +105,7 @@ void Renderer::firstPass(const Rays& rays, int first_row, int end_row, RenderedI
       for (std::size_t i = 0; i < count; ++i) {
         picture.radiance[pixels[i]] = shaded[i].radiance;
         picture.depth[pixels[i]] = shaded[i].depth;
+        picture.instance[pixels[i]] = shaded[i].instance;
         seen_[pixels[i]] = shaded[i].seen;
       }
     }
@@ -143,6 +144,7 @@ void Renderer::render(const RenderCamera& view, RenderedImage& picture) {
   const auto pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
   picture.radiance.resize(pixels);
   picture.depth.resize(pixels);
+  picture.instance.resize(pixels);
   seen_.resize(pixels);
   const Rays rays(*this, view);
   // Strips of equal height, so that packets do not depend on the number of threads.

@@ -29,6 +29,7 @@ struct RenderCamera {
 struct RenderedImage {
   std::vector<float> radiance;
   std::vector<float> depth;  ///< m along the optical axis, at the pixel's centre; 0 for sky
+  std::vector<std::uint32_t> instance;  ///< of the scene, or kNoInstance
 };
 
 /// One ray through the centre of each pixel, with textures averaged over the pixel. Where

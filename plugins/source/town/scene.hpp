@@ -17,6 +17,8 @@ namespace tolman::town {
 
 /// Rays are traced in packets of this many.
 inline constexpr int kRaysPerPacket = 16;
+/// Instead of the index of an instance: fixed geometry, or the sky.
+inline constexpr std::uint32_t kNoInstance = RTC_INVALID_GEOMETRY_ID;
 
 class Scene {
  public:

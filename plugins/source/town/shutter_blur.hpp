@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motion blur of an image, from the depth and the motion of the camera, without tracing more rays.
-// It is correct for short paths; moving cars are blurred as if they stood still.
+// Motion blur of an image from the depth and the motion of the camera and of objects, without
+// tracing more rays. It is right for surfaces whose neighbourhood moves alike, and approximate at
+// silhouettes, where an image does not tell what is behind.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
+#include "pixel_paths.hpp"
 #include "renderer.hpp"
 
 namespace tolman::town {
 
-/// `T_end_begin`: motion of this camera while its shutter is open; it takes coordinates at the
-/// beginning to those at the end. `sharp` (radiance) and `depth` are of the middle of this time.
-std::vector<float> shutterBlur(const RenderCamera& view, const std::vector<float>& sharp,
-                               const std::vector<float>& depth,
-                               const Eigen::Isometry3d& T_end_begin);
+/// Mean radiance while the shutter is open; `sharp` is the picture of `view`, in the middle of this
+/// time.
+std::vector<float> shutterBlur(const RenderCamera& view, const RenderedImage& sharp,
+                               const OpenShutter& shutter);
 
 }  // namespace tolman::town

@@ -40,23 +40,21 @@ RenderCamera TownCamera::viewAt(const Moment& moment, double part) const {
   return view;
 }
 
-std::vector<float>& TownCamera::openShutter(Renderer& renderer, const Moment& moment,
-                                            double time_ms) {
-  const double open = parameters_.motion_blur;
-  const int shots = open > 0 ? 5 : 1;              // bounds the time
-  for (int shot = shots - 1; shot >= 0; --shot) {  // the first one last, to keep its depth
-    renderer.render(viewAt(moment, open * shot / shots), rendered_);
-    if (shots == 1) break;
-    if (shot == shots - 1) blurred_.assign(rendered_.radiance.size(), 0);
-    for (std::size_t i = 0; i < blurred_.size(); ++i) {
-      blurred_[i] += rendered_.radiance[i] / static_cast<float>(shots);
-    }
-  }
-  if (time_ms <= 0) return shots > 1 ? blurred_ : rendered_.radiance;
-  const double half = 0.5 * time_ms * 1e-3 / moment.interval_s;
-  RenderCamera view = viewAt(moment, 0);
-  blurred_ = shutterBlur(view, shots > 1 ? blurred_ : rendered_.radiance, rendered_.depth,
-                         poseAt(moment, half).inverse() * poseAt(moment, -half));
+double TownCamera::openShare(const Moment& moment, const Exposure& exposure) const {
+  return std::max(parameters_.motion_blur, exposure.time_ms * 1e-3 / moment.interval_s);
+}
+
+std::vector<float>& TownCamera::openShutter(Renderer& renderer, const Moment& moment, double open) {
+  const RenderCamera view = viewAt(moment, 0);
+  renderer.render(view, rendered_);
+  if (open <= 0) return rendered_.radiance;
+  const auto fromMiddle = [&](double part) {
+    return poseAt(moment, part).inverse() * view.T_town_camera;
+  };
+  OpenShutter shutter;
+  shutter.camera = {fromMiddle(-open / 2), fromMiddle(open / 2)};
+  moment.follow(-open / 2, open / 2, shutter);
+  blurred_ = shutterBlur(view, rendered_, shutter);
   return blurred_;
 }
 
@@ -76,14 +74,14 @@ Sensor TownCamera::sensorFor(const Moment& moment, double amplification) const {
   return sensor;
 }
 
-Rain TownCamera::rainAt(const Light& light, const Moment& moment, const Exposure& exposure) const {
+Rain TownCamera::rainAt(const Light& light, const Moment& moment, double open) const {
   const Eigen::Vector3d step =
       moment.T_town_left(1).translation() - moment.T_town_left(0).translation();
   Rain rain;
   rain.density = light.rain;
   // A little brighter than the sky behind: chosen, not tuned.
   rain.brightness = 1.1F * (light.horizon + 0.02F * light.lamps);
-  if (exposure.time_ms > 0) rain.exposure_s = exposure.time_ms * 1e-3;
+  if (open > 0) rain.exposure_s = open * moment.interval_s;
   rain.speed_m_s = step.norm() / moment.interval_s;
   rain.seed = hash(run_seed_, moment.exposure / 2, 404);  // one for both cameras
   return rain;
@@ -93,10 +91,11 @@ Image TownCamera::take(Renderer& renderer, const Light& light, const Moment& mom
   const TownParameters& p = parameters_;
   const Exposure exposure = exposureFor(light, p.exposure_time_ms, p.exposure_time_max_ms);
   renderer.setLight(light);
-  std::vector<float>& radiance = openShutter(renderer, moment, exposure.time_ms);
+  const double open = openShare(moment, exposure);
+  std::vector<float>& radiance = openShutter(renderer, moment, open);
   const Sensor sensor = sensorFor(moment, exposure.amplification);
   if (light.rain > 0)
-    addRain(radiance, viewAt(moment, 0), truth_.T_left_camera, rainAt(light, moment, exposure));
+    addRain(radiance, viewAt(moment, 0), truth_.T_left_camera, rainAt(light, moment, open));
   if (!glass_.isClean()) glass_.apply(radiance, light.horizon, moment.seconds);
   if (p.bloom > 0) {
     addBloom(radiance, width_, height_, static_cast<float>(255 / sensor.gain),

@@ -9,6 +9,7 @@
 #include "exposure.hpp"
 #include "lens_glass.hpp"
 #include "light.hpp"
+#include "pixel_paths.hpp"
 #include "rain_streaks.hpp"
 #include "renderer.hpp"
 #include "sensor.hpp"
@@ -25,6 +26,8 @@ struct Moment {
   double seconds = 0;          ///< since the start of the drive
   double gain = 255;           ///< grey levels for a radiance of 1
   std::uint32_t exposure = 0;  ///< number of the image in the run, different for left and right
+  /// Sets the motions of objects from part `begin` to part `end`.
+  std::function<void(double begin, double end, OpenShutter& shutter)> follow;
 };
 
 class TownCamera {
@@ -34,16 +37,18 @@ class TownCamera {
              std::size_t index, std::uint32_t run_seed);
 
   Image take(Renderer& renderer, const Light& light, const Moment& moment);
-  /// The last rendered image; with motion blur that at the stamp.
+  /// The last rendered image, without blur: that at the stamp.
   const RenderedImage& rendered() const { return rendered_; }
 
  private:
   /// T_town_camera; parts as in Moment.
   Eigen::Isometry3d poseAt(const Moment& moment, double part) const;
   RenderCamera viewAt(const Moment& moment, double part) const;
-  /// Mean radiance over the exposure time.
-  std::vector<float>& openShutter(Renderer& renderer, const Moment& moment, double time_ms);
-  Rain rainAt(const Light& light, const Moment& moment, const Exposure& exposure) const;
+  /// Time that the shutter is open, as a share of the time to the next frame.
+  double openShare(const Moment& moment, const Exposure& exposure) const;
+  /// Mean radiance while the shutter is open, from half of `open` before the stamp to half after.
+  std::vector<float>& openShutter(Renderer& renderer, const Moment& moment, double open);
+  Rain rainAt(const Light& light, const Moment& moment, double open) const;
   Sensor sensorFor(const Moment& moment, double amplification) const;
 
   TownParameters parameters_;

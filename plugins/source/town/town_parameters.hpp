@@ -167,8 +167,8 @@ constexpr auto imageParameters() {
           .doc("Relative amplitude of slow changes of the gain, the same for both cameras."),
       parameter("motion_blur", &P::motion_blur)
           .range(0, 1)
-          .doc("Share of the frame interval that the shutter is open; above 0, rendering takes "
-               "five times as long."),
+          .doc("Share of the frame interval that the shutter is open, half of it before the stamp. "
+               "The longer of this and the time of exposure_time_ms holds."),
       parameter("edge_samples", &P::edge_samples)
           .range(0, 8)
           .doc("Additional rays for pixels on edges; 0: no anti-aliasing of edges."),

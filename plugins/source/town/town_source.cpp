@@ -39,6 +39,16 @@ CameraRoute streetsFor(const CameraRoute& way, const TownParameters& p) {
   return p.flight ? groundTrack(way) : way;
 }
 
+using Poses = std::vector<Eigen::Isometry3d>;
+
+/// Between poses `index` (part 0) and the next (part 1), or as far before the former.
+Eigen::Isometry3d poseAt(const Poses& poses, std::size_t index, double part) {
+  if (part == 0) return poses[index];
+  const std::size_t from = std::min(index, poses.size() - 2);
+  const Vector6d step = logSe3(poses[from].inverse() * poses[from + 1]);
+  return poses[index] * expSe3(part * step);
+}
+
 }  // namespace
 
 Status TownSource::configure(const Context& context) {
@@ -179,16 +189,18 @@ Status TownSource::info(SourceInfo& info) {
   return Status::ok();
 }
 
-Eigen::Isometry3d TownSource::poseAt(std::size_t index, double part) const {
-  const auto& poses = T_town_camera_;
-  if (part == 0) return poses[index];
-  const std::size_t from = std::min(index, poses.size() - 2);
-  const Vector6d step = logSe3(poses[from].inverse() * poses[from + 1]);
-  return poses[index] * expSe3(part * step);
-}
-
 double TownSource::secondsAt(std::size_t index) const {
   return static_cast<double>(route_.stamps_ns[index] - route_.stamps_ns[0]) * 1e-9;
+}
+
+double TownSource::intervalAt(std::size_t index) const {
+  const std::vector<std::int64_t>& stamps = route_.stamps_ns;
+  const std::size_t from = std::min(index, stamps.size() - 2);
+  return static_cast<double>(stamps[from + 1] - stamps[from]) * 1e-9;
+}
+
+MovingThings::Instant TownSource::instantAt(std::size_t index, double part) const {
+  return {secondsAt(index) + part * intervalAt(index), poseAt(route_.T_town_camera, index, part)};
 }
 
 void TownSource::arrangeScene(std::size_t index) {
@@ -201,7 +213,7 @@ void TownSource::arrangeScene(std::size_t index) {
   if (now.bare != shown_.bare) exchange(trees_, now.bare);
   if (now.exchanged != shown_.exchanged) exchange(cars_, now.exchanged);
   shown_ = now;
-  const bool moves = moving_->arrange(*scene_, secondsAt(index), route_.T_town_camera[index]);
+  const bool moves = moving_->arrange(*scene_, instantAt(index, 0));
   if (is_changed || moves) scene_->commit();
 }
 
@@ -234,12 +246,13 @@ double TownSource::gainAt(std::size_t index) const {
 }
 
 Image TownSource::takePicture(std::size_t index, bool right) {
-  const std::vector<std::int64_t>& stamps = route_.stamps_ns;
-  const std::size_t from = std::min(index, stamps.size() - 2);
   const std::size_t camera = right ? 1 : 0;
   Moment moment;
-  moment.T_town_left = [this, index](double part) { return poseAt(index, part); };
-  moment.interval_s = static_cast<double>(stamps[from + 1] - stamps[from]) * 1e-9;
+  moment.T_town_left = [this, index](double part) { return poseAt(T_town_camera_, index, part); };
+  moment.follow = [this, index](double begin, double end, OpenShutter& shutter) {
+    moving_->follow(instantAt(index, begin), instantAt(index, 0), instantAt(index, end), shutter);
+  };
+  moment.interval_s = intervalAt(index);
   moment.seconds = secondsAt(index);
   moment.gain = gainAt(index);
   moment.exposure = static_cast<std::uint32_t>(2 * next_ + camera);

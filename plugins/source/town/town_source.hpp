@@ -38,12 +38,14 @@ class TownSource final : public Source, public ArrayDescriptions {
   Status placeCameras(const CameraRoute& flown);
   Status setRig();
   void chooseFrames();
-  /// Pose of the left camera between route poses `index` (part 0) and the next (part 1).
-  Eigen::Isometry3d poseAt(std::size_t index, double part) const;
   /// Builds the scene from streets, seasons and traffic.
   void buildScene();
   /// Time since the start of the drive, s.
   double secondsAt(std::size_t index) const;
+  /// Time to the next pose of the route, s.
+  double intervalAt(std::size_t index) const;
+  /// `part` of the interval after pose `index` of the route; before it if negative.
+  MovingThings::Instant instantAt(std::size_t index, double part) const;
   /// Sets the traffic and the objects of season and day.
   void arrangeScene(std::size_t index);
   void setLight(std::size_t index);

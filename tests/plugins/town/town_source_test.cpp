@@ -202,6 +202,25 @@ TEST_CASE("each kind of trouble changes the pictures that it should") {
   }
 }
 
+TEST_CASE("motion blur is that of an exposure of the same time, and true depth that at the stamp") {
+  const auto frameOf = [](ParameterValues values) {
+    values["noise"] = 0.0;
+    values["depth"] = true;
+    values["traffic"] = 40.0;
+    values["first"] = values["last"] = std::int64_t{60};
+    return drive(values).frames[0];
+  };
+  const Frame sharp = frameOf({});
+  const Frame blurred = frameOf({{"motion_blur", 0.1}});
+  const Frame exposed =
+      frameOf({{"exposure_time_ms", 100.0}, {"exposure_time_max_ms", 10.0}});  // at 10 Hz
+  CHECK(bytes(blurred.left) != bytes(sharp.left));
+  CHECK(bytes(blurred.left) == bytes(exposed.left));
+  CHECK(bytes(blurred.right) == bytes(exposed.right));
+  CHECK(blurred.sensors[0].values == sharp.sensors[0].values);
+  CHECK(blurred.T_world_camera_truth.isApprox(sharp.T_world_camera_truth, 0));
+}
+
 namespace {
 
 using List = std::vector<double>;
@@ -214,6 +233,7 @@ const ParameterValues kBadCameras = {{"warp_rms_px", 2.0},
                                      {"readout_time_ms", 30.0},
                                      {"exposure_time_ms", 3.0},
                                      {"exposure_time_max_ms", 20.0},
+                                     {"motion_blur", 0.2},
                                      {"gain", List{1.2, 0.8}},
                                      {"gamma", List{0.8, 1.2}},
                                      {"vignetting_error", List{0.1, 0.3}},
