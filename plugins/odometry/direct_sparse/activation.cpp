@@ -16,7 +16,7 @@ struct Landing {
   float v = 0;
 };
 
-Landing land(const PairGeometry& pair, const GradientImage& image, float u, float v, float d) {
+Landing land(const PairGeometry& pair, const GrayLevel& image, float u, float v, float d) {
   const auto& m = pair.warp;
   const float z = m[6] * u + m[7] * v + m[8] + pair.shift[2] * d;
   if (!(z > 1e-3F)) return {};  // of the host's depth; keeps the division finite
@@ -94,7 +94,7 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
       const PairGeometry& pair = pairs[indexOfSlot(host * kSlots + target)];
       ResidualState& state = point.temporal[indexOfSlot(target)];
       state = ResidualState::Absent;
-      if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) continue;
+      if (!temporalSums(pair, window.keyframe(target).left.level(0), point, sums)) continue;
       ++seen;
       if (sums.energy > window.energy_threshold) continue;
       const CentreJacobian J =
@@ -143,7 +143,7 @@ void Activator::adaptSpacing(const CameraRig& rig, int wanted) {
 }
 
 void Activator::chooseFrom(int host, Window& window, const PairGeometry* to_newest) {
-  const GradientImage& newest = window.newest().gradients;
+  const GrayLevel& newest = window.newest().left.level(0);
   std::vector<ImmaturePoint>& immature = window.keyframe(host).immature;
   for (std::size_t i = 0; i < immature.size(); ++i) {
     ImmaturePoint& point = immature[i];
@@ -174,7 +174,7 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
     for (Point& point : window.keyframe(host).points) {
       point.temporal[indexOfSlot(newest)] = ResidualState::Good;
       const Landing place =
-          land(pair, window.newest().gradients, point.u, point.v, point.inverse_depth);
+          land(pair, window.newest().left.level(0), point.u, point.v, point.inverse_depth);
       if (place.inside) occupancy_.claim(place.u, place.v);
     }
   }

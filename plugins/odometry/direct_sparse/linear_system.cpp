@@ -130,7 +130,7 @@ void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& 
                              ChunkSystem& system, std::span<PointTerms> terms) const {
   const int host = chunk.range.host;
   const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
-  const GradientImage& image = window.keyframe(target).gradients;
+  const GrayLevel& image = window.keyframe(target).left.level(0);
   Point* points = window.keyframe(host).points.data() + chunk.range.begin;
   PixelSums sums;
   for (std::size_t k = 0; k < terms.size(); ++k) {
@@ -180,13 +180,13 @@ void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& sett
     if (target < 0) continue;
     const Keyframe& keyframe = window.keyframe(target);
     const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
-    const auto sighting = sight(rig.pinhole, pair, keyframe.gradients, points[k]);
+    const auto sighting = sight(rig.pinhole, pair, keyframe.left.level(0), points[k]);
     if (!sighting) continue;
     Point seen;
     seen.u = static_cast<float>(sighting->u);
     seen.v = static_cast<float>(sighting->v);
     seen.inverse_depth = sighting->inverse_depth;
-    seen.pattern = patternAt(keyframe.gradients, sighting->u, sighting->v);
+    seen.pattern = patternAt(keyframe.left.level(0), sighting->u, sighting->v);
     const StereoGeometry& stereo = stereos_[indexOfSlot(target)];
     if (!stereoSums(stereo, keyframe.right.level(0), seen, sums)) continue;
     if (system.judge(sums, window.energy_threshold) != ResidualState::Good) continue;

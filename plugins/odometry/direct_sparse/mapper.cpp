@@ -48,7 +48,6 @@ Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_ca
   keyframe.T0_camera_world = T_world_camera.inverse();
   keyframe.affine0 = affine;
   std::swap(keyframe.left, left);
-  keyframe.gradients.build(keyframe.left.level(0));
   if (window_.size() == 1) setOffsetPrior();
   selectCandidates(keyframe);
   return keyframe;
@@ -87,13 +86,13 @@ void Mapper::draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_
 
 void Mapper::selectCandidates(Keyframe& keyframe) {
   const std::vector<Pixel>& pixels =
-      selector_.select(keyframe.gradients, settings_.candidates, kStereoBorder);
+      selector_.select(keyframe.left.level(0), settings_.candidates, kStereoBorder);
   keyframe.immature.resize(pixels.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     ImmaturePoint point;
     point.u = static_cast<float>(pixels[i].u);
     point.v = static_cast<float>(pixels[i].v);
-    point.pattern = patternAt(keyframe.gradients, pixels[i].u, pixels[i].v);
+    point.pattern = patternAt(keyframe.left.level(0), pixels[i].u, pixels[i].v);
     keyframe.immature[i] = point;
   }
 }

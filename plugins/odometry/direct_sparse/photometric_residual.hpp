@@ -52,7 +52,7 @@ struct CentreJacobian {
 };
 
 /// False when the pattern leaves the image or lies behind the camera.
-bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
+bool temporalSums(const PairGeometry& pair, const GrayLevel& target, const Point& point,
                   PixelSums& sums);
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
                               float inverse_depth);
@@ -82,11 +82,11 @@ struct Sighting {
 /// compare with the target's right image is that of the target at this pixel, because the host has
 /// another view.
 std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
-                              const GradientImage& target, const Point& point);
+                              const GrayLevel& target, const Point& point);
 
 /// Prefetches the pixels that temporalSums() will read. The image is larger than the caches, so
 /// call this some points ahead.
-void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point);
+void prefetchTemporal(const PairGeometry& pair, const GrayLevel& target, const Point& point);
 /// The same for stereoSums().
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point);
 

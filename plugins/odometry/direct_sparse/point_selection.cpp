@@ -8,7 +8,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <cstring>
+
+#include "gradient_samples.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -28,21 +29,23 @@ std::array<float, 2> direction(int u, int v) {
 }
 
 #if defined(__SSE2__)
-/// Lengths of four gradients, as bytes.
-void storeFour(const std::int16_t* quads, std::uint8_t* out) {
-  const auto squares = [](const std::int16_t* p) {
-    const __m128i two = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
-    const __m128i gradients = _mm_and_si128(two, _mm_set1_epi64x(0x0000FFFFFFFF0000LL));
-    return _mm_castsi128_ps(_mm_madd_epi16(gradients, gradients));  // gx^2, gy^2 in two lanes
+__m128i eightShorts(const std::uint8_t* p) {
+  return _mm_unpacklo_epi8(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p)),
+                           _mm_setzero_si128());
+}
+
+/// Lengths of the gradients of eight pixels, as bytes; reads one more pixel on either side.
+void storeEight(const std::uint8_t* here, const std::uint8_t* above, const std::uint8_t* below,
+                std::uint8_t* out) {
+  const __m128i gx = _mm_sub_epi16(eightShorts(here + 1), eightShorts(here - 1));
+  const __m128i gy = _mm_sub_epi16(eightShorts(below), eightShorts(above));
+  const auto lengths = [](__m128i pairs) {
+    const __m128 squared = _mm_cvtepi32_ps(_mm_madd_epi16(pairs, pairs));
+    return _mm_cvttps_epi32(_mm_mul_ps(_mm_set1_ps(0.5F), _mm_sqrt_ps(squared)));
   };
-  const __m128 a = squares(quads);
-  const __m128 b = squares(quads + 8);
-  const __m128i sum = _mm_add_epi32(_mm_castps_si128(_mm_shuffle_ps(a, b, 0x88)),
-                                    _mm_castps_si128(_mm_shuffle_ps(a, b, 0xDD)));
-  const __m128 length = _mm_mul_ps(_mm_set1_ps(0.5F), _mm_sqrt_ps(_mm_cvtepi32_ps(sum)));
-  const __m128i shorts = _mm_packs_epi32(_mm_cvttps_epi32(length), _mm_setzero_si128());
-  const std::int32_t bytes = _mm_cvtsi128_si32(_mm_packus_epi16(shorts, shorts));
-  std::memcpy(out, &bytes, sizeof bytes);
+  const __m128i shorts =
+      _mm_packs_epi32(lengths(_mm_unpacklo_epi16(gx, gy)), lengths(_mm_unpackhi_epi16(gx, gy)));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(out), _mm_packus_epi16(shorts, shorts));
 }
 #endif
 
@@ -68,20 +71,25 @@ void forEachAbove(const std::uint8_t* row, int begin, int end, int limit, const 
 
 }  // namespace
 
-void PointSelector::measure(const GradientImage& image) {
-  width_ = image.width();
-  height_ = image.height();
+void PointSelector::measure(const GrayLevel& image) {
+  width_ = image.width;
+  height_ = image.height;
   strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 16);
   tbb::parallel_for(0, height_, [&](int v) {
-    const std::int16_t* in = image.pixel(0, v);
+    const bool inner = v > 0 && v < height_ - 1;
+    const std::uint8_t* here = image.row(v);
+    const std::uint8_t* above = inner ? image.row(v - 1) : here;
+    const std::uint8_t* below = inner ? image.row(v + 1) : here;
     std::uint8_t* out = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    int u = 0;
+    out[0] = out[width_ - 1] = 0;
+    int u = 1;
 #if defined(__SSE2__)
-    for (; u + 4 <= width_; u += 4) storeFour(in + 4 * u, out + u);
+    for (; u + 8 < width_; u += 8) storeEight(here + u, above + u, below + u, out + u);
 #endif
-    for (; u < width_; ++u) {
-      const int squared = in[4 * u + 1] * in[4 * u + 1] + in[4 * u + 2] * in[4 * u + 2];
-      out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(squared)));
+    for (; u < width_ - 1; ++u) {
+      const int gu = here[u + 1] - here[u - 1];
+      const int gv = below[u] - above[u];
+      out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(gu * gu + gv * gv)));
     }
   });
 }
@@ -128,7 +136,7 @@ float PointSelector::thresholdAt(int u, int v) const {
   return thresholds_[static_cast<std::size_t>(j * blocks_u_ + i)];
 }
 
-void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int size, int border,
+void PointSelector::pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border,
                                  float relax) {
   const int u_begin = std::max(u0, border);
   const int v_begin = std::max(v0, border);
@@ -143,9 +151,9 @@ void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int
   for (int v = v_begin; v < v_end; ++v) {
     const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
     forEachAbove(row, u_begin, u_end, limit, [&](int u) {
-      const std::int16_t* p = image.pixel(u, v);
+      const Differences d = differencesAt(image, u, v);
       const float projection =
-          std::fabs(along[0] * static_cast<float>(p[1]) + along[1] * static_cast<float>(p[2]));
+          std::fabs(along[0] * static_cast<float>(d.gu) + along[1] * static_cast<float>(d.gv));
       if (projection <= best_projection) return;
       best_projection = projection;
       best = {u, v};
@@ -154,7 +162,7 @@ void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int
   if (best_projection > 0) pixels_.push_back(best);
 }
 
-void PointSelector::pickFromCells(const GradientImage& image, int border) {
+void PointSelector::pickFromCells(const GrayLevel& image, int border) {
   pixels_.clear();
   constexpr float kRelax = 0.75F;  // for each doubling; as in DSO
   const int large = 4 * cell_;
@@ -176,8 +184,7 @@ void PointSelector::pickFromCells(const GradientImage& image, int border) {
   }
 }
 
-const std::vector<Pixel>& PointSelector::select(const GradientImage& image, int wanted,
-                                                int border) {
+const std::vector<Pixel>& PointSelector::select(const GrayLevel& image, int wanted, int border) {
   measure(image);
   findThresholds();
   if (cell_ == 0) {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gradient_image.hpp"
+#include "pyramid.hpp"
 
 namespace tolman::direct_sparse {
 
@@ -20,13 +20,13 @@ class PointSelector {
  public:
   void reset() { cell_ = 0; }
   /// About `wanted` pixels, at least `border` away from the image's edge, in the order of cells.
-  const std::vector<Pixel>& select(const GradientImage& image, int wanted, int border);
+  const std::vector<Pixel>& select(const GrayLevel& image, int wanted, int border);
 
  private:
-  void measure(const GradientImage& image);
+  void measure(const GrayLevel& image);
   void findThresholds();
-  void pickFromCells(const GradientImage& image, int border);
-  void pickFromCell(const GradientImage& image, int u0, int v0, int size, int border, float relax);
+  void pickFromCells(const GrayLevel& image, int border);
+  void pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border, float relax);
   float thresholdAt(int u, int v) const;
 
   int width_ = 0;
