@@ -13,6 +13,7 @@
 namespace tolman::direct_sparse {
 
 using Eight = float __attribute__((vector_size(32)));
+using EightShorts = std::int16_t __attribute__((vector_size(16)));
 using EightInts = std::int32_t __attribute__((vector_size(32)));
 
 TOLMAN_INLINE Eight loadEight(const float* p) {
@@ -20,6 +21,7 @@ TOLMAN_INLINE Eight loadEight(const float* p) {
   std::memcpy(&value, p, sizeof value);
   return value;
 }
+TOLMAN_INLINE void storeEight(Eight value, float* p) { std::memcpy(p, &value, sizeof value); }
 TOLMAN_INLINE Eight toFloat(EightInts value) { return __builtin_convertvector(value, Eight); }
 TOLMAN_INLINE EightInts truncated(Eight value) { return __builtin_convertvector(value, EightInts); }
 TOLMAN_INLINE Eight absolute(Eight value) { return value < 0.0F ? -value : value; }
@@ -28,6 +30,23 @@ TOLMAN_INLINE Four lowHalf(Eight v) { return __builtin_shufflevector(v, v, 0, 1,
 TOLMAN_INLINE Four highHalf(Eight v) { return __builtin_shufflevector(v, v, 4, 5, 6, 7); }
 TOLMAN_INLINE Eight joined(Four low, Four high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+/// Eight bytes, as floats.
+TOLMAN_INLINE Eight eightBytes(const std::uint8_t* p) {
+  return joined(loadBytes(p), loadBytes(p + 4));
+}
+/// a[i] - b[i], as floats.
+TOLMAN_INLINE Eight differences(const std::uint8_t* a, const std::uint8_t* b) {
+#if defined(__SSE2__)
+  const auto shorts = [](const std::uint8_t* p) TOLMAN_INLINE_LAMBDA {
+    return _mm_unpacklo_epi8(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p)),
+                             _mm_setzero_si128());
+  };
+  const auto wide = reinterpret_cast<EightShorts>(_mm_sub_epi16(shorts(a), shorts(b)));
+  return toFloat(__builtin_convertvector(wide, EightInts));
+#else
+  return eightBytes(a) - eightBytes(b);
+#endif
 }
 TOLMAN_INLINE bool all(EightInts mask) {
   return all(FourInts(__builtin_shufflevector(mask, mask, 0, 1, 2, 3) &

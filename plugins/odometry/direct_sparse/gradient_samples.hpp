@@ -31,6 +31,28 @@ inline float gradientSquared(const GrayLevel& image, int u, int v) {
   return 0.25F * static_cast<float>(d.gu * d.gu + d.gv * d.gv);
 }
 
+/// Grey levels at eight places; (u, v) must lie in [0, width - 1) x [0, height - 1). The same as
+/// GrayLevel::at().
+TOLMAN_INLINE Eight bilinear(const GrayLevel& image, Eight u, Eight v) {
+  const EightInts column = truncated(u);
+  const EightInts row = truncated(v);
+  const EightInts pixel = row * image.width + column;
+  EightInts above;
+  EightInts below;
+  for (std::size_t k = 0; k < 8; ++k) {  // two neighbours are read at once
+    const std::uint8_t* p = image.pixels.data() + pixel[k];
+    above[k] = p[0] | p[1] << 8;
+    below[k] = p[image.width] | p[image.width + 1] << 8;
+  }
+  const Eight fx = u - toFloat(column);
+  const Eight fy = v - toFloat(row);
+  const Eight p0 = toFloat(above & 255);
+  const Eight q0 = toFloat(below & 255);
+  const Eight top = p0 + fx * (toFloat(above >> 8) - p0);
+  const Eight bottom = q0 + fx * (toFloat(below >> 8) - q0);
+  return top + fy * (bottom - top);
+}
+
 /// Values (grey levels) and gradients (grey levels / px) at eight places.
 struct GradientSamples {
   Eight value;

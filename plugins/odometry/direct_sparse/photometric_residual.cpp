@@ -11,6 +11,17 @@ namespace {
 
 constexpr float kBorder = 2;             // px that projections keep from the border
 constexpr float kSmallestDepth = 1e-3F;  // of the host's depth; keeps the division finite
+constexpr std::size_t kCentre = 4;       // of the pattern
+static_assert(kPatternU[kCentre] == 0 && kPatternV[kCentre] == 0);
+
+/// Asks for the memory of the rows v + first ... v + last at column u. A row of the pattern is much
+/// shorter than a cache line.
+TOLMAN_INLINE void prefetchRows(const GrayLevel& image, float u, float v, int first, int last) {
+  const std::uint8_t* p = image.row(static_cast<int>(v)) + static_cast<int>(u);
+  for (int row = first; row <= last; ++row) {
+    __builtin_prefetch(p + static_cast<std::ptrdiff_t>(row) * image.width);
+  }
+}
 
 /// Pixels of the pattern in the target; false when one is not usable.
 TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GrayLevel& target,
@@ -100,28 +111,21 @@ PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Key
   return pair;
 }
 
-TOLMAN_WIDE_LANES bool temporalSums(const PairGeometry& pair, const GrayLevel& target,
-                                    const Point& point, PixelSums& sums) {
+TOLMAN_WIDE_LANES void placePattern(const PairGeometry& pair, const GrayLevel& target,
+                                    const Point& point, PatternPlaces& places) {
   Eight u;
   Eight v;
-  if (!projectPattern(pair, target, point, u, v)) return false;
-  sums = addUp(pair, point.pattern, gradientSamples(target, u, v));
-  return true;
+  places.inside = projectPattern(pair, target, point, u, v);
+  if (!places.inside) return;
+  storeEight(u, places.u.data());
+  storeEight(v, places.v.data());
+  prefetchRows(target, u[kCentre], v[kCentre], -kPatternRadius - 1, kPatternRadius + 2);
 }
 
-void prefetchTemporal(const PairGeometry& pair, const GrayLevel& target, const Point& point) {
-  const auto& m = pair.warp;
-  const float d = point.inverse_depth;
-  const float z = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
-  const float u = (m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d) / z;
-  const float v = (m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d) / z;
-  constexpr float kReach = kPatternRadius + 2;
-  if (!(z > kSmallestDepth) || !target.contains(u, v, kReach)) return;
-  const std::uint8_t* p = target.row(static_cast<int>(v)) + static_cast<int>(u);
-  // Rows of the pattern, of their lower neighbours, and of the differences.
-  for (int row = -kPatternRadius - 1; row <= kPatternRadius + 2; ++row) {
-    __builtin_prefetch(p + static_cast<std::ptrdiff_t>(row) * target.width);
-  }
+TOLMAN_WIDE_LANES PixelSums temporalSums(const PairGeometry& pair, const GrayLevel& target,
+                                         const Pattern& pattern, const PatternPlaces& places) {
+  return addUp(pair, pattern,
+               gradientSamples(target, loadEight(places.u.data()), loadEight(places.v.data())));
 }
 
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
@@ -206,11 +210,12 @@ std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point) {
   const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
   if (!right.contains(u, point.v, kPatternRadius + 1)) return;
-  const int x = static_cast<int>(u);
-  const int y = static_cast<int>(point.v);
-  for (int row = y - kPatternRadius; row <= y + kPatternRadius; ++row) {
-    __builtin_prefetch(right.row(row) + x);
-  }
+  prefetchRows(right, u, point.v, -kPatternRadius, kPatternRadius);
+}
+
+void prefetchPattern(const GrayLevel& image, int u, int v) {
+  prefetchRows(image, static_cast<float>(u), static_cast<float>(v), -kPatternRadius - 1,
+               kPatternRadius + 1);
 }
 
 }  // namespace tolman::direct_sparse

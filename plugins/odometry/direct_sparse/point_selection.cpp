@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 #include "gradient_samples.hpp"
@@ -19,6 +18,7 @@ constexpr int kBlock = 32;         // px
 constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this
 constexpr float kAboveMedian = 7;  // grey levels / px
 constexpr int kDirections = 16;
+constexpr int kMedianStep = 2;  // px between the pixels of which medians are taken
 
 /// A pseudo-random direction per cell, so that gradients of all directions are selected.
 std::array<float, 2> direction(int u, int v) {
@@ -35,8 +35,8 @@ __m128i eightShorts(const std::uint8_t* p) {
 }
 
 /// Lengths of the gradients of eight pixels, as bytes; reads one more pixel on either side.
-void storeEight(const std::uint8_t* here, const std::uint8_t* above, const std::uint8_t* below,
-                std::uint8_t* out) {
+void storeLengths(const std::uint8_t* here, const std::uint8_t* above, const std::uint8_t* below,
+                  std::uint8_t* out) {
   const __m128i gx = _mm_sub_epi16(eightShorts(here + 1), eightShorts(here - 1));
   const __m128i gy = _mm_sub_epi16(eightShorts(below), eightShorts(above));
   const auto lengths = [](__m128i pairs) {
@@ -49,24 +49,51 @@ void storeEight(const std::uint8_t* here, const std::uint8_t* above, const std::
 }
 #endif
 
-/// Calls `visit(u)` for each pixel of a row from `begin` to `end` that is above `limit`. Up to 16
-/// pixels behind the end may be read.
-template <class Visit>
-void forEachAbove(const std::uint8_t* row, int begin, int end, int limit, const Visit& visit) {
-#if defined(__SSE2__)
-  const __m128i limits = _mm_set1_epi8(static_cast<char>(limit));
-  for (int u = begin; u < end; u += 16) {
-    const __m128i pixels = _mm_loadu_si128(reinterpret_cast<const __m128i*>(row + u));
-    const __m128i none = _mm_cmpeq_epi8(_mm_subs_epu8(pixels, limits), _mm_setzero_si128());
-    auto above = ~static_cast<std::uint32_t>(_mm_movemask_epi8(none)) & 0xFFFFU;
-    if (end - u < 16) above &= (1U << static_cast<unsigned>(end - u)) - 1U;
-    for (; above != 0; above &= above - 1) visit(u + std::countr_zero(above));
+struct Cell {
+  int u_begin = 0;
+  int u_end = 0;
+  int v_begin = 0;
+  int v_end = 0;
+};
+
+/// The pixel whose gradient is longest along a direction, and that length; 0 without one.
+struct Strongest {
+  Pixel pixel;
+  float projection = 0;
+};
+
+/// Of the pixels whose squared differences are at least `least`; the first one of equal ones.
+/// Reads up to eight pixels behind the end of a row.
+TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell, float least,
+                                        const std::array<float, 2>& along) {
+  constexpr EightInts kLane = {0, 1, 2, 3, 4, 5, 6, 7};
+  const float along_u = along[0];
+  const float along_v = along[1];
+  Eight best{};
+  EightInts best_u{};
+  EightInts best_v{};
+  for (int v = cell.v_begin; v < cell.v_end; ++v) {
+    const std::uint8_t* row = image.row(v);
+    for (int u = cell.u_begin; u < cell.u_end; u += 8) {
+      const std::uint8_t* p = row + u;
+      const Eight gu = differences(p + 1, p - 1);
+      const Eight gv = differences(p + image.width, p - image.width);
+      const EightInts strong = (gu * gu + gv * gv >= least) & (u + kLane < cell.u_end);
+      const Eight projection = absolute(along_u * gu + along_v * gv);
+      const EightInts better = strong & (projection > best);
+      best = better ? projection : best;
+      best_u = better ? u + kLane : best_u;
+      best_v = better ? v + EightInts{} : best_v;
+    }
   }
-#else
-  for (int u = begin; u < end; ++u) {
-    if (row[u] > limit) visit(u);
+  Strongest found;
+  for (int k = 0; k < 8; ++k) {
+    const bool earlier =
+        best_v[k] < found.pixel.v || (best_v[k] == found.pixel.v && best_u[k] < found.pixel.u);
+    if (best[k] < found.projection || (best[k] == found.projection && !earlier)) continue;
+    found = {{best_u[k], best_v[k]}, best[k]};
   }
-#endif
+  return found;
 }
 
 }  // namespace
@@ -74,8 +101,9 @@ void forEachAbove(const std::uint8_t* row, int begin, int end, int limit, const 
 void PointSelector::measure(const GrayLevel& image) {
   width_ = image.width;
   height_ = image.height;
-  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 16);
-  tbb::parallel_for(0, height_, [&](int v) {
+  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  tbb::parallel_for(0, (height_ + kMedianStep - 1) / kMedianStep, [&](int i) {
+    const int v = kMedianStep * i;
     const bool inner = v > 0 && v < height_ - 1;
     const std::uint8_t* here = image.row(v);
     const std::uint8_t* above = inner ? image.row(v - 1) : here;
@@ -84,7 +112,7 @@ void PointSelector::measure(const GrayLevel& image) {
     out[0] = out[width_ - 1] = 0;
     int u = 1;
 #if defined(__SSE2__)
-    for (; u + 8 < width_; u += 8) storeEight(here + u, above + u, below + u, out + u);
+    for (; u + 8 < width_; u += 8) storeLengths(here + u, above + u, below + u, out + u);
 #endif
     for (; u < width_ - 1; ++u) {
       const int gu = here[u + 1] - here[u - 1];
@@ -103,9 +131,10 @@ void PointSelector::findThresholds() {
     for (int i = 0; i < blocks_u_; ++i) {
       std::array<int, kCap + 1> histogram{};
       int count = 0;
-      for (int v = j * kBlock; v < std::min((j + 1) * kBlock, height_); v += 2) {
+      for (int v = j * kBlock; v < std::min((j + 1) * kBlock, height_); v += kMedianStep) {
         const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-        for (int u = i * kBlock; u < std::min((i + 1) * kBlock, width_); u += 2, ++count) {
+        for (int u = i * kBlock; u < std::min((i + 1) * kBlock, width_);
+             u += kMedianStep, ++count) {
           ++histogram[static_cast<std::size_t>(std::min<int>(row[u], kCap))];
         }
       }
@@ -144,22 +173,11 @@ void PointSelector::pickFromCell(const GrayLevel& image, int u0, int v0, int siz
   const int v_end = std::min(v0 + size, height_ - border);
   if (u_begin >= u_end || v_begin >= v_end) return;
   const float threshold = relax * thresholdAt((u_begin + u_end) / 2, (v_begin + v_end) / 2);
-  const int limit = std::min(static_cast<int>(threshold), 255);
-  const std::array<float, 2> along = direction(u0, v0);
-  Pixel best;
-  float best_projection = 0;
-  for (int v = v_begin; v < v_end; ++v) {
-    const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    forEachAbove(row, u_begin, u_end, limit, [&](int u) {
-      const Differences d = differencesAt(image, u, v);
-      const float projection =
-          std::fabs(along[0] * static_cast<float>(d.gu) + along[1] * static_cast<float>(d.gv));
-      if (projection <= best_projection) return;
-      best_projection = projection;
-      best = {u, v};
-    });
-  }
-  if (best_projection > 0) pixels_.push_back(best);
+  // Whole lengths above the limit, which is a whole number, as squares of twice the gradient.
+  const float limit = std::floor(threshold) + 1;
+  const Strongest found =
+      strongestIn(image, {u_begin, u_end, v_begin, v_end}, 4 * limit * limit, direction(u0, v0));
+  if (found.projection > 0) pixels_.push_back(found.pixel);
 }
 
 void PointSelector::pickFromCells(const GrayLevel& image, int border) {

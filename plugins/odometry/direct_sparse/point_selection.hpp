@@ -34,7 +34,7 @@ class PointSelector {
   int blocks_u_ = 0;
   int blocks_v_ = 0;
   int cell_ = 0;                        ///< px; 0 before the first image
-  std::vector<std::uint8_t> strength_;  ///< size of the gradient, grey levels / px
+  std::vector<std::uint8_t> strength_;  ///< gradient of each pixel of even rows, grey levels / px
   std::vector<float> raw_;
   std::vector<float> thresholds_;
   std::vector<Pixel> pixels_;

@@ -38,6 +38,12 @@ TOLMAN_WIDE_LANES Answers answersFor(const Floats& numbers) {
   return answers;
 }
 
+TOLMAN_WIDE_LANES void fromBytes(const std::uint8_t* a, const std::uint8_t* b, Floats& value,
+                                 Floats& difference) {
+  storeEight(eightBytes(a), value.data());
+  storeEight(differences(a, b), difference.data());
+}
+
 /// A sum whose rounding would change if products were not rounded before they are added.
 TOLMAN_WIDE_LANES float sumOfProducts(const Floats& a, const Floats& b) {
   const Eight product = loadEight(a.data()) * loadEight(b.data()) + loadEight(b.data());
@@ -47,6 +53,20 @@ TOLMAN_WIDE_LANES float sumOfProducts(const Floats& a, const Floats& b) {
 }
 
 }  // namespace
+
+TEST_CASE("eight bytes anywhere in memory become floats, and their differences") {
+  std::array<std::uint8_t, 40> bytes{};
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * 97 + 200);
+  for (std::size_t first = 0; first < 16; ++first) {
+    Floats value{};
+    Floats difference{};
+    fromBytes(bytes.data() + first, bytes.data() + 2 * first + 1, value, difference);
+    for (std::size_t k = 0; k < 8; ++k) {
+      CHECK(value[k] == static_cast<float>(bytes[first + k]));
+      CHECK(difference[k] == static_cast<float>(bytes[first + k] - bytes[2 * first + 1 + k]));
+    }
+  }
+}
 
 TEST_CASE("operations on eight lanes are those on each") {
   const Answers answers = answersFor(kNumbers);

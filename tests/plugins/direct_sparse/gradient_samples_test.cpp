@@ -94,6 +94,21 @@ TEST_CASE("between these steps the value errs by the step times the slope at mos
   }
 }
 
+TEST_CASE("eight bilinear values are those of the image, bit by bit") {
+  const GrayLevel image = rough(41, 29);
+  for (int step = 0; step < 200; ++step) {
+    std::array<float, 8> u{};
+    std::array<float, 8> v{};
+    for (std::size_t k = 0; k < 8; ++k) {
+      u[k] = std::fmod(float(step) * 3.713F + float(k) * 5.117F, 39.9F);
+      v[k] = std::fmod(float(step) * 1.291F + float(k) * 7.773F, 27.9F);
+    }
+    const Eight values = bilinear(image, loadEight(u.data()), loadEight(v.data()));
+    CAPTURE(step);
+    for (std::size_t k = 0; k < 8; ++k) CHECK(values[k] == image.at(u[k], v[k]));
+  }
+}
+
 TEST_CASE("differences and squared gradient of every inner pixel") {
   const GrayLevel image = rough(21, 9);
   for (int v = 1; v < 8; ++v) {

@@ -58,7 +58,7 @@ void addSighting(const CameraRig& rig, float lambda, const Window& window, int h
     if (slot == host) continue;
     const PairGeometry pair =
         pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(slot));
-    const bool seen = temporalSums(pair, window.keyframe(slot).left.level(0), point, s) &&
+    const bool seen = test::sumsIn(pair, window.keyframe(slot).left.level(0), point, s) &&
                       s.energy <= window.energy_threshold && s.xx + s.yy >= 2;
     if (seen) target = slot;
   }
@@ -120,7 +120,7 @@ Dense denseSystem(const CameraRig& rig, float lambda, Window& window) {
         if (target == host) continue;
         const PairGeometry pair =
             pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(target));
-        if (!temporalSums(pair, window.keyframe(target).left.level(0), point, s)) continue;
+        if (!test::sumsIn(pair, window.keyframe(target).left.level(0), point, s)) continue;
         if (s.energy > window.energy_threshold || s.xx + s.yy < 2) continue;
         const CentreJacobian C =
             centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);

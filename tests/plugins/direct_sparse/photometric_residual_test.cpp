@@ -101,15 +101,15 @@ TEST_CASE("gradients of the energy agree with finite differences of all variable
   Smooth s;
   Point point = s.point();
   PixelSums sums;
-  REQUIRE(temporalSums(s.pair(), s.target().left.level(0), point, sums));
+  REQUIRE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
   for (float& value : point.pattern.value) value += sums.r1 / sums.w - 3;  // now off by about 3
-  REQUIRE(temporalSums(s.pair(), s.target().left.level(0), point, sums));
+  REQUIRE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
   REQUIRE(sums.energy > 1);
   REQUIRE(sums.energy < 8 * kHuber * kHuber);  // all residuals in the square part
   const CentreJacobian J = centreJacobian(s.rig.pinhole, s.pair(), point.u, point.v, 0.12F);
   const auto energy = [&](const Point& p) {
     PixelSums e;
-    REQUIRE(temporalSums(s.pair(), s.target().left.level(0), p, e));
+    REQUIRE(test::sumsIn(s.pair(), s.target().left.level(0), p, e));
     return static_cast<double>(e.energy);
   };
   // The energy is the sum of w r^2, so half its slope is the sum of w J r.
@@ -148,7 +148,7 @@ TEST_CASE("sums are those of a plain loop over the pattern") {
   const Point point = s.point();
   const PairGeometry pair = s.pair();
   PixelSums sums;
-  REQUIRE(temporalSums(pair, s.target().left.level(0), point, sums));
+  REQUIRE(test::sumsIn(pair, s.target().left.level(0), point, sums));
   const Eigen::Isometry3d T = s.target().T_camera_world() * s.host().T_world_camera();
   double xx = 0, xr = 0, ar = 0, w1 = 0, energy = 0;
   for (std::size_t k = 0; k < kPatternSize; ++k) {
@@ -182,11 +182,11 @@ TEST_CASE("points out of the image or behind the camera are not seen") {
   Point point = s.point();
   PixelSums sums;
   point.inverse_depth = 3;  // behind the target
-  CHECK_FALSE(temporalSums(s.pair(), s.target().left.level(0), point, sums));
+  CHECK_FALSE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
   point = s.point();
   point.u = 3;
   s.target().change[4] = -0.2;
-  CHECK_FALSE(temporalSums(s.pair(), s.target().left.level(0), point, sums));
+  CHECK_FALSE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
 }
 
 TEST_CASE("the static residual: derivative by disparity, and the edge of the right image") {

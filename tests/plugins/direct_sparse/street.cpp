@@ -44,6 +44,15 @@ std::unique_ptr<Window> streetWindow(const std::vector<Eigen::Isometry3d>& poses
   return window;
 }
 
+/// The sums of a point in a target; false where it is not seen.
+bool sumsIn(const PairGeometry& pair, const GrayLevel& target, const Point& point,
+            PixelSums& sums) {
+  PatternPlaces places;
+  placePattern(pair, target, point, places);
+  if (places.inside) sums = temporalSums(pair, target, point.pattern, places);
+  return places.inside;
+}
+
 void addTruePoints(Window& window, int wanted) {
   PointSelector selector;
   for (const int slot : window.order()) {
