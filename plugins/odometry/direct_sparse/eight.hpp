@@ -26,6 +26,20 @@ TOLMAN_INLINE Eight toFloat(EightInts value) { return __builtin_convertvector(va
 TOLMAN_INLINE EightInts truncated(Eight value) { return __builtin_convertvector(value, EightInts); }
 TOLMAN_INLINE Eight absolute(Eight value) { return value < 0.0F ? -value : value; }
 TOLMAN_INLINE Eight smaller(Eight a, Eight b) { return a < b ? a : b; }
+/// Masks from signs and choices by bits: where a register has only four lanes, the compiler would
+/// split `a < b` and `mask ? a : b` of eight into single lanes.
+TOLMAN_INLINE EightInts negative(EightInts value) { return value >> 31; }
+TOLMAN_INLINE EightInts negative(Eight value) {
+  return negative(reinterpret_cast<EightInts>(value));
+}
+/// a where the mask is set, b elsewhere.
+TOLMAN_INLINE EightInts chosen(EightInts mask, EightInts a, EightInts b) {
+  return (mask & a) | (~mask & b);
+}
+TOLMAN_INLINE Eight chosen(EightInts mask, Eight a, Eight b) {
+  return reinterpret_cast<Eight>(
+      chosen(mask, reinterpret_cast<EightInts>(a), reinterpret_cast<EightInts>(b)));
+}
 TOLMAN_INLINE Four lowHalf(Eight v) { return __builtin_shufflevector(v, v, 0, 1, 2, 3); }
 TOLMAN_INLINE Four highHalf(Eight v) { return __builtin_shufflevector(v, v, 4, 5, 6, 7); }
 TOLMAN_INLINE Eight joined(Four low, Four high) {

@@ -78,12 +78,14 @@ TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell
       const std::uint8_t* p = row + u;
       const Eight gu = differences(p + 1, p - 1);
       const Eight gv = differences(p + image.width, p - image.width);
-      const EightInts strong = (gu * gu + gv * gv >= least) & (u + kLane < cell.u_end);
-      const Eight projection = absolute(along_u * gu + along_v * gv);
-      const EightInts better = strong & (projection > best);
-      best = better ? projection : best;
-      best_u = better ? u + kLane : best_u;
-      best_v = better ? v + EightInts{} : best_v;
+      const EightInts weak = negative(gu * gu + gv * gv - least);
+      const Eight sum = along_u * gu + along_v * gv;
+      const Eight projection = chosen(negative(sum), -sum, sum);
+      const EightInts better =
+          ~weak & negative(u + kLane - cell.u_end) & negative(best - projection);
+      best = chosen(better, projection, best);
+      best_u = chosen(better, u + kLane, best_u);
+      best_v = chosen(better, v + EightInts{}, best_v);
     }
   }
   Strongest found;

@@ -16,7 +16,7 @@ constexpr Floats kNumbers = {1.5F, -2, 0.25F, -4.75F, 1e6F, -1e-3F, 7.999F, -0.5
 
 /// What the operations make of the numbers; compiled for wide and for narrow registers.
 struct Answers {
-  Floats size, least, whole, joined;
+  Floats size, least, whole, joined, chosen;
   bool all_large = false, all_small = false;
 };
 
@@ -26,12 +26,14 @@ TOLMAN_WIDE_LANES Answers answersFor(const Floats& numbers) {
   const Eight least = smaller(value, Eight{});
   const Eight whole = toFloat(truncated(value));
   const Eight back = joined(highHalf(value), lowHalf(value));
+  const Eight turned = chosen(negative(value), -value, Eight{} + 7.0F);
   Answers answers{};
   for (std::size_t k = 0; k < 8; ++k) {
     answers.size[k] = size[k];
     answers.least[k] = least[k];
     answers.whole[k] = whole[k];
     answers.joined[k] = back[k];
+    answers.chosen[k] = turned[k];
   }
   answers.all_large = all(value > -10.0F);
   answers.all_small = all(value < 10.0F);
@@ -75,6 +77,7 @@ TEST_CASE("operations on eight lanes are those on each") {
     CHECK(answers.least[k] == std::min(kNumbers[k], 0.0F));
     CHECK(answers.whole[k] == std::trunc(kNumbers[k]));
     CHECK(answers.joined[k] == kNumbers[(k + 4) % 8]);
+    CHECK(answers.chosen[k] == (kNumbers[k] < 0 ? -kNumbers[k] : 7));
   }
   CHECK(answers.all_large);
   CHECK_FALSE(answers.all_small);
