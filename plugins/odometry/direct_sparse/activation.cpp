@@ -16,7 +16,7 @@ struct Landing {
   float v = 0;
 };
 
-Landing land(const PairGeometry& pair, const GradientImage& image, float u, float v, float d) {
+Landing land(const PairGeometry& pair, const GrayLevel& image, float u, float v, float d) {
   const auto& m = pair.warp;
   const float z = m[6] * u + m[7] * v + m[8] + pair.shift[2] * d;
   if (!(z > 1e-3F)) return {};  // of the host's depth; keeps the division finite
@@ -39,6 +39,50 @@ Readiness readiness(const ImmaturePoint& point) {
   if (point.failures >= kMaxFailures) return Readiness::Hopeless;
   const bool sharp = point.sigma < kLargestRelativeSigma * point.inverse_depth + kFarSigma;
   return point.has_depth && sharp ? Readiness::Ready : Readiness::Wait;
+}
+
+/// Sums of the residuals of a candidate, for a step of its inverse depth.
+struct DepthSums {
+  float information = 1e-3F;  ///< m^2; keeps the division finite
+  float gradient = 0;
+  int good = 0;  ///< keyframes
+  int seen = 0;
+};
+
+/// The residuals in the other keyframes; sets their states.
+DepthSums temporalDepthSums(const CameraRig& rig, const Window& window, int host,
+                            const std::vector<PairGeometry>& pairs, Point& point) {
+  const auto pairWith = [&](int target) -> const PairGeometry& {
+    return pairs[indexOfSlot(host * kSlots + target)];
+  };
+  std::array<PatternPlaces, kSlots> places;
+  for (const int target : window.order()) {
+    if (target == host) continue;
+    placePattern(pairWith(target), window.keyframe(target).left.level(0), point,
+                 places[indexOfSlot(target)]);
+  }
+  DepthSums depth;
+  for (const int target : window.order()) {
+    if (target == host) continue;
+    ResidualState& state = point.temporal[indexOfSlot(target)];
+    state = ResidualState::Absent;
+    const PatternPlaces& place = places[indexOfSlot(target)];
+    if (!place.inside) continue;
+    ++depth.seen;
+    const PairGeometry& pair = pairWith(target);
+    const PixelSums sums =
+        temporalSums(pair, window.keyframe(target).left.level(0), point.pattern, place);
+    if (sums.energy > window.energy_threshold) continue;
+    const CentreJacobian J =
+        centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
+    const float ju = J.u_by_depth;
+    const float jv = J.v_by_depth;
+    depth.information += ju * ju * sums.xx + 2 * ju * jv * sums.xy + jv * jv * sums.yy;
+    depth.gradient += ju * sums.xr + jv * sums.yr;
+    state = ResidualState::Good;
+    ++depth.good;
+  }
+  return depth;
 }
 
 }  // namespace
@@ -84,29 +128,9 @@ std::optional<Point> refineCandidate(const CameraRig& rig, const SystemSettings&
                               keyframe.right_offset};
   const bool use_stereo = keyframe.has_right && settings.lambda > 0;
   for (int i = 0; i < kIterations; ++i) {
-    float information = 1e-3F;  // keeps the division finite
-    float gradient = 0;
-    int good = 0;
-    int seen = 0;
-    PixelSums sums;
-    for (const int target : window.order()) {
-      if (target == host) continue;
-      const PairGeometry& pair = pairs[indexOfSlot(host * kSlots + target)];
-      ResidualState& state = point.temporal[indexOfSlot(target)];
-      state = ResidualState::Absent;
-      if (!temporalSums(pair, window.keyframe(target).gradients, point, sums)) continue;
-      ++seen;
-      if (sums.energy > window.energy_threshold) continue;
-      const CentreJacobian J =
-          centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);
-      const float ju = J.u_by_depth;
-      const float jv = J.v_by_depth;
-      information += ju * ju * sums.xx + 2 * ju * jv * sums.xy + jv * jv * sums.yy;
-      gradient += ju * sums.xr + jv * sums.yr;
-      state = ResidualState::Good;
-      ++good;
-    }
+    auto [information, gradient, good, seen] = temporalDepthSums(rig, window, host, pairs, point);
     point.stereo = ResidualState::Absent;
+    PixelSums sums;
     if (use_stereo && stereoSums(stereo, keyframe.right.level(0), point, sums) &&
         sums.energy <= window.energy_threshold) {
       information += settings.lambda * stereo.focal_baseline * stereo.focal_baseline * sums.xx;
@@ -143,7 +167,7 @@ void Activator::adaptSpacing(const CameraRig& rig, int wanted) {
 }
 
 void Activator::chooseFrom(int host, Window& window, const PairGeometry* to_newest) {
-  const GradientImage& newest = window.newest().gradients;
+  const GrayLevel& newest = window.newest().left.level(0);
   std::vector<ImmaturePoint>& immature = window.keyframe(host).immature;
   for (std::size_t i = 0; i < immature.size(); ++i) {
     ImmaturePoint& point = immature[i];
@@ -174,7 +198,7 @@ void Activator::activate(const CameraRig& rig, const SystemSettings& settings, i
     for (Point& point : window.keyframe(host).points) {
       point.temporal[indexOfSlot(newest)] = ResidualState::Good;
       const Landing place =
-          land(pair, window.newest().gradients, point.u, point.v, point.inverse_depth);
+          land(pair, window.newest().left.level(0), point.u, point.v, point.inverse_depth);
       if (place.inside) occupancy_.claim(place.u, place.v);
     }
   }

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lanes.hpp"
+#include "gradient_samples.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -80,27 +80,6 @@ struct Seen {
   Eight weight;  ///< 0 out of view; such samples read the pixel (1, 1)
 };
 
-/// Bilinear grey levels at u, v; two neighbours are read at once.
-TOLMAN_INLINE Eight lookUp(const GrayLevel& image, Eight u, Eight v) {
-  const EightInts column = truncated(u);
-  const EightInts row = truncated(v);
-  const EightInts pixel = row * image.width + column;
-  EightInts above;
-  EightInts below;
-  for (std::size_t k = 0; k < kLanes; ++k) {
-    const std::uint8_t* p = image.pixels.data() + pixel[k];
-    above[k] = p[0] | p[1] << 8;
-    below[k] = p[image.width] | p[image.width + 1] << 8;
-  }
-  const Eight fx = u - toFloat(column);
-  const Eight fy = v - toFloat(row);
-  const Eight p0 = toFloat(above & 255);
-  const Eight q0 = toFloat(below & 255);
-  const Eight top = p0 + fx * (toFloat(above >> 8) - p0);
-  const Eight bottom = q0 + fx * (toFloat(below >> 8) - q0);
-  return top + fy * (bottom - top);
-}
-
 TOLMAN_INLINE Seen see(const LevelView& view, const ReferenceLevel& level, const GrayLevel& image,
                        std::size_t first) {
   const Eight x = loadEight(level.x.data() + first);
@@ -117,7 +96,7 @@ TOLMAN_INLINE Seen see(const LevelView& view, const ReferenceLevel& level, const
   const EightInts seen = (z > 1e-3F) & (u >= 1.0F) & (v >= 1.0F) & (u < right) & (v < bottom);
   const Eight one = Eight{} + 1.0F;
   const Eight weight = loadEight(level.weight.data() + first);
-  return {lookUp(image, seen ? u : one, seen ? v : one), seen ? weight : Eight{}};
+  return {bilinear(image, seen ? u : one, seen ? v : one), seen ? weight : Eight{}};
 }
 
 /// Running sums of each lane.

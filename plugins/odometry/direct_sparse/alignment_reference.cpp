@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "gradient_samples.hpp"
 #include "photometric_residual.hpp"
 
 namespace tolman::direct_sparse {
@@ -61,17 +62,12 @@ void AlignmentReference::project(const CameraRig& rig, const Window& window) {
   }
 }
 
-void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& image, int l) {
+void AlignmentReference::placeSamples(const GrayLevel& image, int l) {
   ReferenceLevel& level = samples_[static_cast<std::size_t>(l)];
   const auto& offsets = l < 2 ? kFine : kCoarse;
   level.makeRoom(projected_.size() * offsets.size());
   std::vector<unsigned char>& taken = taken_[static_cast<std::size_t>(l)];
   taken.assign(image.pixels.size(), 0);
-  const float scale = 1.0F / static_cast<float>(1 << l);
-  const float fx = static_cast<float>(rig.pinhole.fx) * scale;
-  const float fy = static_cast<float>(rig.pinhole.fy) * scale;
-  const float cx = toLevel(static_cast<float>(rig.pinhole.cx), l);
-  const float cy = toLevel(static_cast<float>(rig.pinhole.cy), l);
   for (const Projected& point : projected_) {
     for (const Offset& offset : offsets) {
       const float u = toLevel(point.u, l) + offset.u;
@@ -81,23 +77,46 @@ void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& imag
                                                   static_cast<int>(u + 0.5F));
       if (taken[pixel] != 0) continue;
       taken[pixel] = 1;
-      const float gx = 0.5F * (image.at(u + 1, v) - image.at(u - 1, v));
-      const float gy = 0.5F * (image.at(u, v + 1) - image.at(u, v - 1));
-      const float x = (u - cx) / fx;
-      const float y = (v - cy) / fy;
-      const float gu = fx * gx;
-      const float gv = fy * gy;
-      const float along = x * gu + y * gv;
-      const std::size_t i = level.count++;
-      level.x[i] = x;
-      level.y[i] = y;
-      level.d[i] = point.d;
-      level.value[i] = image.at(u, v);
-      level.weight[i] = gradientWeight(gx * gx + gy * gy);
-      const std::array<float, 6> J = {gu * point.d,    gv * point.d,   -along * point.d,
-                                      -gv - y * along, gu + x * along, x * gv - y * gu};
-      for (std::size_t k = 0; k < J.size(); ++k) level.by_twist[k][i] = J[k];
+      level.x[level.count] = u;
+      level.y[level.count] = v;
+      level.d[level.count++] = point.d;
     }
+  }
+  for (std::size_t i = level.count; i < level.groups() * ReferenceLevel::kGroup; ++i) {
+    level.x[i] = level.y[i] = kReferenceMargin;  // within the image; removed by pad()
+    level.d[i] = 0;
+  }
+}
+
+TOLMAN_WIDE_LANES void AlignmentReference::sampleLevel(const CameraRig& rig, const GrayLevel& image,
+                                                       int l) {
+  ReferenceLevel& level = samples_[static_cast<std::size_t>(l)];
+  const float scale = 1.0F / static_cast<float>(1 << l);
+  const float fx = static_cast<float>(rig.pinhole.fx) * scale;
+  const float fy = static_cast<float>(rig.pinhole.fy) * scale;
+  const float cx = toLevel(static_cast<float>(rig.pinhole.cx), l);
+  const float cy = toLevel(static_cast<float>(rig.pinhole.cy), l);
+  for (std::size_t i = 0; i < level.count; i += ReferenceLevel::kGroup) {
+    const Eight u = loadEight(level.x.data() + i);
+    const Eight v = loadEight(level.y.data() + i);
+    const Eight d = loadEight(level.d.data() + i);
+    const Eight gx = 0.5F * (bilinear(image, u + 1.0F, v) - bilinear(image, u - 1.0F, v));
+    const Eight gy = 0.5F * (bilinear(image, u, v + 1.0F) - bilinear(image, u, v - 1.0F));
+    const Eight x = (u - cx) / fx;
+    const Eight y = (v - cy) / fy;
+    const Eight gu = fx * gx;
+    const Eight gv = fy * gy;
+    const Eight along = x * gu + y * gv;
+    store(x, level.x.data() + i);
+    store(y, level.y.data() + i);
+    store(bilinear(image, u, v), level.value.data() + i);
+    store(kGradientConstant2 / (kGradientConstant2 + (gx * gx + gy * gy)), level.weight.data() + i);
+    store(gu * d, level.by_twist[0].data() + i);
+    store(gv * d, level.by_twist[1].data() + i);
+    store(-along * d, level.by_twist[2].data() + i);
+    store(-gv - y * along, level.by_twist[3].data() + i);
+    store(gu + x * along, level.by_twist[4].data() + i);
+    store(x * gv - y * gu, level.by_twist[5].data() + i);
   }
   level.pad();
 }
@@ -107,7 +126,10 @@ void AlignmentReference::build(const CameraRig& rig, const Window& window) {
   const ImagePyramid& pyramid = window.newest().left;
   levels_ = pyramid.levels();
   frame_ = window.newest().frame;
-  tbb::parallel_for(0, levels_, [&](int l) { sampleLevel(rig, pyramid.level(l), l); });
+  tbb::parallel_for(0, levels_, [&](int l) {
+    placeSamples(pyramid.level(l), l);
+    sampleLevel(rig, pyramid.level(l), l);
+  });
 }
 
 }  // namespace tolman::direct_sparse

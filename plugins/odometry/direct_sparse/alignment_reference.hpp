@@ -44,6 +44,9 @@ class AlignmentReference {
     float d = 0;
   };
   void project(const CameraRig& rig, const Window& window);
+  /// Sets the number of samples of a level and d; leaves their pixels in x and y.
+  void placeSamples(const GrayLevel& image, int l);
+  /// Replaces pixels by rays, and sets everything else.
   void sampleLevel(const CameraRig& rig, const GrayLevel& image, int l);
 
   std::array<ReferenceLevel, ImagePyramid::kMaxLevels> samples_;

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gradient_image.hpp"
+#include "gradient_samples.hpp"
 #include "pattern.hpp"
 #include "pyramid.hpp"
 #include "tolman/geometry.hpp"
@@ -70,7 +70,6 @@ struct Keyframe {
   std::int64_t frame = -1;
   ImagePyramid left;
   ImagePyramid right;
-  GradientImage gradients;  ///< of left, level 0
   bool has_right = false;
   float right_gain = 1;    ///< right image = gain * left image + offset
   float right_offset = 0;  ///< grey levels
@@ -101,13 +100,13 @@ struct Keyframe {
 
 /// The grey values around a pixel, with the gradient weights; the pixel must be kPatternRadius + 1
 /// away from the border.
-inline Pattern patternAt(const GradientImage& image, int u, int v) {
+inline Pattern patternAt(const GrayLevel& image, int u, int v) {
   Pattern pattern;
   for (std::size_t k = 0; k < kPatternSize; ++k) {
     const int x = u + kPatternU[k];
     const int y = v + kPatternV[k];
-    pattern.value[k] = static_cast<float>(image.pixel(x, y)[0]);
-    pattern.weight[k] = gradientWeight(image.gradientSquared(x, y));
+    pattern.value[k] = static_cast<float>(image.row(y)[x]);
+    pattern.weight[k] = gradientWeight(gradientSquared(image, x, y));
   }
   return pattern;
 }

@@ -14,6 +14,9 @@ namespace {
 
 constexpr int kChunk = 128;        // points; fixed, for the same sums with any number of threads
 constexpr std::size_t kAhead = 3;  // how many points ahead pixels are prefetched
+/// Points that are placed in an image before their pixels are read, so that the memory of the first
+/// ones is fetched while others are placed. Chosen, not tuned.
+constexpr std::size_t kBatch = 16;
 
 using RelativeSum = Eigen::Matrix<double, 8, 10>;
 
@@ -130,18 +133,23 @@ void LinearSystem::addTarget(const CameraRig& rig, Window& window, const Chunk& 
                              ChunkSystem& system, std::span<PointTerms> terms) const {
   const int host = chunk.range.host;
   const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
-  const GradientImage& image = window.keyframe(target).gradients;
+  const GrayLevel& image = window.keyframe(target).left.level(0);
   Point* points = window.keyframe(host).points.data() + chunk.range.begin;
-  PixelSums sums;
+  std::array<PatternPlaces, kBatch> places;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    if (k + kAhead < terms.size()) prefetchTemporal(pair, image, points[k + kAhead]);
+    if (k % kBatch == 0) {
+      const std::size_t end = std::min(k + kBatch, terms.size());
+      for (std::size_t i = k; i < end; ++i) placePattern(pair, image, points[i], places[i - k]);
+    }
     Point& point = points[k];
     ResidualState& state = point.temporal[indexOfSlot(target)];
     if (state == ResidualState::Absent) continue;
-    if (!temporalSums(pair, image, point, sums)) {
+    const PatternPlaces& place = places[k % kBatch];
+    if (!place.inside) {
       state = ResidualState::Outside;
       continue;
     }
+    const PixelSums sums = temporalSums(pair, image, point.pattern, place);
     state = system.judge(sums, window.energy_threshold);
     if (state != ResidualState::Good) continue;
     const CentreJacobian J =
@@ -172,27 +180,46 @@ void LinearSystem::addRight(const SystemSettings& settings, Window& window, cons
 void LinearSystem::addSightings(const CameraRig& rig, const SystemSettings& settings,
                                 const Window& window, const Chunk& chunk, ChunkSystem& system,
                                 std::span<PointTerms> terms) const {
-  const int host = chunk.range.host;
-  const Point* points = window.keyframe(host).points.data() + chunk.range.begin;
-  PixelSums sums;
+  const Point* points = window.keyframe(chunk.range.host).points.data() + chunk.range.begin;
+  std::array<SeenPoint, kBatch> seen;
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    const int target = lastTarget(window, host, points[k]);
+    if (k % kBatch == 0) {
+      const std::size_t end = std::min(k + kBatch, terms.size());
+      for (std::size_t i = k; i < end; ++i) {
+        seen[i - k] = findSighting(rig, window, chunk.range.host, points[i]);
+      }
+    }
+    auto& [target, sighting, point] = seen[k % kBatch];
     if (target < 0) continue;
     const Keyframe& keyframe = window.keyframe(target);
-    const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
-    const auto sighting = sight(rig.pinhole, pair, keyframe.gradients, points[k]);
-    if (!sighting) continue;
-    Point seen;
-    seen.u = static_cast<float>(sighting->u);
-    seen.v = static_cast<float>(sighting->v);
-    seen.inverse_depth = sighting->inverse_depth;
-    seen.pattern = patternAt(keyframe.gradients, sighting->u, sighting->v);
+    point.pattern = patternAt(keyframe.left.level(0), sighting.u, sighting.v);
     const StereoGeometry& stereo = stereos_[indexOfSlot(target)];
-    if (!stereoSums(stereo, keyframe.right.level(0), seen, sums)) continue;
+    PixelSums sums;
+    if (!stereoSums(stereo, keyframe.right.level(0), point, sums)) continue;
     if (system.judge(sums, window.energy_threshold) != ResidualState::Good) continue;
-    system.addSighting(target, pair, sums, *sighting, stereo.focal_baseline, settings.lambda,
+    const PairGeometry& pair = pairs_[indexOfSlot(chunk.range.host * kSlots + target)];
+    system.addSighting(target, pair, sums, sighting, stereo.focal_baseline, settings.lambda,
                        terms[k]);
   }
+}
+
+LinearSystem::SeenPoint LinearSystem::findSighting(const CameraRig& rig, const Window& window,
+                                                   int host, const Point& point) const {
+  SeenPoint seen;
+  const int target = lastTarget(window, host, point);
+  if (target < 0) return seen;
+  const Keyframe& keyframe = window.keyframe(target);
+  const PairGeometry& pair = pairs_[indexOfSlot(host * kSlots + target)];
+  const auto sighting = sight(rig.pinhole, pair, keyframe.left.level(0), point);
+  if (!sighting) return seen;
+  seen.target = target;
+  seen.sighting = *sighting;
+  seen.point.u = static_cast<float>(sighting->u);
+  seen.point.v = static_cast<float>(sighting->v);
+  seen.point.inverse_depth = sighting->inverse_depth;
+  prefetchPattern(keyframe.left.level(0), sighting->u, sighting->v);
+  prefetchStereo(stereos_[indexOfSlot(target)], keyframe.right.level(0), seen.point);
+  return seen;
 }
 
 void LinearSystem::sumUp(const Window& window) {

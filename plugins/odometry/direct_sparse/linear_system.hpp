@@ -67,6 +67,15 @@ class LinearSystem {
   /// Adds the residual of each point in the right image of the newest keyframe that sees it.
   void addSightings(const CameraRig& rig, const SystemSettings& settings, const Window& window,
                     const Chunk& chunk, ChunkSystem& system, std::span<PointTerms> terms) const;
+  /// A point as the newest keyframe sees it that has a right image; without its pattern.
+  struct SeenPoint {
+    int target = -1;  ///< slot; -1: none sees it
+    Sighting sighting;
+    Point point;
+  };
+  /// Also asks for the memory of its pixels.
+  SeenPoint findSighting(const CameraRig& rig, const Window& window, int host,
+                         const Point& point) const;
   void sumUp(const Window& window);
 
   std::vector<Chunk> chunks_;

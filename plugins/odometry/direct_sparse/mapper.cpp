@@ -48,7 +48,6 @@ Keyframe& Mapper::insert(std::int64_t frame, const Eigen::Isometry3d& T_world_ca
   keyframe.T0_camera_world = T_world_camera.inverse();
   keyframe.affine0 = affine;
   std::swap(keyframe.left, left);
-  keyframe.gradients.build(keyframe.left.level(0));
   if (window_.size() == 1) setOffsetPrior();
   selectCandidates(keyframe);
   return keyframe;
@@ -87,13 +86,13 @@ void Mapper::draftKeyframe(std::int64_t frame, const Eigen::Isometry3d& T_world_
 
 void Mapper::selectCandidates(Keyframe& keyframe) {
   const std::vector<Pixel>& pixels =
-      selector_.select(keyframe.gradients, settings_.candidates, kStereoBorder);
+      selector_.select(keyframe.left.level(0), settings_.candidates, kStereoBorder);
   keyframe.immature.resize(pixels.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     ImmaturePoint point;
     point.u = static_cast<float>(pixels[i].u);
     point.v = static_cast<float>(pixels[i].v);
-    point.pattern = patternAt(keyframe.gradients, pixels[i].u, pixels[i].v);
+    point.pattern = patternAt(keyframe.left.level(0), pixels[i].u, pixels[i].v);
     keyframe.immature[i] = point;
   }
 }
@@ -126,27 +125,37 @@ void Mapper::matchCandidates(Keyframe& keyframe) {
   keyframe.immature.resize(kept);
 }
 
-void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) const {
+void Mapper::collectGreyPairs(const Keyframe& keyframe) {
+  grey_pairs_.clear();
+  const GrayLevel& right = keyframe.right.level(0);
+  for (std::size_t i = 0; i < matches_.size(); ++i) {
+    if (!matches_[i]) continue;
+    const ImmaturePoint& point = keyframe.immature[i];
+    const float u = point.u - matches_[i]->disparity;
+    if (!right.contains(u, point.v, kPatternRadius)) continue;
+    for (std::size_t k = 0; k < kPatternSize; ++k) {
+      grey_pairs_.push_back(
+          {point.pattern.value[k], right.at(u + static_cast<float>(kPatternU[k]),
+                                            point.v + static_cast<float>(kPatternV[k]))});
+    }
+  }
+}
+
+void Mapper::balanceRight(Keyframe& keyframe, const StereoSearch& search) {
+  collectGreyPairs(keyframe);
   double gain = search.gain;
   double offset = search.offset;
   for (int iteration = 0; iteration < 4; ++iteration) {  // bounds the time
     double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-    for (std::size_t i = 0; i < matches_.size(); ++i) {
-      if (!matches_[i]) continue;
-      const ImmaturePoint& point = keyframe.immature[i];
-      const float u = point.u - matches_[i]->disparity;
-      if (!keyframe.right.level(0).contains(u, point.v, kPatternRadius)) continue;
-      for (std::size_t k = 0; k < kPatternSize; ++k) {
-        const double x = point.pattern.value[k];
-        const double y = keyframe.right.level(0).at(u + static_cast<float>(kPatternU[k]),
-                                                    point.v + static_cast<float>(kPatternV[k]));
-        const double w = huberWeight(static_cast<float>(y - gain * x - offset));
-        n += w;
-        sx += w * x;
-        sy += w * y;
-        sxx += w * x * x;
-        sxy += w * x * y;
-      }
+    for (const GreyPair& pair : grey_pairs_) {
+      const double x = pair.left;
+      const double y = pair.right;
+      const double w = huberWeight(static_cast<float>(y - gain * x - offset));
+      n += w;
+      sx += w * x;
+      sy += w * y;
+      sxx += w * x * x;
+      sxy += w * x * y;
     }
     const double spread = n * sxx - sx * sx;
     if (!(n > 100) || !(spread > n * n)) break;  // pixels, and grey levels^2: chosen, not tuned

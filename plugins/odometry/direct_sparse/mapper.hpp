@@ -67,7 +67,9 @@ class Mapper {
   void setOffsetPrior();
   void selectCandidates(Keyframe& keyframe);
   void matchCandidates(Keyframe& keyframe);
-  void balanceRight(Keyframe& keyframe, const StereoSearch& search) const;
+  void collectGreyPairs(const Keyframe& keyframe);
+  /// Brightness of the right image, from all pixels of matched patterns.
+  void balanceRight(Keyframe& keyframe, const StereoSearch& search);
   void learnRows(const Keyframe& keyframe, float gain);
   /// More steps for a single camera whose window is not full yet: it is far from its optimum.
   AdjustmentSettings adjustmentFor(const Keyframe& keyframe) const;
@@ -84,7 +86,12 @@ class Mapper {
   RowAlignment rows_;
   std::vector<std::optional<StereoMatch>> matches_;
   std::vector<RowCorner> corners_;
-  Keyframe observed_frame_;  ///< pose and brightness of the frame that is observed
+  struct GreyPair {
+    float left = 0;
+    float right = 0;
+  };
+  std::vector<GreyPair> grey_pairs_;  ///< grey levels of matched pixels
+  Keyframe observed_frame_;           ///< pose and brightness of the frame that is observed
 };
 
 }  // namespace tolman::direct_sparse

@@ -11,9 +11,20 @@ namespace {
 
 constexpr float kBorder = 2;             // px that projections keep from the border
 constexpr float kSmallestDepth = 1e-3F;  // of the host's depth; keeps the division finite
+constexpr std::size_t kCentre = 4;       // of the pattern
+static_assert(kPatternU[kCentre] == 0 && kPatternV[kCentre] == 0);
+
+/// Asks for the memory of the rows v + first ... v + last at column u. A row of the pattern is much
+/// shorter than a cache line.
+TOLMAN_INLINE void prefetchRows(const GrayLevel& image, float u, float v, int first, int last) {
+  const std::uint8_t* p = image.row(static_cast<int>(v)) + static_cast<int>(u);
+  for (int row = first; row <= last; ++row) {
+    __builtin_prefetch(p + static_cast<std::ptrdiff_t>(row) * image.width);
+  }
+}
 
 /// Pixels of the pattern in the target; false when one is not usable.
-TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage& target,
+TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GrayLevel& target,
                                   const Point& point, Eight& u, Eight& v) {
   constexpr Eight kU = {0, -1, 1, -2, 0, 2, -1, 0};  // kPatternU
   constexpr Eight kV = {-2, -1, -1, 0, 0, 0, 1, 2};
@@ -23,47 +34,18 @@ TOLMAN_INLINE bool projectPattern(const PairGeometry& pair, const GradientImage&
   const float y0 = m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d;
   const float z0 = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
   if (!(z0 > kSmallestDepth)) return false;
-  const float width = static_cast<float>(target.width()) - 1.0F - kBorder;
-  const float height = static_cast<float>(target.height()) - 1.0F - kBorder;
+  const float width = static_cast<float>(target.width) - 1.0F - kBorder;
+  const float height = static_cast<float>(target.height) - 1.0F - kBorder;
   const Eight scale = 1.0F / (z0 + m[6] * kU + m[7] * kV);
   u = (x0 + m[0] * kU + m[1] * kV) * scale;
   v = (y0 + m[3] * kU + m[4] * kV) * scale;
   return all((u >= kBorder) & (v >= kBorder) & (u < width) & (v < height));
 }
 
-/// Values and gradients of the target at the pixels of the pattern.
-struct PatternSamples {
-  Eight value;
-  Eight gx;
-  Eight gy;
-};
-
-TOLMAN_INLINE PatternSamples samplesAt(const GradientImage& target, Eight u, Eight v) {
-  const EightInts x = truncated(u);
-  const EightInts y = truncated(v);
-  const EightInts fx = truncated((u - toFloat(x)) * float{kMixOne} + 0.5F);
-  const EightInts fy = truncated((v - toFloat(y)) * float{kMixOne} + 0.5F);
-  const EightInts w11 = fx * fy;
-  const EightInts w01 = kMixOne * fx - w11;
-  const EightInts w10 = kMixOne * fy - w11;
-  const EightInts top = (kMixOne * kMixOne - w01 - w10 - w11) | w01 << 16;
-  const EightInts bottom = w10 | w11 << 16;
-  const EightInts place = 4 * (y * target.width() + x);
-  const std::int16_t* quads = target.pixel(0, 0);
-  const std::ptrdiff_t row = 4 * static_cast<std::ptrdiff_t>(target.width());
-  std::array<Four, kPatternSize> s;
-  for (std::size_t k = 0; k < kPatternSize; ++k) {
-    s[k] = mixShorts(quads + place[k], quads + place[k] + row, top[k], bottom[k]);
-  }
-  transpose(s[0], s[1], s[2], s[3]);
-  transpose(s[4], s[5], s[6], s[7]);
-  return {joined(s[0], s[4]), 0.5F * joined(s[1], s[5]), 0.5F * joined(s[2], s[6])};
-}
-
 TOLMAN_INLINE Four folded(Eight v) { return lowHalf(v) + highHalf(v); }
 
 TOLMAN_INLINE PixelSums addUp(const PairGeometry& pair, const Pattern& pattern,
-                              const PatternSamples& s) {
+                              const GradientSamples& s) {
   const Eight scene = pair.gain * (loadEight(pattern.value.data()) - pair.host_b);
   const Eight r = s.value - scene - pair.target_b;
   const Eight huber = smaller(Eight{} + 1.0F, kHuber / (absolute(r) + 1e-6F));
@@ -129,34 +111,21 @@ PairGeometry pairGeometry(const Pinhole& camera, const Keyframe& host, const Key
   return pair;
 }
 
-TOLMAN_WIDE_LANES bool temporalSums(const PairGeometry& pair, const GradientImage& target,
-                                    const Point& point, PixelSums& sums) {
+TOLMAN_WIDE_LANES void placePattern(const PairGeometry& pair, const GrayLevel& target,
+                                    const Point& point, PatternPlaces& places) {
   Eight u;
   Eight v;
-  if (!projectPattern(pair, target, point, u, v)) return false;
-  sums = addUp(pair, point.pattern, samplesAt(target, u, v));
-  return true;
+  places.inside = projectPattern(pair, target, point, u, v);
+  if (!places.inside) return;
+  store(u, places.u.data());
+  store(v, places.v.data());
+  prefetchRows(target, u[kCentre], v[kCentre], -kPatternRadius - 1, kPatternRadius + 2);
 }
 
-void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point) {
-  const auto& m = pair.warp;
-  const float d = point.inverse_depth;
-  const float z = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
-  const float u = (m[0] * point.u + m[1] * point.v + m[2] + pair.shift[0] * d) / z;
-  const float v = (m[3] * point.u + m[4] * point.v + m[5] + pair.shift[1] * d) / z;
-  constexpr float kReach = kPatternRadius + 1;
-  if (!(z > kSmallestDepth) || !target.contains(u, v, kReach)) return;
-  const int x = static_cast<int>(u);
-  const int y = static_cast<int>(v);
-  // A row of the pattern is shorter than a cache line, but may be in two of them.
-  __builtin_prefetch(target.pixel(x, y - 2));
-  __builtin_prefetch(target.pixel(x, y - 1));
-  for (const int row : {y, y + 1}) {
-    __builtin_prefetch(target.pixel(x - kPatternRadius, row));
-    __builtin_prefetch(target.pixel(x + kPatternRadius + 1, row));
-  }
-  __builtin_prefetch(target.pixel(x, y + 2));
-  __builtin_prefetch(target.pixel(x, y + 3));
+TOLMAN_WIDE_LANES PixelSums temporalSums(const PairGeometry& pair, const GrayLevel& target,
+                                         const Pattern& pattern, const PatternPlaces& places) {
+  return addUp(pair, pattern,
+               gradientSamples(target, loadEight(places.u.data()), loadEight(places.v.data())));
 }
 
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
@@ -214,7 +183,7 @@ TOLMAN_WIDE_LANES bool stereoSums(const StereoGeometry& stereo, const GrayLevel&
 }
 
 std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
-                              const GradientImage& target, const Point& point) {
+                              const GrayLevel& target, const Point& point) {
   const auto& m = pair.warp;
   const float d = point.inverse_depth;
   const float z = m[6] * point.u + m[7] * point.v + m[8] + pair.shift[2] * d;
@@ -241,11 +210,12 @@ std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point) {
   const float u = point.u - stereo.focal_baseline * point.inverse_depth + stereo.offset;
   if (!right.contains(u, point.v, kPatternRadius + 1)) return;
-  const int x = static_cast<int>(u);
-  const int y = static_cast<int>(point.v);
-  for (int row = y - kPatternRadius; row <= y + kPatternRadius; ++row) {
-    __builtin_prefetch(right.row(row) + x);
-  }
+  prefetchRows(right, u, point.v, -kPatternRadius, kPatternRadius);
+}
+
+void prefetchPattern(const GrayLevel& image, int u, int v) {
+  prefetchRows(image, static_cast<float>(u), static_cast<float>(v), -kPatternRadius - 1,
+               kPatternRadius + 1);
 }
 
 }  // namespace tolman::direct_sparse

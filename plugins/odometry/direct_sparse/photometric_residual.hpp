@@ -51,9 +51,19 @@ struct CentreJacobian {
   float v_by_depth = 0;
 };
 
-/// False when the pattern leaves the image or lies behind the camera.
-bool temporalSums(const PairGeometry& pair, const GradientImage& target, const Point& point,
-                  PixelSums& sums);
+/// Where the pixels of a point's pattern are in a target, px.
+struct PatternPlaces {
+  alignas(32) std::array<float, kPatternSize> u;
+  alignas(32) std::array<float, kPatternSize> v;
+  bool inside = false;  ///< false: it leaves the image or lies behind the camera; no other value
+};
+
+/// Also asks for the pixels' memory, so place some points before the first sum.
+void placePattern(const PairGeometry& pair, const GrayLevel& target, const Point& point,
+                  PatternPlaces& places);
+/// The places must be inside.
+PixelSums temporalSums(const PairGeometry& pair, const GrayLevel& target, const Pattern& pattern,
+                       const PatternPlaces& places);
 CentreJacobian centreJacobian(const Pinhole& camera, const PairGeometry& pair, float u, float v,
                               float inverse_depth);
 
@@ -82,12 +92,12 @@ struct Sighting {
 /// compare with the target's right image is that of the target at this pixel, because the host has
 /// another view.
 std::optional<Sighting> sight(const Pinhole& camera, const PairGeometry& pair,
-                              const GradientImage& target, const Point& point);
+                              const GrayLevel& target, const Point& point);
 
-/// Prefetches the pixels that temporalSums() will read. The image is larger than the caches, so
-/// call this some points ahead.
-void prefetchTemporal(const PairGeometry& pair, const GradientImage& target, const Point& point);
-/// The same for stereoSums().
+/// Asks for the memory of the pixels that stereoSums() will read. Images are larger than the caches
+/// near the processor, so call this some points ahead.
 void prefetchStereo(const StereoGeometry& stereo, const GrayLevel& right, const Point& point);
+/// The same for patternAt().
+void prefetchPattern(const GrayLevel& image, int u, int v);
 
 }  // namespace tolman::direct_sparse

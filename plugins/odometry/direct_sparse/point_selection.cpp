@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
+
+#include "gradient_samples.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
@@ -18,6 +18,7 @@ constexpr int kBlock = 32;         // px
 constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this
 constexpr float kAboveMedian = 7;  // grey levels / px
 constexpr int kDirections = 16;
+constexpr int kMedianStep = 2;  // px between the pixels of which medians are taken
 
 /// A pseudo-random direction per cell, so that gradients of all directions are selected.
 std::array<float, 2> direction(int u, int v) {
@@ -28,60 +29,97 @@ std::array<float, 2> direction(int u, int v) {
 }
 
 #if defined(__SSE2__)
-/// Lengths of four gradients, as bytes.
-void storeFour(const std::int16_t* quads, std::uint8_t* out) {
-  const auto squares = [](const std::int16_t* p) {
-    const __m128i two = _mm_loadu_si128(reinterpret_cast<const __m128i*>(p));
-    const __m128i gradients = _mm_and_si128(two, _mm_set1_epi64x(0x0000FFFFFFFF0000LL));
-    return _mm_castsi128_ps(_mm_madd_epi16(gradients, gradients));  // gx^2, gy^2 in two lanes
+__m128i eightShorts(const std::uint8_t* p) {
+  return _mm_unpacklo_epi8(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p)),
+                           _mm_setzero_si128());
+}
+
+/// Lengths of the gradients of eight pixels, as bytes; reads one more pixel on either side.
+void storeLengths(const std::uint8_t* here, const std::uint8_t* above, const std::uint8_t* below,
+                  std::uint8_t* out) {
+  const __m128i gx = _mm_sub_epi16(eightShorts(here + 1), eightShorts(here - 1));
+  const __m128i gy = _mm_sub_epi16(eightShorts(below), eightShorts(above));
+  const auto lengths = [](__m128i pairs) {
+    const __m128 squared = _mm_cvtepi32_ps(_mm_madd_epi16(pairs, pairs));
+    return _mm_cvttps_epi32(_mm_mul_ps(_mm_set1_ps(0.5F), _mm_sqrt_ps(squared)));
   };
-  const __m128 a = squares(quads);
-  const __m128 b = squares(quads + 8);
-  const __m128i sum = _mm_add_epi32(_mm_castps_si128(_mm_shuffle_ps(a, b, 0x88)),
-                                    _mm_castps_si128(_mm_shuffle_ps(a, b, 0xDD)));
-  const __m128 length = _mm_mul_ps(_mm_set1_ps(0.5F), _mm_sqrt_ps(_mm_cvtepi32_ps(sum)));
-  const __m128i shorts = _mm_packs_epi32(_mm_cvttps_epi32(length), _mm_setzero_si128());
-  const std::int32_t bytes = _mm_cvtsi128_si32(_mm_packus_epi16(shorts, shorts));
-  std::memcpy(out, &bytes, sizeof bytes);
+  const __m128i shorts =
+      _mm_packs_epi32(lengths(_mm_unpacklo_epi16(gx, gy)), lengths(_mm_unpackhi_epi16(gx, gy)));
+  _mm_storel_epi64(reinterpret_cast<__m128i*>(out), _mm_packus_epi16(shorts, shorts));
 }
 #endif
 
-/// Calls `visit(u)` for each pixel of a row from `begin` to `end` that is above `limit`. Up to 16
-/// pixels behind the end may be read.
-template <class Visit>
-void forEachAbove(const std::uint8_t* row, int begin, int end, int limit, const Visit& visit) {
-#if defined(__SSE2__)
-  const __m128i limits = _mm_set1_epi8(static_cast<char>(limit));
-  for (int u = begin; u < end; u += 16) {
-    const __m128i pixels = _mm_loadu_si128(reinterpret_cast<const __m128i*>(row + u));
-    const __m128i none = _mm_cmpeq_epi8(_mm_subs_epu8(pixels, limits), _mm_setzero_si128());
-    auto above = ~static_cast<std::uint32_t>(_mm_movemask_epi8(none)) & 0xFFFFU;
-    if (end - u < 16) above &= (1U << static_cast<unsigned>(end - u)) - 1U;
-    for (; above != 0; above &= above - 1) visit(u + std::countr_zero(above));
+struct Cell {
+  int u_begin = 0;
+  int u_end = 0;
+  int v_begin = 0;
+  int v_end = 0;
+};
+
+/// The pixel whose gradient is longest along a direction, and that length; 0 without one.
+struct Strongest {
+  Pixel pixel;
+  float projection = 0;
+};
+
+/// Of the pixels whose squared differences are at least `least`; the first one of equal ones.
+/// Reads up to eight pixels behind the end of a row.
+TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell, float least,
+                                        const std::array<float, 2>& along) {
+  constexpr EightInts kLane = {0, 1, 2, 3, 4, 5, 6, 7};
+  const float along_u = along[0];
+  const float along_v = along[1];
+  Eight best{};
+  EightInts best_u{};
+  EightInts best_v{};
+  for (int v = cell.v_begin; v < cell.v_end; ++v) {
+    const std::uint8_t* row = image.row(v);
+    for (int u = cell.u_begin; u < cell.u_end; u += 8) {
+      const std::uint8_t* p = row + u;
+      const Eight gu = differences(p + 1, p - 1);
+      const Eight gv = differences(p + image.width, p - image.width);
+      const EightInts weak = negative(gu * gu + gv * gv - least);
+      const Eight sum = along_u * gu + along_v * gv;
+      const Eight projection = chosen(negative(sum), -sum, sum);
+      const EightInts better =
+          ~weak & negative(u + kLane - cell.u_end) & negative(best - projection);
+      best = chosen(better, projection, best);
+      best_u = chosen(better, u + kLane, best_u);
+      best_v = chosen(better, v + EightInts{}, best_v);
+    }
   }
-#else
-  for (int u = begin; u < end; ++u) {
-    if (row[u] > limit) visit(u);
+  Strongest found;
+  for (int k = 0; k < 8; ++k) {
+    const bool earlier =
+        best_v[k] < found.pixel.v || (best_v[k] == found.pixel.v && best_u[k] < found.pixel.u);
+    if (best[k] < found.projection || (best[k] == found.projection && !earlier)) continue;
+    found = {{best_u[k], best_v[k]}, best[k]};
   }
-#endif
+  return found;
 }
 
 }  // namespace
 
-void PointSelector::measure(const GradientImage& image) {
-  width_ = image.width();
-  height_ = image.height();
-  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) + 16);
-  tbb::parallel_for(0, height_, [&](int v) {
-    const std::int16_t* in = image.pixel(0, v);
+void PointSelector::measure(const GrayLevel& image) {
+  width_ = image.width;
+  height_ = image.height;
+  strength_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  tbb::parallel_for(0, (height_ + kMedianStep - 1) / kMedianStep, [&](int i) {
+    const int v = kMedianStep * i;
+    const bool inner = v > 0 && v < height_ - 1;
+    const std::uint8_t* here = image.row(v);
+    const std::uint8_t* above = inner ? image.row(v - 1) : here;
+    const std::uint8_t* below = inner ? image.row(v + 1) : here;
     std::uint8_t* out = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    int u = 0;
+    out[0] = out[width_ - 1] = 0;
+    int u = 1;
 #if defined(__SSE2__)
-    for (; u + 4 <= width_; u += 4) storeFour(in + 4 * u, out + u);
+    for (; u + 8 < width_; u += 8) storeLengths(here + u, above + u, below + u, out + u);
 #endif
-    for (; u < width_; ++u) {
-      const int squared = in[4 * u + 1] * in[4 * u + 1] + in[4 * u + 2] * in[4 * u + 2];
-      out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(squared)));
+    for (; u < width_ - 1; ++u) {
+      const int gu = here[u + 1] - here[u - 1];
+      const int gv = below[u] - above[u];
+      out[u] = static_cast<std::uint8_t>(0.5F * std::sqrt(static_cast<float>(gu * gu + gv * gv)));
     }
   });
 }
@@ -95,9 +133,10 @@ void PointSelector::findThresholds() {
     for (int i = 0; i < blocks_u_; ++i) {
       std::array<int, kCap + 1> histogram{};
       int count = 0;
-      for (int v = j * kBlock; v < std::min((j + 1) * kBlock, height_); v += 2) {
+      for (int v = j * kBlock; v < std::min((j + 1) * kBlock, height_); v += kMedianStep) {
         const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-        for (int u = i * kBlock; u < std::min((i + 1) * kBlock, width_); u += 2, ++count) {
+        for (int u = i * kBlock; u < std::min((i + 1) * kBlock, width_);
+             u += kMedianStep, ++count) {
           ++histogram[static_cast<std::size_t>(std::min<int>(row[u], kCap))];
         }
       }
@@ -128,7 +167,7 @@ float PointSelector::thresholdAt(int u, int v) const {
   return thresholds_[static_cast<std::size_t>(j * blocks_u_ + i)];
 }
 
-void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int size, int border,
+void PointSelector::pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border,
                                  float relax) {
   const int u_begin = std::max(u0, border);
   const int v_begin = std::max(v0, border);
@@ -136,25 +175,14 @@ void PointSelector::pickFromCell(const GradientImage& image, int u0, int v0, int
   const int v_end = std::min(v0 + size, height_ - border);
   if (u_begin >= u_end || v_begin >= v_end) return;
   const float threshold = relax * thresholdAt((u_begin + u_end) / 2, (v_begin + v_end) / 2);
-  const int limit = std::min(static_cast<int>(threshold), 255);
-  const std::array<float, 2> along = direction(u0, v0);
-  Pixel best;
-  float best_projection = 0;
-  for (int v = v_begin; v < v_end; ++v) {
-    const std::uint8_t* row = strength_.data() + static_cast<std::ptrdiff_t>(v) * width_;
-    forEachAbove(row, u_begin, u_end, limit, [&](int u) {
-      const std::int16_t* p = image.pixel(u, v);
-      const float projection =
-          std::fabs(along[0] * static_cast<float>(p[1]) + along[1] * static_cast<float>(p[2]));
-      if (projection <= best_projection) return;
-      best_projection = projection;
-      best = {u, v};
-    });
-  }
-  if (best_projection > 0) pixels_.push_back(best);
+  // Whole lengths above the limit, which is a whole number, as squares of twice the gradient.
+  const float limit = std::floor(threshold) + 1;
+  const Strongest found =
+      strongestIn(image, {u_begin, u_end, v_begin, v_end}, 4 * limit * limit, direction(u0, v0));
+  if (found.projection > 0) pixels_.push_back(found.pixel);
 }
 
-void PointSelector::pickFromCells(const GradientImage& image, int border) {
+void PointSelector::pickFromCells(const GrayLevel& image, int border) {
   pixels_.clear();
   constexpr float kRelax = 0.75F;  // for each doubling; as in DSO
   const int large = 4 * cell_;
@@ -176,8 +204,7 @@ void PointSelector::pickFromCells(const GradientImage& image, int border) {
   }
 }
 
-const std::vector<Pixel>& PointSelector::select(const GradientImage& image, int wanted,
-                                                int border) {
+const std::vector<Pixel>& PointSelector::select(const GrayLevel& image, int wanted, int border) {
   measure(image);
   findThresholds();
   if (cell_ == 0) {

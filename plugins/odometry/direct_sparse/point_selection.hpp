@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "gradient_image.hpp"
+#include "pyramid.hpp"
 
 namespace tolman::direct_sparse {
 
@@ -20,13 +20,13 @@ class PointSelector {
  public:
   void reset() { cell_ = 0; }
   /// About `wanted` pixels, at least `border` away from the image's edge, in the order of cells.
-  const std::vector<Pixel>& select(const GradientImage& image, int wanted, int border);
+  const std::vector<Pixel>& select(const GrayLevel& image, int wanted, int border);
 
  private:
-  void measure(const GradientImage& image);
+  void measure(const GrayLevel& image);
   void findThresholds();
-  void pickFromCells(const GradientImage& image, int border);
-  void pickFromCell(const GradientImage& image, int u0, int v0, int size, int border, float relax);
+  void pickFromCells(const GrayLevel& image, int border);
+  void pickFromCell(const GrayLevel& image, int u0, int v0, int size, int border, float relax);
   float thresholdAt(int u, int v) const;
 
   int width_ = 0;
@@ -34,7 +34,7 @@ class PointSelector {
   int blocks_u_ = 0;
   int blocks_v_ = 0;
   int cell_ = 0;                        ///< px; 0 before the first image
-  std::vector<std::uint8_t> strength_;  ///< size of the gradient, grey levels / px
+  std::vector<std::uint8_t> strength_;  ///< gradient of each pixel of even rows, grey levels / px
   std::vector<float> raw_;
   std::vector<float> thresholds_;
   std::vector<Pixel> pixels_;

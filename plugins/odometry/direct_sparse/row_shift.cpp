@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+#include <utility>
 
 #include "wide_lanes.hpp"
 
@@ -14,6 +16,7 @@ constexpr int kSteps = 32;    // of a pixel
 constexpr int kColumns = 16;  // px, width of a block
 constexpr int kRows = 8;      // px, height of a block
 constexpr int kScale = 64;    // sum of the weights
+// Weights are at most 64, and negative ones at least -5, so that sums fit into 16 bits.
 static_assert(kSteps == 1 << 5 && kScale == 1 << 6 && kColumns <= int{GrayLevel::kPadding});
 constexpr int kMost = 8;  // px, largest displacement; fields are far below it
 
@@ -38,6 +41,15 @@ constexpr std::array<Weights, kSteps> allWeights() {
   return weights;
 }
 
+using Bytes = std::uint8_t __attribute__((vector_size(kColumns)));
+using Shorts = std::int16_t __attribute__((vector_size(2 * kColumns)));
+
+TOLMAN_INLINE Shorts loadShorts(const std::uint8_t* p) {
+  Bytes bytes;
+  std::memcpy(&bytes, p, sizeof bytes);
+  return __builtin_convertvector(bytes, Shorts);
+}
+
 /// One row of the result, displaced by `steps` (one a block). Writes whole blocks, up to
 /// GrayLevel::kPadding bytes too many.
 TOLMAN_WIDE_LANES void mixRows(const GrayLevel& image, const std::int16_t* steps, int v,
@@ -50,10 +62,14 @@ TOLMAN_WIDE_LANES void mixRows(const GrayLevel& image, const std::int16_t* steps
       return image.row(std::clamp(v + whole + below, 0, image.height - 1)) + u;
     };
     const std::uint8_t *a = row(-1), *b = row(0), *c = row(1), *d = row(2);
-    for (int k = 0; k < kColumns; ++k) {
-      const int sum = w[0] * a[k] + w[1] * b[k] + w[2] * c[k] + w[3] * d[k];
-      out[k] = static_cast<std::uint8_t>(std::clamp((sum + kScale / 2) >> 6, 0, 255));
-    }
+    const Shorts sum =
+        w[0] * loadShorts(a) + w[1] * loadShorts(b) + w[2] * loadShorts(c) + w[3] * loadShorts(d);
+    const Shorts mixed = (sum + kScale / 2) >> 6;
+    constexpr Shorts kBlack{};
+    constexpr Shorts kWhite = kBlack + 255;
+    const Shorts bounded = mixed < kBlack ? kBlack : mixed > kWhite ? kWhite : mixed;
+    const Bytes bytes = __builtin_convertvector(bounded, Bytes);
+    std::memcpy(out, &bytes, sizeof bytes);
   }
 }
 
@@ -87,7 +103,8 @@ void RowShift::apply(GrayLevel& image) {
     mixRows(image, steps_.data() + static_cast<std::ptrdiff_t>(v / kRows) * across_, v,
             buffer_.data() + static_cast<std::ptrdiff_t>(v) * width_);
   }
-  std::copy_n(buffer_.data(), static_cast<std::ptrdiff_t>(width_) * height_, image.pixels.data());
+  std::fill(buffer_.begin() + static_cast<std::ptrdiff_t>(width_) * height_, buffer_.end(), 0);
+  std::swap(image.pixels, buffer_);
 }
 
 }  // namespace tolman::direct_sparse

@@ -9,65 +9,27 @@
 #include <cstring>
 #include <limits>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include "lanes.hpp"
+#include "row_costs.hpp"
 
 namespace tolman::direct_sparse {
 namespace {
 
-// The sizes of the patches are chosen, not tuned.
-constexpr int kWidth = 8;   // px of the patch; columns -4 ... 3 around the pixel
-constexpr int kHeight = 5;  // px
-constexpr int kRadius = 3;  // px, half side of the patch of the refinement
-
-using StereoPatch = std::array<std::uint8_t, kWidth*(kHeight + 1)>;  // the sixth row stays zero
+constexpr int kRadius = 3;  // px, half side of the patch of the refinement; chosen, not tuned
 
 /// The patch around (u, v), with the brightness of the other image.
 StereoPatch patchAround(const GrayLevel& image, int u, int v, float gain, float offset) {
   StereoPatch patch{};
-  for (int y = 0; y < kHeight; ++y) {
-    const std::uint8_t* row = image.row(v + y - kHeight / 2) + u - kWidth / 2;
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kPatchHeight; ++y) {
+    const std::uint8_t* row = image.row(v + y - kPatchHeight / 2) + u - kPatchWidth / 2;
+    for (int x = 0; x < kPatchWidth; ++x) {
       const float value = gain * static_cast<float>(row[x]) + offset;
-      patch[static_cast<std::size_t>(y * kWidth + x)] =
+      patch[static_cast<std::size_t>(y * kPatchWidth + x)] =
           static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
     }
   }
   return patch;
 }
-
-/// Sum of absolute differences between the patch and the image around (u, v).
-#if defined(__SSE2__)
-__m128i twoRows(const std::uint8_t* a, const std::uint8_t* b) {
-  const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(a));
-  const __m128i high = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(b));
-  return _mm_unpacklo_epi64(low, high);
-}
-
-int difference(const StereoPatch& patch, const GrayLevel& image, int u, int v) {
-  const std::uint8_t* p = image.row(v - kHeight / 2) + u - kWidth / 2;
-  const std::ptrdiff_t w = image.width;
-  const auto* mine = reinterpret_cast<const __m128i*>(patch.data());
-  const __m128i zero = _mm_setzero_si128();
-  const __m128i last = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p + 4 * w));
-  __m128i sum = _mm_sad_epu8(_mm_loadu_si128(mine), twoRows(p, p + w));
-  sum = _mm_add_epi64(sum, _mm_sad_epu8(_mm_loadu_si128(mine + 1), twoRows(p + 2 * w, p + 3 * w)));
-  sum = _mm_add_epi64(sum, _mm_sad_epu8(_mm_loadu_si128(mine + 2), _mm_unpacklo_epi64(last, zero)));
-  return _mm_cvtsi128_si32(sum) + _mm_cvtsi128_si32(_mm_unpackhi_epi64(sum, sum));
-}
-#else
-int difference(const StereoPatch& patch, const GrayLevel& image, int u, int v) {
-  int sum = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    const std::uint8_t* row = image.row(v + y - kHeight / 2) + u - kWidth / 2;
-    for (int x = 0; x < kWidth; ++x) {
-      sum += std::abs(row[x] - patch[static_cast<std::size_t>(y * kWidth + x)]);
-    }
-  }
-  return sum;
-}
-#endif
 
 struct RowMinimum {
   int u = 0;
@@ -75,65 +37,95 @@ struct RowMinimum {
   int second = std::numeric_limits<int>::max();  ///< more than 2 px away from the best
 };
 
-RowMinimum searchRow(const StereoPatch& patch, const GrayLevel& image, int u_begin, int u_end,
-                     int v) {
+TOLMAN_INLINE int leastOf(const std::uint16_t* begin, const std::uint16_t* end) {
+  std::uint16_t least = std::numeric_limits<std::uint16_t>::max();
+  for (; begin < end; ++begin) least = std::min(least, *begin);
+  return least;
+}
+
+TOLMAN_WIDE_LANES RowMinimum searchRow(const StereoPatch& patch, const GrayLevel& image,
+                                       int u_begin, int u_end, int v) {
   RowMinimum found;
-  std::array<int, kMaxDisparities + 8> costs;  // NOLINT: written before it is read
-  for (int u = u_begin; u < u_end; ++u) {
-    const int cost = difference(patch, image, u, v);
-    costs[static_cast<std::size_t>(u - u_begin)] = cost;
-    if (cost >= found.best) continue;
-    found.best = cost;
-    found.u = u;
-  }
-  for (int u = u_begin; u < u_end; ++u) {
-    if (std::abs(u - found.u) > 2) {
-      found.second = std::min(found.second, costs[static_cast<std::size_t>(u - u_begin)]);
-    }
-  }
+  if (u_begin >= u_end) return found;
+  std::array<std::uint16_t, kMaxDisparities + 8 + kMoreCosts> costs;  // NOLINT: written before read
+  rowCosts(patch, image, u_begin, u_end, v, costs.data());
+  const std::uint16_t* begin = costs.data();
+  const std::uint16_t* end = begin + (u_end - u_begin);
+  found.best = leastOf(begin, end);
+  const std::uint16_t* best = std::find(begin, end, found.best);
+  found.u = u_begin + static_cast<int>(best - begin);
+  constexpr int kNear = 2;  // px
+  const auto before = std::max<std::ptrdiff_t>(best - begin - kNear, 0);
+  const auto behind = std::min<std::ptrdiff_t>(best - begin + kNear + 1, end - begin);
+  if (before > 0) found.second = leastOf(begin, begin + before);
+  if (begin + behind < end) found.second = std::min(found.second, leastOf(begin + behind, end));
   return found;
 }
 
-/// Value between p[1] and p[2] by Catmull-Rom; `p` points one pixel to the left.
-float cubic(const std::uint8_t* p, float f) {
-  const auto a = static_cast<float>(p[0]);
-  const auto b = static_cast<float>(p[1]);
-  const auto c = static_cast<float>(p[2]);
-  const auto d = static_cast<float>(p[3]);
+constexpr std::size_t kRefinedRows = kPatchHeight;
+constexpr std::size_t kRefinedColumns = 2 * kRadius + 1;
+
+/// The left patch of the refinement, with the brightness of the right image. Rows have an eighth
+/// column that no sum uses.
+struct LeftPatch {
+  std::array<std::array<float, 8>, kRefinedRows> value;
+  std::array<std::array<float, 8>, kRefinedRows> gradient;
+  float gradients = 0;    ///< sum
+  float information = 0;  ///< of a shift, with a brightness offset of the patch
+};
+
+constexpr float kRefinedPixels = kRefinedRows * kRefinedColumns;
+
+TOLMAN_WIDE_LANES void fillPatch(const GrayLevel& left, int u, int v, float gain,
+                                 LeftPatch& patch) {
+  float squares = 0;
+  for (std::size_t y = 0; y < kRefinedRows; ++y) {
+    const std::uint8_t* l = left.row(v + static_cast<int>(y) - kPatchHeight / 2) + u - kRadius;
+    store(gain * eightBytes(l), patch.value[y].data());
+    store(0.5F * gain * differences(l + 1, l - 1), patch.gradient[y].data());
+    for (std::size_t x = 0; x < kRefinedColumns; ++x) {
+      const float g = patch.gradient[y][x];
+      patch.gradients += g;
+      squares += g * g;
+    }
+  }
+  patch.information = squares - patch.gradients * patch.gradients / kRefinedPixels;
+}
+
+/// Values between p[1] and p[2], and seven times one pixel further, by Catmull-Rom.
+TOLMAN_INLINE Eight cubic(const std::uint8_t* p, float f) {
+  const Eight a = eightBytes(p);
+  const Eight b = eightBytes(p + 1);
+  const Eight c = eightBytes(p + 2);
+  const Eight d = eightBytes(p + 3);
   return b + 0.5F * f * (c - a + f * (2 * a - 5 * b + 4 * c - d + f * (3 * (b - c) + d - a)));
 }
 
 struct StereoStep {
   float step = 0;  ///< px, to add to the right pixel
-  float information = 0;
-  float rms = 0;  ///< grey levels, means removed
+  float rms = 0;   ///< grey levels, means removed
 };
 
 /// One Gauss-Newton step of the right pixel, with a brightness offset of the patch. Uses the
 /// derivative of the left image, which is the same in all iterations.
-StereoStep shiftOf(const GrayLevel& left, const GrayLevel& right, int u, int v, float u_right,
-                   float gain) {
-  const int x = static_cast<int>(u_right);
-  const float f = u_right - static_cast<float>(x);
-  float sg = 0, sr = 0, sgg = 0, sgr = 0, srr = 0;
-  constexpr float n = (2 * kRadius + 1) * kHeight;
-  for (int dy = -kHeight / 2; dy <= kHeight / 2; ++dy) {
-    const std::uint8_t* l = left.row(v + dy) + u;
-    const std::uint8_t* r = right.row(v + dy) + x;
-    for (int dx = -kRadius; dx <= kRadius; ++dx) {
-      const float g = 0.5F * gain * static_cast<float>(l[dx + 1] - l[dx - 1]);
-      const float e = cubic(r + dx - 1, f) - gain * static_cast<float>(l[dx]);
-      sg += g;
-      sr += e;
-      sgg += g * g;
-      sgr += g * e;
-      srr += e * e;
+TOLMAN_WIDE_LANES StereoStep shiftOf(const LeftPatch& patch, const GrayLevel& right, int v,
+                                     float u_right) {
+  const int x_right = static_cast<int>(u_right);
+  const float f = u_right - static_cast<float>(x_right);
+  float sr = 0, sgr = 0, srr = 0;
+  for (std::size_t y = 0; y < kRefinedRows; ++y) {
+    const std::uint8_t* r =
+        right.row(v + static_cast<int>(y) - kPatchHeight / 2) + x_right - kRadius - 1;
+    const Eight e = cubic(r, f) - loadEight(patch.value[y].data());
+    for (std::size_t x = 0; x < kRefinedColumns; ++x) {
+      sr += e[x];
+      sgr += patch.gradient[y][x] * e[x];
+      srr += e[x] * e[x];
     }
   }
-  const float information = sgg - sg * sg / n;
-  const float gradient = sgr - sg * sr / n;
-  return {information > 1 ? -gradient / information : 0, information,
-          std::sqrt(std::max(0.0F, (srr - sr * sr / n) / n))};
+  const float gradient = sgr - patch.gradients * sr / kRefinedPixels;
+  return {patch.information > 1 ? -gradient / patch.information : 0,
+          std::sqrt(std::max(0.0F, (srr - sr * sr / kRefinedPixels) / kRefinedPixels))};
 }
 
 std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right, int u, int v,
@@ -143,14 +135,16 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
   constexpr float kMinInformation = 300;  // a step of 18 grey levels in one pixel
   constexpr float kLargestRms = 14;       // grey levels
   auto u_right = static_cast<float>(u_found);
+  LeftPatch patch;
+  fillPatch(left, u, v, gain, patch);
   StereoStep shift;
   for (int i = 0; i < 6; ++i) {  // bounds the time
     if (!right.contains(u_right, static_cast<float>(v), kMargin - 2)) return std::nullopt;
     if (u_right < kMargin || u_right > static_cast<float>(right.width) - kMargin - 1) {
       return std::nullopt;
     }
-    shift = shiftOf(left, right, u, v, u_right, gain);
-    if (shift.information < kMinInformation) return std::nullopt;
+    if (patch.information < kMinInformation) return std::nullopt;
+    shift = shiftOf(patch, right, v, u_right);
     u_right += std::clamp(shift.step, -0.7F, 0.7F);
     if (std::fabs(shift.step) < 0.005F) break;  // px; chosen, not tuned
   }
@@ -161,7 +155,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
   match.disparity = static_cast<float>(u) - u_right;
   // Standard deviation from grey level noise, plus 0.05 px for depths that differ within the patch.
   // 0.05 px and the least noise of 2 grey levels are chosen, not tuned.
-  match.sigma = 0.05F + std::max(shift.rms, 2.0F) / std::sqrt(shift.information);
+  match.sigma = 0.05F + std::max(shift.rms, 2.0F) / std::sqrt(patch.information);
   return match;
 }
 
@@ -179,7 +173,7 @@ std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& r
   const int end = std::min(highest, u + kBehind + 1);
   const RowMinimum forth = searchRow(patch, right, begin, end, v);
   const auto best = static_cast<float>(forth.best);
-  constexpr float kNoise = 2 * kWidth * kHeight;  // makes two perfect matches ambiguous
+  constexpr float kNoise = 2 * kPatchWidth * kPatchHeight;  // makes two perfect matches ambiguous
   const float quality = (static_cast<float>(forth.second) + kNoise) / (best + kNoise);
   if (forth.best == std::numeric_limits<int>::max() || quality < kMinRatio) return std::nullopt;
 

@@ -65,6 +65,21 @@ TOLMAN_INLINE EightFloats select(EightInts mask, float a, float b) {
   return mask ? eight(a) : eight(b);
 }
 
+/// Masks from signs and choices by bits: where a register has only four lanes, the compiler would
+/// split `a < b` and `mask ? a : b` of eight into single lanes.
+TOLMAN_INLINE EightInts negative(EightInts value) { return value >> 31; }
+TOLMAN_INLINE EightInts negative(EightFloats value) {
+  return negative(reinterpret_cast<EightInts>(value));
+}
+/// a where the mask is set, b elsewhere.
+TOLMAN_INLINE EightInts chosen(EightInts mask, EightInts a, EightInts b) {
+  return (mask & a) | (~mask & b);
+}
+TOLMAN_INLINE EightFloats chosen(EightInts mask, EightFloats a, EightFloats b) {
+  return reinterpret_cast<EightFloats>(
+      chosen(mask, reinterpret_cast<EightInts>(a), reinterpret_cast<EightInts>(b)));
+}
+
 /// A loop over memory, because the vector extension has no square root.
 TOLMAN_INLINE EightFloats squareRoot(EightFloats v) {
   alignas(32) std::array<float, 8> lanes;

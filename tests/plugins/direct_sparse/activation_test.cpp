@@ -19,7 +19,7 @@ std::unique_ptr<Window> withCandidates(float factor, int wanted = 300) {
       test::streetWindow({test::streetPose(0), test::streetPose(0.4), test::streetPose(0.8)});
   PointSelector selector;
   Keyframe& keyframe = window->keyframe(1);
-  for (const Pixel& pixel : selector.select(keyframe.gradients, wanted, 6)) {
+  for (const Pixel& pixel : selector.select(keyframe.left.level(0), wanted, 6)) {
     ImmaturePoint point;
     point.u = static_cast<float>(pixel.u);
     point.v = static_cast<float>(pixel.v);
@@ -27,7 +27,7 @@ std::unique_ptr<Window> withCandidates(float factor, int wanted = 300) {
                                        keyframe.T_world_camera(), pixel.u, pixel.v));
     point.sigma = 0.05F * point.inverse_depth;
     point.has_depth = true;
-    point.pattern = patternAt(keyframe.gradients, pixel.u, pixel.v);
+    point.pattern = patternAt(keyframe.left.level(0), pixel.u, pixel.v);
     keyframe.immature.push_back(point);
   }
   return window;
@@ -82,8 +82,8 @@ TEST_CASE("a candidate's depth is refined over all keyframes") {
 TEST_CASE("a candidate that no other image confirms is refused") {
   const auto window = withCandidates(1);
   for (const int slot : {0, 2}) {
-    window->keyframe(slot).gradients.build(
-        test::levelOf(480, 200, [](int u, int v) { return (u * v) % 251; }));
+    window->keyframe(slot).left.level(0) =
+        test::levelOf(480, 200, [](int u, int v) { return (u * v) % 251; });
   }
   const auto pairs = allPairs(*window);
   int refined = 0;

@@ -72,10 +72,10 @@ TEST_CASE("a brightness change is found as a and b") {
   const GrayLevel dark = test::levelOf(bright.width, bright.height, [&](int u, int v) {
     return std::lround(0.8 * bright.row(v)[u] + 10);
   });
-  keyframe.gradients.build(dark);
+  keyframe.left.level(0) = dark;
   keyframe.has_right = false;
   for (Point& point : keyframe.points) {
-    point.pattern = patternAt(keyframe.gradients, int(point.u), int(point.v));
+    point.pattern = patternAt(dark, int(point.u), int(point.v));
     point.stereo = ResidualState::Absent;
   }
   keyframe.affine0 = {-0.15, 5};

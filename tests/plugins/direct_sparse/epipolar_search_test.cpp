@@ -22,11 +22,11 @@ struct Views {
   Views() {
     PointSelector selector;
     const Keyframe& host = window->keyframe(0);
-    for (const Pixel& pixel : selector.select(host.gradients, 300, 20)) {
+    for (const Pixel& pixel : selector.select(host.left.level(0), 300, 20)) {
       ImmaturePoint point;
       point.u = static_cast<float>(pixel.u);
       point.v = static_cast<float>(pixel.v);
-      point.pattern = patternAt(host.gradients, pixel.u, pixel.v);
+      point.pattern = patternAt(host.left.level(0), pixel.u, pixel.v);
       candidates.push_back(point);
     }
   }

@@ -58,7 +58,7 @@ void addSighting(const CameraRig& rig, float lambda, const Window& window, int h
     if (slot == host) continue;
     const PairGeometry pair =
         pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(slot));
-    const bool seen = temporalSums(pair, window.keyframe(slot).gradients, point, s) &&
+    const bool seen = test::sumsIn(pair, window.keyframe(slot).left.level(0), point, s) &&
                       s.energy <= window.energy_threshold && s.xx + s.yy >= 2;
     if (seen) target = slot;
   }
@@ -73,15 +73,15 @@ void addSighting(const CameraRig& rig, float lambda, const Window& window, int h
   const Eigen::Vector2d pixel = rig.pinhole.project(P);
   const auto u = static_cast<int>(std::lround(pixel.x()));
   const auto v = static_cast<int>(std::lround(pixel.y()));
-  if (!t.gradients.contains(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
-                            kPatternRadius + 2)) {
+  if (!t.left.level(0).contains(static_cast<float>(pixel.x()), static_cast<float>(pixel.y()),
+                                kPatternRadius + 2)) {
     return;
   }
   Point seen;
   seen.u = static_cast<float>(u);
   seen.v = static_cast<float>(v);
   seen.inverse_depth = static_cast<float>(1 / P.z());
-  seen.pattern = patternAt(t.gradients, u, v);
+  seen.pattern = patternAt(t.left.level(0), u, v);
   const double fb = rig.pinhole.fx * rig.baseline;
   const StereoGeometry stereo{static_cast<float>(fb), 0, 1, 0};
   const bool good = stereoSums(stereo, t.right.level(0), seen, s) &&
@@ -120,7 +120,7 @@ Dense denseSystem(const CameraRig& rig, float lambda, Window& window) {
         if (target == host) continue;
         const PairGeometry pair =
             pairGeometry(rig.pinhole, window.keyframe(host), window.keyframe(target));
-        if (!temporalSums(pair, window.keyframe(target).gradients, point, s)) continue;
+        if (!test::sumsIn(pair, window.keyframe(target).left.level(0), point, s)) continue;
         if (s.energy > window.energy_threshold || s.xx + s.yy < 2) continue;
         const CentreJacobian C =
             centreJacobian(rig.pinhole, pair, point.u, point.v, point.inverse_depth);

@@ -42,8 +42,7 @@ TEST_CASE("strong gradients weigh less") {
 }
 
 TEST_CASE("a pattern holds the host's grey levels and weights") {
-  GradientImage image;
-  image.build(test::levelOf(40, 40, [](int u, int v) { return 2 * u + 3 * v; }));
+  const GrayLevel image = test::levelOf(40, 40, [](int u, int v) { return 2 * u + 3 * v; });
   const Pattern pattern = patternAt(image, 20, 10);
   for (std::size_t k = 0; k < kPatternSize; ++k) {
     CHECK(pattern.value[k] == Approx(2 * (20 + kPatternU[k]) + 3 * (10 + kPatternV[k])));

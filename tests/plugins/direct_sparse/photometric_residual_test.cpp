@@ -26,7 +26,7 @@ struct Smooth {
       const GrayLevel level = test::levelOf(480, 200, [](int u, int v) {
         return std::clamp(u - 90, 0, 130) + std::clamp(v - 60, 0, 120);
       });
-      keyframe.gradients.build(level);
+      keyframe.left.level(0) = level;
     }
     window->keyframe(0).T0_camera_world = test::streetPose(0, 0.02).inverse();
     window->keyframe(1).T0_camera_world = test::streetPose(0.4, -0.01).inverse();
@@ -40,7 +40,7 @@ struct Smooth {
     p.u = 150;
     p.v = 120;
     p.inverse_depth = 0.12F;
-    p.pattern = patternAt(host().gradients, 150, 120);
+    p.pattern = patternAt(host().left.level(0), 150, 120);
     return p;
   }
   PairGeometry pair() { return pairGeometry(rig.pinhole, host(), target()); }
@@ -101,15 +101,15 @@ TEST_CASE("gradients of the energy agree with finite differences of all variable
   Smooth s;
   Point point = s.point();
   PixelSums sums;
-  REQUIRE(temporalSums(s.pair(), s.target().gradients, point, sums));
+  REQUIRE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
   for (float& value : point.pattern.value) value += sums.r1 / sums.w - 3;  // now off by about 3
-  REQUIRE(temporalSums(s.pair(), s.target().gradients, point, sums));
+  REQUIRE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
   REQUIRE(sums.energy > 1);
   REQUIRE(sums.energy < 8 * kHuber * kHuber);  // all residuals in the square part
   const CentreJacobian J = centreJacobian(s.rig.pinhole, s.pair(), point.u, point.v, 0.12F);
   const auto energy = [&](const Point& p) {
     PixelSums e;
-    REQUIRE(temporalSums(s.pair(), s.target().gradients, p, e));
+    REQUIRE(test::sumsIn(s.pair(), s.target().left.level(0), p, e));
     return static_cast<double>(e.energy);
   };
   // The energy is the sum of w r^2, so half its slope is the sum of w J r.
@@ -148,20 +148,24 @@ TEST_CASE("sums are those of a plain loop over the pattern") {
   const Point point = s.point();
   const PairGeometry pair = s.pair();
   PixelSums sums;
-  REQUIRE(temporalSums(pair, s.target().gradients, point, sums));
+  REQUIRE(test::sumsIn(pair, s.target().left.level(0), point, sums));
   const Eigen::Isometry3d T = s.target().T_camera_world() * s.host().T_world_camera();
   double xx = 0, xr = 0, ar = 0, w1 = 0, energy = 0;
   for (std::size_t k = 0; k < kPatternSize; ++k) {
     const Eigen::Vector3d ray = s.rig.pinhole.ray({150.0 + kPatternU[k], 120.0 + kPatternV[k]});
     const Eigen::Vector2d q = s.rig.pinhole.project(T * (ray / 0.12));
-    const GradientSample sample = s.target().gradients.at(float(q.x()), float(q.y()));
+    const GrayLevel& image = s.target().left.level(0);
+    const auto x = static_cast<float>(q.x());
+    const auto y = static_cast<float>(q.y());
+    const double value = image.at(x, y);
+    const double gx = 0.5 * (image.at(x + 1, y) - image.at(x - 1, y));
     const double gain = std::exp(-0.08);
     const double scene = gain * (point.pattern.value[k] - 2);
-    const double r = sample.value - scene - 1;
+    const double r = value - scene - 1;
     const double huber = std::min(1.0, kHuber / std::abs(r));
     const double w = point.pattern.weight[k] * huber;
-    xx += w * sample.gx * sample.gx;
-    xr += w * sample.gx * r;
+    xx += w * gx * gx;
+    xr += w * gx * r;
     ar += -w * scene * r;
     w1 += w;
     energy += w * (2 - huber) * r * r;
@@ -178,17 +182,16 @@ TEST_CASE("points out of the image or behind the camera are not seen") {
   Point point = s.point();
   PixelSums sums;
   point.inverse_depth = 3;  // behind the target
-  CHECK_FALSE(temporalSums(s.pair(), s.target().gradients, point, sums));
+  CHECK_FALSE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
   point = s.point();
   point.u = 3;
   s.target().change[4] = -0.2;
-  CHECK_FALSE(temporalSums(s.pair(), s.target().gradients, point, sums));
+  CHECK_FALSE(test::sumsIn(s.pair(), s.target().left.level(0), point, sums));
 }
 
 TEST_CASE("the static residual: derivative by disparity, and the edge of the right image") {
   const GrayLevel right = test::levelOf(480, 200, [](int u, int) { return u / 2; });
-  GradientImage left;
-  left.build(test::levelOf(480, 200, [](int u, int) { return (u - 30) / 2; }));
+  const GrayLevel left = test::levelOf(480, 200, [](int u, int) { return (u - 30) / 2; });
   Point point;
   point.u = 200;
   point.v = 100;

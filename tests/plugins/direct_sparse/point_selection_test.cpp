@@ -13,18 +13,12 @@ using namespace tolman::direct_sparse;
 
 namespace {
 
-GradientImage gradientsOf(const GrayLevel& level) {
-  GradientImage image;
-  image.build(level);
-  return image;
-}
-
-GradientImage street() { return gradientsOf(test::streetPyramid(test::streetPose(0)).level(0)); }
+GrayLevel street() { return test::streetPyramid(test::streetPose(0)).level(0); }
 
 }  // namespace
 
 TEST_CASE("about as many as wanted, each once, away from the border") {
-  const GradientImage image = street();
+  const GrayLevel image = street();
   for (const int wanted : {200, 600, 1500}) {
     PointSelector selector;
     selector.select(image, wanted, 5);
@@ -37,8 +31,8 @@ TEST_CASE("about as many as wanted, each once, away from the border") {
       different.insert({p.u, p.v});
       CHECK(p.u >= 5);
       CHECK(p.v >= 5);
-      CHECK(p.u < image.width() - 5);
-      CHECK(p.v < image.height() - 5);
+      CHECK(p.u < image.width - 5);
+      CHECK(p.v < image.height - 5);
     }
     CHECK(different.size() == pixels.size());
   }
@@ -54,10 +48,9 @@ TEST_CASE("points are spread over the image") {
 
 TEST_CASE("a constant image has none, nor has one whose texture is all below the threshold") {
   PointSelector selector;
-  CHECK(selector.select(gradientsOf(test::levelOf(320, 160, [](int, int) { return 90; })), 500, 5)
-            .empty());
+  CHECK(selector.select(test::levelOf(320, 160, [](int, int) { return 90; }), 500, 5).empty());
   const auto ripple = [](int u, int v) { return 100 + 2 * ((u + v) % 2); };
-  CHECK(selector.select(gradientsOf(test::levelOf(320, 160, ripple)), 500, 5).empty());
+  CHECK(selector.select(test::levelOf(320, 160, ripple), 500, 5).empty());
 }
 
 TEST_CASE("the threshold is that of the neighbourhood: weak texture counts where all is weak") {
@@ -69,7 +62,7 @@ TEST_CASE("the threshold is that of the neighbourhood: weak texture counts where
   PointSelector selector;
   int left = 0;
   int right = 0;
-  for (const Pixel& p : selector.select(gradientsOf(test::levelOf(320, 160, value)), 400, 5)) {
+  for (const Pixel& p : selector.select(test::levelOf(320, 160, value), 400, 5)) {
     ++(p.u < 160 ? left : right);
   }
   CHECK(left > 50);
@@ -77,7 +70,7 @@ TEST_CASE("the threshold is that of the neighbourhood: weak texture counts where
 }
 
 TEST_CASE("a selector that was reset answers like a fresh one") {
-  const GradientImage image = street();
+  const GrayLevel image = street();
   PointSelector used;
   used.select(image, 100, 5);
   used.reset();

@@ -40,22 +40,30 @@ std::unique_ptr<Window> streetWindow(const std::vector<Eigen::Isometry3d>& poses
     keyframe.has_right = true;
     keyframe.right_gain = 1;
     keyframe.right_offset = 0;
-    keyframe.gradients.build(keyframe.left.level(0));
   }
   return window;
+}
+
+/// The sums of a point in a target; false where it is not seen.
+bool sumsIn(const PairGeometry& pair, const GrayLevel& target, const Point& point,
+            PixelSums& sums) {
+  PatternPlaces places;
+  placePattern(pair, target, point, places);
+  if (places.inside) sums = temporalSums(pair, target, point.pattern, places);
+  return places.inside;
 }
 
 void addTruePoints(Window& window, int wanted) {
   PointSelector selector;
   for (const int slot : window.order()) {
     Keyframe& keyframe = window.keyframe(slot);
-    for (const Pixel& pixel : selector.select(keyframe.gradients, wanted, 6)) {
+    for (const Pixel& pixel : selector.select(keyframe.left.level(0), wanted, 6)) {
       Point point;
       point.u = static_cast<float>(pixel.u);
       point.v = static_cast<float>(pixel.v);
       point.inverse_depth =
           static_cast<float>(streetInverseDepth(keyframe.T_world_camera(), pixel.u, pixel.v));
-      point.pattern = patternAt(keyframe.gradients, pixel.u, pixel.v);
+      point.pattern = patternAt(keyframe.left.level(0), pixel.u, pixel.v);
       for (const int target : window.order()) {
         if (target == slot) continue;
         point.temporal[static_cast<std::size_t>(target)] = ResidualState::Good;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "photometric_residual.hpp"
 #include "support/street_scene.hpp"
 #include "window.hpp"
 
@@ -21,6 +22,10 @@ std::unique_ptr<direct_sparse::Window> streetWindow(const std::vector<Eigen::Iso
 
 /// About `wanted` points of true depth in each keyframe, with residuals to all others.
 void addTruePoints(direct_sparse::Window& window, int wanted);
+
+/// The sums of a point in a target; false where it is not seen.
+bool sumsIn(const direct_sparse::PairGeometry& pair, const direct_sparse::GrayLevel& target,
+            const direct_sparse::Point& point, direct_sparse::PixelSums& sums);
 
 /// A pyramid of the left image at a pose.
 direct_sparse::ImagePyramid streetPyramid(const Eigen::Isometry3d& T_world_camera);

@@ -17,7 +17,7 @@ constexpr Floats kNumbers = {1.5F, -2, 0.25F, -4.75F, 1e6F, -1e-3F, 7.999F, -0.5
 
 /// What the operations make of the numbers; compiled for wide and for narrow registers.
 struct Answers {
-  Floats size, least, floor, whole, joined;
+  Floats size, least, floor, whole, joined, chosen;
   bool all_large = false, all_small = false, any_huge = false;
 };
 
@@ -27,6 +27,7 @@ TOLMAN_WIDE_LANES Answers answersFor(const Floats& numbers) {
   const EightFloats least = smaller(value, EightFloats{});
   const EightFloats whole = toFloat(truncated(value));
   const EightFloats floor = floorOf(value);
+  const EightFloats turned = chosen(negative(value), -value, eight(7));
   const EightFloats back = joined(highHalf(value), lowHalf(value));
   Answers answers{};
   for (std::size_t k = 0; k < 8; ++k) {
@@ -35,6 +36,7 @@ TOLMAN_WIDE_LANES Answers answersFor(const Floats& numbers) {
     answers.floor[k] = floor[k];
     answers.whole[k] = whole[k];
     answers.joined[k] = back[k];
+    answers.chosen[k] = turned[k];
   }
   answers.all_large = all(value > -10.0F);
   answers.all_small = all(value < 10.0F);
@@ -60,6 +62,7 @@ TEST_CASE("operations on eight lanes are those on each") {
     CHECK(answers.floor[k] == std::floor(kNumbers[k]));
     CHECK(answers.whole[k] == std::trunc(kNumbers[k]));
     CHECK(answers.joined[k] == kNumbers[(k + 4) % 8]);
+    CHECK(answers.chosen[k] == (kNumbers[k] < 0 ? -kNumbers[k] : 7));
   }
   CHECK(answers.all_large);
   CHECK_FALSE(answers.all_small);
