@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The one rule for files that a command writes to places that the user chose: a file that exists is
-// replaced only by --force.
+// replaced only with --force.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ namespace tolman::app {
 void addForce(CLI::App& command, bool& replace, const std::string& what);
 
 /// To be called before the command begins its work: throws Ended (8) if one of `files` exists and
-/// `replace` is not set. `option` is the option that chose them. May be written without it: an
-/// empty file, as `mktemp` makes it; pipes, devices and the standard output, which are not
-/// replaced; and files that `is_own` tells to be Tolman's.
+/// `replace` is not set. `option` is the option that chose them. Allowed without it: an empty file,
+/// as `mktemp` makes it; pipes, devices and the standard output, which are not replaced; and files
+/// for which `is_own` is true.
 void refuseExisting(
     const std::vector<std::filesystem::path>& files, bool replace, const std::string& option,
     const std::function<bool(const std::filesystem::path&)>& is_own = [](const auto&) {

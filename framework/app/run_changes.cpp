@@ -21,7 +21,7 @@ Json part(const Json& json, const char* key) {
   return json.is_object() && json.contains(key) ? json[key] : Json();
 }
 
-/// Whether two entries of "data" are of different contents, as far as both tell.
+/// Whether two entries of "data" have different contents, compared by the keys that both have.
 bool areOther(const Json& old, const Json& now) {
   return std::ranges::any_of(std::array{"sha256", "files", "bytes"}, [&](const char* key) {
     return old.contains(key) && now.contains(key) && old[key] != now[key];
@@ -49,7 +49,7 @@ std::vector<std::string> changedData(const Json& before, const Json& after) {
   }
   for (const Json& old : before) {
     if (by_order || find(after, path(old)) != after.end()) continue;
-    changes.push_back("data: " + path(old) + " is not there any more");
+    changes.push_back("data: " + path(old) + " is no longer read");
   }
   return changes;
 }

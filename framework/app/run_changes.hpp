@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What two run.json say has changed between their runs.
+// Differences between two runs, from their run.json.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,14 @@
 
 namespace tolman::app {
 
-// One line each; both throw Ended (5) if a run.json has values of other types than a run writes.
+// Both return one line for each difference, and throw Ended (5) if a run.json has values of other
+// types than a run writes.
 
 /// Differences that can change results: program, libraries, machine, seed, plugins and data.
 std::vector<std::string> resultChanges(const std::filesystem::path& before,
                                        const std::filesystem::path& after);
 
-/// Only differences of the data: digest where both runs know it, number of files and bytes.
+/// Only differences of the data: digest where both run.json have one, number of files and bytes.
 std::vector<std::string> dataChanges(const std::filesystem::path& before,
                                      const std::filesystem::path& after);
 

@@ -75,7 +75,8 @@ class Removal {
     if (error && status_.isOk()) status_ = Status::failed(path.string() + ": " + error.message());
   }
 
-  /// Removes the files below `folder` for which `is_own`, and the folders that are then empty.
+  /// Removes the files below `folder` for which `is_own` is true, and the folders that are then
+  /// empty.
   void folder(const std::string& name, const Names& is_own) {
     const fs::path folder = directory_ / name;
     std::error_code error;
@@ -135,7 +136,7 @@ void removeDerived(Removal& removal, const fs::path& directory) {
   }
 }
 
-/// As a run leaves it that could not write its first file.
+/// The state that a run leaves if it could not write its first file.
 bool holdsOnlyEmptyLog(const fs::path& directory) {
   std::error_code error;
   fs::directory_iterator entry(directory, error);

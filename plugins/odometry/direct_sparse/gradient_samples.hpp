@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grey values and gradients (central differences), from the bytes of an image where they are
-// needed. An image of gradients would be eight times as large, and residuals, which read all
+// Grey values and gradients (central differences), computed from the bytes of an image where they
+// are needed. An image of gradients would be eight times as large, and residuals, which read all
 // keyframes at random places, would wait for memory most of their time.
 #pragma once
 
@@ -60,8 +60,8 @@ struct GradientSamples {
   Eight gy;
 };
 
-/// Places are rounded to 1 / kMixOne of a pixel along each axis. All numbers before the last
-/// factor are then whole and below 2^24, so sums in float are exact.
+/// Places are rounded to 1 / kMixOne of a pixel along each axis. All numbers before the final
+/// scaling are then whole and below 2^24, so sums in float are exact.
 inline constexpr float kMixOne = 128;
 
 /// Bytes u - 1 ... u + 2 of one image row, for each of eight places.

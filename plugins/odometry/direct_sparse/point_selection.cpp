@@ -15,7 +15,7 @@ namespace {
 
 // As in DSO (Engel et al.)
 constexpr int kBlock = 32;         // px
-constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this
+constexpr int kCap = 48;           // grey levels / px; stronger gradients count as this value
 constexpr float kAboveMedian = 7;  // grey levels / px
 constexpr int kDirections = 16;
 constexpr int kMedianStep = 2;  // px between the pixels of which medians are taken
@@ -62,7 +62,7 @@ struct Strongest {
   float projection = 0;
 };
 
-/// Of the pixels whose squared differences are at least `least`; the first one of equal ones.
+/// Of the pixels whose squared differences are at least `least`; the first of equal ones.
 /// Reads up to eight pixels behind the end of a row.
 TOLMAN_WIDE_LANES Strongest strongestIn(const GrayLevel& image, const Cell& cell, float least,
                                         const std::array<float, 2>& along) {
@@ -175,7 +175,8 @@ void PointSelector::pickFromCell(const GrayLevel& image, int u0, int v0, int siz
   const int v_end = std::min(v0 + size, height_ - border);
   if (u_begin >= u_end || v_begin >= v_end) return;
   const float threshold = relax * thresholdAt((u_begin + u_end) / 2, (v_begin + v_end) / 2);
-  // Whole lengths above the limit, which is a whole number, as squares of twice the gradient.
+  // Lengths rounded down must exceed the threshold: the same condition for squared differences,
+  // which are twice the gradient.
   const float limit = std::floor(threshold) + 1;
   const Strongest found =
       strongestIn(image, {u_begin, u_end, v_begin, v_end}, 4 * limit * limit, direction(u0, v0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight pixels at once where the processor has the instruction for it, one after the other
-// otherwise: the same whole numbers.
+// Eight pixels at once where the processor has SSE4.1, one after the other otherwise. Both give
+// the same whole numbers.
 #include "row_costs.hpp"
 
 #include <cstdlib>

@@ -15,11 +15,11 @@ inline constexpr int kPatchHeight = 5;
 
 using StereoPatch = std::array<std::uint8_t, kPatchWidth * kPatchHeight>;
 
-/// Costs that may be written behind the last one.
+/// Further costs that rowCosts() may write behind the last one; `costs` must have room for them.
 inline constexpr int kMoreCosts = 8;
 
 /// The cost of each pixel (u, v) with `u_begin` <= u < `u_end`, beginning with that of `u_begin`.
-/// The patch must lie within the image there; three rows below it must exist.
+/// At each of these pixels the patch must lie within the image, and three more rows below it.
 void rowCosts(const StereoPatch& patch, const GrayLevel& image, int u_begin, int u_end, int v,
               std::uint16_t* costs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Row search and refinement.
+// Search along the row, and refinement to sub-pixel accuracy.
 #include "static_stereo.hpp"
 
 #include <algorithm>
@@ -92,7 +92,7 @@ TOLMAN_WIDE_LANES void fillPatch(const GrayLevel& left, int u, int v, float gain
   patch.information = squares - patch.gradients * patch.gradients / kRefinedPixels;
 }
 
-/// Values between p[1] and p[2], and seven times one pixel further, by Catmull-Rom.
+/// Catmull-Rom interpolation at p + 1 + f, and at the seven pixels after it.
 TOLMAN_INLINE Eight cubic(const std::uint8_t* p, float f) {
   const Eight a = eightBytes(p);
   const Eight b = eightBytes(p + 1);
@@ -102,12 +102,12 @@ TOLMAN_INLINE Eight cubic(const std::uint8_t* p, float f) {
 }
 
 struct StereoStep {
-  float step = 0;  ///< px, to add to the right pixel
+  float step = 0;  ///< px, to add to the column in the right image
   float rms = 0;   ///< grey levels, means removed
 };
 
-/// One Gauss-Newton step of the right pixel, with a brightness offset of the patch. Uses the
-/// derivative of the left image, which is the same in all iterations.
+/// One Gauss-Newton step of the column in the right image, with a brightness offset of the patch.
+/// Uses the derivative of the left image, which is the same in all iterations.
 TOLMAN_WIDE_LANES StereoStep shiftOf(const LeftPatch& patch, const GrayLevel& right, int v,
                                      float u_right) {
   const int x_right = static_cast<int>(u_right);
@@ -164,7 +164,7 @@ std::optional<StereoMatch> refine(const GrayLevel& left, const GrayLevel& right,
 std::optional<StereoMatch> matchStereo(const GrayLevel& left, const GrayLevel& right, int u, int v,
                                        const StereoSearch& search) {
   constexpr float kMinRatio = 1.15F;  // of the second best cost to the best; chosen, not tuned
-  constexpr int kLargestMiss = 1;     // px, from right to left; as in HorizonAD/stereo_dso
+  constexpr int kLargestMiss = 1;     // px, of the search back; as in HorizonAD/stereo_dso
   constexpr int kBehind = 2;          // px below zero disparity, for the refinement of far points
   const int lowest = kStereoBorder;
   const int highest = right.width - kStereoBorder;

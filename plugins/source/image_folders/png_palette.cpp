@@ -15,7 +15,8 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// One pass over an image: pixels at a distance from each other, from a first one.
+/// One pass over an image: from a first pixel on, every `column_step`-th of every `row_step`-th
+/// row.
 struct Pass {
   std::size_t first_column, first_row, column_step, row_step;
 };
@@ -28,7 +29,7 @@ constexpr std::array kInterlaced = {Pass{0, 0, 8, 8}, Pass{4, 0, 8, 8}, Pass{0, 
 struct PalettePng {
   std::size_t width = 0;
   std::size_t height = 0;
-  std::size_t depth = 0;  ///< bits of an index
+  std::size_t depth = 0;  ///< bits per index
   std::size_t colours = 0;
   std::span<const Pass> passes = kOnePass;
   std::vector<std::uint8_t> packed;
@@ -40,7 +41,7 @@ struct PalettePng {
     return stepsTo(height, pass.first_row, pass.row_step);
   }
   std::size_t rowBytes(const Pass& pass) const { return (columns(pass) * depth + 7) / 8; }
-  /// Bytes of all rows of a pass, each with that of its filter.
+  /// Bytes of all rows of a pass, each with one more byte for its filter.
   std::size_t size(const Pass& pass) const {
     return columns(pass) == 0 ? 0 : rows(pass) * (rowBytes(pass) + 1);
   }
@@ -73,7 +74,7 @@ PalettePng readPalettePng(Bytes png) {
   for (PngChunk chunk; !(chunk = pngChunkAt(png, at)).bytes.empty(); at += chunk.bytes.size()) {
     const Bytes data = chunk.data();
     if (chunk.name() == "IHDR") readPaletteHeader(data, image);
-    if (image.depth == 0) break;  // the usual images: nothing else is read
+    if (image.depth == 0) break;  // no palette, as in most images: nothing else is read
     if (chunk.name() == "PLTE") image.colours = data.size() / 3;
     if (image.colours >= std::size_t{1} << image.depth) break;
     if (chunk.name() == "IDAT") image.packed.insert(image.packed.end(), data.begin(), data.end());

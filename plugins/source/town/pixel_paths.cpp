@@ -11,10 +11,10 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kSkyDepth = 1e4F;      ///< m; as good as infinite
+constexpr float kSkyDepth = 1e4F;      ///< m; stands for infinity
 constexpr float kNearestDepth = 0.1F;  ///< m in front of the camera; keeps the projection finite
 
-/// A pinhole camera in the middle, at the beginning and at the end of the time.
+/// A pinhole camera in the middle, at the beginning and at the end of the shutter time.
 struct Projections {
   explicit Projections(const Pinhole& pinhole, const ShutterMotion& motion)
       : fx(static_cast<float>(pinhole.fx)),
@@ -47,7 +47,7 @@ struct PartOfRow {
   int count;
 };
 
-/// A plain loop, which is vectorised.
+/// A plain loop, so that the compiler vectorises it.
 TOLMAN_WIDE_LANES
 void findPaths(const Projections& p, const PartOfRow& part, float* z, float* u, float* v) {
   const auto [b0, b1, b2] = p.begin;
@@ -74,7 +74,7 @@ void findPaths(const Projections& p, const PartOfRow& part, float* z, float* u, 
   }
 }
 
-/// What a point of the object does in the axes of the camera.
+/// Motion of a point of the object in the axes of the camera.
 ShutterMotion seenBy(const Eigen::Isometry3d& T_town_camera, const ShutterMotion& camera,
                      const ShutterMotion& object) {
   const Eigen::Isometry3d T_camera_town = T_town_camera.inverse();

@@ -19,14 +19,14 @@ struct ShutterMotion {
 
 /// Everything that moves while the shutter is open.
 struct OpenShutter {
-  ShutterMotion camera;  ///< in the axes of the camera: what a fixed point does
-  /// Of instances first_object, first_object + 1, and so on: in the town's axes. All others are
-  /// fixed.
+  ShutterMotion camera;  ///< of fixed points, in the axes of the camera
+  /// Of the instances first_object, first_object + 1, and so on, in the town's axes. All others
+  /// are fixed.
   std::vector<ShutterMotion> objects;
   std::uint32_t first_object = 0;
 };
 
-/// From a place in the image to another, px.
+/// Displacement from one place in the image to another, px.
 struct Path {
   float u = 0;
   float v = 0;
@@ -35,7 +35,8 @@ struct Path {
   float square() const { return u * u + v * v; }
 };
 
-/// From where a surface is at the beginning to where it is at the end; row-major.
+/// For each pixel, the displacement of its surface from the beginning to the end of the time that
+/// the shutter is open; row-major.
 struct PixelPaths {
   Path at(std::size_t i) const { return {u[i], v[i]}; }
 
@@ -44,11 +45,11 @@ struct PixelPaths {
   std::vector<float> z;  ///< m along the optical axis; a large number for the sky
 };
 
-/// `picture` was rendered from `view` in the middle of the time. Paths are 0 where the surface
-/// passes behind the camera, and at most kLongestPath long.
+/// `picture` was rendered from `view` in the middle of the time that the shutter is open. Paths are
+/// 0 where the surface passes behind the camera, and at most kLongestPath long.
 PixelPaths pixelPaths(const RenderCamera& view, const RenderedImage& picture,
                       const OpenShutter& shutter);
 
-inline constexpr float kLongestPath = 200;  ///< px; bounds the time
+inline constexpr float kLongestPath = 200;  ///< px; bounds the computing time
 
 }  // namespace tolman::town

@@ -11,17 +11,17 @@
 namespace tolman::town {
 namespace {
 
-constexpr float kSharp = 0.1F;  ///< px; pixels with shorter paths keep their value; bounds the time
-constexpr int kMaxSamples = 17;  ///< per pixel; bounds the time
+constexpr float kSharp = 0.1F;   ///< px; shorter paths are not blurred; bounds the computing time
+constexpr int kMaxSamples = 17;  ///< per pixel; bounds the computing time
 constexpr int kTile = 16;        ///< px
-constexpr float kNearer = 0.9F;  ///< of the depth: it belongs to another surface, in front
-constexpr float kSameWay = 1;    ///< px, by which the parts of one path may differ
-constexpr float kBreak = 0.5F;   ///< px, between neighbours: a silhouette
+constexpr float kNearer = 0.9F;  ///< share of the depth; a surface nearer than this is another one
+constexpr float kSameWay = 1;    ///< px; paths that differ by less count as one motion
+constexpr float kBreak = 0.5F;   ///< px; neighbours whose paths differ by more are a silhouette
 
-/// What may cover a pixel for a part of the time.
+/// What may cover a pixel for a part of the shutter time.
 struct Around {
   Path longest;
-  bool has_silhouette = false;  ///< neighbouring pixels move otherwise
+  bool has_silhouette = false;  ///< two neighbouring pixels move differently
 };
 
 /// For each tile, what is in it and in the eight around it.
@@ -70,7 +70,7 @@ class Tiles {
   std::vector<Around> around_;
 };
 
-/// Sums of an image along the paths of its pixels.
+/// Means of an image along the paths of its pixels.
 class Gatherer {
  public:
   Gatherer(const RenderCamera& view, const std::vector<float>& sharp, const PixelPaths& paths)
@@ -78,7 +78,7 @@ class Gatherer {
 
   std::size_t index(int column, int row) const { return samples_.index(column, row); }
 
-  /// Mean at the middles of equal intervals of time.
+  /// Mean of samples at the middles of equal intervals of the shutter time.
   float mean(int column, int row, const Around& around) const {
     const std::size_t i = index(column, row);
     const Path own = paths_.at(i);
@@ -122,19 +122,19 @@ class Gatherer {
     const float v = std::clamp(p.row - t * path.v, 0.0F, static_cast<float>(samples_.height - 1));
     return index(static_cast<int>(u + 0.5F), static_cast<int>(v + 0.5F));
   }
-  /// Whether surface `i` is in front of the pixel's own and moves otherwise.
+  /// Whether the surface at pixel `i` is in front of the pixel's own and moves differently.
   bool isInFront(const Pixel& p, std::size_t i, float t) const {
     return paths_.z[i] < kNearer * p.z && t * t * (paths_.at(i) - p.path).square() > 0.25F;
   }
-  /// What the pixel shows at time t: a surface in front of its own that moves otherwise and has
-  /// arrived there, or its own.
+  /// What the pixel shows at time t: a surface in front of its own that moves differently and has
+  /// arrived there, or its own. From -0.5 at the beginning to 0.5 at the end of the shutter time.
   float atTime(const Pixel& p, const Path& longest, float t) const {
     const Path front = paths_.at(nearestTo(p, longest, t));
     const std::size_t met = nearestTo(p, front, t);
     if (isInFront(p, met, t) && t * t * (paths_.at(met) - front).square() < kSameWay * kSameWay) {
       return along(p, front, t);
     }
-    // Where the sharp image hides the own surface then, its value nearby stands for it.
+    // Where the pixel's own surface is hidden in the sharp image, the pixel's value replaces it.
     const bool is_hidden = isInFront(p, nearestTo(p, p.path, t), t);
     return is_hidden ? samples_.values[index(static_cast<int>(p.column), static_cast<int>(p.row))]
                      : along(p, p.path, t);

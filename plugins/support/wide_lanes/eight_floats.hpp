@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eight floats at once, for functions that are TOLMAN_WIDE_LANES: one register of AVX2, two of
+// Eight floats at once, for functions marked TOLMAN_WIDE_LANES: one register of AVX2, two of
 // SSE2. Whether such values pass between functions in registers depends on the processor that the
 // caller is compiled for, so only pass them to functions that are inlined into the caller.
 #pragma once
@@ -65,8 +65,8 @@ TOLMAN_INLINE EightFloats select(EightInts mask, float a, float b) {
   return mask ? eight(a) : eight(b);
 }
 
-/// Masks from signs and choices by bits: where a register has only four lanes, the compiler would
-/// split `a < b` and `mask ? a : b` of eight into single lanes.
+/// Masks from signs, and selection by bit operations: where a register has only four lanes, the
+/// compiler would split `a < b` and `mask ? a : b` of eight into single lanes.
 TOLMAN_INLINE EightInts negative(EightInts value) { return value >> 31; }
 TOLMAN_INLINE EightInts negative(EightFloats value) {
   return negative(reinterpret_cast<EightInts>(value));
@@ -89,7 +89,7 @@ TOLMAN_INLINE EightFloats squareRoot(EightFloats v) {
   return v;
 }
 
-/// Right for |x| < 2^31.
+/// Correct for |x| < 2^31.
 TOLMAN_INLINE EightFloats floorOf(EightFloats x) {
   const EightFloats t = toFloat(truncated(x));
   return t > x ? t - 1 : t;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four doubles at once, for functions that are TOLMAN_WIDE_LANES: one register of AVX2, two of
+// Four doubles at once, for functions marked TOLMAN_WIDE_LANES: one register of AVX2, two of
 // SSE2. Only pass them to functions that are inlined into the caller (see eight_floats.hpp).
 #pragma once
 
@@ -14,9 +14,9 @@ namespace tolman::lanes {
 using FourDoubles = double __attribute__((vector_size(32)));
 using FourMask = std::int64_t __attribute__((vector_size(32)));  ///< -1 is true
 
-/// `count` of them. Code for AVX2 expects vectors at multiples of 32 bytes, while their type alone
-/// demands 16 where the compiler's default is SSE2. So keep them in these, and lone ones after
-/// these.
+/// `count` vectors, aligned to 32 bytes. Code for AVX2 expects that alignment, while the type of
+/// the vectors alone demands 16 where the compiler's default is SSE2. So keep vectors in this type,
+/// and declare single ones after members of this type.
 template <std::size_t count>
 struct alignas(32) Fours {
   FourDoubles values[count];

@@ -57,7 +57,7 @@ TOLMAN_INLINE void transpose(FourFloats& a, FourFloats& b, FourFloats& c, FourFl
   d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
 }
 
-/// The sum of the lanes, and of those of each argument, in order.
+/// The sum of the lanes of one vector, and the four sums of those of `a` to `d`, in this order.
 TOLMAN_INLINE float sumOf(FourFloats v) { return (v[0] + v[1]) + (v[2] + v[3]); }
 TOLMAN_INLINE FourFloats sums(FourFloats a, FourFloats b, FourFloats c, FourFloats d) {
   transpose(a, b, c, d);

@@ -4,9 +4,9 @@
 // four_floats.hpp, eight_floats.hpp and four_doubles.hpp.
 #pragma once
 
-/// Before a function: the compiler generates a second version for AVX2, and the loader chooses.
+/// Put before a function: the compiler generates a second version for AVX2, and the loader chooses.
 /// Both do the same operations in the same order (no fused multiply-add), so results are identical.
-/// Not with sanitizers, which are not yet initialised when the loader chooses.
+/// Empty with sanitizers, which are not yet initialised when the loader chooses.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOLMAN_WIDE_LANES __attribute__((target_clones("avx2", "default")))
