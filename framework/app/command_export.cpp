@@ -136,7 +136,8 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       exportByPython("npz", *asked, "python3-tolman and python3-numpy", written, invocation);
     }
     printFiles(written, invocation);
-    warnOfDamage(asked->run);
+    warnOfChangedRecord(asked->run);
+    warnOfRunFile(asked->run);
   });
 
   CLI::App* schema = app.add_subcommand("schema", "Print the reference of run.sqlite (Markdown)");

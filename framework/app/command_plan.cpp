@@ -190,7 +190,8 @@ void run(const RouteOptions& options, const Invocation& invocation) {
   const auto route = planning::fastestRoute(graph, plan.from.experience, plan.to.experience);
   const bool is_asked_wrongly = route.status().code() == StatusCode::InvalidInput;
   plan.route = valueOrEnd(route, is_asked_wrongly ? ExitCode::Usage : ExitCode::Dataset);
-  warnOfDamage(options.run);
+  warnOfChangedRecord(options.run);
+  warnOfRunFile(options.run);
   warnOfFarPlaces(plan, graph);
   if (invocation.json) {
     std::cout << jsonText(toJson(plan, graph));

@@ -71,7 +71,10 @@ void addReportCommand(CLI::App& app, Invocation& invocation) {
     const auto written =
         valueOrEnd(run::writeReport({runs->begin(), runs->end()}, folder, units->choice()));
     printFiles(written, invocation);
-    for (const std::string& run : *runs) warnOfDamage(run);
+    for (const std::string& run : *runs) {
+      warnOfChangedRecord(run);
+      warnOfRunFile(run);
+    }
   });
 }
 

@@ -96,7 +96,7 @@ void addViewCommand(CLI::App& app, Invocation& invocation) {
   command->callback([options, no_hint, no_images, &invocation] {
     options->plugin_paths = invocation.plugin_paths;
     options->images = !*no_images;
-    warnOfDamage(options->run);
+    warnOfChangedRecord(options->run);
     ViewCommand view(invocation, !*no_hint);
     view.execute(*options);
   });

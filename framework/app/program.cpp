@@ -22,6 +22,7 @@
 #include "host/manifest.hpp"
 #include "record/atomic_file.hpp"
 #include "record/export.hpp"
+#include "record/row_sums.hpp"
 #include "record/run_directory.hpp"
 #include "record/run_reader.hpp"
 #include "run/build_info.hpp"
@@ -201,15 +202,16 @@ void warnOfRunFile(const std::string& run) {
   if (!status.isOk()) std::cerr << "warning: " + run::printable(status.message()) + "\n";
 }
 
-void warnOfDamage(const std::string& run) {
+void warnOfChangedRecord(const std::string& run) {
   const auto reader = record::RunReader::open(run);
-  Status status = reader.isOk() ? record::checkRows(*reader.value()) : Status::ok();
-  if (status.isOk() && reader.isOk()) status = record::checkUnchanged(*reader.value());
+  if (!reader.isOk()) return;
+  const bool has_sums = record::hasRowSums(reader.value()->database());
+  const Status status =
+      has_sums ? record::checkRows(*reader.value()) : record::checkUnchanged(*reader.value());
   if (!status.isOk()) {
     std::cerr << "warning: " + run::printable(status.message()) +
                      "; this output is of the changed record\n";
   }
-  warnOfRunFile(run);
 }
 
 void printFiles(const std::vector<std::filesystem::path>& files, const Invocation& invocation) {

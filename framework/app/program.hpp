@@ -64,9 +64,8 @@ struct Invocation {
 /// Warns on stderr of a run whose run.json is missing or damaged: it is used, but not silently.
 void warnOfRunFile(const std::string& run);
 
-/// Warns on stderr, besides, of a run whose record was changed after the run. Reads all of the
-/// record.
-void warnOfDamage(const std::string& run);
+/// Warns on stderr of a run whose record was changed after the run. Reads all of the record.
+void warnOfChangedRecord(const std::string& run);
 
 /// Names of the files that a command wrote: lines, with --json a list "files", with --quiet
 /// nothing.

@@ -145,7 +145,9 @@ void Run::continueEarlierRun() {
     refuseToContinue(directory + ": this run is still going; wait for its end, or interrupt it");
   }
   earlier_ = require(record::RunReader::open(directory), FailureKind::Continuation);
-  require(record::RunDirectory::checkRunFile(directory), FailureKind::Continuation);
+  if (const Status status = record::RunDirectory::checkRunFile(directory); !status.isOk()) {
+    refuseToContinue(status.message() + "; put it back, or run the earlier session again");
+  }
   require(record::Recorder::inheritable(*earlier_), FailureKind::Continuation);
   const std::int64_t frames = require(earlier_->nextFrame(), FailureKind::Continuation);
   const SessionProgress before = loadState(*assembly_, directory);

@@ -117,8 +117,9 @@ TEST_CASE("a failing start leaves an earlier run alone") {
   REQUIRE(data.run().exit_code == 0);
   const std::string before = readText(data.out / "metrics.json");
   data.write("calib.txt", "");
-  CHECK(data.run().exit_code == 5);
-  CHECK(data.run({"--set", "odometry.sped=1"}).exit_code == 3);
+  CHECK(data.run().exit_code == 8);
+  CHECK(data.run({"--force"}).exit_code == 5);
+  CHECK(data.run({"--force", "--set", "odometry.sped=1"}).exit_code == 3);
   CHECK(readText(data.out / "metrics.json") == before);
 }
 

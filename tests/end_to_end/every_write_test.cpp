@@ -52,7 +52,7 @@ class Victim {
   std::string change() const { return readText(log()); }
   Finished exported() const {
     return tolman::test::tolman(
-        {"export", out().string(), "--out", (folder_.path() / "exported").string()});
+        {"export", out().string(), "--out", (folder_.path() / "exported").string(), "--force"});
   }
   Finished resumed() const {
     return tolman::test::tolman(joined({"run", "--resume", out().string()}, plugins_));
