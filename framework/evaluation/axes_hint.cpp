@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "evaluation/alignment.hpp"
 #include "evaluation/errors.hpp"
 
 namespace tolman::evaluation {
@@ -87,16 +88,9 @@ double errorWithOrientations(const Matches& aligned) {
     mean += aligned.estimate[i].T_world_camera.translation();
   }
   mean /= static_cast<double>(aligned.truth.size());
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::DiagonalMatrix<double, 3> signs(1, 1, 1);
-  signs.diagonal().z() = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  const Eigen::Matrix3d turn = svd.matrixU() * signs * svd.matrixV().transpose();
-  Matches turned = aligned;
-  for (TrajectoryPose& pose : turned.estimate) {
-    const Eigen::Vector3d position = pose.T_world_camera.translation();
-    pose.T_world_camera.translation() = mean + turn * (position - mean);
-  }
-  return absoluteError(turned).rmse;
+  const Eigen::Matrix3d turn = Eigen::Affine3d(sum).rotation();  // the nearest one
+  const Similarity about_mean{1, turn, mean - turn * mean};
+  return absoluteError(evaluation::aligned(aligned, about_mean)).rmse;
 }
 
 }  // namespace

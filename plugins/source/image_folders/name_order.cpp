@@ -9,11 +9,9 @@
 namespace tolman::image_folders {
 namespace {
 
-bool isOneDigit(char c) { return c >= '0' && c <= '9'; }
-
 /// Removes the leading digits from `text` and returns them without leading zeros.
 std::string_view takeNumber(std::string_view& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), isOneDigit);
+  const auto end = std::find_if_not(text.begin(), text.end(), isDigit);
   std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
   text.remove_prefix(number.size());
   number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
@@ -23,7 +21,7 @@ std::string_view takeNumber(std::string_view& text) {
 /// Negative, 0 or positive if a is before, equal to or after b; leading zeros are ignored.
 int naturalOrder(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
-    if (isOneDigit(a.front()) && isOneDigit(b.front())) {
+    if (isDigit(a.front()) && isDigit(b.front())) {
       const std::string_view number_a = takeNumber(a);
       const std::string_view number_b = takeNumber(b);
       if (number_a.size() != number_b.size()) return number_a.size() < number_b.size() ? -1 : 1;
@@ -50,7 +48,7 @@ struct NumberInName {
 
 std::optional<NumberInName> numberInName(std::string_view name) {
   NumberInName decimal;
-  const auto first = std::find_if(name.begin(), name.end(), isOneDigit);
+  const auto first = std::find_if(name.begin(), name.end(), isDigit);
   decimal.text_before = name.substr(0, static_cast<std::size_t>(first - name.begin()));
   name.remove_prefix(decimal.text_before.size());
   if (name.empty()) return std::nullopt;
@@ -59,7 +57,7 @@ std::optional<NumberInName> numberInName(std::string_view name) {
   decimal.has_point = true;
   decimal.fraction = name.substr(1);
   if (name.front() != '.' || decimal.fraction.empty() ||
-      !std::all_of(decimal.fraction.begin(), decimal.fraction.end(), isOneDigit)) {
+      !std::all_of(decimal.fraction.begin(), decimal.fraction.end(), isDigit)) {
     return std::nullopt;
   }
   decimal.fraction = decimal.fraction.substr(0, decimal.fraction.find_last_not_of('0') + 1);

@@ -8,6 +8,8 @@
 
 namespace tolman::image_folders {
 
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 /// Runs of digits compare as whole numbers: "image2" < "image10". A total order.
 bool naturalLess(std::string_view a, std::string_view b);
 
