@@ -70,6 +70,14 @@ void reportDoubts(const fs::path& folder, const std::vector<fs::path>& files,
                                    name(order.same->second) +
                                    ", which are two frames; remove one if they are one image");
   }
+  if (order.strays.empty()) return;
+  const std::size_t count = order.strays.size();
+  inspection.warning(folder, "has " + name(order.strays.front()) +
+                                 (count == 1 ? ", which is named unlike most images and a frame "
+                                               "as well; remove it if it is none"
+                                             : " and other images, " + std::to_string(count) +
+                                                   " in all, which are named unlike most and "
+                                                   "frames as well; remove those that are none"));
 }
 
 /// The number in a name such as "frame_000123", if the rest of the name is `rest` ("frame_#").
@@ -143,8 +151,12 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
   const NameOrder order = orderNames(stems);
   reportDoubts(folder, found, order, inspection);
   std::vector<fs::path> images;
-  for (const std::size_t index : order.indices) images.push_back(found[index]);
-  checkNumbers(folder, images, inspection);
+  std::vector<fs::path> without_strays;
+  for (const std::size_t index : order.indices) {
+    images.push_back(found[index]);
+    if (!std::ranges::binary_search(order.strays, index)) without_strays.push_back(found[index]);
+  }
+  checkNumbers(folder, without_strays, inspection);
   return images;
 }
 

@@ -2,6 +2,7 @@
 #include "name_order.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "hexadecimal_names.hpp"
@@ -55,6 +56,26 @@ std::optional<NameOrder::Pair> firstExchanged(const Indices& taken, const Indice
   return NameOrder::Pair(*here, *there);
 }
 
+/// The text of a name, with each number as one character.
+std::string patternOf(const ImageName& name) {
+  std::string pattern;
+  for (const NamePart& part : name.parts) pattern += part.text;
+  return pattern;
+}
+
+/// Names of another pattern than the one that more than half of the names have.
+Indices straysAmong(const std::vector<ImageName>& names) {
+  std::map<std::string, std::size_t> counts;
+  for (const ImageName& name : names) ++counts[patternOf(name)];
+  const auto usual = std::ranges::max_element(counts, {}, [](const auto& of) { return of.second; });
+  Indices strays;
+  if (usual == counts.end() || 2 * usual->second <= names.size()) return strays;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (patternOf(names[i]) != usual->first) strays.push_back(i);
+  }
+  return strays;
+}
+
 }  // namespace
 
 NameOrder orderNames(const std::vector<std::string>& stems) {
@@ -69,6 +90,7 @@ NameOrder orderNames(const std::vector<std::string>& stems) {
   });
   NameOrder order;
   order.same = firstSame(names, numbers);
+  if (hexadecimal.empty()) order.strays = straysAmong(names);
   if (is_hexadecimal) {
     order.reading = Reading::Hexadecimal;
     order.indices = hexadecimal;

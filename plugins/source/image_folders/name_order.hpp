@@ -28,6 +28,8 @@ struct NameOrder {
   std::optional<Pair> doubt;
   /// Two different names of the same numbers and text, such as 1.1 and 1.10, 1 and 01, a and A.
   std::optional<Pair> same;
+  /// Names of other text than that of more than half of the names, such as a preview among numbers.
+  std::vector<std::size_t> strays;
 };
 
 /// The order of names without extension. Names that are given twice stay next to each other.

@@ -142,6 +142,28 @@ TEST_CASE("the warning says why the order is taken") {
         "rename the images to decimal ones");
 }
 
+TEST_CASE("an image that is named unlike most is a frame, with a warning") {
+  const DataFolder data;
+  const auto warnings = [&] {
+    Inspection inspection;
+    CHECK_FALSE(listImages(data.path("x"), inspection).empty());
+    std::vector<std::string> found;
+    for (const auto& finding : inspection.findings()) found.push_back(finding.message);
+    return found;
+  };
+  for (const char* name : {"1", "2", "3", "thumb"})
+    data.write(std::string("x/") + name + ".png", "");
+  CHECK(warnings() == std::vector<std::string>{"has thumb.png, which is named unlike most images "
+                                               "and a frame as well; remove it if it is none"});
+  data.write("x/5.png", "");
+  CHECK(warnings().size() == 2);  // the gap as well
+  data.remove("x/5.png");
+  data.write("x/cover.png", "");
+  CHECK(warnings() ==
+        std::vector<std::string>{"has cover.png and other images, 2 in all, which are named unlike "
+                                 "most and frames as well; remove those that are none"});
+}
+
 TEST_CASE("partners are in the order of the left images, whatever that is") {
   const DataFolder data;
   for (const char* name : {"1.05.png", "1.1.jpg", "1.10.png", "9.png", "10.png"}) {

@@ -52,7 +52,7 @@ TEST_CASE("names without doubt are in natural order") {
            Names{"frame1", "frame5", "frame10", "frame11"},
            Names{"20240102_123005", "20240102_123006"},
            Names{"99999999999999999998", "99999999999999999999", "100000000000000000000"},
-           Names{"0", "1", "2", "thumb"},
+           Names{"0", "1", "thumb"},
            Names{"IMG_1", "IMG_2", "IMG_10"},
            Names{"seq1.9.1_2", "seq1.9.1_10", "seq1.10.1_1"},
        }) {
@@ -128,6 +128,16 @@ TEST_CASE("two names of one number are told also where the order is not in doubt
     CHECK(order.same == NameOrder::Pair(0, 1));
   }
   CHECK_FALSE(isTold(orderNames({"1", "1", "2"})));  // 1.png and 1.jpg
+}
+
+TEST_CASE("names unlike most are strays") {
+  using Indices = std::vector<std::size_t>;
+  CHECK(orderNames({"1", "2", "thumb", "3.5", "-4"}).strays == Indices{2});
+  CHECK(orderNames({"cover", "f_1", "F_2", "f_30", "f_4 copy", "f_5"}).strays == Indices{0, 4});
+  CHECK(orderNames({"left_1", "left_2", "right_1", "right_2"}).strays.empty());  // none has most
+  CHECK(orderNames({"cam0_1", "cam0_2", "cam1_1"}).strays.empty());
+  CHECK(orderNames({"00", "01", "02", "08", "09", "0a"}).strays.empty());
+  CHECK(orderNames({"house", "tree", "car"}).strays.empty());
 }
 
 TEST_CASE("hexadecimal names are in the order of their values, which is told") {
