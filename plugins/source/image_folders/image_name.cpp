@@ -162,6 +162,18 @@ bool naturalLess(std::string_view a, std::string_view b) {
   return order != 0 ? order < 0 : a < b;
 }
 
+std::string withoutThousands(std::string_view text) {
+  constexpr std::size_t kGroup = 3;
+  std::string without;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    std::string_view rest = text.substr(at + 1);
+    const bool separates =
+        text[at] == ',' && at > 0 && isDigit(text[at - 1]) && takeDigits(rest).size() == kGroup;
+    if (!separates) without += text[at];
+  }
+  return without;
+}
+
 bool sameButForZeros(std::string_view a, std::string_view b) { return naturalOrder(a, b) == 0; }
 
 }  // namespace tolman::image_folders

@@ -43,6 +43,9 @@ std::weak_ordering compareParts(const ImageName& a, const ImageName& b);
 /// A total order.
 bool naturalLess(std::string_view a, std::string_view b);
 
+/// The text without commas that may separate thousands: "1,024" becomes "1024", "1,5" stays.
+std::string withoutThousands(std::string_view text);
+
 /// Whether two names differ in leading zeros of their digits only.
 bool sameButForZeros(std::string_view a, std::string_view b);
 

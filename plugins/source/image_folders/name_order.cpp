@@ -22,6 +22,28 @@ Indices sortedBy(std::size_t count, const Less& isLess) {
   return order;
 }
 
+Indices naturally(const std::vector<std::string>& stems) {
+  return sortedBy(stems.size(),
+                  [&](std::size_t a, std::size_t b) { return naturalLess(stems[a], stems[b]); });
+}
+
+Indices byNumbers(const std::vector<ImageName>& names) {
+  return sortedBy(names.size(), [&](std::size_t a, std::size_t b) {
+    const auto order = compareParts(names[a], names[b]);
+    return order != 0 ? order < 0 : naturalLess(names[a].stem, names[b].stem);
+  });
+}
+
+/// The order if commas before three digits separate thousands; equal numbers as in `stems`.
+Indices byThousands(const std::vector<std::string>& stems) {
+  std::vector<std::string> without;
+  for (const std::string& stem : stems) without.push_back(withoutThousands(stem));
+  return sortedBy(stems.size(), [&](std::size_t a, std::size_t b) {
+    return without[a] != without[b] ? naturalLess(without[a], without[b])
+                                    : naturalLess(stems[a], stems[b]);
+  });
+}
+
 /// Where more than half of the names are numbers as a whole, "1e-5" is one with an exponent.
 std::vector<ImageName> parseAll(const std::vector<std::string>& stems, bool hexadecimal) {
   const auto numbers = std::ranges::count_if(
@@ -79,15 +101,11 @@ Indices straysAmong(const std::vector<ImageName>& names) {
 }  // namespace
 
 NameOrder orderNames(const std::vector<std::string>& stems) {
-  const Indices natural = sortedBy(
-      stems.size(), [&](std::size_t a, std::size_t b) { return naturalLess(stems[a], stems[b]); });
+  const Indices natural = naturally(stems);
   const Indices hexadecimal = hexadecimalOrder(stems);
   const bool is_hexadecimal = !hexadecimal.empty() && hexadecimal != natural;
   const std::vector<ImageName> names = parseAll(stems, is_hexadecimal);
-  const Indices numbers = sortedBy(stems.size(), [&](std::size_t a, std::size_t b) {
-    const auto order = compareParts(names[a], names[b]);
-    return order != 0 ? order < 0 : naturalLess(stems[a], stems[b]);
-  });
+  const Indices numbers = byNumbers(names);
   NameOrder order;
   order.same = firstSame(names, numbers);
   if (hexadecimal.empty()) order.strays = straysAmong(names);
@@ -101,6 +119,7 @@ NameOrder orderNames(const std::vector<std::string>& stems) {
   order.reading = by_numbers ? Reading::Numbers : Reading::Natural;
   order.indices = by_numbers ? numbers : natural;
   order.doubt = firstExchanged(order.indices, by_numbers ? natural : numbers);
+  if (!order.doubt) order.doubt = firstExchanged(order.indices, byThousands(stems));
   return order;
 }
 

@@ -85,6 +85,14 @@ TEST_CASE("exponents belong to numbers that are the whole name, where names are 
   CHECK(before("1e+1001", "1e+1002"));     // text: beyond the range
 }
 
+TEST_CASE("commas that may separate thousands are removed") {
+  CHECK(withoutThousands("1,024") == "1024");
+  CHECK(withoutThousands("a1,000,000.png") == "a1000000.png");
+  for (const char* other : {"1,5", "1,0000", "1,00", ",100", "a,100", "1,", ""}) {
+    CHECK(withoutThousands(other) == other);
+  }
+}
+
 TEST_CASE("upper case, digits of other scripts and blanks at the ends make no difference") {
   CHECK(alike("IMG_1", "img_1"));
   CHECK(alike(" 1", "1 "));
