@@ -53,7 +53,7 @@ class ImagesSource final : public FolderSource {
                          .doc("Name of the table's column that holds the times."),
                      parameter("stamps_unit", &Parameters::stamps_unit).doc("Unit of the times."),
                      parameter("stamps_in_names", &Parameters::stamps_in_names)
-                         .doc("The names of the left images are their times.")),
+                         .doc("The names of the left images are their times, by which they are sorted.")),
           folderParameters<Parameters>());
     }
   };
