@@ -54,12 +54,12 @@ void refuseOther(const ExportCommand& command) {
 }
 
 /// Returns the written files.
-std::vector<std::filesystem::path> exportFiles(const ExportCommand& command) {
-  refuseOther(command);
+std::vector<std::filesystem::path> exportFiles(const record::RunReader& reader,
+                                               const ExportCommand& command) {
   std::error_code ignored;
   const std::filesystem::path folder = command.folder();
   const bool is_new = std::filesystem::create_directories(folder, ignored);
-  const auto written = record::exportRun(command.run, folder, command.session);
+  const auto written = record::exportRun(reader, folder, command.session);
   if (!written.isOk() && is_new) std::filesystem::remove(folder, ignored);  // if it is empty
   return valueOrEnd(written);
 }
@@ -128,7 +128,9 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
           ExitCode::Usage,
           "--nwb and --npz write the run's own session; leave out --session, or export twice"};
     }
-    std::vector<std::filesystem::path> written = exportFiles(*asked);
+    refuseOther(*asked);
+    const auto reader = valueOrEnd(record::RunReader::open(asked->run));
+    std::vector<std::filesystem::path> written = exportFiles(*reader, *asked);
     if (asked->nwb) {
       exportByPython("nwb", *asked, "python3-tolman and python3-h5py", written, invocation);
     }
@@ -136,7 +138,7 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       exportByPython("npz", *asked, "python3-tolman and python3-numpy", written, invocation);
     }
     printFiles(written, invocation);
-    warnOfChangedRecord(asked->run);
+    warnOfChangedRecord(*reader);
     warnOfRunFile(asked->run);
   });
 

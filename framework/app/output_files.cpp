@@ -32,7 +32,7 @@ void refuseExisting(const std::vector<fs::path>& files, bool replace, const std:
   for (const fs::path& file : files) {
     if (!isInTheWay(file) || is_own(file)) continue;
     throw Ended{ExitCode::Record, file.string() + ": exists; choose another " + option +
-                                      ", or replace it by --force"};
+                                      ", or replace it with --force"};
   }
 }
 

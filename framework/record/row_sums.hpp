@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "record/sqlite.hpp"
@@ -22,7 +24,7 @@ class RowSums {
  public:
   /// Of no rows, in the tables of schema() but `run`.
   RowSums();
-  /// Of the rows that the database now has; reads all of it.
+  /// Of the rows that the database now has; reads all of them.
   static RowSums of(const Database& database);
 
   /// `row` is written to the table or taken away; other tables are ignored.
@@ -45,7 +47,8 @@ void followWrites(sqlite3* database, RowSums& sums);
 
 /// Whether the record has sums; those of earlier versions have none.
 bool hasRowSums(const Database& database);
-/// Throws BadRow with the first table whose rows are not those of the sums; none is accepted.
-void requireRowSums(const Database& database);
+/// Throws BadRow with the first of these tables (empty: all) whose rows are not those of the sums,
+/// and reads no other rows; a record without sums is accepted.
+void requireRowSums(const Database& database, std::span<const std::string_view> tables = {});
 
 }  // namespace tolman::record

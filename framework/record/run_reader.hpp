@@ -73,6 +73,8 @@ class RunReader {
   Result<std::map<std::string, std::vector<std::int64_t>>> timing() const;
 
   const std::filesystem::path& directory() const { return directory_; }
+  /// Whether open() compared all rows with the sums of the record: for unfinished runs.
+  bool rowsWereCompared() const { return rows_were_compared_; }
   const Database& database() const { return database_; }
 
  private:
@@ -89,6 +91,7 @@ class RunReader {
   std::filesystem::path directory_;
   std::string name_;  // of the file, for messages
   Database database_;
+  bool rows_were_compared_ = false;
   mutable std::optional<Result<evaluation::Trajectory>> odometry_;
   mutable std::optional<Result<evaluation::Trajectory>> map_;
   mutable std::optional<Result<MapGraph>> graph_;

@@ -25,12 +25,14 @@ config::SystemConfig systemOf(const config::Loaded& loaded) {
 
 /// The page of a run, evaluated by the settings of its configuration, or by the defaults if it
 /// cannot be read.
-Result<report::RunPage> pageOf(const fs::path& run, const report::UnitChoice& units) {
-  const config::Loaded loaded = config::load(run / "config.resolved.yaml", {},
+Result<report::RunPage> pageOf(const record::RunReader& run, const report::UnitChoice& units) {
+  const config::Loaded loaded = config::load(run.directory() / "config.resolved.yaml", {},
                                              [](const std::string&) { return std::nullopt; });
   const config::SystemConfig system = systemOf(loaded);
-  auto page = report::makePage(run, system.evaluation, units,
-                               static_cast<std::uint64_t>(system.general.seed));
+  auto data =
+      report::readRun(run, system.evaluation, static_cast<std::uint64_t>(system.general.seed));
+  if (!data.isOk()) return data.status();
+  auto page = report::makePage(run, std::move(data).value(), units);
   if (page.isOk()) page.value().settings = loaded.tree;
   return page;
 }
@@ -73,12 +75,15 @@ class FigureFolder {
 
 }  // namespace
 
-Result<std::vector<fs::path>> writeReport(const std::vector<fs::path>& runs, const fs::path& folder,
-                                          const report::UnitChoice& units) {
+Result<std::vector<fs::path>> writeReport(
+    const std::vector<std::unique_ptr<record::RunReader>>& runs, const fs::path& folder,
+    const report::UnitChoice& units) {
   std::vector<report::RunPage> pages;
-  const std::vector<std::string> names = distinctNames(runs);
+  std::vector<fs::path> directories;
+  for (const auto& run : runs) directories.push_back(run->directory());
+  const std::vector<std::string> names = distinctNames(directories);
   for (std::size_t i = 0; i < runs.size(); ++i) {  // reads all runs before it writes a file
-    auto page = pageOf(runs[i], units);
+    auto page = pageOf(*runs[i], units);
     if (!page.isOk()) return page.status();
     page.value().directory = names[i];
     pages.push_back(std::move(page).value());

@@ -40,7 +40,7 @@ void isKept(const fs::path& file, const std::string& option, std::vector<std::st
   const Finished refused = tolman::test::tolman(words);
   CHECK(refused.exit_code == 8);
   CHECK(refused.err ==
-        file.string() + ": exists; choose another " + option + ", or replace it by --force\n");
+        file.string() + ": exists; choose another " + option + ", or replace it with --force\n");
   CHECK(readText(file) == kPrecious);
   words.emplace_back("--force");
   CHECK(tolman::test::tolman(words).exit_code == 0);

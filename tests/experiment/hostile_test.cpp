@@ -220,7 +220,8 @@ TEST_CASE("a sweep and its table replace files of other programs only by force")
   std::ofstream(snakefile) << "rule mine:\n";
   const Finished refused = study.sweep({"--write", "snakemake"});
   CHECK(refused.exit_code == 8);
-  CHECK(contains(refused.err, "Snakefile: exists; choose another --out, or replace it by --force"));
+  CHECK(
+      contains(refused.err, "Snakefile: exists; choose another --out, or replace it with --force"));
   CHECK(readText(snakefile) == "rule mine:\n");
   REQUIRE(study.sweep({"--write", "snakemake", "--force"}).exit_code == 0);
   CHECK(contains(readText(snakefile), "# Runs of the sweep"));

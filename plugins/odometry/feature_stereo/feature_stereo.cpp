@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "lost_motion.hpp"
+#include "odometry_input.hpp"
 #include "tolman/image_cv.hpp"
 
 namespace tolman::feature_stereo {
@@ -39,7 +40,7 @@ Status FeatureStereo::configure(const Context& context) {
                                     std::to_string(parameters_.track_window + 1));
   }
   rig_ = context.rig;
-  if (Status status = checkRig(); !status.isOk()) return status;
+  if (Status status = requireCalibrated(rig_, true); !status.isOk()) return status;
   log_ = &context.log;
   seed_ = context.seed;
   useSettings();
@@ -73,32 +74,8 @@ Status FeatureStereo::reset() {
   return Status::ok();
 }
 
-Status FeatureStereo::checkRig() const {
-  if (rig_.calibrated && rig_.isStereo()) return Status::ok();
-  return Status::unsupported(std::string("the cameras are ") +
-                             (rig_.calibrated ? "not a stereo pair" : "not calibrated") +
-                             "; use an odometry plugin for such cameras, or a source of "
-                             "calibrated, rectified stereo images");
-}
-
-Status FeatureStereo::checkFrame(const Frame& frame) const {
-  if (!frame.left.empty() && frame.right.empty() && frame.defect.empty()) {
-    return Status::unsupported(
-        "the frame has no right image; use a monocular odometry plugin, or a stereo source");
-  }
-  for (const Image* image : {&frame.left, &frame.right}) {
-    if (image->empty() || (image->width() == rig_.width && image->height() == rig_.height))
-      continue;
-    return Status::invalidInput("the image has " + std::to_string(image->width()) + "x" +
-                                std::to_string(image->height()) + " pixels, its calibration " +
-                                std::to_string(rig_.width) + "x" + std::to_string(rig_.height) +
-                                "; give images as they were calibrated");
-  }
-  return Status::ok();
-}
-
 Status FeatureStereo::track(const Frame& frame, Motion& motion) {
-  if (Status status = checkFrame(frame); !status.isOk()) return status;
+  if (Status status = requireImages(frame, rig_, true); !status.isOk()) return status;
   motion.frame = frame.frame;
   motion.stamp_ns = frame.stamp_ns;
   motion.dt = last_stamp_ns_ < 0 ? 0 : 1e-9 * double(frame.stamp_ns - last_stamp_ns_);

@@ -53,8 +53,6 @@ class FeatureStereo final : public Odometry {
     std::size_t offered = 0;    ///< number of tracks that were searched for
   };
 
-  Status checkRig() const;
-  Status checkFrame(const Frame& frame) const;
   void useSettings();
   /// Pose under constant velocity.
   Eigen::Isometry3d predictPose(double dt) const;
