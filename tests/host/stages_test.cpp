@@ -254,7 +254,7 @@ TEST_CASE("after a failure a template may be one more than were given, and no ot
         "made template 77; ids are 0, 1, 2, ... without gaps, the next one is at most 3");
 }
 
-TEST_CASE("a true pose that was not told is refused, one that is missing is not") {
+TEST_CASE("a true pose that info() did not announce is refused, a missing one is not") {
   const auto given = [](bool tells, bool gives) {
     SourcePuppet::tells_truth = tells;
     SourcePuppet::gives_truth = gives;

@@ -61,7 +61,7 @@ TEST_CASE("a change that had to wait is published although nothing changes any m
   CHECK(system.diary.graphs.back().first <= 1004);
 }
 
-TEST_CASE("place recognition is asked once what it reads") {
+TEST_CASE("PlaceInput is read once") {
   Hooks hooks;
   ToySystem system(hooks);
   REQUIRE_FALSE(system.drive({}, 2).failure);

@@ -271,7 +271,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("where storeys have no sign none is guessed, until a place comes that only one has") {
+TEST_CASE("ambiguous storeys are not decided until a view of only one of them is seen") {
   const std::vector<Stop> before = drive(1, kStorey);
   for (const int storey : {1, 3, 4}) {
     const std::vector<Stop> after(before.end() - kSteps * (storey + 1), before.end());

@@ -30,7 +30,7 @@ void carryBack(PaperAttractor& plugin) { step(plugin, motionOf({-95 - 8, 6, 0}, 
 
 }  // namespace
 
-TEST_CASE("the planted loop: three views decide, and by how much") {
+TEST_CASE("a loop is closed at the third familiar view; shares by hand") {
   // The robot stands at template 0 (0, 0) but believes to be at (-8, 6) m = (-0.8, 0.6) cells:
   // 1 cell off. Views 0, 1, 2 at 0, 5, 10 m inject phases (0,0), (.5,0), (1,0), each consistent
   // with the calibration that has moved along by 0.5 cell (gate 0.3). Shares: .18, .37, .575 > 0.5,
