@@ -83,7 +83,7 @@ class Jobs {
  private:
   bool stopping() const { return cancellation_.requested(); }
 
-  /// Whether the run whose answers it takes has not ended.
+  /// Whether a run whose answers or map this run uses has not ended.
   bool mustWait(const PlannedRun& run) const {
     return waiting_.contains(run.front_end_folder) || waiting_.contains(run.answers_folder);
   }

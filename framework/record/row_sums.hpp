@@ -42,7 +42,7 @@ class RowSums {
 };
 
 /// Updates `sums` with every row that the connection `database` writes from now on; `sums` must
-/// outlive the connection. Does not follow a rollback: the caller then restores `sums`.
+/// exist as long as it writes. Does not follow a rollback: the caller then restores `sums`.
 void followWrites(sqlite3* database, RowSums& sums);
 
 /// Whether the record has sums; those of earlier versions have none.

@@ -82,7 +82,7 @@ TEST_CASE("a finish that throws is contained") {
 
 namespace {
 
-/// Cells that say what the test tells them to.
+/// Cells with the answers that the test sets.
 struct Puppet : Cells, ArraySource {
   using Parameters = NoParameters;
   Status configure(const Context&) override { return Status::ok(); }
@@ -181,7 +181,7 @@ TEST_CASE("arrays are checked, with the call and the frame in the message") {
 
 namespace {
 
-/// Place recognition that says what the test tells it to, or fails.
+/// Place recognition with the answers that the test sets, or a failure.
 struct PlacePuppet : Place {
   using Parameters = NoParameters;
   Status configure(const Context&) override { return Status::ok(); }

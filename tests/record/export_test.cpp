@@ -117,7 +117,7 @@ TEST_CASE("odometry files are the product of all motions, each with its last rev
   const auto kitti = test::linesOf(test::contentOf(walk.folder.path() / "odometry.kitti"));
   REQUIRE(poses.size() == RandomWalk::kFrames);
   REQUIRE(kitti.size() == RandomWalk::kFrames);
-  Eigen::Matrix4d product = Eigen::Matrix4d::Identity();  // whatever step frame 0 says
+  Eigen::Matrix4d product = Eigen::Matrix4d::Identity();  // the motion of frame 0 does not count
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (i > 0) product *= walk.steps[i];
     CHECK((poses[i] - product).norm() < 1e-12);

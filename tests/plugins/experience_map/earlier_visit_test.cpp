@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kWalkFrames = 241;
 
-/// With an odometry that says how much it drifts.
+/// With an odometry whose covariance fits its drift.
 struct HonestFixture : Fixture {
   HonestFixture() { covariance = isotropic(0.02, 0.005); }
 };

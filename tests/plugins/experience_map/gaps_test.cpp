@@ -11,7 +11,7 @@ using namespace tolman::experience_map;
 
 namespace {
 
-/// Wakes up, at a new experience.
+/// Tracking restarts at an unknown pose; the cells create an experience.
 void restartTracking(Fixture& f) {
   Motion motion = f.motion(Eigen::Isometry3d::Identity());
   motion.state = TrackingState::Initialising;
@@ -19,7 +19,7 @@ void restartTracking(Fixture& f) {
 }
 
 /// A street along z with an experience every 5 m, and the same street again from 20 m on, seen from
-/// a session that knows nothing of the first one.
+/// a session without the map of the first one.
 void streetTwice(Fixture& f) {
   for (int i = 0; i < 11; ++i) f.create(step(i == 0 ? 0 : 5));
   restartTracking(f);

@@ -85,7 +85,7 @@ TEST_CASE("decay of calibration energy after a run of false views") {
     CHECK(recovery(network(0.05, 0), n) == weak);
     CHECK(recovery(network(0.20, 0), n) == strong);
   }
-  // Symmetric inhibition has two stable states: beyond a share of one half it never forgets.
+  // Symmetric inhibition has two stable states: beyond a share of one half it never decays.
   CHECK(recovery(network(0.20, 0.20), 1) == 2);
   CHECK(recovery(network(0.20, 0.20), 2) == 4);
   CHECK(recovery(network(0.20, 0.20), 3) == 1000);
