@@ -39,8 +39,8 @@ struct StageFailure {
   Status status;
 };
 
-/// Calls the stages for one frame at a time and counts their answers. odometry() and place() may
-/// run at the same time; runCellsAndMap() and publish() must be called for one frame at a time, in
+/// Calls the stages for each frame and counts their answers. odometry() and place() may run at the
+/// same time, also for different frames; each function must be called for one frame at a time, in
 /// the order of frames.
 class Chain {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// RANSAC over P3P (not OpenCV's, so that samples come from the plugin's random stream) and robust
-// Gauss-Newton steps.
+// RANSAC over OpenCV's P3P, with samples from the plugin's random stream, and robust Gauss-Newton
+// steps.
 #include "pnp.hpp"
 
 #include <Eigen/Cholesky>

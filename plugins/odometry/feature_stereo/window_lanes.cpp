@@ -119,7 +119,7 @@ TOLMAN_INLINE void scaleRows(const Four3& weights, Rows& J) {
   }
 }
 
-/// Subtracts the Schur complement of the points of a group from the system of poses and offset.
+/// Eliminates the points of a group from the system of poses and offset (Schur complement).
 TOLMAN_INLINE void eliminate(const WindowGroup& group, const WindowObservations* seen,
                              std::size_t poses, WindowLanes::Sums& sums) {
   const Four3 by_offset = product(group.inverse, group.by_offset);

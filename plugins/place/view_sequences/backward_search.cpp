@@ -12,8 +12,7 @@ namespace tolman::view_sequences {
 namespace {
 
 // A grid contains the points that were seen on the last 30 m of path (street_points.hpp), so grids
-// with less path between them contain the same measurements. The rest is a margin. Chosen, not
-// tuned.
+// with less path between them share measurements. The rest is a margin. Chosen, not tuned.
 constexpr double kSharedPath = 40;  // m
 // Fewest compared grids from which the usual distance is estimated. Chosen, not tuned.
 constexpr std::int64_t kMinGrids = 10;
