@@ -36,40 +36,41 @@ class RowHash {
       case SQLITE_BLOB:
         return addBytes(Kind::Blob, sqlite3_value_blob(value), sqlite3_value_bytes(value));
       default:
-        print_.add(Kind::Null);
+        fingerprint_.add(Kind::Null);
     }
   }
-  std::uint64_t value() const { return print_.first ^ std::rotl(print_.second, 32); }
+  std::uint64_t value() const { return fingerprint_.first ^ std::rotl(fingerprint_.second, 32); }
 
  private:
   void addInteger(std::int64_t value) {
-    print_.add(Kind::Number);
-    print_.add(value);
+    fingerprint_.add(Kind::Number);
+    fingerprint_.add(value);
   }
-  /// SQLite keeps whole REAL numbers as integers, and gives the hook either.
+  /// SQLite may store whole REAL numbers as integers, and passes either to the hook, so both get
+  /// the same hash.
   void addReal(double value) {
-    constexpr double kExact = 9e15;
+    constexpr double kExact = 9e15;  // below 2^53, up to which doubles hold every integer
     if (std::abs(value) < kExact && value == std::trunc(value)) {
       return addInteger(static_cast<std::int64_t>(value));
     }
-    print_.add(Kind::Real);
-    print_.add(value);
+    fingerprint_.add(Kind::Real);
+    fingerprint_.add(value);
   }
   void addBytes(Kind kind, const void* bytes, int size) {
-    print_.add(kind);
-    print_.add(size);
+    fingerprint_.add(kind);
+    fingerprint_.add(size);
     const char* next = static_cast<const char*>(bytes);
     for (std::size_t left = static_cast<std::size_t>(size); left > 0;) {
       std::uint64_t word = 0;
       const std::size_t taken = std::min(left, sizeof(word));
       std::memcpy(&word, next, taken);
-      print_.add(word);
+      fingerprint_.add(word);
       next += taken;
       left -= taken;
     }
   }
 
-  Fingerprint print_;
+  Fingerprint fingerprint_;
 };
 
 /// A query whose values can be given to RowHash, which SQLiteCpp does not allow.

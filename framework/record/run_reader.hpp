@@ -49,11 +49,11 @@ class RunReader {
   /// The descriptions of the arrays, in the order of RunInfo::arrays.
   Result<std::vector<ArrayInfo>> arrayInfos() const;
 
-  /// The sessions whose frames are recorded, in order; at least one where there are frames.
+  /// The sessions whose frames are recorded, in order; at least one if there are frames.
   Result<std::vector<RecordedSession>> sessions() const;
   /// One more than the last frame.
   Result<std::int64_t> nextFrame() const;
-  /// The last frame that the source gave, also if the pipeline dropped it; -1 for none.
+  /// The last frame that the source gave, even if the pipeline dropped it; -1 for none.
   Result<std::int64_t> lastGivenFrame() const;
   /// The experience of the newest recorded frame; -1 where none is recorded.
   Result<std::int64_t> newestExperience() const;

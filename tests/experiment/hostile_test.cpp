@@ -74,7 +74,7 @@ TEST_CASE("the run of another sweep in a folder is not this one's") {
   CHECK(contains(point.err, "is of another run, whose key is not in the folder's name"));
 }
 
-TEST_CASE("a full disk: told, and with room the sweep goes on to the same results") {
+TEST_CASE("a full disk is reported, and with room the sweep continues to the same results") {
   const Study study;
   REQUIRE(study.sweep({}, "whole").exit_code == 0);
   fs::create_directories(study.out());

@@ -65,7 +65,7 @@ bool contains(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("edits of the rows of a killed run are told, by table; taken back, they are none") {
+TEST_CASE("edited rows of a killed run are detected and name the table; undone edits are not") {
   const std::vector<std::pair<std::string, std::string>> edits = {
       {"motion", "UPDATE motion SET T_previous_current_z = 2 WHERE frame = 2"},
       {"motion", "UPDATE motion SET state = 'lost' WHERE frame = 2"},
@@ -146,7 +146,7 @@ TEST_CASE("calls that are undone, and records that are opened again, keep the su
   CHECK(contains(refusal(folder.path()), "'link'"));
 }
 
-TEST_CASE("a record of an earlier version, without sums, is read and opened, and says so") {
+TEST_CASE("a record of an earlier version, without sums, is read and reopened, and reports it") {
   const test::TemporaryFolder folder;
   killedRun(folder.path());
   test::queryByHand(folder.path(),

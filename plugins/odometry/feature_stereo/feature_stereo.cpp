@@ -106,13 +106,17 @@ void FeatureStereo::answer(const StereoPyramids* images, Motion& motion) {
   if (images != nullptr) restart(*images, motion);
   if (!started) {
     motion.state = TrackingState::Initialising;
-    if (motion.dt > 0) motion.covariance = predictionCovariance(motion.T_previous_current, 100);
+    // No motion was measured yet: as uncertain as after 100 lost frames. Chosen, not tuned.
+    constexpr int kUnknownFrames = 100;
+    if (motion.dt > 0) {
+      motion.covariance = predictionCovariance(motion.T_previous_current, kUnknownFrames);
+    }
   }
 }
 
 Status FeatureStereo::finish(std::vector<MotionRevision>& revisions) {
-  std::vector<MotionRevision> owed = history_.finish();
-  revisions.insert(revisions.end(), owed.begin(), owed.end());
+  const std::vector<MotionRevision> last = history_.finish();
+  revisions.insert(revisions.end(), last.begin(), last.end());
   return Status::ok();
 }
 
@@ -129,8 +133,8 @@ Eigen::Isometry3d FeatureStereo::remember(const Eigen::Isometry3d& T_world_camer
 std::optional<FeatureStereo::Tracked> FeatureStereo::trackAny(const StereoPyramids& images,
                                                               const Eigen::Isometry3d& predicted) {
   std::optional<Tracked> best = trackFrom(images, predicted);
-  if (best && 2 * best->tracks.size() >= best->offered) return best;
-  // The velocity has changed: the camera may have stopped or turned round.
+  if (best && 2 * best->tracks.size() >= best->attempted) return best;
+  // Fewer than half were found: the camera may have stopped or reversed.
   std::optional<Tracked> still = trackFrom(images, T_world_reference_);
   const bool better = still && (!best || still->tracks.size() > best->tracks.size());
   return better ? still : best;
@@ -300,14 +304,14 @@ void FeatureStereo::restart(const StereoPyramids& images, Motion& motion) {
 }
 
 void FeatureStereo::publishPoints(Motion& motion) {
-  constexpr double kFarthest = 1e-4;  // 1/m; leaves out points at infinity
+  constexpr double kMinInverseDepth = 1e-4;  // 1/m; leaves out points at infinity
   const double fb = rig_.pinhole.fx * rig_.baseline;
   std::vector<Eigen::Vector4f> points;
   for (const Track& track : tracks_) {
     const Landmark& landmark = *window_.find(track.landmark);
     ProjectionJacobians J;
     const auto pixel = project(rig_, window_.keyframes().back().T_world_camera, landmark.point, &J);
-    if (!pixel || pixel->z() < kFarthest * fb) continue;
+    if (!pixel || pixel->z() < kMinInverseDepth * fb) continue;
     const Eigen::RowVector3d by_point = J.point.row(2) / fb;
     const double variance = by_point * landmark.covariance * by_point.transpose();
     points.push_back(
