@@ -8,13 +8,14 @@
 #include <fstream>
 #include <sstream>
 
+#include "text_encoding.hpp"
+
 namespace tolman::image_folders {
 namespace fs = std::filesystem;
 
 namespace {
 
 constexpr std::string_view kSeparators = " \t\r,;";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of UTF-8
 
 /// Removes an optional sign; true for minus.
 bool takeSign(std::string_view& text) {
@@ -94,6 +95,10 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
     inspection.error(file, "is larger than 256 MiB; this is not the text file that is wanted");
     return {};
   }
+  if (const std::string problem = text_encoding::encodingProblemOf(file); !problem.empty()) {
+    inspection.error(file, problem);
+    return {};
+  }
   std::ifstream stream(file, std::ios::binary);
   std::vector<TextLine> lines;
   int number = 0;
@@ -101,7 +106,7 @@ std::vector<TextLine> readLines(const fs::path& file, Inspection& inspection) {
   for (std::string text; std::getline(stream, text);) {
     has_end = !stream.eof();
     ++number;
-    if (number == 1 && text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+    if (number == 1) text = text_encoding::withoutMark(text);
     const std::size_t begin = text.find_first_not_of(kSeparators);
     if (begin == std::string::npos || text[begin] == '#') continue;
     if (text.back() == '\r') text.pop_back();
@@ -136,6 +141,7 @@ std::string inQuotes(std::string_view field) {
 }
 
 std::optional<double> parseNumber(std::string_view field) {
+  if (field.starts_with('+') && !field.starts_with("+-")) field.remove_prefix(1);
   double number = 0;
   const auto [end, failure] = std::from_chars(field.data(), field.data() + field.size(), number);
   const bool whole = failure == std::errc{} && end == field.data() + field.size();
