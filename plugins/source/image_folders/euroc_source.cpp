@@ -57,8 +57,8 @@ Camera readCamera(const fs::path& folder, Inspection& inspection) {
   std::error_code ignored;
   if (fs::exists(table, ignored)) return readTable(table, images, inspection);
   Camera camera;
-  camera.images = listImages(images, inspection);
-  camera.stamps_ns = timesOfNames(camera.images, TimeUnit::Nanoseconds, inspection);
+  camera.images = findImages(images, inspection);
+  camera.stamps_ns = sortByTimes(camera.images, TimeUnit::Nanoseconds, inspection);
   return camera;
 }
 

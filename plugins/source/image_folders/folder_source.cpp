@@ -15,6 +15,9 @@ Status FolderSource::configure(const Context& context) {
   dataset_ = {};
   inspection_ = {};
   sequence_ = {};
+  left_warnings_ = {};
+  right_warnings_ = {};
+  log_ = &context.log;
   next_frame_ = 0;
   ready_ = load(context.parameters, parameters_, dataset_, inspection_);
   if (ready_.isOk()) ready_ = inspection_.status();
@@ -84,15 +87,24 @@ Status FolderSource::next(Frame& frame) {
   return Status::ok();
 }
 
-Status FolderSource::readImages(std::size_t index, Frame& frame) const {
-  const auto read = [this](const std::filesystem::path& file) {
-    return readImageFile(file, parameters_.colour, dataset_.size(), parameters_.bits);
-  };
-  Result<Image> left = read(dataset_.left[index]);
+Result<Image> FolderSource::readImage(const std::filesystem::path& file, ImageWarnings& warnings) {
+  const int bits = parameters_.bits;
+  ImageNotes notes;
+  Result<Image> image = readImageFile(file, parameters_.colour, dataset_.size(), bits, &notes);
+  if (!image.isOk()) return image;
+  for (const auto& warning :
+       {warnings.ofOrientation(notes.orientation), warnings.ofBits(notes.beyond_bits, bits)}) {
+    if (warning) log_->warning(file.string() + ": " + *warning);
+  }
+  return image;
+}
+
+Status FolderSource::readImages(std::size_t index, Frame& frame) {
+  Result<Image> left = readImage(dataset_.left[index], left_warnings_);
   if (!left.isOk()) return left.status();
   frame.left = std::move(left).value();
   if (dataset_.right.empty()) return readDepth(index, frame);
-  Result<Image> right = read(dataset_.right[index]);
+  Result<Image> right = readImage(dataset_.right[index], right_warnings_);
   if (!right.isOk()) return right.status();
   frame.right = std::move(right).value();
   return readDepth(index, frame);

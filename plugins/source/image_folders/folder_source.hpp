@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "image_dataset.hpp"
+#include "image_warnings.hpp"
 #include "inspection.hpp"
 #include "on_corrupt.hpp"
 #include "tolman/extras.hpp"
@@ -61,7 +62,8 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
                       ImageDataset& dataset, Inspection& inspection) = 0;
 
  private:
-  Status readImages(std::size_t index, Frame& frame) const;
+  Status readImages(std::size_t index, Frame& frame);
+  Result<Image> readImage(const std::filesystem::path& file, ImageWarnings& warnings);
   NamedArray noDepth() const;
   Status readDepth(std::size_t index, Frame& frame) const;
 
@@ -70,6 +72,9 @@ class FolderSource : public Source, public RawRigSource, public ArrayDescription
   Inspection inspection_;
   Status ready_ = Status::failed("configure() was not called");
   FrameSequence sequence_;
+  ImageWarnings left_warnings_;
+  ImageWarnings right_warnings_;
+  Logger* log_ = nullptr;  ///< of configure()
   std::int64_t next_frame_ = 0;
 };
 

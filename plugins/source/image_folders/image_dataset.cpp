@@ -8,6 +8,7 @@
 
 #include "camera_files.hpp"
 #include "image_listing.hpp"
+#include "image_warnings.hpp"
 #include "text_file.hpp"
 
 namespace tolman::image_folders {
@@ -19,28 +20,22 @@ std::string pixels(ImageSize size) {
   return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
-void checkImage(const fs::path& file, ImageSize expected, std::vector<Finding>& findings) {
-  const Result<ImageSize> size = checkImageFile(file);
-  if (!size.isOk()) {
-    const std::string message = size.status().message().substr(file.string().size() + 2);
+void checkImage(const fs::path& file, ImageSize expected, ImageWarnings& warnings,
+                std::vector<Finding>& findings) {
+  const Result<ImageHeader> header = checkImageFile(file);
+  if (!header.isOk()) {
+    const std::string message = header.status().message().substr(file.string().size() + 2);
     findings.push_back({Finding::Severity::Error, file.string(), message});
-  } else if (size.value() != expected) {
+    return;
+  }
+  if (header.value().size != expected) {
     findings.push_back({Finding::Severity::Error, file.string(),
-                        "has " + pixels(size.value()) + " pixels, but the first image has " +
+                        "has " + pixels(header.value().size) + " pixels, but the first image has " +
                             pixels(expected) + "; all must be of one size"});
   }
-}
-
-/// Images are used as they are stored, because a calibration is of the stored pixels. Viewers turn
-/// them, so that what the run sees is not what the user sees.
-void warnOfOrientation(const fs::path& file, Inspection& inspection) {
-  const int orientation = orientationOfFile(file);
-  if (orientation == 1) return;
-  inspection.warning(
-      file, "is stored turned or mirrored (EXIF orientation " + std::to_string(orientation) +
-                "), and the pixels are used as stored: the axes of the camera are those of the "
-                "stored image. If the calibration is of upright images, turn the files, such as "
-                "with `exiftran -ai` or `jpegtran`");
+  if (auto warning = warnings.ofOrientation(header.value().orientation)) {
+    findings.push_back({Finding::Severity::Warning, file.string(), std::move(*warning)});
+  }
 }
 
 }  // namespace
@@ -49,13 +44,11 @@ void warnOfOrientation(const fs::path& file, Inspection& inspection) {
 void findImageSize(ImageDataset& dataset, Inspection& inspection) {
   Status first;
   for (const fs::path& file : dataset.left) {
-    const Result<ImageSize> size = checkImageFile(file);
-    if (first.isOk()) first = size.status();
-    if (!size.isOk()) continue;
-    dataset.rig.width = size.value().width;
-    dataset.rig.height = size.value().height;
-    warnOfOrientation(file, inspection);
-    if (!dataset.right.empty()) warnOfOrientation(dataset.right.front(), inspection);
+    const Result<ImageHeader> header = checkImageFile(file);
+    if (first.isOk()) first = header.status();
+    if (!header.isOk()) continue;
+    dataset.rig.width = header.value().size.width;
+    dataset.rig.height = header.value().size.height;
     return;
   }
   if (dataset.left.empty()) return;  // listImages() has added an error
@@ -66,13 +59,16 @@ void findImageSize(ImageDataset& dataset, Inspection& inspection) {
                        " images can be read, as " + message + "; copy or record them again");
 }
 
-void readFolders(const fs::path& left_folder, const fs::path& right_folder, ImageDataset& dataset,
+void readFolders(const fs::path& left_folder, const fs::path& right_folder,
+                 std::optional<TimeUnit> times_in_names, ImageDataset& dataset,
                  Inspection& inspection) {
-  dataset.left = listImages(left_folder, inspection);
-  if (!right_folder.empty()) {
-    dataset.right = listImages(right_folder, inspection);
-    checkPairs(dataset.left, dataset.right, inspection);
+  if (times_in_names) {
+    dataset.left = findImages(left_folder, inspection);
+    dataset.stamps_ns = sortByTimes(dataset.left, *times_in_names, inspection);
+  } else {
+    dataset.left = listImages(left_folder, inspection);
   }
+  if (!right_folder.empty()) dataset.right = listPartners(dataset.left, right_folder, inspection);
   findImageSize(dataset, inspection);
 }
 
@@ -184,8 +180,10 @@ std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames) {
 }
 
 void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings) {
-  for (const fs::path& file : dataset.left) checkImage(file, dataset.size(), findings);
-  for (const fs::path& file : dataset.right) checkImage(file, dataset.size(), findings);
+  for (const auto* files : {&dataset.left, &dataset.right}) {
+    ImageWarnings warnings;
+    for (const fs::path& file : *files) checkImage(file, dataset.size(), warnings, findings);
+  }
 }
 
 }  // namespace tolman::image_folders

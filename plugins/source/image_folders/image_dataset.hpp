@@ -6,11 +6,13 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "image_file.hpp"
 #include "inspection.hpp"
+#include "times_and_poses.hpp"
 #include "tolman/camera.hpp"
 
 namespace tolman::image_folders {
@@ -30,10 +32,12 @@ struct ImageDataset {
   ImageSize size() const { return {rig.width, rig.height}; }
 };
 
-/// Fills left and, unless `right_folder` is empty, right, and the image size of the rig.
+/// Fills left and, unless `right_folder` is empty, right, and the image size of the rig. The names
+/// of the left images are in the order of listImages(), or, with `times_in_names`, times in this
+/// unit, which are filled in; images of the right camera go with those of the same name.
 void readFolders(const std::filesystem::path& left_folder,
-                 const std::filesystem::path& right_folder, ImageDataset& dataset,
-                 Inspection& inspection);
+                 const std::filesystem::path& right_folder, std::optional<TimeUnit> times_in_names,
+                 ImageDataset& dataset, Inspection& inspection);
 
 /// Fills the image size of the rig: that of the first image whose header is sound.
 void findImageSize(ImageDataset& dataset, Inspection& inspection);
@@ -66,7 +70,8 @@ void readRawCameras(const std::vector<std::filesystem::path>& files, int kitti_l
 /// `frames` of them are used.
 std::string descriptionOf(const ImageDataset& dataset, std::int64_t frames);
 
-/// An error finding for each image file that is damaged or of another size; nothing is decoded.
+/// An error finding for each image file that is damaged or of another size, and a warning of turned
+/// images, see ImageWarnings; nothing is decoded.
 void checkImageFiles(const ImageDataset& dataset, std::vector<Finding>& findings);
 
 }  // namespace tolman::image_folders

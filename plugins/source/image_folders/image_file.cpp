@@ -113,11 +113,14 @@ Result<std::vector<std::uint8_t>> checkedBytes(const fs::path& file, ImageSize e
                  std::to_string(expected.width) + "x" + std::to_string(expected.height));
 }
 
-Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected, int bits) {
+Result<Image> checkAndDecode(const fs::path& file, bool colour, ImageSize expected, int bits,
+                             ImageNotes& notes) {
   Result<std::vector<std::uint8_t>> bytes = checkedBytes(file, expected);
   if (!bytes.isOk()) return bytes.status();
-  Result<Image> image = isPng(bytes.value()) ? decodePng(bytes.value(), colour, bits)
-                                             : decodeJpeg(bytes.value(), colour);
+  notes.orientation = orientationOf(bytes.value());
+  Result<Image> image = isPng(bytes.value())
+                            ? decodePng(bytes.value(), colour, bits, &notes.beyond_bits)
+                            : decodeJpeg(bytes.value(), colour);
   if (!image.isOk()) return image;
   if (ImageSize{image.value().width(), image.value().height()} != expected) {
     return problem("has a damaged header");
@@ -142,20 +145,19 @@ Result<ImageSize> checkImageBytes(Bytes bytes) {
   return problem("is neither a PNG nor a JPEG file");
 }
 
-Result<ImageSize> checkImageFile(const fs::path& file) {
+Result<ImageHeader> checkImageFile(const fs::path& file) {
   const Result<std::vector<std::uint8_t>> bytes = readBytes(file);
   if (!bytes.isOk()) return named(file, bytes.status());
-  Result<ImageSize> size = checkImageBytes(bytes.value());
-  return size.isOk() ? size : named(file, size.status());
+  const Result<ImageSize> size = checkImageBytes(bytes.value());
+  if (!size.isOk()) return named(file, size.status());
+  return ImageHeader{size.value(), orientationOf(bytes.value())};
 }
 
-int orientationOfFile(const fs::path& file) {
-  const Result<std::vector<std::uint8_t>> bytes = readBytes(file);
-  return bytes.isOk() ? orientationOf(bytes.value()) : 1;
-}
-
-Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected, int bits) {
-  Result<Image> image = checkAndDecode(file, colour, expected, bits);
+Result<Image> readImageFile(const fs::path& file, bool colour, ImageSize expected, int bits,
+                            ImageNotes* notes) {
+  ImageNotes found;
+  Result<Image> image = checkAndDecode(file, colour, expected, bits, found);
+  if (notes != nullptr) *notes = found;
   return image.isOk() ? image : named(file, image.status());
 }
 

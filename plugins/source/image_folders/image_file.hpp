@@ -28,17 +28,25 @@ struct ImageSize {
 /// The size in the header, for bytes that begin and end like a PNG or JPEG file.
 Result<ImageSize> checkImageBytes(std::span<const std::uint8_t> bytes);
 
-/// The same for a file. Messages name the file and the remedy.
-Result<ImageSize> checkImageFile(const std::filesystem::path& file);
+struct ImageHeader {
+  ImageSize size;
+  int orientation = 1;  ///< see orientationOf()
+};
 
-/// What orientationOf() finds in the file; 1 if it cannot be read.
-int orientationOfFile(const std::filesystem::path& file);
+/// The same for a file. Messages name the file and the remedy.
+Result<ImageHeader> checkImageFile(const std::filesystem::path& file);
+
+/// What is unusual in an image that was read.
+struct ImageNotes {
+  int orientation = 1;          ///< see orientationOf()
+  std::size_t beyond_bits = 0;  ///< values of 16 bits that exceed `bits`
+};
 
 /// An image of the size `expected` as Gray8, or as Bgr8 if `colour`; `bits` of 16 are used, see
-/// decodePng(). The orientation in EXIF data is ignored, because the calibration is of the pixels
-/// as stored.
+/// decodePng(). The orientation in EXIF data does not change the pixels, because the calibration is
+/// of the pixels as stored. `notes`, if given, is filled in.
 Result<Image> readImageFile(const std::filesystem::path& file, bool colour, ImageSize expected,
-                            int bits = 16);
+                            int bits = 16, ImageNotes* notes = nullptr);
 
 /// A PNG of one channel of 16 bits, of the size `expected`, row by row.
 Result<std::vector<std::uint16_t>> readDepthFile(const std::filesystem::path& file,

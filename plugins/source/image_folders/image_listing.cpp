@@ -6,9 +6,10 @@
 #include <charconv>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 
+#include "exact_decimal.hpp"
+#include "image_name.hpp"
 #include "name_order.hpp"
 
 namespace tolman::image_folders {
@@ -23,70 +24,61 @@ bool isImage(const fs::path& file) {
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 
-std::string shortName(const fs::path& file) {
-  return (file.parent_path().filename() / file.filename()).string();
-}
-
 void reportLonely(const fs::path& file, const fs::path& other_folder, Inspection& inspection) {
   inspection.error(other_folder, "has no " + file.stem().string() + ", the partner of " +
-                                     shortName(file) + "; restore it, or remove the partner");
+                                     (file.parent_path().filename() / file.filename()).string() +
+                                     "; restore it, or remove the partner");
 }
 
-void reportPartnerless(const std::vector<fs::path>& files, const std::vector<fs::path>& others,
-                       Inspection& inspection) {
-  std::set<std::string> stems;
-  for (const fs::path& other : others) stems.insert(other.stem().string());
-  for (const fs::path& file : files) {
-    if (stems.contains(file.stem().string())) continue;
-    reportLonely(file, others.front().parent_path(), inspection);
-  }
-}
-
-/// Two images of the same name are an error. Two of the same number are only a warning, because
-/// names may be decimal numbers, of which 1.5 and 1.05 are different.
+/// Two images of the same name are an error.
 void checkDoubles(const fs::path& folder, const std::vector<fs::path>& sorted,
                   Inspection& inspection) {
-  bool warned = false;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
-    const std::string before = sorted[i - 1].stem().string();
-    const std::string here = sorted[i].stem().string();
-    const std::string both =
-        "has both " + sorted[i - 1].filename().string() + " and " + sorted[i].filename().string();
-    if (here == before) {
-      inspection.error(folder, both + "; remove one of them");
-    } else if (!warned && sameButForZeros(before, here)) {
-      warned = true;
-      inspection.warning(folder, both + ", which are two frames; remove one if they are one image");
-    }
+    if (sorted[i].stem() != sorted[i - 1].stem()) continue;
+    inspection.error(folder, "has both " + sorted[i - 1].filename().string() + " and " +
+                                 sorted[i].filename().string() + "; remove one of them");
   }
 }
 
-std::vector<std::string> stemsOf(const std::vector<fs::path>& files) {
-  std::vector<std::string> stems;
-  for (const fs::path& file : files) stems.push_back(file.stem().string());
-  return stems;
+/// How names in doubt are read, and what to do, for the warning.
+std::string readingOf(const NameOrder& order, const std::vector<fs::path>& files) {
+  if (order.reading == NameOrder::Reading::Hexadecimal) {
+    return ", as hexadecimal numbers; rename the images to decimal ones";
+  }
+  std::string text = order.reading == NameOrder::Reading::Numbers
+                         ? ", by their numbers with sign and decimals"
+                         : ", digits as whole numbers";
+  if (order.reading == NameOrder::Reading::Natural && order.same) {
+    text += ", because " + files[order.same->first].filename().string() + " and " +
+            files[order.same->second].filename().string() + " are equal otherwise";
+  }
+  return text +
+         "; rename the images to numbers of equally many digits without sign, or, if the names are "
+         "times, set stamps_in_names (of `images`)";
 }
 
-/// Warns where reading the names as decimal numbers changes the order, because they may be counts
-/// separated by a point, of which 1.10 comes after 1.9.
-void sortByName(const fs::path& folder, std::vector<fs::path>& images, Inspection& inspection) {
-  const auto sortBy = [&](const auto& isLess) {
-    std::ranges::sort(images, [&](const fs::path& a, const fs::path& b) {
-      const std::string stem_a = a.stem().string();
-      const std::string stem_b = b.stem().string();
-      return stem_a != stem_b ? isLess(stem_a, stem_b) : a < b;
-    });
-  };
-  sortBy(naturalLess);
-  if (!areDecimals(stemsOf(images))) return;
-  const std::vector<fs::path> natural = images;
-  sortBy(decimalLess);
-  const auto [here, there] = std::ranges::mismatch(images, natural);
-  if (here == images.end()) return;
-  inspection.warning(folder,
-                     "has names that are read as decimal numbers: " + here->filename().string() +
-                         " before " + there->filename().string() +
-                         "; write all with the same number of decimals to leave no doubt");
+/// Two names of the same number are only a warning, because they may be two frames, such as 1.1 and
+/// 1.10.
+void reportDoubts(const fs::path& folder, const std::vector<fs::path>& files,
+                  const NameOrder& order, Inspection& inspection) {
+  const auto name = [&](std::size_t index) { return files[index].filename().string(); };
+  if (order.doubt) {
+    inspection.warning(folder, "has names whose order is in doubt: " + name(order.doubt->first) +
+                                   " is read before " + name(order.doubt->second) +
+                                   readingOf(order, files));
+  } else if (order.same) {
+    inspection.warning(folder, "has both " + name(order.same->first) + " and " +
+                                   name(order.same->second) +
+                                   ", which are two frames; remove one if they are one image");
+  }
+  if (order.strays.empty()) return;
+  const std::size_t count = order.strays.size();
+  inspection.warning(folder, "has " + name(order.strays.front()) +
+                                 (count == 1 ? ", which is named unlike most images and a frame "
+                                               "as well; remove it if it is none"
+                                             : " and other images, " + std::to_string(count) +
+                                                   " in all, which are named unlike most and "
+                                                   "frames as well; remove those that are none"));
 }
 
 /// The number in a name such as "frame_000123", if the rest of the name is `rest` ("frame_#").
@@ -130,7 +122,7 @@ void checkNumbers(const fs::path& folder, const std::vector<fs::path>& sorted,
 
 }  // namespace
 
-std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection) {
+std::vector<fs::path> findImages(const fs::path& folder, Inspection& inspection) {
   std::vector<fs::path> images;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
@@ -144,17 +136,53 @@ std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection)
     return {};
   }
   if (images.empty()) inspection.error(folder, "has no .png or .jpg images; check the path");
-  sortByName(folder, images, inspection);
+  std::ranges::sort(images, [](const fs::path& a, const fs::path& b) {
+    const std::string stem_a = a.stem().string();
+    const std::string stem_b = b.stem().string();
+    return stem_a != stem_b ? naturalLess(stem_a, stem_b) : a < b;
+  });
   checkDoubles(folder, images, inspection);
-  checkNumbers(folder, images, inspection);
   return images;
 }
 
-void checkPairs(const std::vector<fs::path>& left, const std::vector<fs::path>& right,
-                Inspection& inspection) {
-  if (left.empty() || right.empty()) return;  // listImages() has added an error
-  reportPartnerless(left, right, inspection);
-  reportPartnerless(right, left, inspection);
+std::vector<fs::path> listImages(const fs::path& folder, Inspection& inspection) {
+  const std::vector<fs::path> found = findImages(folder, inspection);
+  std::vector<std::string> stems;
+  for (const fs::path& file : found) stems.push_back(file.stem().string());
+  const NameOrder order = orderNames(stems);
+  reportDoubts(folder, found, order, inspection);
+  std::vector<fs::path> images;
+  std::vector<fs::path> without_strays;
+  for (const std::size_t index : order.indices) {
+    images.push_back(found[index]);
+    if (!std::ranges::binary_search(order.strays, index)) without_strays.push_back(found[index]);
+  }
+  checkNumbers(folder, without_strays, inspection);
+  return images;
+}
+
+std::vector<fs::path> listPartners(const std::vector<fs::path>& left, const fs::path& folder,
+                                   Inspection& inspection) {
+  const std::vector<fs::path> right = findImages(folder, inspection);
+  if (left.empty() || right.empty()) return right;  // an error was added
+  std::map<std::string, fs::path> by_stem;
+  for (const fs::path& file : right) by_stem.emplace(file.stem().string(), file);
+  std::vector<fs::path> partners;
+  for (const fs::path& file : left) {
+    const auto found = by_stem.find(file.stem().string());
+    if (found == by_stem.end()) {
+      reportLonely(file, folder, inspection);
+    } else {
+      partners.push_back(found->second);
+      by_stem.erase(found);
+    }
+  }
+  for (const fs::path& file : right) {
+    if (!by_stem.contains(file.stem().string())) continue;
+    reportLonely(file, left.front().parent_path(), inspection);
+    partners.push_back(file);
+  }
+  return partners;
 }
 
 }  // namespace tolman::image_folders

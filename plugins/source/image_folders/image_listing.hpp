@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Lists the images of a folder in numerical order of their names, and checks that two folders
-// match.
+// Lists the images of a folder in the order of their names, and the images of a second camera.
 #pragma once
 
 #include <filesystem>
@@ -10,15 +9,20 @@
 
 namespace tolman::image_folders {
 
-/// The PNG and JPEG files in `folder`, sorted by their names without extension: as decimal numbers
-/// where areDecimals(), else by naturalLess(). It is an error if there are none, or two of the same
-/// name. Two names that differ only in leading zeros are a warning, and so is the first gap in
-/// numbers that are mostly evenly spaced.
+/// The PNG and JPEG files in `folder`, in any order. It is an error if there are none, or two of
+/// the same name without extension.
+std::vector<std::filesystem::path> findImages(const std::filesystem::path& folder,
+                                              Inspection& inspection);
+
+/// The same in the order of orderNames(). Names whose order is in doubt are a warning, otherwise
+/// two names of the same number are, and the first gap in numbers that are mostly evenly spaced.
 std::vector<std::filesystem::path> listImages(const std::filesystem::path& folder,
                                               Inspection& inspection);
 
-/// Adds an error for each image whose name (without extension) is not in the other list.
-void checkPairs(const std::vector<std::filesystem::path>& left,
-                const std::vector<std::filesystem::path>& right, Inspection& inspection);
+/// The images in `folder` in the order of those in `left` with the same names (without extension).
+/// An image without such a partner is an error, on either side.
+std::vector<std::filesystem::path> listPartners(const std::vector<std::filesystem::path>& left,
+                                                const std::filesystem::path& folder,
+                                                Inspection& inspection);
 
 }  // namespace tolman::image_folders

@@ -2,6 +2,7 @@
 #include "images_source.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include "calibration.hpp"
 #include "camera_files.hpp"
@@ -77,10 +78,7 @@ void readRig(const Parameters& p, ImageDataset& dataset, Inspection& inspection)
 }
 
 void readStamps(const Parameters& p, ImageDataset& dataset, Inspection& inspection) {
-  if (p.stamps_in_names) {
-    dataset.stamps_ns = timesOfNames(dataset.left, p.stamps_unit, inspection);
-    return;
-  }
+  if (p.stamps_in_names) return;  // readFolders() has read them
   if (p.stamps.empty()) {
     dataset.stamps_ns = uniformStamps(dataset.left.size(), p.rate);
     return;
@@ -101,7 +99,8 @@ Status ImagesSource::load(const ParameterValues& values, FolderParameters& share
   if (Status status = checkCombination(p); !status.isOk()) return status;
   dataset.layout = "images";
   const fs::path right = p.right.empty() ? fs::path() : fs::path(p.path) / p.right;
-  readFolders(leftFolder(p), right, dataset, inspection);
+  const auto times_in_names = p.stamps_in_names ? std::optional(p.stamps_unit) : std::nullopt;
+  readFolders(leftFolder(p), right, times_in_names, dataset, inspection);
   readRig(p, dataset, inspection);
   readStamps(p, dataset, inspection);
   return Status::ok();

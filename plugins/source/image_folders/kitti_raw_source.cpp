@@ -2,6 +2,7 @@
 #include "kitti_raw_source.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include "dates.hpp"
 #include "times_and_poses.hpp"
@@ -66,7 +67,7 @@ Status KittiRawSource::load(const ParameterValues& values, FolderParameters& sha
   }
   const fs::path right = cameraFolder(root, left + 1) / "data";
   const bool stereo = !p.mono && fs::is_directory(right, ignored);
-  readFolders(folder / "data", stereo ? right : fs::path(), dataset, inspection);
+  readFolders(folder / "data", stereo ? right : fs::path(), std::nullopt, dataset, inspection);
   readStamps(p, folder, dataset, inspection);
   const ImageSize size = dataset.size();
   dataset.rig.width = 0;  // of raw or of rectified images

@@ -2,6 +2,7 @@
 #include "kitti_source.hpp"
 
 #include <filesystem>
+#include <optional>
 
 #include "calibration.hpp"
 #include "times_and_poses.hpp"
@@ -107,7 +108,8 @@ Status KittiSource::load(const ParameterValues& values, FolderParameters& shared
   }
   const fs::path right_folder = imageFolder(root, left + 1);
   const bool stereo = !p.mono && fs::is_directory(right_folder, ignored);
-  readFolders(imageFolder(root, left), stereo ? right_folder : fs::path(), dataset, inspection);
+  readFolders(imageFolder(root, left), stereo ? right_folder : fs::path(), std::nullopt, dataset,
+              inspection);
   Eigen::Vector3d t_left_camera0 = Eigen::Vector3d::Zero();
   readCalibration(root / "calib.txt", left, stereo, dataset, t_left_camera0, inspection);
   readStamps(p, dataset, inspection);

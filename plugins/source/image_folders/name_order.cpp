@@ -2,96 +2,119 @@
 #include "name_order.hpp"
 
 #include <algorithm>
-#include <optional>
-#include <set>
-#include <tuple>
+#include <map>
+#include <numeric>
+
+#include "exact_decimal.hpp"
+#include "hexadecimal_names.hpp"
+#include "image_name.hpp"
 
 namespace tolman::image_folders {
 namespace {
 
-/// Removes the leading digits from `text` and returns them without leading zeros.
-std::string_view takeNumber(std::string_view& text) {
-  const auto end = std::find_if_not(text.begin(), text.end(), isDigit);
-  std::string_view number = text.substr(0, static_cast<std::size_t>(end - text.begin()));
-  text.remove_prefix(number.size());
-  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
-  return number;
+using Indices = std::vector<std::size_t>;
+using Reading = NameOrder::Reading;
+
+template <typename Less>
+Indices sortedBy(std::size_t count, const Less& isLess) {
+  Indices order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, isLess);
+  return order;
 }
 
-/// Negative, 0 or positive if a is before, equal to or after b; leading zeros are ignored.
-int naturalOrder(std::string_view a, std::string_view b) {
-  while (!a.empty() && !b.empty()) {
-    if (isDigit(a.front()) && isDigit(b.front())) {
-      const std::string_view number_a = takeNumber(a);
-      const std::string_view number_b = takeNumber(b);
-      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size() ? -1 : 1;
-      if (const int order = number_a.compare(number_b); order != 0) return order;
-    } else {
-      if (a.front() != b.front()) return a.front() < b.front() ? -1 : 1;
-      a.remove_prefix(1);
-      b.remove_prefix(1);
+Indices naturally(const std::vector<std::string>& stems) {
+  return sortedBy(stems.size(),
+                  [&](std::size_t a, std::size_t b) { return naturalLess(stems[a], stems[b]); });
+}
+
+Indices byNumbers(const std::vector<ImageName>& names) {
+  return sortedBy(names.size(), [&](std::size_t a, std::size_t b) {
+    if (names[a].key != names[b].key) return names[a].key < names[b].key;
+    return naturalLess(names[a].stem, names[b].stem);
+  });
+}
+
+/// The order if commas before three digits separate thousands; equal numbers as in `stems`.
+Indices byThousands(const std::vector<std::string>& stems) {
+  std::vector<std::string> without;
+  for (const std::string& stem : stems) without.push_back(withoutThousands(stem));
+  return sortedBy(stems.size(), [&](std::size_t a, std::size_t b) {
+    return without[a] != without[b] ? naturalLess(without[a], without[b])
+                                    : naturalLess(stems[a], stems[b]);
+  });
+}
+
+/// Where more than half of the names are numbers as a whole, "1e-5" is one with an exponent.
+std::vector<ImageName> parseAll(const std::vector<std::string>& stems, bool hexadecimal) {
+  const auto numbers = std::ranges::count_if(
+      stems, [](const std::string& stem) { return parseExactDecimal(stem).has_value(); });
+  const bool numeric = !hexadecimal && 2 * numbers > std::ssize(stems);
+  std::vector<ImageName> names;
+  for (const std::string& stem : stems) names.push_back(parseImageName(stem, numeric));
+  return names;
+}
+
+std::optional<NameOrder::Pair> firstSame(const std::vector<ImageName>& names,
+                                         const Indices& sorted) {
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const ImageName& before = names[sorted[i - 1]];
+    const ImageName& here = names[sorted[i]];
+    if (before.stem != here.stem && before.key == here.key) {
+      return NameOrder::Pair(sorted[i - 1], sorted[i]);
     }
   }
-  return static_cast<int>(!a.empty()) - static_cast<int>(!b.empty());
+  return std::nullopt;
 }
 
-/// A number of any length: digits of the whole part without leading zeros, and of the fraction
-/// without trailing zeros.
-struct NumberInName {
-  std::string_view text_before;
-  std::string_view whole;
-  std::string_view fraction;
-  bool has_point = false;
+/// Whether only some of the names have digits joined by several points.
+bool hasSomeVersions(const std::vector<ImageName>& names) {
+  const auto versions = std::ranges::count_if(names, &ImageName::has_version);
+  return versions > 0 && versions < std::ssize(names);
+}
 
-  auto value() const { return std::tuple(whole.size(), whole, fraction); }
-};
+std::optional<NameOrder::Pair> firstExchanged(const Indices& taken, const Indices& other) {
+  const auto [here, there] = std::ranges::mismatch(taken, other);
+  if (here == taken.end()) return std::nullopt;
+  return NameOrder::Pair(*here, *there);
+}
 
-std::optional<NumberInName> numberInName(std::string_view name) {
-  NumberInName decimal;
-  const auto first = std::find_if(name.begin(), name.end(), isDigit);
-  decimal.text_before = name.substr(0, static_cast<std::size_t>(first - name.begin()));
-  name.remove_prefix(decimal.text_before.size());
-  if (name.empty()) return std::nullopt;
-  decimal.whole = takeNumber(name);
-  if (name.empty()) return decimal;
-  decimal.has_point = true;
-  decimal.fraction = name.substr(1);
-  if (name.front() != '.' || decimal.fraction.empty() ||
-      !std::all_of(decimal.fraction.begin(), decimal.fraction.end(), isDigit)) {
-    return std::nullopt;
+/// Names of another text than that which more than half of the names have.
+Indices straysAmong(const std::vector<ImageName>& names) {
+  std::map<std::string, std::size_t> counts;
+  for (const ImageName& name : names) ++counts[name.text];
+  const auto usual = std::ranges::max_element(counts, {}, [](const auto& of) { return of.second; });
+  Indices strays;
+  if (usual == counts.end() || 2 * usual->second <= names.size()) return strays;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].text != usual->first) strays.push_back(i);
   }
-  decimal.fraction = decimal.fraction.substr(0, decimal.fraction.find_last_not_of('0') + 1);
-  return decimal;
+  return strays;
 }
 
 }  // namespace
 
-bool naturalLess(std::string_view a, std::string_view b) {
-  const int order = naturalOrder(a, b);
-  return order != 0 ? order < 0 : a < b;
-}
-
-bool sameButForZeros(std::string_view a, std::string_view b) { return naturalOrder(a, b) == 0; }
-
-bool areDecimals(const std::vector<std::string>& names) {
-  std::set<std::tuple<std::size_t, std::string_view, std::string_view>> values;
-  std::optional<std::string_view> text_before;
-  bool has_point = false;
-  for (const std::string& name : names) {
-    const std::optional<NumberInName> decimal = numberInName(name);
-    if (!decimal || !values.insert(decimal->value()).second) return false;
-    if (decimal->text_before != text_before.value_or(decimal->text_before)) return false;
-    text_before = decimal->text_before;
-    has_point = has_point || decimal->has_point;
+NameOrder orderNames(const std::vector<std::string>& stems) {
+  const Indices natural = naturally(stems);
+  const Indices hexadecimal = hexadecimalOrder(stems);
+  const bool is_hexadecimal = !hexadecimal.empty() && hexadecimal != natural;
+  const std::vector<ImageName> names = parseAll(stems, is_hexadecimal);
+  const Indices numbers = byNumbers(names);
+  NameOrder order;
+  order.same = firstSame(names, numbers);
+  if (hexadecimal.empty()) order.strays = straysAmong(names);
+  if (is_hexadecimal) {
+    order.reading = Reading::Hexadecimal;
+    order.indices = hexadecimal;
+    order.doubt = firstExchanged(hexadecimal, natural);
+    return order;
   }
-  return has_point;
-}
-
-bool decimalLess(std::string_view a, std::string_view b) {
-  const std::optional<NumberInName> decimal_a = numberInName(a);
-  const std::optional<NumberInName> decimal_b = numberInName(b);
-  if (!decimal_a || !decimal_b) return decimal_a.has_value() < decimal_b.has_value();
-  return decimal_a->value() < decimal_b->value();
+  const bool by_numbers = numbers != natural && !order.same && !hasSomeVersions(names);
+  order.reading = by_numbers ? Reading::Numbers : Reading::Natural;
+  order.indices = by_numbers ? numbers : natural;
+  order.doubt = firstExchanged(order.indices, by_numbers ? natural : numbers);
+  if (!order.doubt) order.doubt = firstExchanged(order.indices, byThousands(stems));
+  return order;
 }
 
 }  // namespace tolman::image_folders

@@ -87,13 +87,16 @@ cv::Mat decodeByOpenCv(std::vector<std::uint8_t>& png, int mode) {
 Status damaged() { return Status::invalidInput("cannot be decoded, its data are damaged"); }
 
 /// The 8 highest of the lowest `bits` of each value.
-cv::Mat eightBits(const cv::Mat& deep, int bits) {
+cv::Mat eightBits(const cv::Mat& deep, int bits, std::size_t& beyond_bits) {
   cv::Mat pixels(deep.rows, deep.cols, CV_MAKETYPE(CV_8U, deep.channels()));
   for (int r = 0; r < deep.rows; ++r) {
     const auto* from = deep.ptr<std::uint16_t>(r);
-    std::transform(
-        from, from + deep.cols * deep.channels(), pixels.ptr<std::uint8_t>(r),
-        [&](std::uint16_t v) { return static_cast<std::uint8_t>(std::min(v >> (bits - 8), 255)); });
+    std::transform(from, from + deep.cols * deep.channels(), pixels.ptr<std::uint8_t>(r),
+                   [&](std::uint16_t v) {
+                     const int value = v >> (bits - 8);
+                     beyond_bits += value > 255 ? 1 : 0;
+                     return static_cast<std::uint8_t>(std::min(value, 255));
+                   });
   }
   return pixels;
 }
@@ -116,7 +119,8 @@ std::optional<Image> decodePlainPng(Bytes png, bool colour) {
   return whole ? std::optional(std::move(image)) : std::nullopt;
 }
 
-Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits) {
+Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits,
+                        std::size_t* beyond_bits) {
   removeExtras(png);
   if (std::optional<Image> image = decodePlainPng(png, colour)) return *std::move(image);
   if (exceedsPalette(png)) {
@@ -125,7 +129,11 @@ Result<Image> decodePng(std::vector<std::uint8_t>& png, bool colour, int bits) {
   }
   const cv::Mat pixels = decodeByOpenCv(png, colour ? cv::IMREAD_COLOR : cv::IMREAD_GRAYSCALE);
   if (pixels.empty()) return damaged();
-  return asImage(pixels.depth() == CV_16U ? eightBits(pixels, bits) : pixels);
+  if (pixels.depth() != CV_16U) return asImage(pixels);
+  std::size_t beyond = 0;
+  const cv::Mat converted = eightBits(pixels, bits, beyond);
+  if (beyond_bits != nullptr) *beyond_bits = beyond;
+  return asImage(converted);
 }
 
 Result<std::vector<std::uint16_t>> decodeDeepPng(std::vector<std::uint8_t>& png) {

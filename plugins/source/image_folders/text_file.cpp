@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "exact_decimal.hpp"
 #include "text_encoding.hpp"
 
 namespace tolman::image_folders {
@@ -16,53 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kSeparators = " \t\r,;";
-
-/// Removes an optional sign; true for minus.
-bool takeSign(std::string_view& text) {
-  if (text.empty() || (text.front() != '-' && text.front() != '+')) return false;
-  const bool minus = text.front() == '-';
-  text.remove_prefix(1);
-  return minus;
-}
-
-/// A decimal number as 0.DIGITS * 10^point.
-struct Decimal {
-  std::string digits;
-  int point = 0;
-};
-
-/// Parses an unsigned number such as "12.5e-3"; empty unless this is all of `text`.
-std::optional<Decimal> parseDecimal(std::string_view text) {
-  Decimal decimal;
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  bool after_point = false;
-  bool any = false;
-  for (; !text.empty() && (is_digit(text.front()) || (text.front() == '.' && !after_point));
-       text.remove_prefix(1)) {
-    if (text.front() == '.') {
-      after_point = true;
-      continue;
-    }
-    any = true;
-    if (decimal.digits.empty() && text.front() == '0') {
-      decimal.point -= after_point ? 1 : 0;  // leading zeros only shift the point
-      continue;
-    }
-    decimal.digits += text.front();
-    decimal.point += after_point ? 0 : 1;
-  }
-  if (!any) return std::nullopt;
-  if (text.empty()) return decimal;
-  if (text.front() != 'e' && text.front() != 'E') return std::nullopt;
-  text.remove_prefix(1);
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  int exponent = 0;
-  const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), exponent);
-  if (failure != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  if (exponent < -1000 || exponent > 1000) return std::nullopt;
-  decimal.point += exponent;
-  return decimal;
-}
 
 /// Whether the last line, which has no end, was cut within its last field: the field has fewer
 /// decimals (characters, where it has no point) than that of every line before.
@@ -149,8 +103,7 @@ std::optional<double> parseNumber(std::string_view field) {
 }
 
 std::optional<std::int64_t> parseSeconds(std::string_view field, int digits_of_unit) {
-  const bool negative = takeSign(field);
-  const std::optional<Decimal> seconds = parseDecimal(field);
+  const std::optional<ExactDecimal> seconds = parseExactDecimal(field);
   if (!seconds) return std::nullopt;
   const int length =
       seconds->point + digits_of_unit;  // digits before the point, counted in nanoseconds
@@ -164,7 +117,7 @@ std::optional<std::int64_t> parseSeconds(std::string_view field, int digits_of_u
   }
   if (digits[static_cast<std::size_t>(length)] >= '5') ++ns;
   if (ns > std::uint64_t{1} << 62U) return std::nullopt;
-  return negative ? -static_cast<std::int64_t>(ns) : static_cast<std::int64_t>(ns);
+  return seconds->negative ? -static_cast<std::int64_t>(ns) : static_cast<std::int64_t>(ns);
 }
 
 std::string fixed(double value, int digits) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <utility>
 
 #include "text_file.hpp"
 
@@ -61,6 +63,11 @@ std::optional<std::int64_t> parseTime(const fs::path& file, const TextLine& line
     inspection.error(file, line.number,
                      inQuotes(field) + " is no time in " + nameOf(unit) + "; correct it" +
                          (isWhole(field) ? ", or set stamps_unit (of `images`) to ns or us" : ""));
+  } else if (*ns < 0) {
+    inspection.error(
+        file, line.number,
+        inQuotes(field) +
+            " is a time before 0, and times are counted from 0; add one number to all");
   }
   return ns;
 }
@@ -169,18 +176,33 @@ std::vector<std::int64_t> readTimes(const fs::path& file, const std::string& col
   return times;
 }
 
-std::vector<std::int64_t> timesOfNames(const std::vector<fs::path>& files, TimeUnit unit,
-                                       Inspection& inspection) {
-  std::vector<std::int64_t> times;
+std::vector<std::int64_t> sortByTimes(std::vector<fs::path>& files, TimeUnit unit,
+                                      Inspection& inspection) {
+  constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();  // beyond all times
+  std::vector<std::pair<std::int64_t, fs::path>> timed;
   for (const fs::path& file : files) {
     const std::optional<std::int64_t> ns = parseSeconds(file.stem().string(), digitsOf(unit));
     if (!ns) {
       inspection.error(
           file, "its name is no time in " + nameOf(unit) + "; name the file of times by stamps");
-    } else if (!times.empty() && *ns <= times.back()) {
-      inspection.error(file, "its name is no later time than that of the image before; rename it");
     }
-    times.push_back(ns.value_or(0));
+    if (ns && *ns < 0) {
+      inspection.error(
+          file, "its name is a time before 0, and times are counted from 0; add one number to all");
+    }
+    timed.emplace_back(ns.value_or(kNone), file);
+  }
+  std::ranges::stable_sort(timed, {}, [](const auto& image) { return image.first; });
+  std::vector<std::int64_t> times;
+  for (std::size_t i = 0; i < timed.size(); ++i) {
+    files[i] = timed[i].second;
+    const bool is_time = timed[i].first != kNone;
+    if (i > 0 && is_time && timed[i].first == timed[i - 1].first) {
+      inspection.error(files[i], "its name is the same time as that of " +
+                                     files[i - 1].filename().string() +
+                                     "; correct one of the names, or remove one of the images");
+    }
+    times.push_back(is_time ? timed[i].first : 0);
   }
   if (!inspection.hasErrors() && !files.empty()) {
     checkStep(files.front().parent_path(), times, inspection);

@@ -30,9 +30,11 @@ constexpr int digitsOf(TimeUnit unit) { return 9 - 3 * static_cast<int>(unit); }
 std::vector<std::int64_t> readTimes(const std::filesystem::path& file, const std::string& column,
                                     Inspection& inspection, TimeUnit unit = TimeUnit::Seconds);
 
-/// Stamps from the names of files, with the same checks.
-std::vector<std::int64_t> timesOfNames(const std::vector<std::filesystem::path>& files,
-                                       TimeUnit unit, Inspection& inspection);
+/// Sorts the files by the times that are their names (a number with sign, decimals and exponent),
+/// and returns these in ns. A name that is no time and two equal times are errors, and the median
+/// step is checked as by readTimes().
+std::vector<std::int64_t> sortByTimes(std::vector<std::filesystem::path>& files, TimeUnit unit,
+                                      Inspection& inspection);
 
 /// KITTI's poses: T_world_camera0 as 12 numbers per line, row by row, m.
 std::vector<Eigen::Isometry3d> readKittiPoses(const std::filesystem::path& file,

@@ -95,8 +95,9 @@ TEST_CASE("names that are times are in the order of the times, with a warning") 
   REQUIRE(inspection.findings().size() == 1);
   CHECK(inspection.findings()[0].severity == Finding::Severity::Warning);
   CHECK(inspection.findings()[0].message ==
-        "has names that are read as decimal numbers: 1.05.png before 1.1.png; write all with the "
-        "same number of decimals to leave no doubt");
+        "has names whose order is in doubt: 1.05.png is read before 1.1.png, by their numbers with "
+        "sign and decimals; rename the images to numbers of equally many digits without sign, or, "
+        "if the names are times, set stamps_in_names (of `images`)");
   Inspection without_doubt;
   CHECK(names("same", without_doubt) == "0.95 1.00 1.05 1.10 1.15 1.20 ");
   CHECK(without_doubt.findings().empty());
@@ -118,16 +119,82 @@ TEST_CASE("problems of a folder") {
   CHECK(failure("twice") == "DATA/twice: has both 1.jpg and 1.png; remove one of them");
 }
 
+TEST_CASE("the warning says why the order is taken") {
+  const DataFolder data;
+  for (const char* name : {"1.1", "1.2", "1.9", "1.10"}) {
+    data.write(std::string("x/") + name + ".png", "");
+  }
+  for (const char* name : {"08", "09", "0a", "10"})
+    data.write(std::string("y/") + name + ".jpg", "");
+  const auto warning = [&](const std::string& folder) {
+    Inspection inspection;
+    listImages(data.path(folder), inspection);
+    REQUIRE(inspection.findings().size() == 1);
+    return inspection.findings()[0].message;
+  };
+  CHECK(warning("x") ==
+        "has names whose order is in doubt: 1.2.png is read before 1.10.png, digits as whole "
+        "numbers, because 1.1.png and 1.10.png are equal otherwise; rename the images to numbers "
+        "of equally many digits without sign, or, if the names are times, set stamps_in_names (of "
+        "`images`)");
+  CHECK(warning("y") ==
+        "has names whose order is in doubt: 08.jpg is read before 0a.jpg, as hexadecimal numbers; "
+        "rename the images to decimal ones");
+}
+
+TEST_CASE("an image that is named unlike most is a frame, with a warning") {
+  const DataFolder data;
+  const auto warnings = [&] {
+    Inspection inspection;
+    CHECK_FALSE(listImages(data.path("x"), inspection).empty());
+    std::vector<std::string> found;
+    for (const auto& finding : inspection.findings()) found.push_back(finding.message);
+    return found;
+  };
+  for (const char* name : {"1", "2", "3", "thumb"})
+    data.write(std::string("x/") + name + ".png", "");
+  CHECK(warnings() == std::vector<std::string>{"has thumb.png, which is named unlike most images "
+                                               "and a frame as well; remove it if it is none"});
+  data.write("x/5.png", "");
+  CHECK(warnings().size() == 2);  // the gap as well
+  data.remove("x/5.png");
+  data.write("x/cover.png", "");
+  CHECK(warnings() ==
+        std::vector<std::string>{"has cover.png and other images, 2 in all, which are named unlike "
+                                 "most and frames as well; remove those that are none"});
+}
+
+TEST_CASE("partners are in the order of the left images, whatever that is") {
+  const DataFolder data;
+  for (const char* name : {"1.05.png", "1.1.jpg", "1.10.png", "9.png", "10.png"}) {
+    data.write(std::string("r/") + name, "");
+  }
+  Inspection inspection;
+  const std::vector<std::filesystem::path> left = {"l/10.jpg", "l/1.10.png", "l/9.png",
+                                                   "l/1.05.png", "l/1.1.png"};
+  std::string names;
+  for (const auto& file : listPartners(left, data.path("r"), inspection)) {
+    names += file.filename().string() + " ";
+  }
+  CHECK(names == "10.png 1.10.png 9.png 1.05.png 1.1.jpg ");
+  CHECK(inspection.findings().empty());
+}
+
 TEST_CASE("images without a partner are named, on either side") {
   const DataFolder data;
+  for (const char* name : {"2.jpg", "3.png", "10.png"}) {
+    data.write(std::string("d/image_1/") + name, "");
+  }
   Inspection inspection;
-  checkPairs({"d/image_0/1.png", "d/image_0/2.png", "d/image_0/10.png"},
-             {"d/image_1/2.jpg", "d/image_1/3.png", "d/image_1/10.png"}, inspection);
+  const auto image = [&](const char* name) { return data.path("d/image_0") / name; };
+  const auto right = listPartners({image("1.png"), image("2.png"), image("10.png")},
+                                  data.path("d/image_1"), inspection);
+  CHECK(right.size() == 3);
   REQUIRE(inspection.findings().size() == 2);
-  CHECK(inspection.findings()[0].where == "d/image_1");
+  CHECK(data.anonymous(inspection.findings()[0].where) == "DATA/d/image_1");
   CHECK(inspection.findings()[0].message ==
         "has no 1, the partner of image_0/1.png; restore it, or remove the partner");
-  CHECK(inspection.findings()[1].where == "d/image_0");
+  CHECK(data.anonymous(inspection.findings()[1].where) == "DATA/d/image_0");
   CHECK(inspection.findings()[1].message ==
         "has no 3, the partner of image_1/3.png; restore it, or remove the partner");
 }

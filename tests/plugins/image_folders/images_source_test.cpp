@@ -2,6 +2,7 @@
 // The images source: one or two folders, with and without calibration.
 #include "images_source.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "data_folder.hpp"
@@ -118,6 +119,39 @@ TEST_CASE("stamps in other units, and in the names of the images") {
   data.writeImage("image_0/later.png", 64, 48);
   const ImagesOpened unnamed(data, {{"left", std::string("image_0")}, {"stamps_in_names", true}});
   CHECK_THAT(unnamed.message, Catch::Contains("later.png: its name is no time in seconds"));
+}
+
+TEST_CASE("a pair is in the order of the times in the names, on both sides") {
+  const DataFolder data;
+  const std::vector<std::string> names = {"1e-1", "0.05", "2e-1", "0.15"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    for (const char* folder : {"image_0/", "image_1/"}) {
+      std::filesystem::rename(data.path(folder + ("00000" + std::to_string(i) + ".png")),
+                              data.path(folder + names[i] + ".png"));
+    }
+  }
+  const ImagesOpened plain(data, pairWith({{"fx", 40.0}, {"baseline", 0.2}}));
+  const ImagesOpened timed(data,
+                           pairWith({{"fx", 40.0}, {"baseline", 0.2}, {"stamps_in_names", true}}));
+  CHECK(timed.message.empty());
+  const DataFolder original;
+  const ImagesOpened unnamed(original, pairWith({{"fx", 40.0}, {"baseline", 0.2}}));
+  const std::vector<std::size_t> wanted = {1, 0, 3, 2};
+  REQUIRE(timed.frames.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(timed.frames[i].stamp_ns == static_cast<std::int64_t>(i + 1) * 50'000'000);
+    for (const ImagesOpened* opened : {&plain, &timed}) {
+      const Frame& frame = opened->frames[i];
+      const Frame& same = unnamed.frames[wanted[i]];
+      CHECK(std::equal(frame.left.row(0), frame.left.row(0) + 64, same.left.row(0)));
+      CHECK(std::equal(frame.right.row(0), frame.right.row(0) + 64, same.right.row(0)));
+    }
+  }
+  std::filesystem::rename(data.path("image_0/2e-1.png"), data.path("image_0/0.10.png"));
+  const ImagesOpened twice(data, {{"left", std::string("image_0")}, {"stamps_in_names", true}});
+  CHECK(twice.message ==
+        "DATA/image_0/1e-1.png: its name is the same time as that of 0.10.png; correct one of the "
+        "names, or remove one of the images");
 }
 
 TEST_CASE("stamps from a file") {

@@ -79,7 +79,7 @@ TEST_CASE("the size is that of the first sound image, and the others are measure
   data.writeImage("image_1/000003.png", 64, 47);
   ImageDataset dataset;
   Inspection inspection;
-  readFolders(data.path("image_0"), data.path("image_1"), dataset, inspection);
+  readFolders(data.path("image_0"), data.path("image_1"), std::nullopt, dataset, inspection);
   CHECK_FALSE(inspection.hasErrors());  // damaged images are the business of on_corrupt
   CHECK(dataset.size() == ImageSize{64, 48});
   std::vector<Finding> findings;
@@ -101,7 +101,7 @@ TEST_CASE("a data set without a single sound image is an error of its folder") {
   }
   ImageDataset dataset;
   Inspection inspection;
-  readFolders(data.path("image_0"), "", dataset, inspection);
+  readFolders(data.path("image_0"), "", std::nullopt, dataset, inspection);
   CHECK(data.anonymous(inspection.status().message()) ==
         "DATA/image_0: none of its 4 images can be read, as DATA/image_0/000000.png: is neither a "
         "PNG nor a JPEG file; copy or record them again");
@@ -114,7 +114,7 @@ TEST_CASE("a folder in place of an image is one damaged image") {
   std::filesystem::create_directory(data.path("image_0/000001.png"));
   ImageDataset dataset;
   Inspection inspection;
-  readFolders(data.path("image_0"), "", dataset, inspection);
+  readFolders(data.path("image_0"), "", std::nullopt, dataset, inspection);
   std::vector<Finding> findings;
   checkImageFiles(dataset, findings);
   REQUIRE(findings.size() == 1);

@@ -94,4 +94,30 @@ TEST_CASE("turned images are used as stored, with a warning") {
   CHECK(findings[0].message.starts_with("is stored turned or mirrored (EXIF orientation 6)"));
 }
 
+TEST_CASE("a turned image among others is told when it is read, and by inspection") {
+  const DataFolder data;
+  const auto folder = data.path() / "some";
+  std::filesystem::create_directory(folder);
+  for (const auto& [name, orientation] : {std::pair("1.jpg", 1), std::pair("2.jpg", 9),
+                                          std::pair("3.jpg", 6), std::pair("4.jpg", 8)}) {
+    std::ofstream(folder / name) << jpegWith(tiffOf(static_cast<char>(orientation), true));
+  }
+  test::TestContext services({{"path", data.path().string()}, {"left", "some"s}});
+  ImagesSource source;
+  REQUIRE(source.configure(services).isOk());
+  std::string failure;
+  CHECK(readAll(source, failure).size() == 4);
+  const std::string warning = (folder / "3.jpg").string() +
+                              ": is stored otherwise than the first image (EXIF orientation 6 "
+                              "after 1), and the pixels of both are used as stored; if the images "
+                              "look alike in a viewer, turn the files, such as with `exiftran -ai` "
+                              "or `jpegtran`";
+  CHECK(services.log == std::vector<std::string>{warning});
+  std::vector<Finding> findings;
+  REQUIRE(source.inspect(findings).isOk());
+  REQUIRE(findings.size() == 2);
+  CHECK(findings[0].severity == Finding::Severity::Warning);
+  CHECK(findings[0].where + ": " + findings[0].message == warning);
+}
+
 }  // namespace tolman::image_folders

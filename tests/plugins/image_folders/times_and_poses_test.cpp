@@ -118,6 +118,39 @@ TEST_CASE("times that are not in seconds are told by their steps") {
   }
 }
 
+TEST_CASE("images are sorted by the times that are their names") {
+  const auto sorted = [](std::vector<std::filesystem::path> files, TimeUnit unit,
+                         std::vector<std::int64_t> ns) {
+    Inspection inspection;
+    CHECK(sortByTimes(files, unit, inspection) == ns);
+    std::string text;
+    for (const std::filesystem::path& file : files) text += file.stem().string() + " ";
+    return text + inspection.status().message();
+  };
+  CHECK(sorted({"d/1e1.png", "d/1e2.png", "d/2e1.png"}, TimeUnit::Milliseconds,
+               {10'000'000, 20'000'000, 100'000'000}) == "1e1 2e1 1e2 ");
+  CHECK(sorted({"d/1.1.png", "d/1.05.png", "d/+0.1.jpg", "d/1e-05.png"}, TimeUnit::Seconds,
+               {10'000, 100'000'000, 1'050'000'000, 1'100'000'000}) == "1e-05 +0.1 1.05 1.1 ");
+  CHECK(sorted({"d/1.10.png", "d/1.2.png", "d/1.1.jpg"}, TimeUnit::Seconds,
+               {1'100'000'000, 1'100'000'000, 1'200'000'000}) ==
+        "1.10 1.1 1.2 d/1.1.jpg: its name is the same time as that of 1.10.png; correct one of the "
+        "names, or remove one of the images");
+  CHECK(sorted({"d/0.2.png", "d/0.1.png"}, TimeUnit::Nanoseconds, {0, 0}).find("the same time") !=
+        std::string::npos);
+  CHECK(sorted({"d/-1.5.png", "d/2.png"}, TimeUnit::Seconds, {-1'500'000'000, 2'000'000'000}) ==
+        "-1.5 2 d/-1.5.png: its name is a time before 0, and times are counted from 0; add one "
+        "number to all");
+  CHECK(sorted({"d/x.png", "d/2.png", "d/1.png"}, TimeUnit::Seconds,
+               {1'000'000'000, 2'000'000'000, 0}) ==
+        "1 2 x d/x.png: its name is no time in seconds; name the file of times by stamps");
+}
+
+TEST_CASE("times before 0 are refused") {
+  CHECK(timesFailure("-1.5\n-0.5\n0.5\n") ==
+        "DATA/f.txt:1: '-1.5' is a time before 0, and times are counted from 0; add one number to "
+        "all (and 1 more problem; `tolman dataset check` lists all)");
+}
+
 TEST_CASE("poses come as written, with clean rotations") {
   const Eigen::Matrix3d R = expSo3({0.1, -0.5, 0.2});
   char line[400];
