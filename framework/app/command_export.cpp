@@ -10,6 +10,7 @@
 #include "app/program.hpp"
 #include "isolation/child_process.hpp"
 #include "record/export.hpp"
+#include "record/output_places.hpp"
 #include "record/reference.hpp"
 #include "record/run_directory.hpp"
 
@@ -36,8 +37,13 @@ struct ExportCommand {
 /// Refuses a folder with another run or with files of these names. In the directory of the run
 /// itself they are Tolman's own.
 void refuseOther(const ExportCommand& command) {
-  if (command.out.empty()) return;
   const std::filesystem::path folder = command.folder();
+  std::vector<std::filesystem::path> files;
+  for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
+  if (command.nwb) files.push_back(folder / "run.nwb");
+  if (command.npz) files.push_back(folder / "run.npz");
+  requireOrEnd(record::refuseFolders(files, "--out"));  // before any is written
+  if (command.out.empty()) return;
   requireOrEnd(record::RunDirectory::mayTakeFilesOf(command.run, folder));
   std::error_code ignored;
   if (std::filesystem::equivalent(command.run, folder, ignored)) {
@@ -46,10 +52,6 @@ void refuseOther(const ExportCommand& command) {
                 "--session would replace the files of the run's own session; leave out --out, or "
                 "give another folder"};
   }
-  std::vector<std::filesystem::path> files;
-  for (const std::string_view name : record::kExportedFiles) files.push_back(folder / name);
-  if (command.nwb) files.push_back(folder / "run.nwb");
-  if (command.npz) files.push_back(folder / "run.npz");
   refuseExisting(files, command.replace, "--out");
 }
 

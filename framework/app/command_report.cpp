@@ -47,7 +47,8 @@ void refuseOther(const std::string& run, const std::filesystem::path& folder, bo
   requireOrEnd(record::RunDirectory::mayTakeFilesOf(run, folder));
   std::error_code ignored;
   if (std::filesystem::equivalent(run, folder, ignored)) return;
-  refuseExisting({folder / "report.html", folder / "figures"}, replace, "--out");
+  refuseExisting({folder / "report.html"}, replace, "--out");
+  refuseFilled(folder / "figures", replace, "--out");
 }
 
 }  // namespace

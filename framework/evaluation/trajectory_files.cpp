@@ -16,6 +16,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "text_encoding.hpp"
+
 namespace tolman::evaluation {
 namespace {
 
@@ -215,15 +217,17 @@ Result<std::string> textOf(const std::filesystem::path& path) {
 }  // namespace
 
 Result<Trajectory> readTrajectory(const std::filesystem::path& file) {
-  Result<std::string> text = textOf(file);
+  const Result<std::string> text = textOf(file);
   if (!text.isOk()) return Status::invalidInput(file.string() + ": " + text.status().message());
-  std::istringstream stream(std::move(text).value());
+  if (const std::string problem = text_encoding::encodingProblem(text.value()); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
+  std::istringstream stream(std::string(text_encoding::withoutMark(text.value())));
   Trajectory trajectory;
   LineReader reader = nullptr;
   CutLine cut_line;
   std::string line;
   for (std::size_t number_of_line = 1; std::getline(stream, line); ++number_of_line) {
-    if (number_of_line == 1 && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);  // of UTF-8
     try {
       const std::vector<std::string_view> entries = words(line);
       if (entries.empty()) continue;

@@ -12,6 +12,7 @@
 #include "experiment/comparison_notes.hpp"
 #include "experiment/mixtures.hpp"
 #include "experiment/repeated_rows.hpp"
+#include "record/output_places.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -176,9 +177,8 @@ class Comparer {
   Status namedOnce() {
     std::set<std::filesystem::path> known;
     const std::size_t repeated = std::erase_if(rows_, [&](const RunRow& row) {
-      std::error_code ignored;
       return row.is_alone && !row.directory.empty() &&
-             !known.insert(std::filesystem::weakly_canonical(row.directory, ignored)).second;
+             !known.insert(record::truePath(row.directory)).second;
     });
     if (repeated > 0) note(fmt::format("{} runs were given twice. They count once.", repeated));
     return Status::ok();

@@ -19,6 +19,7 @@
 #include "record/regular_file.hpp"
 #include "record/run_directory.hpp"
 #include "run/run_names.hpp"
+#include "text_encoding.hpp"
 
 namespace tolman::experiment {
 namespace {
@@ -133,7 +134,11 @@ Result<std::vector<RunRow>> readCsv(const fs::path& file) {
   std::ifstream stream = record::openRegular(file);
   if (!stream.is_open())
     return Status::invalidInput(file.string() + ": not a readable file; check the path");
-  const std::vector<CsvLine> lines = csvRows({std::istreambuf_iterator<char>(stream), {}});
+  const std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (const std::string problem = text_encoding::encodingProblem(text); !problem.empty()) {
+    return Status::invalidInput(file.string() + ": " + problem);
+  }
+  const std::vector<CsvLine> lines = csvRows(std::string(text_encoding::withoutMark(text)));
   const auto bad = [&](const std::string& why) {
     return Status::invalidInput(file.string() + ": is no table of `tolman sweep collect`: " + why);
   };
