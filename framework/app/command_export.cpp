@@ -103,6 +103,18 @@ void exportByPython(const std::string& kind, const ExportCommand& asked, const c
       printFailure(ExitCode::Record, "no run." + kind + " was written: Python " + end.text() + why);
 }
 
+/// Warns if the run has recorded more while Python wrote its files.
+void warnOfLaterState(const record::RunReader& first, const std::string& run) {
+  const auto now = record::RunReader::open(run);
+  if (!now.isOk()) return;  // it could be opened before: other warnings are of damage
+  const std::int64_t before = valueOrEnd(first.nextFrame());
+  const std::int64_t after = valueOrEnd(now.value()->nextFrame());
+  if (after == before) return;
+  std::cerr << "warning: " << run << ": the run goes on: trajectories and map are of its first "
+            << before << " frames, run.nwb and run.npz of up to " << after
+            << "; export again when it has ended\n";
+}
+
 }  // namespace
 
 void addExportCommand(CLI::App& app, Invocation& invocation) {
@@ -140,6 +152,7 @@ void addExportCommand(CLI::App& app, Invocation& invocation) {
       exportByPython("npz", *asked, "python3-tolman and python3-numpy", written, invocation);
     }
     printFiles(written, invocation);
+    if (asked->nwb || asked->npz) warnOfLaterState(*reader, asked->run);
     warnOfChangedRecord(*reader);
     warnOfRunFile(asked->run);
   });

@@ -4,15 +4,33 @@ import json
 import sqlite3
 import subprocess
 import sys
+import time
 import unittest
 import unittest.mock
 
-from support import Systems, tolman
+from support import BUILD, Systems, tolman, write_octagon
 
 import numpy as np
 
 from tolman import npz
 from tolman.results import Run
+
+SLOW_CELLS = """
+    import time
+
+    import tolman
+
+    class Slow(tolman.Cells):
+        "Takes 0.05 s a frame."
+
+        def start(self):
+            self.frames = 0
+
+        def step(self, motion, place):
+            time.sleep(0.05)
+            self.frames += 1
+            return tolman.Decision(action="create_experience" if self.frames == 1 else "stay", experience=0, heading=0.0)
+"""
 
 
 class NpzTest(Systems):
@@ -69,6 +87,27 @@ class NpzTest(Systems):
         file = np.load(self.folder / "run/run.npz")
         self.assertNotIn(99, file["map_update/experience"])
         self.assertEqual(set(Run(self.folder / "run").map["experience"]), {99})
+
+    def test_files_of_different_moments_are_told(self):
+        self.assertEqual(self.run_system().returncode, 0)  # of a finished run there is no warning
+        self.assertEqual(tolman("export", self.folder / "run", "--npz").stderr, "")
+        write_octagon(self.folder, frames=2000)
+        self.write("slow.py", SLOW_CELLS)
+        config = self.config(cells="{plugin: python, file: slow.py}")
+        going = subprocess.Popen([BUILD / "bin/tolman", "run", config, "--out", self.folder / "live"],
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            while not (self.folder / "live/run.sqlite").exists() or len(Run(self.folder / "live").frames) < 10:
+                self.assertIsNone(going.poll())
+                time.sleep(0.1)
+            done = tolman("export", self.folder / "live", "--npz", "--out", self.folder / "files")
+        finally:
+            going.kill()
+            going.wait()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "live: the run goes on: trajectories and map are of its first [0-9]+ frames")
+        file = np.load(self.folder / "files/run.npz")
+        self.assertEqual(len(file["motion/frame"]), len(file["decision/frame"]))
 
     def test_what_is_no_run_is_told(self):
         done = tolman("export", self.folder, "--npz")
