@@ -13,7 +13,7 @@ void addStageCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("run-stage", "The process of an isolated stage (internal)")->group("");
   auto descriptors = std::make_shared<std::vector<int>>();
-  command->add_option("descriptors", *descriptors)->required()->expected(4);
+  command->add_option("descriptors", *descriptors)->required()->expected(5);
   command->callback([descriptors] {
     const run::SteadyClock clock;
     isolation::runPluginProcess(

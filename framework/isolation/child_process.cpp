@@ -108,6 +108,10 @@ bool ChildProcess::hasEnded() const {
   return answer == 0 && state.si_pid == pid_;
 }
 
+void ChildProcess::signal(int number) const {
+  if (!reaped_) ::kill(pid_, number);
+}
+
 void ChildProcess::reap() {
   int state = 0;
   pid_t answer = 0;

@@ -37,6 +37,8 @@ class ChildProcess {
   ChildProcess& operator=(const ChildProcess&) = delete;
 
   bool hasEnded() const;
+  /// Sends a signal to the process alone; nothing if it has ended.
+  void signal(int number) const;
   /// Waits at most `timeout`, then kills the process and all that it started: its group, and
   /// processes with its mark (process_mark.hpp).
   ProcessEnd end(std::chrono::milliseconds timeout);

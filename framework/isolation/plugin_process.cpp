@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -20,6 +21,7 @@
 #include "isolation/child_process.hpp"
 #include "isolation/context_message.hpp"
 #include "isolation/process_mark.hpp"
+#include "isolation/stack_report.hpp"
 
 namespace tolman::isolation {
 namespace {
@@ -80,6 +82,7 @@ class PluginProcess {
       ::fcntl(descriptor, F_SETFD,
               FD_CLOEXEC);  // not inherited by processes that the plugin starts
     }
+    ::setenv(kStackVariable, std::to_string(descriptors.at(4)).c_str(), 1);
     endWithHost(socket_.descriptor());
     addOwnCalls();
   }

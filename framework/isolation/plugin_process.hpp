@@ -27,7 +27,7 @@ struct ProcessServices {
       artefacts;
 };
 
-/// `descriptors` are the four that ProcessHandle appends to its command. Ends the process without
+/// `descriptors` are the five that ProcessHandle appends to its command. Ends the process without
 /// returning, so that no static destructor of the plugin runs.
 [[noreturn]] void runPluginProcess(const std::vector<int>& descriptors,
                                    const ProcessServices& services);

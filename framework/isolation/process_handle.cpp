@@ -26,7 +26,8 @@ ProcessHandle::ProcessHandle(LaunchOptions launch)
       socket_(Descriptor()) {
   auto [ours, theirs] = Socket::pair();
   const std::vector<int> passed = {theirs.descriptor(), request_.descriptor(),
-                                   response_.descriptor(), control_memory_.descriptor()};
+                                   response_.descriptor(), control_memory_.descriptor(),
+                                   stack_.descriptor()};
   std::vector<std::string> command = launch_.command;
   for (const int descriptor : passed) command.push_back(std::to_string(descriptor));
   process_ = std::make_unique<ChildProcess>(command, passed);
@@ -52,7 +53,7 @@ Status ProcessHandle::call(Call call, const Write& write, const Read& read) {
     const ReceiveResult received = waitForMessage(message, begin);
     if (received == ReceiveResult::Closed) return readExit();
     if (received == ReceiveResult::Timeout) {
-      return end(fmt::format("did not return within {:g} s and was killed", launch_.deadline_s));
+      return endAtDeadline();
     }
     if (message.kind == static_cast<std::uint32_t>(ReplyKind::Reply)) {
       if (message.detail == call_number_) return readReply(message, read);
@@ -106,7 +107,14 @@ Status ProcessHandle::readReply(const SocketMessage& reply, const Read& read) {
 Status ProcessHandle::readExit() {
   const ProcessEnd ended = process_->end(kExitTimeout);
   if (ended.signal == 0) exit_code_ = ended.exit_code;
-  return end(ended.text());
+  const std::string place = ended.signal == 0 ? "" : stack_.left(launch_.program);
+  return end(ended.text() + (place.empty() ? "" : " at " + place));
+}
+
+Status ProcessHandle::endAtDeadline() {
+  const std::string place = stack_.ask(*process_, launch_.program);
+  return end(fmt::format("did not return within {:g} s and was killed{}", launch_.deadline_s,
+                         place.empty() ? "" : " at " + place));
 }
 
 Status ProcessHandle::end(const std::string& reason) {

@@ -15,16 +15,20 @@
 #include "isolation/child_process.hpp"
 #include "isolation/codec.hpp"
 #include "isolation/shared_buffer.hpp"
+#include "isolation/stack_report.hpp"
 #include "tolman/context.hpp"
 
 namespace tolman::isolation {
 
 /// How the process of a plugin is started, and its limits.
 struct LaunchOptions {
-  std::vector<std::string> command;  ///< calls runPluginProcess(); four descriptors are appended
+  std::vector<std::string> command;  ///< calls runPluginProcess(); five descriptors are appended
   double deadline_s = 60;            ///< for one call; 0 for none
   std::uint64_t memory_mib = 4096;   ///< for its data; 0 for no limit
   std::int64_t threads = 0;          ///< 0 for one per processor
+  /// What the plugin interprets; empty for none. After a call that does not return, the failure
+  /// names the line at which it was.
+  std::string program = {};
 };
 
 class ProcessHandle {
@@ -55,6 +59,7 @@ class ProcessHandle {
  private:
   ReceiveResult waitForMessage(SocketMessage& message, std::chrono::steady_clock::time_point begin);
   Status readExit();
+  Status endAtDeadline();
   Status readReply(const SocketMessage& reply, const Read& read);
 
   LaunchOptions launch_;
@@ -63,6 +68,7 @@ class ProcessHandle {
   SharedBuffer control_memory_;
   ControlBlock* control_;
   Socket socket_;
+  StackReport stack_;
   std::unique_ptr<ChildProcess> process_;
   Logger* log_ = nullptr;
   const Cancellation* cancellation_ = nullptr;

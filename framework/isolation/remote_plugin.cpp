@@ -42,6 +42,11 @@ std::string hintAt(const LaunchOptions& limits) {
   return hint;
 }
 
+/// The file that the user wrote: the program, or the library.
+std::string openedFile(const host::Manifest& manifest) {
+  return (manifest.program.empty() ? manifest.file : manifest.program).string();
+}
+
 host::Refusal noProcess(const std::string& plugin, const std::string& why) {
   return {host::kNoProcess, "no process for plugin '" + plugin + "': " + why,
           "this is no defect of the plugin: raise the limits of processes, threads and open files "
@@ -75,27 +80,34 @@ std::optional<host::Refusal> RemotePlugin::load() {
           throw MalformedMessage("a role that does not exist");
       });
   const std::optional<int> exit_code = process_->exitCode();
+  const std::string kind = manifest_.program.empty() ? "the library" : "the program";
   if (exit_code == kNoThreadsExit) return noProcess(manifest_.id, "its threads cannot be started");
   if (exit_code == kNoMemoryExit) {
     return host::Refusal{
         "plugin/load-failed",
-        manifest_.file.string() + ": out of memory while the library was opened",
+        openedFile(manifest_) + ": out of memory while " + kind + " was opened",
         "the limits of this process are too low for it: see `ulimit -a`" + hintAt(launch_)};
   }
-  if (!status.isOk()) {
-    const std::string remedy =
-        "`tolman plugins validate FILE` shows more; static constructors of the library run when it "
-        "is opened";
-    return host::Refusal{
-        "plugin/died",
-        manifest_.file.string() + ": while the library was opened: " + status.message(),
-        remedy + hintAt(launch_)};
-  }
+  if (!status.isOk()) return diedWhenOpened(status.message());
   if (!refusal.id.empty()) {
     refusal.remedy += hintAt(launch_);
     return refusal;
   }
   return std::nullopt;
+}
+
+/// Of a program its own file is to blame, not the library that interprets it.
+host::Refusal RemotePlugin::diedWhenOpened(const std::string& why) const {
+  if (!manifest_.program.empty()) {
+    return {"plugin/program", openedFile(manifest_) + ": while it was imported: " + why,
+            "what stands outside of functions runs at import: move long or dangerous work to "
+            "start(); `tolman plugins doctor FILE` opens it alone" +
+                hintAt(launch_)};
+  }
+  return {"plugin/died", openedFile(manifest_) + ": while the library was opened: " + why,
+          "`tolman plugins validate FILE` shows more; static constructors of the library run when "
+          "it is opened" +
+              hintAt(launch_)};
 }
 
 std::optional<host::Refusal> RemotePlugin::create() {

@@ -56,8 +56,11 @@ class RemotePlugin {
   };
 
   RemotePlugin(host::Manifest manifest, LaunchOptions launch)
-      : manifest_(std::move(manifest)), launch_(std::move(launch)) {}
+      : manifest_(std::move(manifest)), launch_(std::move(launch)) {
+    launch_.program = manifest_.program.string();
+  }
   std::optional<host::Refusal> load();
+  host::Refusal diedWhenOpened(const std::string& why) const;
   Status exchange(Call call, const ProcessHandle::Write& write, const ProcessHandle::Read& read);
   bool canRestart() const;
   Status restart();

@@ -2,12 +2,14 @@
 #include "interpreter.hpp"
 
 #include <dlfcn.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include "convert.hpp"
@@ -156,8 +158,24 @@ ParameterInfo parameterFrom(py::handle declared) {
   return info;
 }
 
+/// Lets the host have the stack when a call does not return or a signal ends it. `faulthandler`
+/// writes it without the interpreter's lock, so also while an extension module keeps the lock.
+void tellStack() {
+  const char* number = std::getenv("TOLMAN_STACK_DESCRIPTOR");
+  if (number == nullptr) return;
+  const int descriptor = std::atoi(number);
+  constexpr std::string_view kReady = "faulthandler\n";
+  if (::write(descriptor, kReady.data(), kReady.size()) < 0) return;
+  ::unsetenv("TOLMAN_STACK_DESCRIPTOR");  // its number means nothing in processes of the plugin
+  using py::literals::operator""_a;
+  const py::object handler = py::module_::import("faulthandler");
+  handler.attr("register")(SIGUSR2, "file"_a = descriptor, "all_threads"_a = false);
+  handler.attr("enable")("file"_a = descriptor, "all_threads"_a = false);
+}
+
 void import(const std::string& file, Program& program) {
   const OneThread one_thread;
+  tellStack();
   if (const std::string folder = packageFolder(); !folder.empty()) {
     py::module_::import("sys").attr("path").attr("insert")(0, folder);
   }

@@ -42,10 +42,38 @@ void useOneClock(BagTopic& topic) {
   std::erase_if(topic.index, [](const BagMessage& message) { return !message.has_stamp; });
 }
 
+/// "message 2 (recorded at 5000000000 ns)": the latest of the topic, counted from 0.
+std::string latestOf(const BagTopic& topic, std::int64_t log_ns) {
+  return "message " + std::to_string(topic.messages - 1) + " (recorded at " +
+         std::to_string(log_ns) + " ns)";
+}
+
+std::string furtherText(std::int64_t count) {
+  return count == 1 ? "" : ", and " + std::to_string(count - 1) + " more like it";
+}
+
 /// Leaves the visit of a file.
 struct Interruption {};
 
 }  // namespace
+
+std::vector<std::string> BagTopic::messageProblems(bool times_matter) const {
+  std::vector<std::string> texts;
+  const std::string name = topic.name + ": ";
+  if (damaged > 0) texts.push_back(name + first_damaged + furtherText(damaged));
+  if (!times_matter) return texts;
+  if (negative > 0) {
+    texts.push_back(name + first_negative + " in its header, before 1970" + furtherText(negative) +
+                    ": its clock was wrong");
+  }
+  if (without_stamp > negative) {
+    const bool images = topic.type == kImage || topic.type == kCompressedImage;
+    texts.push_back(name + std::to_string(without_stamp - negative) +
+                    (images ? " images" : " messages") +
+                    " have no time in their header, and others have one");
+  }
+  return texts;
+}
 
 Result<Bag> Bag::open(const std::filesystem::path& path, const Cancellation& cancellation) {
   Result<std::vector<std::filesystem::path>> found = findBagFiles(path);
@@ -124,11 +152,20 @@ void Bag::add(const Topic& topic, std::int64_t log_ns, const BagMessage& message
   known.first_ns = std::min(known.first_ns, log_ns);
   known.last_ns = std::max(known.last_ns, log_ns);
   if (known.topic != topic || !isKnown(topic.encoding) || !isUsed(topic.type)) return;
+  const std::optional<std::int64_t> stamp = headerStamp(known.message(bytes));
+  if (!stamp) {
+    const char* what = bytes.empty() ? " is empty" : " ends within its header";
+    if (++known.damaged == 1) known.first_damaged = latestOf(known, log_ns) + what;
+    return;
+  }
   if (known.index.empty()) known.first.assign(bytes.begin(), bytes.end());
   known.index.push_back(message);
-  const std::optional<std::int64_t> stamp = headerStamp(known.message(bytes));
-  known.index.back().stamp_ns = stamp.value_or(log_ns);
-  known.index.back().has_stamp = stamp.has_value();
+  known.index.back().has_stamp = *stamp > 0;
+  known.index.back().stamp_ns = *stamp > 0 ? *stamp : log_ns;
+  if (*stamp < 0 && ++known.negative == 1) {
+    known.first_negative =
+        latestOf(known, log_ns) + " has the time " + std::to_string(*stamp) + " ns";
+  }
   if (topic.type == kCameraInfo && known.other_camera.empty()) {
     known.other_camera = cameraChange(known, known.message(bytes));
   }

@@ -29,16 +29,23 @@ struct BagTopic {
   std::uint64_t bytes = 0;
   std::int64_t first_ns = 0;        ///< time of recording
   std::int64_t last_ns = 0;         ///< time of recording
-  std::vector<std::uint8_t> first;  ///< the first message, for types that are used
+  std::vector<std::uint8_t> first;  ///< the first undamaged message, for types that are used
   std::vector<BagMessage> index;    ///< sorted by stamp, for types that are used
   std::int64_t without_stamp = 0;   ///< messages left out, because only others have a time
-  std::string other_camera;         ///< how a later CameraInfo differs from the first; or empty
+  std::int64_t damaged = 0;         ///< messages left out, because they end within their header
+  std::string first_damaged;        ///< "message 2 (recorded at 5000000000 ns) is empty"
+  std::int64_t negative = 0;   ///< messages whose header has a negative time, which is not used
+  std::string first_negative;  ///< "message 0 (recorded at 5000000000 ns) has the time -1 ns"
+  std::string other_camera;    ///< how a later CameraInfo differs from the first; or empty
 
   /// These bytes as a message of the topic.
   Message message(Bytes of) const {
     return {of, topic.encoding == kRos1Encoding ? Encoding::Ros1 : Encoding::Cdr};
   }
   Message firstMessage() const { return message(first); }
+  /// One text, without file and remedy, for each kind of messages that cannot be used as they are:
+  /// damaged ones, and, if `times_matter`, those without a time.
+  std::vector<std::string> messageProblems(bool times_matter) const;
 };
 
 class Bag {

@@ -38,6 +38,15 @@ std::string summary(const BagTopic& topic) {
   return raw ? text + " " + std::string(image->encoding.substr(0, 40)) : text;
 }
 
+constexpr const char* kLeaveOut = "; leave them out by on_corrupt: skip";
+constexpr const char* kWithoutThem =
+    "; they are left out, or, where no header has a time, used by the time of recording";
+
+std::string andMore(std::size_t more) {
+  return more == 0 ? ""
+                   : " (and " + std::to_string(more) + " more; `tolman dataset check` lists all)";
+}
+
 }  // namespace
 
 Status BagSource::configure(const Context& context) {
@@ -64,10 +73,8 @@ Status BagSource::prepare(const Context& context) {
   if (status.isOk()) status = side_.load(*bag_, chosen_.imu, chosen_.odometry);
   if (!status.isOk() || side_.damaged() == 0) return status;
   const std::string what = parameters_.path + ": " + std::to_string(side_.damaged()) +
-                           " messages of other sensors are damaged";
-  if (parameters_.on_corrupt == OnCorrupt::Stop) {
-    return Status::invalidInput(what + "; leave them out by on_corrupt: skip");
-  }
+                           " messages of other sensors are damaged, first " + side_.firstDamaged();
+  if (parameters_.on_corrupt == OnCorrupt::Stop) return Status::invalidInput(what + kLeaveOut);
   context.log.warning(what);
   return Status::ok();
 }
@@ -79,25 +86,43 @@ Status BagSource::judgeProblems(Logger& log) const {
     for (const std::string& problem : problems) log.warning(problem);
     return Status::ok();
   }
-  const std::size_t more = problems.size() - 1;
-  return Status::invalidInput(
-      problems.front() +
-      (more == 0 ? ""
-                 : " (and " + std::to_string(more) + " more; `tolman dataset check` lists all)"));
+  return Status::invalidInput(problems.front() + andMore(problems.size() - 1));
 }
 
-/// Refuses images without times between others, and cameras that change within the bag.
-Status BagSource::judgeTopics(Logger& log) const {
-  for (const BagTopic* topic : {chosen_.left, chosen_.right, chosen_.depth}) {
-    if (topic == nullptr || topic->without_stamp == 0) continue;
-    const std::string what = topic->topic.name + ": " + std::to_string(topic->without_stamp) +
-                             " images have no time in their header, and others have one";
-    if (parameters_.on_corrupt == OnCorrupt::Stop) {
-      return Status::invalidInput(what + "; leave them out by on_corrupt: skip");
-    }
-    log.warning(what + "; they are left out");
+/// The messages of the chosen topics that cannot be used as they are.
+std::vector<std::string> BagSource::messageProblems() const {
+  std::vector<std::string> all;
+  const auto add = [&all](const BagTopic* topic, bool times_matter) {
+    if (topic == nullptr) return;
+    const auto problems = topic->messageProblems(times_matter);
+    all.insert(all.end(), problems.begin(), problems.end());
+  };
+  for (const BagTopic* topic :
+       {chosen_.left, chosen_.right, chosen_.depth, chosen_.imu, chosen_.odometry}) {
+    add(topic, true);
   }
-  if (parameters_.isGiven()) return Status::ok();  // CameraInfo is not used
+  if (parameters_.isGiven()) return all;  // CameraInfo is not used
+  for (const BagTopic* topic : {chosen_.left_info, chosen_.right_info}) add(topic, false);
+  return all;
+}
+
+/// Refuses damaged messages, wrong clocks, messages without times between others, and cameras that
+/// change within the bag.
+Status BagSource::judgeTopics(Logger& log) const {
+  const std::vector<std::string> problems = messageProblems();
+  if (!problems.empty() && parameters_.on_corrupt == OnCorrupt::Stop) {
+    return Status::invalidInput(problems.front() + kLeaveOut + andMore(problems.size() - 1));
+  }
+  for (const std::string& problem : problems) log.warning(problem + kWithoutThem);
+  const bool given = parameters_.isGiven();  // then CameraInfo is not used
+  for (const BagTopic* topic :
+       {chosen_.left, chosen_.right, chosen_.imu, chosen_.odometry,
+        given ? nullptr : chosen_.left_info, given ? nullptr : chosen_.right_info}) {
+    if (topic == nullptr || topic->damaged < topic->messages) continue;
+    return Status::invalidInput(topic->topic.name + ": " + topic->first_damaged +
+                                ", and so is every other; record it again");
+  }
+  if (given) return Status::ok();
   for (const BagTopic* info : {chosen_.left_info, chosen_.right_info}) {
     if (info == nullptr || info->other_camera.empty()) continue;
     return Status::invalidInput(info->topic.name + ": a later message has " + info->other_camera +
@@ -299,7 +324,11 @@ Status BagSource::inspect(std::vector<Finding>& findings) {
       findings.push_back({skip ? Severity::Warning : Severity::Error, "", problem});
     }
   }
-  const bool told = bag_ && !bag_->problems().empty() && !skip;
+  for (const std::string& problem : messageProblems()) {
+    if (skip) findings.push_back({Severity::Warning, "", problem + kWithoutThem});
+    if (!skip) findings.push_back({Severity::Error, "", problem + kLeaveOut});
+  }
+  const bool told = !skip && bag_ && !(bag_->problems().empty() && messageProblems().empty());
   if (!ready_.isOk()) {
     if (!told) findings.push_back({Severity::Error, "", ready_.message()});
     return Status::ok();

@@ -33,6 +33,7 @@ class BagSource final : public Source, public ArrayDescriptions, public RawRigSo
  private:
   Status prepare(const Context& context);
   Status judgeProblems(Logger& log) const;
+  std::vector<std::string> messageProblems() const;
   Status judgeTopics(Logger& log) const;
   /// The size of the first image whose header is sound.
   Status findSize();

@@ -22,13 +22,16 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
   imu_.clear();
   poses_.clear();
   damaged_ = 0;
+  first_damaged_.clear();
   if (imu != nullptr) {
     for (const BagMessage& message : imu->index) {
       const auto bytes = bag.read(message);
       if (!bytes.isOk()) return bytes.status();
       auto measured = readImu(imu->message(bytes.value()));
-      damaged_ += measured ? 0 : 1;
-      if (!measured) continue;
+      if (!measured) {
+        tellDamaged(*imu, message);
+        continue;
+      }
       measured->stamp_ns = message.stamp_ns;
       imu_.push_back(*measured);
     }
@@ -38,13 +41,21 @@ Status SideMeasurements::load(Bag& bag, const BagTopic* imu, const BagTopic* odo
     const auto bytes = bag.read(message);
     if (!bytes.isOk()) return bytes.status();
     const auto measured = readOdometry(odometry->message(bytes.value()));
-    damaged_ += measured ? 0 : 1;
-    if (!measured) continue;
+    if (!measured) {
+      tellDamaged(*odometry, message);
+      continue;
+    }
     poses_.push_back(
         {message.stamp_ns,
          {measured->position[0], measured->position[1], headingOf(measured->orientation)}});
   }
   return Status::ok();
+}
+
+void SideMeasurements::tellDamaged(const BagTopic& topic, const BagMessage& message) {
+  if (++damaged_ > 1) return;
+  first_damaged_ =
+      "of " + topic.topic.name + " with the stamp " + std::to_string(message.stamp_ns) + " ns";
 }
 
 PlanarPose SideMeasurements::poseAt(std::int64_t stamp_ns) const {

@@ -18,6 +18,8 @@ class SideMeasurements {
   /// Reads all messages of the topics that are not null. Damaged ones are counted.
   Status load(Bag& bag, const BagTopic* imu, const BagTopic* odometry);
   std::size_t damaged() const { return damaged_; }
+  /// "of /imu with the stamp 5000000000 ns"; empty if none is damaged.
+  const std::string& firstDamaged() const { return first_damaged_; }
 
   /// Appends, for a frame at `stamp_ns` after one at `previous_ns` (the same at the first):
   /// imu.angular_velocity (rad/s) and imu.linear_acceleration (m/s^2), the means since then in the
@@ -34,6 +36,7 @@ class SideMeasurements {
   };
   void measureImu(std::int64_t begin_ns, std::int64_t end_ns,
                   std::vector<NamedArray>& sensors) const;
+  void tellDamaged(const BagTopic& topic, const BagMessage& message);
   /// Linear interpolation in time between measured poses; constant before the first and after the
   /// last.
   PlanarPose poseAt(std::int64_t stamp_ns) const;
@@ -42,6 +45,7 @@ class SideMeasurements {
   std::vector<ImuMessage> imu_;  ///< by stamp
   std::vector<Pose> poses_;      ///< by stamp
   std::size_t damaged_ = 0;
+  std::string first_damaged_;
 };
 
 }  // namespace tolman::ros_bag

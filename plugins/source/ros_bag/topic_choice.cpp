@@ -15,7 +15,8 @@ using Topics = std::map<std::string, BagTopic>;
 using Types = std::initializer_list<std::string_view>;
 
 bool isOf(const BagTopic& topic, Types types) {
-  return !topic.index.empty() &&
+  // A topic of damaged messages alone is chosen, too: the source then says what is wrong with it.
+  return (!topic.index.empty() || topic.damaged > 0) &&
          std::find(types.begin(), types.end(), topic.topic.type) != types.end();
 }
 

@@ -42,7 +42,9 @@ constexpr std::array kEncodings = {
     PixelLayout{"yuv422_yuy2", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2},
     PixelLayout{"yuyv", 2, 1, cv::COLOR_YUV2GRAY_YUY2, cv::COLOR_YUV2BGR_YUY2}};
 
-Status damaged() { return Status::invalidInput("is no complete message"); }
+Status damaged(const Message& message) {
+  return Status::invalidInput(message.bytes.empty() ? "is empty" : "is no complete message");
+}
 
 /// Fails unless the message contains all rows, of `pixel_bytes` bytes per pixel.
 Status checkRows(const ImageMessage& image, ImageSize size, int pixel_bytes) {
@@ -112,19 +114,19 @@ std::string sizeText(ImageSize size) {
 Result<ImageSize> imageSize(const std::string& type, const Message& message) {
   if (type == kCompressedImage) {
     const auto image = readCompressedImage(message);
-    return image ? codedSize(image->data) : damaged();
+    return image ? codedSize(image->data) : damaged(message);
   }
   const auto image = readImage(message);
-  return image ? plausibleSize(image->width, image->height) : damaged();
+  return image ? plausibleSize(image->width, image->height) : damaged(message);
 }
 
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour) {
   if (type == kCompressedImage) {
     const auto image = readCompressedImage(message);
-    return image ? decodeImage(image->data, colour) : damaged();
+    return image ? decodeImage(image->data, colour) : damaged(message);
   }
   const auto image = readImage(message);
-  return image ? convertRaw(*image, colour) : damaged();
+  return image ? convertRaw(*image, colour) : damaged(message);
 }
 
 Result<Image> convertImage(const std::string& type, const Message& message, bool colour,
@@ -139,7 +141,7 @@ Result<Image> convertImage(const std::string& type, const Message& message, bool
 
 Result<std::vector<float>> convertDepth(const Message& message, ImageSize& size) {
   const auto image = readImage(message);
-  if (!image) return damaged();
+  if (!image) return damaged(message);
   const bool millimetres = image->encoding == "16UC1" || image->encoding == "mono16";
   if (!millimetres && image->encoding != "32FC1") {
     return Status::unsupported("has the encoding '" + std::string(image->encoding.substr(0, 40)) +

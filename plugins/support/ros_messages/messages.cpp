@@ -38,7 +38,7 @@ bool areFinite(const std::array<double, N>& values) {
 std::optional<std::int64_t> headerStamp(const Message& message) {
   FieldReader fields(message);
   const std::int64_t stamp_ns = readStamp(fields);
-  if (!fields.ok() || stamp_ns <= 0) return std::nullopt;
+  if (!fields.ok()) return std::nullopt;
   return stamp_ns;
 }
 

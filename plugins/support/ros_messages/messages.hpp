@@ -58,7 +58,8 @@ struct OdometryMessage {
   std::array<double, 4> orientation{};  ///< x, y, z, w
 };
 
-/// Time in the header of these messages, ns; empty if it is not set or damaged.
+/// Time in the header of these messages, ns: 0 if it is not set, negative if a clock was wrong.
+/// Empty if the message ends before it.
 std::optional<std::int64_t> headerStamp(const Message& message);
 
 /// Empty if the message is incomplete or not of that type.
