@@ -11,12 +11,17 @@ inline constexpr std::string_view kNeverTracked =
     "no motion in the whole run; are the images rectified, and left and right not exchanged? see "
     "`tolman dataset check`";
 
+inline constexpr std::string_view kNearlyBlack =
+    "no motion in the whole run: the images are nearly black, with no grey level above 63 of 255; "
+    "if their files have 16 bits of which the camera uses fewer, set source.bits, see log.txt; "
+    "otherwise expose them longer";
+
 inline constexpr std::string_view kOneFrame =
     "no motion in the whole run: it has one frame, and motion is found between two; take more";
 
 inline constexpr std::string_view kNeverBelieved =
     "no motion in the whole run: the limits of `checks` took them for impossible, see log.txt; "
-    "correct checks, or the times or the rate of the source";
+    "correct checks, or the times, the rate or the units of the source";
 
 inline constexpr std::string_view kStoodStill =
     "no motion in the whole run: odometry answered exactly zero at each frame; if the camera "
@@ -33,6 +38,7 @@ struct RunCounters {
   std::int64_t defects = 0;     ///< frames without a sound image
   std::int64_t initialising = 0;    ///< frames before odometry gave a motion; at least the first
   std::int64_t lost = 0;            ///< frames with odometry lost
+  std::int64_t nearly_black = 0;    ///< frames without tracking, see imaging::isNearlyBlack()
   std::int64_t unmoved = 0;         ///< tracked frames whose motion is exactly zero
   std::int64_t place_left_out = 0;  ///< realtime: frames without place recognition
   std::int64_t templates = 0;       ///< with those of earlier sessions
@@ -52,6 +58,7 @@ struct RunCounters {
     visit("defects", self.defects);
     visit("initialising", self.initialising);
     visit("lost", self.lost);
+    visit("nearly_black", self.nearly_black);
     visit("unmoved", self.unmoved);
     visit("place_left_out", self.place_left_out);
     visit("templates", self.templates);
@@ -69,6 +76,7 @@ struct RunCounters {
   std::string_view neverTrackedText() const {
     if (frames == 1) return kOneFrame;
     if (2 * impossible > frames) return kNeverBelieved;
+    if (2 * nearly_black > frames) return kNearlyBlack;
     return unmoved > 0 ? kStoodStill : kNeverTracked;
   }
 };
