@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "exact_decimal.hpp"
 #include "image_name.hpp"
 #include "name_order.hpp"
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "exact_decimal.hpp"
 #include "unicode_digits.hpp"
 
 namespace tolman::image_folders {
@@ -105,25 +106,51 @@ bool isSign(std::string_view name, std::size_t at) {
   return kSeparators.find(name[at - 1]) != std::string_view::npos;
 }
 
-void addParts(std::string_view name, ImageName& parsed) {
+/// Bytes that compare as the numbers do: sign, power of ten, digits and their end. Those of
+/// negative numbers are complements.
+std::string keyOf(const ExactDecimal& number) {
+  constexpr int kBytes = 2;
+  constexpr int kMiddle = 1 << 15;  // powers are of names of at most 255 bytes, and exponents 1000
+  if (number.digits.empty()) return "1";
+  std::string key;
+  for (int byte = kBytes - 1; byte >= 0; --byte) {
+    key += static_cast<char>(static_cast<unsigned>(number.point + kMiddle) >> (8U * byte) & 0xffU);
+  }
+  key += number.digits + '\0';
+  if (number.negative) std::ranges::transform(key, key.begin(), [](char c) { return ~c; });
+  return (number.negative ? "0" : "2") + key;
+}
+
+/// Numbers have the place of digits among the characters.
+void addNumber(const ExactDecimal& number, ImageName& parsed) {
+  parsed.text += '0';
+  parsed.key += '0' + keyOf(number);
+}
+
+void addCharacter(char c, ImageName& parsed) {
+  parsed.text += c;
+  parsed.key += c;
+}
+
+void addAll(std::string_view name, ImageName& parsed) {
   std::size_t at = 0;
   while (at < name.size()) {
     const bool has_sign = isSign(name, at);
     std::string_view rest = name.substr(at + (has_sign ? 1 : 0));
     if (!isDigit(rest.front())) {
-      parsed.parts.push_back({name[at++], {}});
+      addCharacter(name[at++], parsed);
       continue;
     }
     const int runs = joinedRuns(rest);
     const bool minus = has_sign && name[at] == '-';
     for (int run = 0; run < (runs > 2 ? runs : 1); ++run) {
       if (run > 0) {
-        parsed.parts.push_back({rest.front(), {}});
+        addCharacter(rest.front(), parsed);
         rest.remove_prefix(1);
       }
       ExactDecimal number = takeNumber(rest, runs == 2, runs <= 2);
       number.negative = minus && run == 0 && !number.digits.empty();
-      parsed.parts.push_back({NamePart::kNumber, std::move(number)});
+      addNumber(number, parsed);
     }
     parsed.has_version = parsed.has_version || runs > 2;
     at = name.size() - rest.size();
@@ -132,29 +159,17 @@ void addParts(std::string_view name, ImageName& parsed) {
 
 }  // namespace
 
-std::weak_ordering NamePart::operator<=>(const NamePart& other) const {
-  const auto here = static_cast<unsigned char>(text);
-  const auto there = static_cast<unsigned char>(other.text);
-  if (here != there) return here <=> there;
-  return number <=> other.number;
-}
-
 ImageName parseImageName(std::string_view stem, bool numeric) {
   ImageName parsed;
   parsed.stem = stem;
   const std::string name = foldedName(stem);
   const std::optional<ExactDecimal> whole = numeric ? parseExactDecimal(name) : std::nullopt;
   if (whole) {
-    parsed.parts.push_back({NamePart::kNumber, *whole});
+    addNumber(*whole, parsed);
   } else {
-    addParts(name, parsed);
+    addAll(name, parsed);
   }
   return parsed;
-}
-
-std::weak_ordering compareParts(const ImageName& a, const ImageName& b) {
-  return std::lexicographical_compare_three_way(a.parts.begin(), a.parts.end(), b.parts.begin(),
-                                                b.parts.end());
 }
 
 bool naturalLess(std::string_view a, std::string_view b) {
@@ -173,7 +188,5 @@ std::string withoutThousands(std::string_view text) {
   }
   return without;
 }
-
-bool sameButForZeros(std::string_view a, std::string_view b) { return naturalOrder(a, b) == 0; }
 
 }  // namespace tolman::image_folders

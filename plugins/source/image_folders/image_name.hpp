@@ -2,24 +2,10 @@
 // The name of an image without extension, as text with numbers in it.
 #pragma once
 
-#include <compare>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include "exact_decimal.hpp"
 
 namespace tolman::image_folders {
-
-/// A character that belongs to no number, or a number.
-struct NamePart {
-  static constexpr char kNumber = '0';  ///< so numbers have the place of digits among characters
-  char text = kNumber;
-  ExactDecimal number;
-
-  std::weak_ordering operator<=>(const NamePart& other) const;
-  bool operator==(const NamePart& other) const { return (*this <=> other) == 0; }
-};
 
 /// Numbers have a fraction (after a point or a comma), an exponent with sign, and a sign: "-1.5",
 /// "t_-1.5e-05s". A sign follows nothing but a separator other than a dash, so "cam-3" and
@@ -27,7 +13,8 @@ struct NamePart {
 /// is a whole number.
 struct ImageName {
   std::string stem;
-  std::vector<NamePart> parts;
+  std::string text;          ///< with each number as one 0
+  std::string key;           ///< compares, byte by byte, as the text with its numbers does
   bool has_version = false;  ///< has digits joined by more than one point, such as 1.2.3
 };
 
@@ -36,17 +23,11 @@ struct ImageName {
 /// ("1e5").
 ImageName parseImageName(std::string_view stem, bool numeric);
 
-/// The order of names by their parts; equivalent: the same but for the way of writing.
-std::weak_ordering compareParts(const ImageName& a, const ImageName& b);
-
 /// Whether digits, that is whole numbers, and bytes are less: "image2" < "image10", "1.1" < "1.05".
 /// A total order.
 bool naturalLess(std::string_view a, std::string_view b);
 
 /// The text without commas that may separate thousands: "1,024" becomes "1024", "1,5" stays.
 std::string withoutThousands(std::string_view text);
-
-/// Whether two names differ in leading zeros of their digits only.
-bool sameButForZeros(std::string_view a, std::string_view b);
 
 }  // namespace tolman::image_folders

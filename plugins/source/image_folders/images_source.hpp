@@ -43,17 +43,18 @@ class ImagesSource final : public FolderSource {
                   .doc("Second file where calibration has one camera, or no poses (OpenCV's "
                        "extrinsics).")),
           source_parameters::pinholeParameters<Parameters>(),
-          parameters(parameter("rate", &Parameters::rate)
-                         .range(0.001, 1e6)
-                         .unit("Hz")
-                         .doc("Frame rate, where stamps names no file."),
-                     parameter("stamps", &Parameters::stamps)
-                         .doc("File with the time of each image, one a line, or a table."),
-                     parameter("stamps_column", &Parameters::stamps_column)
-                         .doc("Name of the table's column that holds the times."),
-                     parameter("stamps_unit", &Parameters::stamps_unit).doc("Unit of the times."),
-                     parameter("stamps_in_names", &Parameters::stamps_in_names)
-                         .doc("The names of the left images are their times.")),
+          parameters(
+              parameter("rate", &Parameters::rate)
+                  .range(0.001, 1e6)
+                  .unit("Hz")
+                  .doc("Frame rate, where stamps names no file."),
+              parameter("stamps", &Parameters::stamps)
+                  .doc("File with the time of each image, one a line, or a table."),
+              parameter("stamps_column", &Parameters::stamps_column)
+                  .doc("Name of the table's column that holds the times."),
+              parameter("stamps_unit", &Parameters::stamps_unit).doc("Unit of the times."),
+              parameter("stamps_in_names", &Parameters::stamps_in_names)
+                  .doc("The names of the left images are their times, by which they are sorted.")),
           folderParameters<Parameters>());
     }
   };

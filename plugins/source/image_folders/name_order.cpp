@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "exact_decimal.hpp"
 #include "hexadecimal_names.hpp"
 #include "image_name.hpp"
 
@@ -29,8 +30,8 @@ Indices naturally(const std::vector<std::string>& stems) {
 
 Indices byNumbers(const std::vector<ImageName>& names) {
   return sortedBy(names.size(), [&](std::size_t a, std::size_t b) {
-    const auto order = compareParts(names[a], names[b]);
-    return order != 0 ? order < 0 : naturalLess(names[a].stem, names[b].stem);
+    if (names[a].key != names[b].key) return names[a].key < names[b].key;
+    return naturalLess(names[a].stem, names[b].stem);
   });
 }
 
@@ -59,7 +60,7 @@ std::optional<NameOrder::Pair> firstSame(const std::vector<ImageName>& names,
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const ImageName& before = names[sorted[i - 1]];
     const ImageName& here = names[sorted[i]];
-    if (before.stem != here.stem && compareParts(before, here) == 0) {
+    if (before.stem != here.stem && before.key == here.key) {
       return NameOrder::Pair(sorted[i - 1], sorted[i]);
     }
   }
@@ -78,22 +79,15 @@ std::optional<NameOrder::Pair> firstExchanged(const Indices& taken, const Indice
   return NameOrder::Pair(*here, *there);
 }
 
-/// The text of a name, with each number as one character.
-std::string patternOf(const ImageName& name) {
-  std::string pattern;
-  for (const NamePart& part : name.parts) pattern += part.text;
-  return pattern;
-}
-
-/// Names of another pattern than the one that more than half of the names have.
+/// Names of another text than that which more than half of the names have.
 Indices straysAmong(const std::vector<ImageName>& names) {
   std::map<std::string, std::size_t> counts;
-  for (const ImageName& name : names) ++counts[patternOf(name)];
+  for (const ImageName& name : names) ++counts[name.text];
   const auto usual = std::ranges::max_element(counts, {}, [](const auto& of) { return of.second; });
   Indices strays;
   if (usual == counts.end() || 2 * usual->second <= names.size()) return strays;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (patternOf(names[i]) != usual->first) strays.push_back(i);
+    if (names[i].text != usual->first) strays.push_back(i);
   }
   return strays;
 }
